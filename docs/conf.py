@@ -17,6 +17,7 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
     "reference_pages",
+    "checker_page",
 ]
 sys.path.insert(0, str(Path(__file__).parent / "extensions"))
 myst_enable_extensions = ["dollarmath", "deflist"]
@@ -33,7 +34,7 @@ html_theme = "furo"
 html_title = f"hfield {version}"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
-html_js_files = ["site.js"]
+html_js_files = ["site.js", "check.js"]
 html_copy_source = False
 html_show_sourcelink = False
 html_theme_options = {"footer_icons": [], "top_of_page_buttons": []}

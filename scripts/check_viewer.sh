@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Lets a browser look at the web page that `hfield render -o top.html` writes: the tests that drive
-# headless Chromium. Run it in an environment where hfield and pytest are installed. Debian's chromium is
+# Lets a browser look at the web page that `hfield render -o top.html` writes, and at the site's page that checks
+# certificates: the tests that drive headless Chromium. Run it in an environment where hfield and pytest are installed. Debian's chromium is
 # installed where it is missing and where that is possible; where it is not, the tests are skipped and
 # say so (REQUIRE_CHROMIUM=1 makes that an error).
 set -euo pipefail
@@ -14,4 +14,4 @@ if ! command -v chromium >/dev/null; then
     echo "chromium is missing and could not be installed: what it draws is not checked" >&2
     [ -z "${REQUIRE_CHROMIUM:-}" ] || exit 1
 fi
-python -m pytest -rs tests/anim/test_viewer.py
+python -m pytest -rs tests/anim/test_viewer.py tests/docs/test_checker_page.py

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 COMMANDS = {
     "verify": "decide the claims of the thesis over a panel of fields",
     "claims": "list the claims",
+    "init": "write a small ledger of your own to begin with",
     "report": "write the ledger as one page, or as a paper",
     "explain": "show one decision in full",
     "prove": "prove or refute a statement of your own",

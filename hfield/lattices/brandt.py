@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING
 
-from flint import fmpz_mat
+from flint import fmpz_mat, fmpz_poly, nmod_mat
 
 from hfield.factorisation import factorise
 from hfield.lattices.ideals_of_norm import MOST, number_maximal
 from hfield.lattices.z_order import eichler_symbol
+from hfield.primality import primes
 
 if TYPE_CHECKING:
     from hfield.lattices.classes import Classes
@@ -59,8 +60,79 @@ def _matrix(rows: list[Counter[int]]) -> fmpz_mat:
     return fmpz_mat([[row[j] for j in range(len(rows))] for row in rows])
 
 
+MODULUS = 2**31 - 1
+"""A prime of half a word, larger than every entry that is computed modulo it."""
+
+
+def _by_commuting(classes: Classes, p: int) -> fmpz_mat | None:
+    """Return the Brandt matrix of a prime from one row of it, or None where that row is not enough.
+
+    B(p) commutes with T = B(q), q the least prime off the discriminant. So if v, vT, vT², … are the
+    rows of K, those of K·B(p) are w, wT, wT², … for w = v·B(p); with K invertible modulo
+    a prime above p + 1, which bounds the entries, B(p) is known. v stands for one class.
+    """
+    discriminant, h = classes.ring.discriminant, len(classes)
+    if (
+        p in classes.rows
+        or discriminant % p == 0
+        or p + 1 < 12 + h * h // 40_000
+        or p + 1 >= MODULUS
+    ):
+        return None  # where there are few neighbours listing them is quicker
+    q = next(q for q in primes() if discriminant % q)
+    if q == p:
+        return None
+    import numpy as np
+
+    entries = sorted(
+        (j, i, t) for i, row in enumerate(classes.neighbours(q)) for j, t in row.items()
+    )
+    columns, rows, times = np.array(entries).T
+    starts = np.flatnonzero(np.diff(columns, prepend=-1))  # each class is a neighbour of some
+
+    def orbit(v: list[int]) -> nmod_mat:
+        found = [np.array(v)]
+        for _ in range(h - 1):
+            found.append(np.add.reduceat(found[-1][rows] * times, starts) % MODULUS)
+        return nmod_mat(h, h, np.concatenate(found).tolist(), MODULUS)
+
+    n = h // 2
+    around = classes.neighbours_of(n, p)
+    try:
+        found = orbit([int(i == n) for i in range(h)]).solve(orbit([around[i] for i in range(h)]))
+    except ZeroDivisionError:  # v lies in a part that T leaves to itself
+        return None
+    return fmpz_mat(h, h, [int(x) for x in found.entries()])
+
+
+def hecke_polynomial(classes: Classes, n: int) -> list[int]:
+    """Return the characteristic polynomial of the Brandt matrix, low degree first.
+
+    Classes that a two-sided prime ideal exchanges make it a product of two (the signs of Atkin and Lehner).
+    """
+    matrix = classes.brandt_matrix(n)
+    h = range(len(classes))
+    swap = classes.exchanged if len(classes) > FEW and classes.ring.discriminant % n else list(h)
+    if all(swap[swap[i]] == i for i in h) and any(swap[i] != i for i in h):
+        even = [i for i in h if i <= swap[i]]
+        odd = [i for i in h if i < swap[i]]
+        plus = [
+            [row[j] + row[swap[j]] * (j != swap[j]) for j in even]
+            for row in (matrix[i] for i in even)
+        ]
+        minus = [[row[j] - row[swap[j]] for j in odd] for row in (matrix[i] for i in odd)]
+        found = fmpz_mat(plus).charpoly() * fmpz_mat(minus).charpoly()
+    else:
+        found = fmpz_mat(matrix).charpoly()
+    return [int(c) for c in fmpz_poly(found).coeffs()]
+
+
+FEW = 60
+"""The polynomial of a matrix of so many rows takes less time than to see which classes are exchanged."""
+
+
 def _prime_power(classes: Classes, p: int, e: int) -> fmpz_mat:
-    step = _matrix(classes.neighbours(p))
+    step = _by_commuting(classes, p) or _matrix(classes.neighbours(p))
     if e == 1:
         return step
     before, current = _identity(classes), step

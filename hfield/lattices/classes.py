@@ -88,7 +88,8 @@ class Classes(Certified):
         """How many units the left orders of the classes have."""
         self._keys: dict[Key, int] = {}
         self._lattices: list[ZLattice] = []
-        self._rows: dict[int, list[Counter[int]]] = {}
+        self.rows: dict[int, list[Counter[int]]] = {}
+        """What :meth:`neighbours` has found, by primes."""
         self._enumerate()
 
     def _enumerate(self) -> None:
@@ -97,8 +98,8 @@ class Classes(Certified):
         discriminant = self.ring.discriminant
         for p in primes():
             if not left:  # the rows of an earlier prime lack the classes found since
-                known = self._rows.items()
-                self._rows = {p: rows for p, rows in known if len(rows) == len(self._lattices)}
+                known = self.rows.items()
+                self.rows = {p: rows for p, rows in known if len(rows) == len(self._lattices)}
                 return
             if discriminant % p == 0:
                 continue
@@ -112,7 +113,7 @@ class Classes(Certified):
                     row[self._keys[key]] += 1
                 rows.append(row)
                 done += 1
-            self._rows[p] = rows
+            self.rows[p] = rows
             if left < 0:
                 raise AssertionError("the classes found exceed the mass")
 
@@ -164,6 +165,16 @@ class Classes(Certified):
             kinds += 1
         return known
 
+    @cached_property
+    def exchanged(self) -> list[int]:
+        """Which class each becomes by the first two-sided prime ideal; itself where none is known."""
+        order = self.ring
+        for p, e in sorted(factorise(order.discriminant).items()):
+            if is_maximal_or_eichler(order, p, e):
+                ideal = two_sided_prime(order, p)
+                return [self._index(product(lattice, ideal)) for lattice in self._lattices]
+        return list(range(len(self)))
+
     @property
     def type_number(self) -> int:
         """How many isomorphism classes of orders there are in the genus."""
@@ -177,15 +188,16 @@ class Classes(Certified):
         Raises :class:`LatticeError` for what is no prime.
         """
         p = prime(p)
-        if p not in self._rows:
+        if p not in self.rows:
             if self.ring.discriminant % p:
-                self._rows[p] = [
-                    Counter(self._keys[key] for key, _ in self._neighbours(lattice, p))
-                    for lattice in self._lattices
-                ]
+                self.rows[p] = [self.neighbours_of(n, p) for n in range(len(self))]
             else:
-                self._rows[p] = self.power_neighbours(p, 1)
-        return self._rows[p]
+                self.rows[p] = self.power_neighbours(p, 1)
+        return self.rows[p]
+
+    def neighbours_of(self, n: int, p: int) -> Counter[int]:
+        """Return the same for class n alone, p off the discriminant."""
+        return Counter(self._keys[key] for key, _ in self._neighbours(self._lattices[n], p))
 
     def power_neighbours(self, p: int, e: int) -> list[Counter[int]]:
         """Return for each class how many right ideals of relative norm pᵉ in it belong to which class.
@@ -206,7 +218,7 @@ class Classes(Certified):
 
     def hecke_polynomial(self, n: int) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first."""
-        return [int(c) for c in fmpz_mat(self.brandt_matrix(n)).charpoly().coeffs()]
+        return brandt.hecke_polynomial(self, positive(n, "index"))
 
     def hecke_operator(self, n: int, values: Sequence[Any]) -> list[Any]:
         """Return T_n(f) for a function f on the classes, given by its values: the Brandt matrix of n times f.

@@ -19,8 +19,14 @@ from hfield.proving.statements.setting import read_setting
 from hfield.syntax import plain
 
 SCHEMA = "hfield-ledger/1"
-REQUIRED = ("id", "name", "section", "kind", "statement")
-TEXTS = (*REQUIRED, "printed", "note", "algebra", "holds_words", "corrected_words")
+NAMING = (
+    "id",
+    "name",
+    "section",
+    "kind",
+    "statement",
+)  # made of `holds` and the number of the table
+TEXTS = (*NAMING, "printed", "note", "algebra", "holds_words", "corrected_words")
 STATEMENTS = ("holds", "corrected", "spoilt", "given")
 LISTS = (*STATEMENTS, "fields")
 FLAGS = ("headline",)
@@ -114,6 +120,7 @@ class _Document:
         self.tables = data.get("claims", [])
         if not isinstance(self.tables, list) or not self.tables:
             self.fail(None, "claims", "expected at least one table [[claims]]")
+        self.numbers: dict[str, int] = {}  # which table a claim is, by its id
 
     def claims(self, computed: Mapping[str, Propositions], verify: bool) -> tuple[Claim, ...]:
         """Return the claims in their order; with ``verify`` each statement is tried in its fields."""
@@ -121,10 +128,10 @@ class _Document:
         for number, table in enumerate(self.tables, 1):
             if not isinstance(table, dict):
                 self.fail(None, "claims", f"entry {number} is no table: write [[claims]]")
-            data = self._table(table, f"number {number}")
+            data = self._table(table, number)
             claim = self._claim(data, computed.get(data["id"], Propositions()))
             if claim.id in found:
-                self.fail(claim.id, "id", "this id comes twice", last=True)
+                self.fail(claim.id, "id", "this id comes twice")
             found[claim.id] = claim
             if verify:
                 self._verify(claim, data)
@@ -133,35 +140,32 @@ class _Document:
             self.fail(None, "claims", f"there is no claim {', '.join(unused)}")
         return tuple(found.values())
 
-    def fail(self, claim: str | None, key: str, why: str, last: bool = False) -> NoReturn:
+    def fail(self, claim: str | None, key: str, why: str) -> NoReturn:
         """Raise :class:`LedgerError` about a key of a claim, with the number of its line."""
         where = "" if claim is None else f", claim {shorten(claim)!r}"
-        line = self._line(claim, key, last)
+        line = self._line(claim, key)
         at = "" if line is None else f":{line}"
         raise LedgerError(f"{self.name}{at}{where}, key {shorten(key)!r}: {why}")
 
-    def _line(self, claim: str | None, key: str, last: bool) -> int | None:
-        lines = self.text.splitlines()
-        start = 0
+    def _line(self, claim: str | None, key: str) -> int | None:
+        lines = [line.strip() for line in self.text.splitlines()]
+        start, end = 0, len(lines)
         if claim is not None:
-            own = re.compile(rf"\s*id\s*=\s*[\"']{re.escape(claim)}[\"']")
-            at = [n for n, line in enumerate(lines) if own.match(line)]
-            if not at:
+            heads = [n for n, line in enumerate(lines) if line.startswith("[[claims]]")]
+            own = self.numbers[claim] - 1
+            if own >= len(heads):
                 return None
-            start = at[-1 if last else 0]
-            while start and not lines[start].strip().startswith("[["):
-                start -= 1
-        for n in range(start, len(lines)):
-            if claim is not None and n > start and lines[n].strip().startswith("[["):
-                break
-            if re.match(rf"\s*\[*\[?\s*[\"']?{re.escape(key)}[\"']?\s*(=|\])", lines[n]):
+            start, end = heads[own], [*heads, end][own + 1]
+        for n in range(start, end):
+            if re.match(rf"\[*\[?\s*[\"']?{re.escape(key)}[\"']?\s*(=|\])", lines[n]):
                 return n + 1
         return start + 1 if claim is not None else None
 
-    def _table(self, table: Mapping[str, Any], number: str) -> dict[str, Any]:
-        """Return one table with its values read: texts on one line, lists as tuples."""
+    def _table(self, table: Mapping[str, Any], number: int) -> dict[str, Any]:
+        """Return one table with its values read: texts on one line, lists as tuples, names."""
         raw = table.get("id")
-        name = raw if isinstance(raw, str) and raw.strip() else number
+        name = raw if isinstance(raw, str) and raw.strip() else f"number {number}"
+        self.numbers[name] = number
         out: dict[str, Any] = {}
         for key, value in table.items():
             if key in FLAGS:
@@ -179,10 +183,17 @@ class _Document:
             else:
                 known = ", ".join((*TEXTS, *LISTS, *FLAGS))
                 self.fail(name, key, f"there is no such key; a claim has {known}")
-        for key in REQUIRED:
-            if not out.get(key):
-                self.fail(name, key, "it is missing or empty; every claim has it")
-        return out
+        for key in NAMING:
+            if out.get(key) == "":
+                self.fail(name, key, "it is empty; write a text, or leave the key out")
+        if "statement" not in out and "holds" not in out:
+            self.fail(
+                name, "holds", "it is missing; a claim has `holds`, or at least a `statement`"
+            )
+        id = out.setdefault("id", f"E{number}")
+        self.numbers[id] = number
+        out.setdefault("name", id)
+        return {"section": "1", "kind": "claim", "statement": "; ".join(out.get("holds", ()))} | out
 
     def _text(self, name: str, key: str, value: object) -> str:
         if not isinstance(value, str):

@@ -57,10 +57,26 @@ def test_a_fault_is_named_with_its_place(line: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("key", ["id", "name", "section", "kind", "statement"])
-def test_a_required_key_is_missed(key: str, tmp_path: Path) -> None:
-    text = "\n".join(line for line in HEAD.splitlines() if not line.startswith(f"{key} "))
-    with pytest.raises(LedgerError, match=f"key '{key}': it is missing or empty"):
-        read_ledger(written(tmp_path, text))
+def test_what_names_a_claim_may_be_left_out_and_not_empty(key: str, tmp_path: Path) -> None:
+    lines = (HEAD + 'holds = "p = p"').splitlines()
+    text = "\n".join(line for line in lines if not line.startswith(f"{key} "))
+    (claim,) = read_ledger(written(tmp_path, text))
+    made = {"id": "E1", "name": "E1", "section": "1", "kind": "claim", "statement": "p == p"}
+    assert getattr(claim, key) == made[key]
+    with pytest.raises(LedgerError, match=f"key '{key}': it is empty"):
+        read_ledger(written(tmp_path, text + f'\n{key} = " "'))
+
+
+def test_a_claim_says_something(tmp_path: Path) -> None:
+    with pytest.raises(
+        LedgerError, match=r"sheet.toml:4, claim 'number 2', key 'holds': it is missing"
+    ):
+        read_ledger(written(tmp_path, '[[claims]]\nholds = "p = p"\n\n[[claims]]\nname = "x"'))
+
+
+def test_faults_of_claims_without_an_id_have_a_line(tmp_path: Path) -> None:
+    with pytest.raises(LedgerError, match=r"sheet.toml:5, claim 'E2', key 'holds': "):
+        read_ledger(written(tmp_path, '[[claims]]\nholds = "p = p"\n\n[[claims]]\nholds = "p = "'))
 
 
 @pytest.mark.parametrize(
