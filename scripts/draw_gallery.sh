@@ -9,3 +9,5 @@ for style in classic flat shaded; do
 done
 hfield figures --format svg -o .
 hfield brandt 83 --prime 2 --plot isogenies.svg >/dev/null
+hfield domain '(3,-1|QQ)' -o domain-6.svg >/dev/null
+hfield domain '(2,-13|QQ)' --dark -o domain-26.png >/dev/null

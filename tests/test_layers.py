@@ -43,6 +43,9 @@ FLOORS = [
         "hfield.quaternion",
         "hfield.element_text",
     },
+    {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
+    {"hfield.lattices.lattice"},
+    {"hfield.lattices.hurwitz_order"},
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},
     {"hfield.proving"},

@@ -25,6 +25,7 @@ COMMANDS = {
     "info": "tell what an algebra is",
     "order": "show an order over the integers",
     "ideal": "show an ideal of an order, and compare it with another",
+    "domain": "draw the domain of the units of an indefinite order",
     "classes": "enumerate the ideal classes of an order",
     "brandt": "print Brandt matrices and isogeny graphs",
     "survey": "tell class numbers over ranges, in parallel",

@@ -17,6 +17,7 @@ from flint import fmpq
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, MixedParentsError, shorten
+from hfield.fuchsian.group import NormOneGroup
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices import (
     certificates,
@@ -402,6 +403,15 @@ class Order(Certified, Lattice):
         Of an indefinite algebra, ``"infinite"``: a finitely presented group that is not written down.
         """
         return UNIT_GROUPS[self.unit_count()] if self.value.regular.definite else "infinite"
+
+    def norm_one_group(self) -> NormOneGroup:
+        """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
+
+        Its Dirichlet domains, signature, presentation and words. Raises :class:`IndefiniteError`
+        in a definite
+        algebra.
+        """
+        return NormOneGroup(self.value)
 
     # --- ideals ------------------------------------------------------------------------------------
 

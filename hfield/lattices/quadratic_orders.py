@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING
+from typing import Any
 
 from flint import fmpz, fmpz_mat
 
@@ -31,9 +31,6 @@ from hfield.lattices.z_order import ZOrder
 from hfield.primality import is_probable_prime, primes
 from hfield.rings.whole_numbers import sqrt_mod
 
-if TYPE_CHECKING:
-    from hfield.lattices.lattice import Order
-
 
 @dataclass(frozen=True)
 class Embeddings(Certified):
@@ -42,7 +39,7 @@ class Embeddings(Certified):
     ``elements`` are the images of ``(d + √d)/2``; ``orbits`` counts them up to conjugation by units.
     """
 
-    order: Order
+    order: Any  # an Order, whose class stands above
     discriminant: int
     elements: tuple[Quaternion, ...]
     orbits: int

@@ -1,0 +1,99 @@
+"""``hfield domain``: the Dirichlet domain of the units of norm 1 of an indefinite order, told and drawn."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING, Any
+
+from hfield.commands.answers import answer_one, of_parts
+from hfield.commands.orders import add_algebra, algebra_of, level_of
+from hfield.commands.parser import UsageError, add_format
+from hfield.errors import shorten
+
+if TYPE_CHECKING:
+    from hfield.fuchsian.group import Domain
+    from hfield.presenting import Part
+
+HELP = (
+    "Show the group of units of norm 1 of an order over ZZ in an indefinite algebra over QQ: "
+    "its area, signature and presentation, and draw its Dirichlet domain."
+)
+DOING = "computing the domain"
+EXAMPLES = ("hfield domain '(3,-1|QQ)' -o domain.svg",)
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    add_algebra(parser)
+    parser.add_argument("--level", metavar="N", default="1", help="an Eichler order of this level")
+    parser.add_argument(
+        "--center", metavar="Z", help="a point of the upper half plane, such as 0.1+2j"
+    )
+    parser.add_argument("-o", "--output", metavar="FILE", help="draw to FILE (.svg, .png, .pdf)")
+    parser.add_argument("--dark", action="store_true", help="draw on a dark page")
+    add_format(parser, "plain", "json")
+
+
+def run(args: Namespace) -> int:
+    """Compute the domain, draw it, and print what it is."""
+    center = None if args.center is None else _complex(args.center)
+    domain = (
+        algebra_of(args.algebra).eichler_order(level_of(args.level)).norm_one_group().domain(center)
+    )
+    if args.output is not None:
+        domain.draw(args.output, dark=args.dark)
+    args.output = None  # what is printed goes to the terminal
+    return answer_one(args, lambda: of_parts(lambda: to_json(domain), lambda: parts(domain)))
+
+
+def _complex(text: str) -> complex:
+    try:
+        return complex(text.replace(" ", ""))
+    except ValueError:
+        raise UsageError(
+            f"{shorten(repr(text))} is no complex number; expected such as 0.1+2j"
+        ) from None
+
+
+def to_json(domain: Domain) -> dict[str, Any]:
+    """Return what programs read."""
+    group = domain.group
+    text = group.order.algebra.ring.text
+    genus, orders, cusps = group.signature
+    return {
+        "schema": "hfield-domain/1",
+        "algebra": str(group.order.algebra),
+        "level": group.order.level,
+        "area": str(group.area),
+        "signature": {"genus": genus, "orders": list(orders), "cusps": cusps},
+        "center": [text(x) for x in domain.center_element.coordinates],
+        "sides": [
+            {"element": [text(x) for x in side.element.coordinates], "partner": side.partner}
+            for side in domain.sides
+        ],
+        "vertices": [[z.real, z.imag] for z in domain.vertices],
+        "generators": [[text(x) for x in g.coordinates] for g in group.generators],
+        "relations": [list(r) for r in group.relations],
+        "abelian_invariants": list(group.abelian_invariants),
+    }
+
+
+def parts(domain: Domain) -> list[Part]:
+    """Return what people read."""
+    from hfield.presenting import Facts
+
+    group = domain.group
+    genus, orders, cusps = group.signature
+    facts = [
+        ("algebra", str(group.order.algebra)),
+        ("level", str(group.order.level)),
+        ("area", f"{group.area}, in units of 2π"),
+        ("genus", str(genus)),
+        ("elliptic points", "of order " + ", ".join(map(str, orders)) if orders else "none"),
+        ("cusps", str(cusps)),
+        ("centre", f"the fixed point of {domain.center_element}, about {domain.center:.4f}"),
+        ("sides", f"{len(domain.sides)}, proved to bound the whole domain"),
+        ("generators", ", ".join(map(str, group.generators))),
+        ("relations", ", ".join(" ".join(map(str, r)) for r in group.relations) or "none"),
+    ]
+    return [Facts(facts, 22)]

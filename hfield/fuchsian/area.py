@@ -1,0 +1,65 @@
+"""How large the group of an order is, and how many elliptic points and cusps it has, by formulas over ℚ."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import product
+from math import gcd, prod
+
+from hfield.factorisation import factorise
+from hfield.lattices.modulo_primes import kronecker
+from hfield.lattices.z_order import ZOrder, eichler_symbol, is_eichler
+
+
+def area(order: ZOrder) -> Fraction:
+    """Return the area of the plane modulo the units of norm 1, in units of 2π.
+
+    Shimizu's formula, φ(D)·ψ(N)/6 for Eichler orders; for others by the local index of the units, divided
+    by that of their norms (Voight, theorem 39.1.8 and lemma 26.6.7).
+    """
+    found = Fraction(order.discriminant, 6)
+    for p in factorise(order.discriminant):
+        symbol = eichler_symbol(order, p)
+        assert symbol is not None
+        found *= (1 - Fraction(1, p * p)) / (1 - Fraction(symbol, p))
+        if symbol == 0:
+            found /= _norm_index(order, p)
+    return found
+
+
+def _norm_index(order: ZOrder, p: int) -> int:
+    """Return the index of the norms of local units in the units of ℤₚ, where the residue ring is 𝔽ₚ."""
+    if p > 2:
+        return 2  # modulo p the norm is a square
+    norms = {order.trace_and_norm(x)[1] % 8 for x in product(range(8), repeat=4)}
+    return 4 // len(norms & {1, 3, 5, 7})
+
+
+def elliptic_points(order: ZOrder, m: int) -> int | None:
+    """Return how many elliptic points have order m, 2 or 3; None for an order that is not Eichler.
+
+    They are counted by optimal embeddings of ℤ[i] or ℤ[ω] into an Eichler order (Voight, section 39.4).
+    """
+    D, d = order.regular.discriminant, {2: -4, 3: -3}[m]
+    if not is_eichler(order):
+        return None
+    level = order.level
+    if level % (m * m) == 0:
+        return 0
+    return prod(1 - kronecker(d, p) for p in factorise(D)) * prod(
+        1 + kronecker(d, q) for q in factorise(level)
+    )
+
+
+def cusps(order: ZOrder) -> int | None:
+    """Return how many cusps there are; None for an order in M₂(ℚ) that is not Eichler."""
+    if order.regular.discriminant > 1:
+        return 0
+    if not is_eichler(order):
+        return None
+    n = order.level
+    return sum(_phi(gcd(d, n // d)) for d in range(1, n + 1) if n % d == 0)
+
+
+def _phi(n: int) -> int:
+    return prod(p ** (e - 1) * (p - 1) for p, e in factorise(n).items())

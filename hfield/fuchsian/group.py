@@ -1,0 +1,283 @@
+"""The group of units of norm 1 of an order that acts on the hyperbolic plane, as a user holds it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from math import sqrt
+from typing import Any, NamedTuple
+
+from hfield.algebra.quaternion import Quaternion
+from hfield.errors import IndefiniteError, LatticeError, shorten
+from hfield.fuchsian import area, dirichlet, presentation, search
+from hfield.fuchsian.plane import float_of, rational
+from hfield.fuchsian.presentation import Word
+from hfield.lattices.z_lattice import contains
+from hfield.lattices.z_order import ZOrder
+
+
+class Signature(NamedTuple):
+    """What the quotient is: genus, orders of the elliptic points, ascending, number of cusps."""
+
+    genus: int
+    orders: tuple[int, ...]
+    cusps: int
+
+
+@dataclass(frozen=True)
+class Side:
+    """A side of a domain: ``element`` maps it onto the side number ``partner``, perhaps itself."""
+
+    element: Quaternion
+    partner: int
+
+
+@dataclass(frozen=True)
+class Domain:
+    """The points nearer to a centre than to its images: a Dirichlet domain, proved to be complete.
+
+    Sides and vertices go counterclockwise; side n goes from vertex n to the next.
+    """
+
+    group: NormOneGroup = field(repr=False)
+    polygon: dirichlet.Polygon = field(repr=False)
+    partners: tuple[int, ...] = field(repr=False)
+    cycles: tuple[dirichlet.Cycle, ...] = field(repr=False)
+
+    @cached_property
+    def sides(self) -> tuple[Side, ...]:
+        """The sides, each with the unit that maps it onto its partner."""
+        units = (unit.conjugate() for unit in self.polygon.units)
+        return tuple(map(Side, units, self.partners))
+
+    @cached_property
+    def vertices(self) -> tuple[complex, ...]:
+        """About where the vertices lie in Poincaré's disc around the centre; cusps are on its circle."""
+        return tuple(map(self.polygon.plane.disc, self.polygon.starts))
+
+    @property
+    def center_element(self) -> Quaternion:
+        """The element of trace 0 whose fixed point is the centre: the centre, exactly."""
+        return self.polygon.plane.center
+
+    @property
+    def center(self) -> complex:
+        """About where the centre lies in the upper half plane; :attr:`center_element` tells it exactly."""
+        return fixed_point(self.center_element)
+
+    @property
+    def area(self) -> Fraction:
+        """The area by Gauss and Bonnet from the exact angles, in units of 2π."""
+        return dirichlet.area_of(list(self.partners), list(self.cycles))
+
+    def draw(self, path: object, *, dark: bool = False, depth: int = 3) -> None:
+        """Draw the domain and its images under words of up to ``depth`` sides, to a file .svg, .png or .pdf.
+
+        Sides of a pair have one colour; elliptic points and the centre are marked. Raises
+        :class:`hfield.errors.LatticeError` where the file cannot be written.
+        """
+        from hfield.fuchsian.picture import draw
+
+        draw(self, path, dark=dark, depth=depth)
+
+
+class NormOneGroup:
+    """The units of norm 1 of an order, modulo ±1: discrete motions of the hyperbolic plane.
+
+    >>> from hfield import QuaternionAlgebra
+    >>> G = QuaternionAlgebra("QQ", 3, -1).maximal_order().norm_one_group()
+    >>> G.area, G.signature
+    (Fraction(1, 3), Signature(genus=0, orders=(2, 2, 3, 3), cusps=0))
+    """
+
+    def __init__(self, order: ZOrder) -> None:
+        if order.regular.definite:
+            raise IndefiniteError(
+                f"the units of an order in {order.algebra}, which is definite, are finitely many: "
+                "norm_one_group() asks for an algebra that splits at the real place, units() lists these"
+            )
+        self.order = order
+
+    def __repr__(self) -> str:
+        level = self.order.level
+        return (
+            f"the units of norm 1, modulo ±1, of an order of level {level} in {self.order.algebra}"
+        )
+
+    @cached_property
+    def area(self) -> Fraction:
+        """The area of the plane modulo the group in units of 2π, by Shimizu's formula."""
+        return area.area(self.order)
+
+    @cached_property
+    def signature(self) -> Signature:
+        """Genus, orders of the elliptic points, and cusps, counted at the domain.
+
+        For Eichler orders they are counted by optimal embeddings too; both agree, or this raises.
+        """
+        domain = self._domain
+        orders = [c.order for c in domain.cycles if c.order > 1]
+        orders += [2 for n, partner in enumerate(domain.partners) if n == partner]
+        cusps = sum(c.order == 0 for c in domain.cycles)
+        twice = self.area + 2 - cusps - sum(1 - Fraction(1, m) for m in orders)
+        counted = (area.elliptic_points(self.order, 2), area.elliptic_points(self.order, 3))
+        if (
+            twice % 2
+            or area.cusps(self.order) not in (None, cusps)
+            or any(n not in (None, orders.count(m)) for m, n in zip((2, 3), counted, strict=True))
+        ):
+            raise ArithmeticError("the domain and the formulas for the signature do not agree")
+        return Signature(int(twice / 2), tuple(sorted(orders)), cusps)
+
+    # --- the domain --------------------------------------------------------------------------------
+
+    def domain(self, center: complex | None = None) -> Domain:
+        """Return the Dirichlet domain around a point, by default one with a small c in the order.
+
+        ``center`` is a complex number of the upper half plane, on which i and j act as real matrices: the one
+        of them whose square is positive as a diagonal one. A nearby point takes its place,
+        ``D.center``, that is
+        fixed by an element of the algebra with trace 0 and by no unit but ±1. Raises :class:`LatticeError`.
+        """
+        return self._domain if center is None else self._around(self._nearby(complex(center)))
+
+    @cached_property
+    def _domain(self) -> Domain:
+        return self._around(next(c for c in search.centers(self.order) if self._is_free(c)))
+
+    def _around(self, c: Quaternion) -> Domain:
+        found, partners, cycles = dirichlet.domain(self.order, c, self.area)
+        return Domain(self, found, tuple(partners), tuple(cycles))
+
+    def _is_free(self, c: Quaternion) -> bool:
+        """Tell whether no unit but ±1 fixes a point."""
+        fixing = search.carrying(self.order, c, c, 1 + 1e-9)
+        return all(g * c != c * g or g == g.conjugate() for g in fixing)
+
+    def _nearby(self, z: complex) -> Quaternion:
+        if z.imag <= 0:
+            raise LatticeError(f"a centre is a point of the upper half plane, and {z} is not in it")
+        for n in range(
+            20
+        ):  # beside it where units fix the point itself, or all that is near and simple
+            aside = z.imag * n * complex(0.005, 0.003)
+            c = fixing(self.order.algebra, z + aside, 2 ** (5 + n))
+            if c is not None and abs(fixed_point(c) - z) < z.imag / 8 and self._is_free(c):
+                return c
+        raise LatticeError(f"no point near {z} that units do not fix was found")
+
+    # --- the presentation --------------------------------------------------------------------------
+
+    @cached_property
+    def _presentation(self) -> tuple[tuple[Quaternion, ...], tuple[Word, ...], tuple[Word, ...]]:
+        """Generators, relations, and the word of the unit of each side."""
+        domain = self._domain
+        numbers: dict[int, int] = {}
+        for n, partner in enumerate(domain.partners):
+            if n not in numbers:
+                numbers[partner] = -1 - max(numbers.values(), default=0)
+                numbers[n] = -numbers[partner]
+        # side n has the unit g with inverse ``sides[n].element``
+        sides = [domain.polygon.units[n] for n, number in sorted(numbers.items()) if number > 0]
+        relations: list[Word] = [
+            (numbers[n],) * 2 for n, partner in enumerate(domain.partners) if n == partner
+        ]
+        for cycle in domain.cycles:
+            around = tuple(numbers[n] for n in cycle.sides)  # the inverse of what goes around
+            relations.append(around * cycle.order)
+        left, relations, words = presentation.simplified(len(sides), relations)
+        new = {old: n for n, old in enumerate(left, 1)}
+        new |= {-old: -n for old, n in new.items()}
+
+        def renamed(word: Word) -> Word:
+            return tuple(new[letter] for letter in word)
+
+        of_sides = tuple(
+            renamed(words[m] if m > 0 else presentation.inverse(words[-m]))
+            for m in (numbers[n] for n in range(len(domain.partners)))
+        )
+        return tuple(sides[n - 1] for n in left), tuple(map(renamed, relations)), of_sides
+
+    @property
+    def generators(self) -> tuple[Quaternion, ...]:
+        """Units that generate the group, fewer than pair the sides."""
+        return self._presentation[0]
+
+    @property
+    def relations(self) -> tuple[Word, ...]:
+        """Words in the generators that are ±1, of which all such words are consequences."""
+        return self._presentation[1]
+
+    @property
+    def abelian_invariants(self) -> tuple[int, ...]:
+        """The cyclic factors of the largest abelian quotient, each dividing the next; 0 is ℤ."""
+        return presentation.abelian_invariants(len(self.generators), self.relations)
+
+    def word(self, x: object) -> Word:
+        """Return the word of a unit of norm 1, up to the sign; that of ±1 is ().
+
+        Raises :class:`LatticeError` for what is not in the group.
+        """
+        q: Any = self.order.algebra(x)
+        if not contains(self.order, q) or q.norm() != 1:
+            raise LatticeError(
+                f"{shorten(q)} is no unit of norm 1 of the order: it has norm {q.norm()}"
+                + ("" if contains(self.order, q) else " and is not in the order")
+            )
+        polygon, of_sides = self._domain.polygon, self._presentation[2]
+        c = polygon.plane.center
+        _, path = polygon.reduced(polygon.plane.vector(q * c * q.conjugate()))
+        return presentation.freely_reduced(letter for n in path for letter in of_sides[n])
+
+    def evaluate(self, word: Word) -> Quaternion:
+        """Return the product that a word stands for."""
+        product: Quaternion = self.order.algebra(1)
+        for letter in word:
+            g = self.generators[abs(letter) - 1]
+            product = product * (g if letter > 0 else g.conjugate())
+        return product
+
+
+# --- the upper half plane ----------------------------------------------------------------------------
+
+
+def _squares(algebra: Any) -> tuple[float, float, float]:
+    """Return the squares of i − t/2 and of j, and t, as floats."""
+    a, b, t = (
+        float_of(rational(x))
+        for x in (algebra.constants.a, algebra.constants.b, algebra.constants.t)
+    )
+    return a + t * t / 4, b, t
+
+
+def fixed_point(c: Quaternion) -> complex:
+    """Return about where the point that an element of trace 0 fixes lies in the upper half plane."""
+    alpha, b, t = _squares(c.algebra)
+    _, x, y, z = (float_of(rational(q)) for q in c.coordinates)
+    y += t * z / 2
+    # with u = i − t/2 and c = x·u + y·j + z·u·j
+    if alpha > 0:  # u is diagonal, j = [0 b; 1 0]
+        s = sqrt(alpha)
+        p, q, r = s * x, b * (y + s * z), y - s * z
+    else:  # j is diagonal, u = [0 α; 1 0]
+        s = sqrt(b)
+        p, q, r = s * y, alpha * (x - s * z), x + s * z
+    return complex(p / r, sqrt(max(0.0, -p * p - q * r)) / abs(r))
+
+
+def fixing(algebra: Any, z: complex, scale: int) -> Quaternion | None:
+    """Return an element of trace 0 that fixes about z, of about that size; None if too coarse."""
+    alpha, b, _ = _squares(algebra)
+    p, q, r = z.real, -(abs(z) ** 2), 1.0
+    if alpha > 0:
+        s = sqrt(alpha)
+        x, y, w = p / s, (q / b + r) / 2, (q / b - r) / (2 * s)
+    else:
+        s = sqrt(b)
+        x, y, w = (q / alpha + r) / 2, p / s, (r - q / alpha) / (2 * s)
+    _, i, j, _ = algebra.basis
+    u = i - i.trace() / 2
+    size = scale / max(abs(x), abs(y), abs(w))
+    c: Quaternion = u * round(size * x) + j * round(size * y) + u * j * round(size * w)
+    return c if c.norm() > 0 else None

@@ -1,0 +1,209 @@
+"""Units of norm 1 of indefinite orders: known curves, words against products, domains against brute force."""
+
+import cmath
+import math
+import random
+from fractions import Fraction
+from itertools import product
+
+import pytest
+
+from hfield import QuaternionAlgebra
+from hfield.errors import IndefiniteError, LatticeError
+from hfield.factorisation import factorise
+from hfield.fuchsian import area, dirichlet, presentation
+from hfield.lattices.lattice import Order
+
+# D, N: the area in units of π/3, elliptic points of order 2 and 3, the genus (tables of Shimura curves)
+KNOWN = {
+    (6, 1): (2, 2, 2, 0), (10, 1): (4, 0, 4, 0), (22, 1): (10, 2, 4, 0), (14, 1): (6, 2, 0, 1),
+    (15, 1): (8, 0, 2, 1), (21, 1): (12, 4, 0, 1), (26, 1): (12, 0, 0, 2), (33, 1): (20, 4, 2, 1),
+    (34, 1): (16, 0, 4, 1), (35, 1): (24, 0, 0, 3), (39, 1): (24, 0, 0, 3), (46, 1): (22, 2, 4, 1),
+}  # fmt: skip
+GENUS_ONE = [(6, 5), (6, 7), (6, 13), (10, 3), (10, 7)]
+# N: elliptic points of order 2 and 3, cusps, genus of X₀(N) (Diamond and Shurman, chapter 3)
+MODULAR = {1: (1, 1, 1, 0), 2: (1, 0, 2, 0), 3: (0, 1, 2, 0), 4: (0, 0, 3, 0), 5: (2, 0, 2, 0),
+           7: (0, 2, 2, 0), 9: (0, 0, 4, 0),
+           11: (0, 0, 2, 1), 12: (0, 0, 6, 0), 13: (2, 2, 2, 0)}  # fmt: skip
+
+
+def order(D: int, N: int = 1) -> Order:
+    if D == 1:
+        return QuaternionAlgebra("QQ", 1, 1).eichler_order(N)
+    return QuaternionAlgebra.from_ramification("QQ", list(factorise(D))).eichler_order(N)
+
+
+def checked(O: Order) -> None:
+    """The presentation and the domain hold what they say, multiplied out."""
+    G = O.norm_one_group()
+    genus, orders, cusps = G.signature
+    assert G.area == 2 * genus - 2 + sum(1 - Fraction(1, m) for m in orders) + cusps
+    assert all(g in O and g.norm() == 1 for g in G.generators)
+    assert all(G.evaluate(r) in (1, -1) for r in G.relations)
+    # the abelian quotient of 2g + … generators with the one long relation, written down from the signature
+    k, e = 2 * genus, len(orders)
+    n = k + e + cusps
+    rows = [tuple([k + m + 1] * orders[m]) for m in range(e)] + [tuple(range(k + 1, n + 1))]
+    assert G.abelian_invariants == presentation.abelian_invariants(n, rows)
+    D = G.domain()
+    for n, side in enumerate(D.sides):
+        other = D.sides[side.partner]
+        assert other.partner == n
+        assert side.element * other.element in (1, -1)
+        # numerically: the ends go to the ends of the partner, the other way round
+        mapped = [image(D, side.element, D.vertices[(n + m) % len(D.sides)]) for m in (1, 0)]
+        there = [D.vertices[(side.partner + m) % len(D.sides)] for m in (0, 1)]
+        assert mapped == pytest.approx(there, abs=1e-6)
+    angles = sum(interior(D, n) for n in range(len(D.sides)))
+    assert (len(D.sides) - 2) * math.pi - angles == pytest.approx(2 * math.pi * float(G.area))
+
+
+def image(D, g, z: complex) -> complex:
+    """Where an element maps a point of the disc, by its matrix in floats."""
+    plane = D.polygon.plane
+    m = [[float(int(x.p)) / int(x.q) for x in row] for row in plane.motion(g)]
+    a, b = plane.stretch
+    w = 2 * z / (1 + abs(z) ** 2)
+    v = (1.0, w.real / a, w.imag / b)
+    x, y, t = (sum(p * q for p, q in zip(row, v, strict=True)) for row in m)
+    k = complex(y * a / x, t * b / x)
+    return k / (1 + math.sqrt(max(0.0, 1 - abs(k) ** 2)))
+
+
+def interior(D, n: int) -> float:
+    """The angle at a vertex, between the directions to its neighbours."""
+    z = D.vertices[n]
+    if abs(z) > 1 - 1e-9:
+        return 0.0
+    before, after = D.vertices[n - 1], D.vertices[(n + 1) % len(D.vertices)]
+
+    def seen(w: complex) -> complex:
+        return (w - z) / (1 - z.conjugate() * w)
+
+    return cmath.phase(seen(before) / seen(after)) % (2 * math.pi)
+
+
+@pytest.mark.parametrize(("D", "N"), KNOWN)
+def test_shimura_curves(D: int, N: int) -> None:
+    size, two, three, genus = KNOWN[D, N]
+    G = order(D, N).norm_one_group()
+    assert G.area == Fraction(size, 6)
+    assert G.signature == (genus, (2,) * two + (3,) * three, 0)
+    checked(order(D, N))
+
+
+@pytest.mark.parametrize(("D", "N"), GENUS_ONE)
+def test_curves_of_genus_one(D: int, N: int) -> None:
+    assert order(D, N).norm_one_group().signature.genus == 1
+
+
+@pytest.mark.parametrize("N", MODULAR)
+def test_modular_curves(N: int) -> None:
+    two, three, cusps, genus = MODULAR[N]
+    assert order(1, N).norm_one_group().signature == (genus, (2,) * two + (3,) * three, cusps)
+    checked(order(1, N))
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "texts"),
+    [
+        (3, -1, "1 i j k"),
+        (3, -1, "1 2*i j"),
+        (1, 1, "1 i j k"),
+        (1, 1, "1 2*i j"),
+        (2, -3, "1 i j k"),
+    ],
+)
+def test_orders_of_every_kind(a: int, b: int, texts: str) -> None:
+    """Those that are no Eichler orders too: the domain has the area of the local formula."""
+    checked(QuaternionAlgebra("QQ", a, b).order(texts.split()))
+
+
+@pytest.mark.parametrize(("D", "N"), [(6, 1), (14, 1), (1, 11), (1, 4)])
+def test_words(D: int, N: int) -> None:
+    O = order(D, N)
+    G = O.norm_one_group()
+    rng = random.Random(D * N)
+    letters = [n for m in range(1, len(G.generators) + 1) for n in (m, -m)]
+    assert G.word(1) == G.word(-1) == ()
+    for _ in range(20):
+        x = G.evaluate(tuple(rng.choice(letters) for _ in range(rng.randrange(30))))
+        assert G.evaluate(G.word(x)) in (x, -x)
+        assert G.word(-x) == G.word(x)
+    # the same element by another word: a relation put in the middle
+    for r in G.relations:
+        assert G.word(G.evaluate(r)) == ()
+    i = O.algebra("i")
+    for wrong in (i, i / 7, 2, 0, O.algebra("1/3")):
+        if O.algebra(wrong).norm() != 1 or wrong not in O:
+            with pytest.raises(LatticeError):
+                G.word(wrong)
+
+
+def test_words_of_enumerated_units() -> None:
+    """Every unit in a box, not found by the search, is a product of the generators."""
+    O = order(6)
+    G = O.norm_one_group()
+    units = [
+        x
+        for row in product(range(-4, 5), repeat=4)
+        if (x := sum((c * b for c, b in zip(row, O.basis, strict=True)), O.algebra(0))).norm() == 1
+    ]
+    assert len(units) > 50
+    assert all(G.evaluate(G.word(x)) in (x, -x) for x in units)
+
+
+def test_centers() -> None:
+    G = order(1).norm_one_group()
+    D = G.domain(0.1 + 2j)
+    assert abs(D.center - (0.1 + 2j)) < 0.3
+    c = D.center_element
+    assert c.trace() == 0
+    assert c.norm() > 0
+    assert all(s.element * c != c * s.element for s in D.sides)
+    # i is an elliptic point of SL₂(ℤ), and another point takes its place
+    assert abs(G.domain(1j).center - 1j) < 0.2
+    for z in (0.5, -1j):
+        with pytest.raises(LatticeError, match="upper half plane"):
+            G.domain(z)
+
+
+def test_definite_orders_are_refused() -> None:
+    with pytest.raises(IndefiniteError, match="definite"):
+        QuaternionAlgebra("QQ", -1, -11).maximal_order().norm_one_group()
+
+
+def test_local_index_against_counting() -> None:
+    """The index of Γ₀(N)-like orders in the maximal one, by counting units modulo their conductor."""
+    A = QuaternionAlgebra("QQ", 1, 1)
+    M = A.maximal_order()
+    for p in (2, 3, 5):
+        O = A.order([p * b for b in M.basis])  # ℤ + p·M: modulo p the matrices ±1 among SL₂(𝔽ₚ)
+        index = p * (p * p - 1) // (1 if p == 2 else 2)
+        assert area.area(O.value) == index * area.area(M.value)
+
+
+def test_an_incomplete_domain_is_seen() -> None:
+    """Half of the generators bound a larger polygon, whose area is not that of the group."""
+    O = order(14).value
+    G = Order(O).norm_one_group()
+    plane = G.domain().polygon.plane
+    units: dict = {}
+    dirichlet._add(plane, units, G.domain().polygon.units[:1])
+    found = dirichlet.normalised(plane, units)
+    assert (
+        not found.closed
+        or dirichlet.area_of(
+            dirichlet.paired(found), dirichlet.cycles_of(found, dirichlet.paired(found))
+        )
+        > G.area
+    )
+
+
+def test_pictures(tmp_path) -> None:
+    D = order(6).norm_one_group().domain()
+    for name in ("a.svg", "b.png"):
+        D.draw(tmp_path / name, dark=name == "b.png", depth=2)
+        assert (tmp_path / name).stat().st_size > 5000
+    with pytest.raises(LatticeError, match=r"try a file \.svg"):
+        D.draw(tmp_path / "nowhere" / "a.svg")
