@@ -22,7 +22,19 @@ class WithIdeals:
         >>> from hfield import ring
         >>> K = ring("QQ[s]/(s^3-2)"); a = K.ideal([3, 1 + K.gen])
         >>> a, a**3, a.norm()
-        (ideal(3, 1+s), ideal(3), 3)
+        (ideal(3, s+s^2), ideal(3), 3)
         """
         found: Ideal = of_fields("number_fields.ideals.ideal")(self, generators)
+        return found
+
+    def zeta_minus_one(self) -> Fraction:
+        """Return ζ_K(−1) of a totally real field, exactly, by Siegel's formula.
+
+        Raises :class:`RingError` for other fields, :class:`TooLargeError` for large discriminants.
+
+        >>> from hfield import ring
+        >>> ring("QQ(sqrt(5))").zeta_minus_one(), ring("QQ[s]/(s^3-3*s-1)").zeta_minus_one()
+        (Fraction(1, 30), Fraction(-1, 9))
+        """
+        found: Fraction = of_fields("number_fields.zeta.zeta_minus_one")(self)
         return found
