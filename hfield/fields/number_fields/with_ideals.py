@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.rings.base import of_fields
 
 if TYPE_CHECKING:
+    from hfield.fields.number_fields.class_groups import ClassGroup, UnitGroup
     from hfield.fields.number_fields.ideals import Ideal
 
 
@@ -38,3 +39,48 @@ class WithIdeals:
         """
         found: Fraction = of_fields("number_fields.zeta.zeta_minus_one")(self)
         return found
+
+    def class_group(self) -> ClassGroup:
+        """Return the class group, proved; with ``order, invariants, generators, class_of(a), evidence``.
+
+        Raises :class:`TooLargeError` where the discriminant is too large.
+
+        >>> from hfield import ring
+        >>> ring("QQ(sqrt(-23))").class_group().order, ring("QQ[s]/(s^3-2)").class_group().order
+        (3, 1)
+        """
+        found: ClassGroup = of_fields("number_fields.class_groups.class_group")(self)
+        return found
+
+    def narrow_class_group(self) -> ClassGroup:
+        """Return the group of ideals modulo those with a totally positive generator. Raises likewise.
+
+        >>> from hfield import ring
+        >>> ring("QQ(sqrt(3))").narrow_class_group().order
+        2
+        """
+        found: ClassGroup = of_fields("number_fields.class_groups.class_group")(self, narrow=True)
+        return found
+
+    def unit_group(self) -> UnitGroup:
+        """Return the unit group, proved; with ``rank, generators, torsion, regulator, totally_positive``.
+
+        Raises :class:`TooLargeError` where the discriminant is too large.
+
+        >>> from hfield import ring
+        >>> U = ring("QQ[s]/(s^4-s-1)").unit_group()
+        >>> U, U.torsion_order, U.regulator > 0
+        (ℤ/2 × ℤ^2, 2, True)
+        """
+        found: UnitGroup = of_fields("number_fields.class_groups.unit_group")(self)
+        return found
+
+    def totally_positive_units(self) -> tuple[Any, ...]:
+        """Return generators of the group of totally positive units. Raises likewise.
+
+        >>> from hfield import ring
+        >>> [u.sign() for u in ring("QQ[s]/(s^3-3*s-1)").totally_positive_units()]
+        [1, 1]
+        """
+        found: UnitGroup = of_fields("number_fields.class_groups.unit_group")(self)
+        return found.totally_positive
