@@ -1,7 +1,7 @@
 """Class groups, narrow class groups and unit groups of number fields, and whether an ideal is principal.
 
-All is read off the proved S-units (:mod:`hfield.fields.number_fields.s_units`): the class group is ℤ^S modulo their
-exponents, the units are the S-units with exponents 0, and signs at the real places make the narrow class group.
+All is read off the proved S-units (:mod:`hfield.fields.number_fields.s_units`): the class group is ℤ^S modulo
+their exponents, the units are the S-units with exponents 0; signs at the real places make the narrow group.
 """
 
 from __future__ import annotations
@@ -53,9 +53,7 @@ class AbelianGroup:
         return [self._outof[i] for i in self._at]
 
 
-def _smith(
-    m: list[list[int]], k: int
-) -> tuple[list[int], list[list[int]], list[list[int]]]:
+def _smith(m: list[list[int]], k: int) -> tuple[list[int], list[list[int]], list[list[int]]]:
     """Return d, V and V⁻¹ with U·M·V diagonal and d₁ | d₂ | …, M having k columns and rank k."""
     v = [[int(i == j) for j in range(k)] for i in range(k)]
     w = [[int(i == j) for j in range(k)] for i in range(k)]
@@ -74,9 +72,7 @@ def _smith(
 
     for t in range(k):
         while True:
-            _, r, c = min(
-                (abs(m[r][c]), r, c) for r in range(t, k) for c in range(t, k) if m[r][c]
-            )
+            _, r, c = min((abs(m[r][c]), r, c) for r in range(t, k) for c in range(t, k) if m[r][c])
             m[t], m[r] = m[r], m[t]
             if c != t:
                 swap(t, c)
@@ -135,7 +131,10 @@ class _Field:
     @cached_property
     def s_elements(self) -> list[FieldElement]:
         """Elements with the exponents ``rows``."""
-        return [self.shortened(self.s.product(self.s.generators, c)) for c in self._change[: len(self.rows)]]
+        return [
+            self.shortened(self.s.product(self.s.generators, c))
+            for c in self._change[: len(self.rows)]
+        ]
 
     def shortened(self, x: FieldElement) -> FieldElement:
         """Return x times a unit, with conjugates of about the same size."""
@@ -162,7 +161,9 @@ class _Field:
             helper = inverse
             for _ in range(turn % 5 if turn else 0):
                 if s.base:
-                    helper = helper * s.frame.prime(s.base[s.rng.randrange(min(len(s.base), 4 + turn))])
+                    helper = helper * s.frame.prime(
+                        s.base[s.rng.randrange(min(len(s.base), 4 + turn))]
+                    )
             for y in s.short(helper, 20):
                 exponents = s.smooth_ideal(s.frame.principal(y) * a)
                 if exponents is not None:
@@ -206,13 +207,16 @@ def is_principal(a: Ideal) -> Principality:
     if x is not None:
         return Principality(a.frame.outside(x), {"kind": "generator"})
     classes = field.classes.coordinates(field.class_of(a)[1])
-    return Principality(None, {"kind": "class", "invariants": field.classes.invariants, "class": classes})
+    return Principality(
+        None, {"kind": "class", "invariants": field.classes.invariants, "class": classes}
+    )
 
 
 class ClassGroup:
-    """The class group of a number field, proved without hypotheses; ``narrow`` for that of signs as well.
+    """The class group of a number field, proved without hypotheses, or the narrow one.
 
-    ``order``, ``invariants`` d₁ | d₂ | …, ``generators`` (ideals, of these orders), ``evidence``, ``assumes`` (empty).
+    ``order``, ``invariants`` d₁ | d₂ | …, ``generators`` (ideals, of these orders), ``evidence``, and
+    ``assumes``, which is empty.
 
     >>> from hfield import ring
     >>> K = ring("QQ(sqrt(-5))"); C = K.class_group()
@@ -229,7 +233,9 @@ class ClassGroup:
         k = len(s.primes)
         rows = [[*row, *self._of_signs(x)] for row, x in zip(s.rows, s.generators, strict=True)]
         rows += [[0] * k + self._of_signs(-s.field.one)]
-        rows += [[0] * k + [2 * int(i == j) for j in range(self._signs)] for i in range(self._signs)]
+        rows += [
+            [0] * k + [2 * int(i == j) for j in range(self._signs)] for i in range(self._signs)
+        ]
         self.group = AbelianGroup(rows, k + self._signs)
         self.order, self.invariants = self.group.order, self.group.invariants
 
@@ -281,12 +287,12 @@ class ClassGroup:
 
     @cached_property
     def evidence(self) -> dict[str, Any]:
-        """What shows it, as JSON data: reductions of primes, generators of S-units, where they are saturated."""
+        """What shows it, as JSON data: reductions, generators of S-units, where they are saturated."""
         return _evidence(self._field.s, self.ring)
 
 
 class UnitGroup:
-    """The units of a number field: ``generators`` of the free part, ``rank``, ``torsion``, ``regulator`` (a ball).
+    """The units of a number field: ``generators`` of the free part, ``rank``, ``torsion``, ``regulator``.
 
     >>> from hfield import ring
     >>> U = ring("QQ(sqrt(2))").unit_group()
@@ -314,7 +320,7 @@ class UnitGroup:
 
     @cached_property
     def totally_positive(self) -> tuple[Any, ...]:
-        """Generators of the group of totally positive units, as many as the rank (and 1 of a totally real field)."""
+        """Generators of the group of totally positive units; without real places, those of the free part."""
         s = self._field.s
         real = s.field.signature[0]
         if not real:
@@ -327,7 +333,9 @@ class UnitGroup:
         reduced = flint.fmpz_mat(whole).hnf().tolist()[real:]
         # exponents of −1 count modulo 2
         vectors = [[int(c) for c in row[real + 1 :]] for row in reduced]
-        vectors = [v for v in flint.fmpz_mat(vectors).lll().tolist() if any(v)] if vectors[0] else []
+        vectors = (
+            [v for v in flint.fmpz_mat(vectors).lll().tolist() if any(v)] if vectors[0] else []
+        )
         out = []
         for v in vectors:
             u = s.product(self._field.units, list(map(int, v)))
@@ -347,7 +355,8 @@ def _evidence(s: SUnits, ring: Any) -> dict[str, Any]:
         "field": s.field.data,
         "norms up to": s.bound,
         "reductions": [
-            {"prime": s.base[k].data, "element": coordinates(x)} for k, (x, _) in s.reductions.items()
+            {"prime": s.base[k].data, "element": coordinates(x)}
+            for k, (x, _) in s.reductions.items()
         ],
         "primes": [s.base[k].data for k in s.primes],
         "generators": [coordinates(x) for x in s.generators],

@@ -1,8 +1,8 @@
 """Fractional ideals of the integers of a number field, as lattices in Hermite normal form.
 
-H. Cohen, *A Course in Computational Algebraic Number Theory*, section 4.7. An ideal is an integer matrix over a
-denominator, in lowest terms: rows are coordinates in the integral basis. That is unique, so ideals are equal
-where matrices are. Inverses and intersections go by duals in the trace form.
+H. Cohen, *A Course in Computational Algebraic Number Theory*, section 4.7. An ideal is an integer matrix over
+a denominator, in lowest terms: rows are coordinates in the integral basis. That is unique, so ideals are
+equal where matrices are. Inverses and intersections go by duals in the trace form.
 """
 
 from __future__ import annotations
@@ -124,8 +124,10 @@ def ideal(ring: NumberField | QuadraticField, generators: object) -> Ideal:
     for x in things:
         rows += _rows(frame, x)
     n = frame.n
-    return frame.ideal(flint.fmpq_mat(len(rows) // n, n, rows)) if rows else frame.ideal(
-        flint.fmpq_mat(n, n)
+    return (
+        frame.ideal(flint.fmpq_mat(len(rows) // n, n, rows))
+        if rows
+        else frame.ideal(flint.fmpq_mat(n, n))
     )
 
 
@@ -298,15 +300,14 @@ class Ideal:
         return size.numerator if size.denominator == 1 else size
 
     def valuation(self, prime: object) -> int:
-        """Return the exponent of a prime ideal in this ideal. Raises :class:`RingError` for no prime ideal."""
+        """Return the exponent of a prime ideal here. Raises :class:`RingError` for what is none."""
         frame = self.frame
         if not isinstance(prime, PrimeIdeal | QuadraticPlace) or not prime.is_finite:
             raise RingError(f"expected a prime ideal, not {shorten(prime)}; see primes_above(p)")
+        inside: Any = prime
         if isinstance(prime, QuadraticPlace):
-            found = place_in_number_field(frame.field, prime)
-        else:
-            found = prime
-        return min(found.valuation(x) for x in self.elements)  # type: ignore[union-attr]
+            inside = place_in_number_field(frame.field, prime)
+        return min(inside.valuation(x) for x in self.elements)
 
     def factorisation(self) -> tuple[tuple[Any, int], ...]:
         """Return pairs (prime ideal, exponent ≠ 0), ascending by the primes below; the norm is factored.

@@ -1,11 +1,12 @@
-"""The S-units of a number field, for a set S of prime ideals that generates the class group: proved, not guessed.
+"""The S-units of a number field, for a set S of primes that generates the class group: proved, not guessed.
 
-All primes P of norm up to Minkowski's bound generate the class group. For most of them an element is found whose
-ideal is P times earlier primes; S is the rest. Elements with all their primes in S span a subgroup of the
-S-units, of an index m that is the quotient of two covolumes, at most h'R'/R_min for a proved lower bound of
+All primes P of norm up to Minkowski's bound generate the class group. For most of them an element is found
+whose ideal is P times earlier primes; S is the rest. Elements with all their primes in S span a subgroup of
+the S-units, of an index m that is the quotient of two covolumes, at most h'R'/R_min for a proved lower bound of
 regulators. For every prime ℓ up to this quotient, residues at primes of degree one and norm 1 modulo ℓ
 show that no further product is an ℓ-th power, or the ℓ-th root is taken into the group: so m = 1 in the end
-(H. Cohen, *A Course in Computational Algebraic Number Theory*, sections 6.5 and 5.7; J.-F. Biasse and C. Fieker).
+(H. Cohen, *A Course in Computational Algebraic Number Theory*, section 6.5; M. Pohst and H. Zassenhaus,
+*Algorithmic Algebraic Number Theory*, chapter 5).
 """
 
 from __future__ import annotations
@@ -125,7 +126,11 @@ class SUnits:
                     if P not in self.place:
                         return None
                     out[self.place[P]] = v
-        return out if rests == [1, 1] or (rests[0] == 1 and not self._has(rests[1], valuation)) else None
+        return (
+            out
+            if rests == [1, 1] or (rests[0] == 1 and not self._has(rests[1], valuation))
+            else None
+        )
 
     def _has(self, rest: int, valuation: Callable[[PrimeIdeal], int]) -> bool:
         """Tell whether a prime that may divide a denominator does."""
@@ -177,9 +182,9 @@ class SUnits:
     def _relations(self) -> Iterator[tuple[FieldElement, list[int]]]:
         """Yield elements with all their primes in S."""
         seen = set()
-        for p in self._rational:
+        for p in sorted({self.base[k].p for k in self.primes}):
             found = self.smooth(self.field(p))
-            if found and not any(P.is_inert for _, P in self.frame.primes_above(p)):
+            if found:
                 yield self.reduced(self.field(p), found)
         size = 1
         for turn in range(2_000):
@@ -212,6 +217,8 @@ class SUnits:
             if len(elements) < target:
                 continue
             target = len(elements) + 4
+            if self.primes and flint.fmpz_mat(rows).rank() < len(self.primes):
+                continue
             found = self._independent(elements, rows)
             if len(found) != wanted:
                 continue
@@ -222,7 +229,11 @@ class SUnits:
             self.generators, self.rows = list(elements), list(rows)
             limit = self._index_bound(elements, rows)
             same = same + 1 if limit == before else 0
-            if limit < 20 or same == (2 if limit < MAX_SATURATED else 8) or turn > 60 * wanted + 600:
+            if (
+                limit < 20
+                or same == (2 if limit < MAX_SATURATED else 8)
+                or turn > 60 * wanted + 600
+            ):
                 return
         if not self.generators:
             raise UndecidedError(
@@ -240,9 +251,7 @@ class SUnits:
                 out = out * self.field.power(x, int(c))
         return out
 
-    def _independent(
-        self, elements: list[FieldElement], rows: list[list[int]]
-    ) -> list[list[int]]:
+    def _independent(self, elements: list[FieldElement], rows: list[list[int]]) -> list[list[int]]:
         """Return exponents of products that span, up to roots of unity, what all elements span."""
         count = len(elements)
         whole = []
@@ -264,9 +273,7 @@ class SUnits:
         while bits <= 1 << 16:
             logs = [logarithms(self.frame, x, bits)[: self.rank] for x in elements]
             with precision(bits):
-                whole = [
-                    [*map(flint.arb, row), *log] for row, log in zip(rows, logs, strict=True)
-                ]
+                whole = [[*map(flint.arb, row), *log] for row, log in zip(rows, logs, strict=True)]
                 size = abs(flint.arb_mat(whole).det()) if whole else flint.arb(1)
             if size > 0 and size.rel_accuracy_bits() > 20:
                 return size
@@ -277,7 +284,12 @@ class SUnits:
         """Return a bound for the index of a group in the S-units: h'R' over the least regulator."""
         size = self.covolume(elements, rows)
         with precision(128):
-            return int((size / self.least_regulator()[0] + flint.arb(2) ** -20).upper().floor().unique_fmpz())
+            return int(
+                (size / self.least_regulator()[0] + flint.arb(2) ** -20)
+                .upper()
+                .floor()
+                .unique_fmpz()
+            )
 
     def least_regulator(self) -> tuple[Any, str]:
         """Return a proved lower bound for the regulator, and by whom."""
@@ -308,6 +320,8 @@ class SUnits:
         for ell in primes():
             if ell > limit:
                 return
+            if not self.rank and limit % ell:  # the index divides the determinant of the exponents
+                continue
             while (found := self._root_at(ell)) is not None:
                 position, y = found
                 self.generators[position] = y
@@ -328,7 +342,9 @@ class SUnits:
                 (q, root), column = next(tests)(elements)
                 columns.append(column)
                 used.append((q, root))
-            matrix = flint.nmod_mat(len(columns), len(elements), [c for v in columns for c in v], ell)
+            matrix = flint.nmod_mat(
+                len(columns), len(elements), [c for v in columns for c in v], ell
+            )
             kernel = left_kernel(matrix.transpose())
             if not kernel:
                 self.saturated[ell] = used
@@ -351,7 +367,7 @@ class SUnits:
         )
 
     def _characters(self, ell: int) -> Iterator[Any]:
-        """Yield functions: the ℓ-th power residue symbols of elements, as exponents, at primes of degree one."""
+        """Yield functions: ℓ-th power residue symbols of elements, as exponents, at primes of degree one."""
         whole = self.field.polynomial.numer()
         bad = int(whole.discriminant()) * int(whole.leading_coefficient())
         below = {self.base[k].p for k in self.primes}
@@ -440,7 +456,7 @@ def _rounded(x: Any, shift: int) -> int:
 
 
 def logarithms(frame: Integers, x: FieldElement, bits: int = 128) -> list[Any]:
-    """Return balls around the logarithms of all absolute values at infinity, twice those at complex places."""
+    """Return balls around the logarithms of absolute values at infinity, twice those at complex places."""
     embeddings = frame.field.embeddings
     out = []
     for index in range(embeddings.count):
@@ -458,16 +474,18 @@ def logarithms(frame: Integers, x: FieldElement, bits: int = 128) -> list[Any]:
 
 
 def root(frame: Integers, x: FieldElement, ell: int) -> FieldElement | None:
-    """Return y in the field with y^ℓ = x, or None: conjugates of roots are combined, and the power compared."""
-    field, n = frame.field, frame.n
+    """Return y in the field with y^ℓ = x, or None: conjugates are combined, and the power compared."""
+    field = frame.field
     real, complex_ = field.signature
-    if ell ** complex_ * (2**real if ell == 2 else 1) > MAX_ROOTS:
+    if ell**complex_ * (2**real if ell == 2 else 1) > MAX_ROOTS:
         raise TooLargeError(f"a root of degree {ell} has too many conjugates to try")
     scale = int(frame.principal(x).denominator)
     # m·y is an integer where m^ℓ·x is
     y_scale = math.prod(p ** -(-e // ell) for p, e in _factors(scale))
     target = x * flint.fmpq(y_scale) ** ell
-    height = max(abs(int(c)) for c in (*target.poly.numer().coeffs(), target.poly.denom())).bit_length()
+    height = max(
+        abs(int(c)) for c in (*target.poly.numer().coeffs(), target.poly.denom())
+    ).bit_length()
     bits = 128
     while bits < 4 * height + 256:
         bits *= 2
@@ -504,7 +522,8 @@ def root(frame: Integers, x: FieldElement, ell: int) -> FieldElement | None:
                 continue
             y = element_of(field, [flint.fmpq(c) for c in whole])
             if field.power(y, ell) == target:
-                return y * flint.fmpq(1, y_scale)
+                found: FieldElement = y * flint.fmpq(1, y_scale)
+                return found
     return None
 
 

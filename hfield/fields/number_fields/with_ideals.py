@@ -1,4 +1,4 @@
-"""What number fields of all kinds know of their ideals, classes and units; the answers stand above the rings."""
+"""What number fields of all kinds say of ideals, classes and units; the answers stand above the rings."""
 
 from __future__ import annotations
 

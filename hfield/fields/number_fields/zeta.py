@@ -1,10 +1,9 @@
 """The exact value ζ_K(−1) for a totally real field K, by Siegel's formula.
 
-Restricted to the diagonal, Hecke's Eisenstein series of weight 2 is a modular form of weight 2n for SL₂(ℤ), with
-the constant term ζ_K(−1) and the l-th coefficient 2ⁿ·Σ σ₁(ν·D), summed over the totally positive ν of trace l in
-the inverse of the different D. Its product with E_w/Δʳ, of weight 2, has no constant term: that gives
-the first coefficient by the next r (C. L. Siegel, *Nachr. Akad. Wiss. Göttingen* 1969; Cohen, *Advanced Topics in
-Computational Number Theory*, section 8.2.3 [there as ζ_K(1 − m)]).
+Restricted to the diagonal, Hecke's Eisenstein series of weight 2 is a modular form of weight 2n for SL₂(ℤ),
+with the constant term ζ_K(−1) and the l-th coefficient 2ⁿ·Σ σ₁(ν·D), summed over the totally positive ν of
+trace l in the inverse of the different D. Its product with E_w/Δʳ, of weight 2, has no constant term: that gives the
+constant term of the series by its next r coefficients (C. L. Siegel, *Nachr. Akad. Wiss. Göttingen*, 1969).
 """
 
 from __future__ import annotations
@@ -34,7 +33,7 @@ def zeta_minus_one(ring: Any) -> Fraction:
     n = frame.n
     if frame.field.signature != (n, 0):
         raise RingError(
-            f"ζ_K(−1) = 0 for {shorten(ring.name)}, which is not totally real; expected a field like QQ(sqrt(5))"
+            f"ζ_K(−1) is 0 for {shorten(ring.name)}, which is not totally real; expected one that is"
         )
     if math.isqrt(frame.field.discriminant()) * 2 ** (n - 2) > MAX_ELEMENTS:
         raise TooLargeError(
@@ -42,8 +41,9 @@ def zeta_minus_one(ring: Any) -> Fraction:
         )
     sums = _Sums(frame)
     c = _pole(2 * n)
-    total = sum(c[level] * sums.coefficient(level) for level in range(1, len(c)))
-    return -(2**n) * Fraction(total) / c[0]
+    total = sum((c[k] * sums.coefficient(k) for k in range(1, len(c))), Fraction(0))
+    found: Fraction = -(2**n) * total / c[0]
+    return found
 
 
 def _pole(weight: int) -> list[Fraction]:
@@ -96,7 +96,7 @@ class _Sums:
         return sum(self._divisor_sum(x) for x in self._positive(trace))
 
     def _positive(self, trace: int) -> Iterator[FieldElement]:
-        """Yield the totally positive elements: conjugates are positive, so their squares sum to at most l²."""
+        """Yield the totally positive elements: squares of their conjugates sum to at most l²."""
         for row in _points(self.gram, trace, Fraction(trace * trace)):
             whole = flint.fmpq_mat(flint.fmpz_mat(1, self.frame.n, row)) * self.basis
             x = element_of(self.frame.field, whole.entries())
@@ -119,9 +119,9 @@ class _Sums:
 
 
 def _points(gram: list[list[Fraction]], last: int, bound: Fraction) -> Iterator[list[int]]:
-    """Yield the integer vectors with a given last entry on which a positive definite form is at most a bound.
+    """Yield the integer vectors with a given last entry on which a definite form is at most a bound.
 
-    The form is a sum of dₖ·(xₖ + Σ m[k][j]·xⱼ)², j > k, and entries are chosen from the last (Fincke and Pohst).
+    The form is a sum of dₖ·(xₖ + Σ m[k][j]·xⱼ)², j > k; entries are chosen from the last (Fincke and Pohst).
     """
     n = len(gram)
     g = [row[:] for row in gram]
