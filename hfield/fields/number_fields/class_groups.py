@@ -150,7 +150,7 @@ class _Field:
             excess = [v - mean * (1 if k < real else 2) for k, v in enumerate(its)][: s.rank]
             matrix = flint.arb_mat([row[: s.rank] for row in logs])
             found = (flint.arb_mat([excess]) * matrix.inv()).entries()
-            turns = [int((c.mid() + flint.arb("0.5")).floor().unique_fmpz()) for c in found]
+            turns = [_nearest(c) for c in found]
         return s.product([x, *units], [1, *(-t for t in turns)])
 
     def class_of(self, a: Ideal) -> tuple[FieldElement, list[int]]:
@@ -193,6 +193,12 @@ class _Field:
         x = self.shortened(x)
         assert s.frame.principal(x) == a, "a generator generates"
         return x
+
+
+def _nearest(c: Any) -> int:
+    """Return an integer near the middle of a ball, which only makes a number shorter."""
+    whole = (c.mid() + flint.arb("0.5")).mid().floor().unique_fmpz()
+    return 0 if whole is None else int(whole)
 
 
 @lru_cache(maxsize=256)

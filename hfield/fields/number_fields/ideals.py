@@ -152,7 +152,7 @@ def _rows(frame: Integers, x: Any) -> list[flint.fmpq]:
     else:
         elements = [frame.inside(x)]
     products = [y * w for y in elements if y for w in frame.basis]
-    return coordinate_rows(frame.field, products).entries() if products else []  # type: ignore[no-any-return]
+    return coordinate_rows(frame.field, products).entries() if products else []
 
 
 class Ideal:
@@ -307,7 +307,7 @@ class Ideal:
         inside: Any = prime
         if isinstance(prime, QuadraticPlace):
             inside = place_in_number_field(frame.field, prime)
-        return min(inside.valuation(x) for x in self.elements)
+        return int(min(inside.valuation(x) for x in self.elements))
 
     def factorisation(self) -> tuple[tuple[Any, int], ...]:
         """Return pairs (prime ideal, exponent ≠ 0), ascending by the primes below; the norm is factored.

@@ -1,9 +1,9 @@
 """The S-units of a number field, for a set S of primes that generates the class group: proved, not guessed.
 
 All primes P of norm up to Minkowski's bound generate the class group. For most of them an element is found
-whose ideal is P times earlier primes; S is the rest. Elements with all their primes in S span a subgroup of
-the S-units, of an index m that is the quotient of two covolumes, at most h'R'/R_min for a proved lower bound of
-regulators. For every prime ℓ up to this quotient, residues at primes of degree one and norm 1 modulo ℓ
+whose ideal is P times earlier primes; S is the rest. Elements with all their primes in S span a subgroup
+of the S-units, of an index m that is the quotient of two covolumes, at most h'R'/R_min for a proved lower
+bound of regulators. For every prime ℓ up to this quotient, residues at primes of degree one and norm 1 mod ℓ
 show that no further product is an ℓ-th power, or the ℓ-th root is taken into the group: so m = 1 in the end
 (H. Cohen, *A Course in Computational Algebraic Number Theory*, section 6.5; M. Pohst and H. Zassenhaus,
 *Algorithmic Algebraic Number Theory*, chapter 5).

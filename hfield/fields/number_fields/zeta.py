@@ -2,8 +2,8 @@
 
 Restricted to the diagonal, Hecke's Eisenstein series of weight 2 is a modular form of weight 2n for SL₂(ℤ),
 with the constant term ζ_K(−1) and the l-th coefficient 2ⁿ·Σ σ₁(ν·D), summed over the totally positive ν of
-trace l in the inverse of the different D. Its product with E_w/Δʳ, of weight 2, has no constant term: that gives the
-constant term of the series by its next r coefficients (C. L. Siegel, *Nachr. Akad. Wiss. Göttingen*, 1969).
+trace l in the inverse of the different D. Its product with E_w/Δʳ, of weight 2, has no constant term, so that
+the r coefficients after the constant term give this one (C. L. Siegel, *Nachr. Akad. Wiss. Göttingen*, 1969).
 """
 
 from __future__ import annotations
