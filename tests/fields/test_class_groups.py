@@ -10,8 +10,8 @@ import pytest
 
 from hfield import ring
 from hfield.errors import HFieldError, RingError
+from hfield.fields.number_fields.classes.s_units import SUnits, root
 from hfield.fields.number_fields.ideals import integers
-from hfield.fields.number_fields.s_units import SUnits, root
 
 CASES = json.loads((Path(__file__).parents[1] / "vectors/class_groups.json").read_text())["cases"]
 

@@ -31,9 +31,10 @@ from hfield.fields.number_fields.quadratic.as_number_field import (
 from hfield.fields.number_fields.quadratic.places import QuadraticPlace
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
+from hfield.rings.base import of_fields
 
 if TYPE_CHECKING:
-    from hfield.fields.number_fields.class_groups import Principality
+    from hfield.fields.number_fields.classes.class_groups import Principality
 
 
 class Integers:
@@ -361,9 +362,8 @@ class Ideal:
 
         Raises :class:`TooLargeError` where the class group of the field is out of reach.
         """
-        from hfield.fields.number_fields.class_groups import is_principal
-
-        return is_principal(self)
+        answer: Principality = of_fields("number_fields.classes.class_groups.is_principal")(self)
+        return answer
 
     def __str__(self) -> str:
         return f"ideal({', '.join(map(self.ring.text, self.generators))})"

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.rings.base import of_fields
 
 if TYPE_CHECKING:
-    from hfield.fields.number_fields.class_groups import ClassGroup, UnitGroup
+    from hfield.fields.number_fields.classes.class_groups import ClassGroup, UnitGroup
     from hfield.fields.number_fields.ideals import Ideal
 
 
@@ -37,7 +37,7 @@ class WithIdeals:
         >>> ring("QQ(sqrt(5))").zeta_minus_one(), ring("QQ[s]/(s^3-3*s-1)").zeta_minus_one()
         (Fraction(1, 30), Fraction(-1, 9))
         """
-        found: Fraction = of_fields("number_fields.zeta.zeta_minus_one")(self)
+        found: Fraction = of_fields("number_fields.classes.zeta.zeta_minus_one")(self)
         return found
 
     def class_group(self) -> ClassGroup:
@@ -49,7 +49,7 @@ class WithIdeals:
         >>> ring("QQ(sqrt(-23))").class_group().order, ring("QQ[s]/(s^3-2)").class_group().order
         (3, 1)
         """
-        found: ClassGroup = of_fields("number_fields.class_groups.class_group")(self)
+        found: ClassGroup = of_fields("number_fields.classes.class_groups.class_group")(self)
         return found
 
     def narrow_class_group(self) -> ClassGroup:
@@ -59,7 +59,9 @@ class WithIdeals:
         >>> ring("QQ(sqrt(3))").narrow_class_group().order
         2
         """
-        found: ClassGroup = of_fields("number_fields.class_groups.class_group")(self, narrow=True)
+        found: ClassGroup = of_fields("number_fields.classes.class_groups.class_group")(
+            self, narrow=True
+        )
         return found
 
     def unit_group(self) -> UnitGroup:
@@ -72,7 +74,7 @@ class WithIdeals:
         >>> U, U.torsion_order, U.regulator > 0
         (ℤ/2 × ℤ^2, 2, True)
         """
-        found: UnitGroup = of_fields("number_fields.class_groups.unit_group")(self)
+        found: UnitGroup = of_fields("number_fields.classes.class_groups.unit_group")(self)
         return found
 
     def totally_positive_units(self) -> tuple[Any, ...]:
@@ -82,5 +84,5 @@ class WithIdeals:
         >>> [u.sign() for u in ring("QQ[s]/(s^3-3*s-1)").totally_positive_units()]
         [1, 1]
         """
-        found: UnitGroup = of_fields("number_fields.class_groups.unit_group")(self)
+        found: UnitGroup = of_fields("number_fields.classes.class_groups.unit_group")(self)
         return found.totally_positive

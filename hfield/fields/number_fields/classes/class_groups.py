@@ -1,6 +1,6 @@
 """Class groups, narrow class groups and unit groups of number fields, and whether an ideal is principal.
 
-All is read off the proved S-units (:mod:`hfield.fields.number_fields.s_units`): the class group is ℤ^S modulo
+All is read off the proved S-units (:mod:`hfield.fields.number_fields.classes.s_units`): the class group is ℤ^S modulo
 their exponents, the units are the S-units with exponents 0; signs at the real places make the narrow group.
 """
 
@@ -15,9 +15,9 @@ from typing import Any
 import flint
 
 from hfield.errors import UndecidedError
+from hfield.fields.number_fields.classes.s_units import MINKOWSKI, SUnits, logarithms, s_units
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import Ideal
-from hfield.fields.number_fields.s_units import MINKOWSKI, SUnits, logarithms, s_units
 from hfield.rings.balls import precision
 
 
