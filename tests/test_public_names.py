@@ -16,8 +16,8 @@ NAMES = {
     "hfield": """
         CC ClassSet CoercionError Description GF H HFieldError Ideal IndefiniteError Lattice LatticeError
         LedgerError MixedParentsError NoSolutionError NotFiniteError NotInvertibleError NotationError
-        NumberField Order QQ Quaternion QuaternionAlgebra RDF RR Rejected Ring RingError SelectionError TooLargeError
-        UndecidedError UnfactoredError UnknownClaimError ZZ Zmod check conj conjugator errors explain
+        NumberField Order QQ Quaternion QuaternionAlgebra RDF RR Rejected Ring RingError SelectionError
+        TooLargeError UndecidedError UnfactoredError UnknownClaimError ZZ Zmod check conj conjugator errors explain
         four_squares hilbert_symbol info inv norm places prove ring trace verify
     """,
     "rotation": """

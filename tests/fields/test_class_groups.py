@@ -1,0 +1,108 @@
+"""Class groups, units and ζ_K(−1) against PARI, and saturation of a group that is not."""
+
+import json
+from fractions import Fraction
+from math import isclose
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from hfield import ring
+from hfield.errors import HFieldError, RingError
+from hfield.fields.number_fields.classes.s_units import SUnits, root
+from hfield.fields.number_fields.ideals import integers
+
+CASES = json.loads((Path(__file__).parents[1] / "vectors/class_groups.json").read_text())["cases"]
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda c: c["polynomial"])
+def test_as_pari(case: dict[str, Any]) -> None:
+    """Invariants, regulator, torsion, ζ_K(−1) and which primes are principal; generators generate."""
+    K = ring(f"QQ[s]/({case['polynomial']})")
+    C, U = K.class_group(), K.unit_group()
+    assert list(C.invariants) == case["classes"]
+    assert list(K.narrow_class_group().invariants) == case["narrow"]
+    assert C.assumes == U.assumes == ()
+    assert U.torsion_order == case["torsion"]
+    assert isclose(float(U.regulator.mid()), case["regulator"], rel_tol=1e-9)
+    assert all(abs(u.norm()) == 1 and K.is_integral(u) for u in U.generators)
+    if case["zeta"]:
+        assert K.zeta_minus_one() == Fraction(*case["zeta"])
+    for p, wanted in case["principal"].items():
+        found = []
+        for P in K.primes_above(int(p)):
+            answer = K.ideal(P).is_principal()
+            assert not answer or K.ideal(answer.generator) == K.ideal(P)
+            found.append([P.f, int(bool(answer))])
+        assert sorted(found) == wanted
+
+
+@pytest.mark.parametrize(
+    ("name", "order", "narrow"),
+    [("QQ(sqrt(-5))", 2, 2), ("QQ(sqrt(3))", 1, 2), ("QQ(sqrt(10))", 2, 2), ("QQ(sqrt(-5460))", 16, 16),
+     ("QQ(sqrt(79))", 3, 6), ("QQ(I)", 1, 1), ("QQ[s]/(s^4-10*s^2+1)", 1, 2)],
+)  # fmt: skip
+def test_groups(name: str, order: int, narrow: int) -> None:
+    """Known orders; generators have the orders of their factors; totally positive units are that."""
+    K = ring(name)
+    for C, wanted in ((K.class_group(), order), (K.narrow_class_group(), narrow)):
+        assert C.order == len(C) == wanted
+        for k, (a, d) in enumerate(zip(C.generators, C.invariants, strict=True)):
+            assert C.class_of(a) == tuple(int(j == k) for j in range(len(C.invariants)))
+            assert not any(C.class_of(a**d))
+    places = K.real_places()
+    assert all(v.sign(u) > 0 for u in K.totally_positive_units() for v in places)
+
+
+def test_large_fundamental_unit() -> None:
+    """A generator with a large unit is found, and is short."""
+    K = ring("QQ(sqrt(2400009))")
+    for p in (2, 3, 5, 7):
+        for P in K.primes_above(p):
+            h = K.class_group().order
+            a = K.ideal(P) ** h
+            assert K.ideal(a.is_principal().generator) == a
+
+
+def test_saturation() -> None:
+    """From S-units of index 2·9·5 the saturation comes back to the whole group."""
+    K = ring("QQ[s]/(s^4-s^3-4*s^2+4*s+1)")
+    whole = SUnits(integers(K))
+    size = whole.covolume(whole.generators, whole.rows)
+    for position, power in ((0, 2), (1, 9), (2, 5)):
+        x = whole.generators[position]
+        whole.generators[position] = K.power(x, power) * whole.torsion
+        whole.rows[position] = [c * power for c in whole.rows[position]]
+    spoilt = whole.covolume(whole.generators, whole.rows)
+    assert isclose(float((spoilt / size).mid()), 90)
+    whole._saturate()
+    assert whole.covolume(whole.generators, whole.rows).overlaps(size)
+
+
+def test_roots() -> None:
+    """Roots of powers are found, also fractions and with complex conjugates; others are refused."""
+    K = ring("QQ[s]/(s^4-s-1)")
+    frame, x = integers(K), K("3/2-s+s^3")
+    for ell in (2, 3, 5):
+        y = root(frame, K.power(x, ell), ell)
+        assert y is not None
+        assert K.power(y, ell) == K.power(x, ell)
+        assert root(frame, K.power(x, ell) * 7, ell) is None
+
+
+def test_zeta() -> None:
+    """Known values."""
+    known = {"QQ(sqrt(5))": (1, 30), "QQ(sqrt(2))": (1, 12), "QQ(sqrt(3))": (1, 6), "QQ(sqrt(13))": (1, 6),
+             "QQ[s]/(s^3-s^2-2*s+1)": (-1, 21), "QQ[s]/(s^3-3*s-1)": (-1, 9),
+             "QQ[s]/(s^4-s^3-3*s^2+s+1)": (2, 15)}  # fmt: skip
+    for name, value in known.items():
+        assert ring(name).zeta_minus_one() == Fraction(*value)
+    with pytest.raises(RingError, match="totally real"):
+        ring("QQ[s]/(s^3-2)").zeta_minus_one()
+
+
+def test_out_of_reach() -> None:
+    """A large discriminant is refused, with what is missing."""
+    with pytest.raises(HFieldError, match="discriminant is too large"):
+        ring("QQ(sqrt(1000000007))").class_group()
