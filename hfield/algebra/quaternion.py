@@ -198,7 +198,7 @@ class Quaternion(Hinted):
             multiply = how.product
             result._held = multiply(self._held, other._held)
             return result
-        if hasattr(other, "multiplied_by_elements"):  # a lattice: it multiplies itself
+        if hasattr(other, "multiplied_by_elements"):  # a lattice or a matrix: it multiplies itself
             return NotImplemented
         if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
             return held_by(self._algebra, how, how.scaled(self._held, self._algebra.ring(other)))

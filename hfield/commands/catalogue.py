@@ -33,6 +33,7 @@ COMMANDS = {
     "four-squares": "write an integer as a sum of four squares",
     "table": "print the multiplication table of an algebra",
     "eval": "compute an expression exactly",
+    "solve": "solve a linear equation in one unknown quaternion",
     "warm": "compile the loops over arrays beforehand",
     "docs": "open the documentation in the browser",
     "doctor": "tell what is installed, what is missing and what it would add",

@@ -48,6 +48,7 @@ class Matrix:
 
     __slots__ = ("__dict__", "algebra", "rows")
     __array_ufunc__ = None
+    multiplied_by_elements = True
     algebra: Parent
     rows: Entries
 

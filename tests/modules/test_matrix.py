@@ -1,5 +1,6 @@
 """Matrices over quaternion algebras: against the regular representation, brute force and identities."""
 
+import json
 from fractions import Fraction
 from itertools import product
 from random import Random
@@ -12,9 +13,12 @@ from hfield import (
     H,
     MixedParentsError,
     NoSolutionError,
+    NotationError,
     NotInvertibleError,
     QuaternionAlgebra,
 )
+from hfield.modules.equations import read_equation
+from tests.commands.running import run
 
 ALGEBRAS = [
     *(
@@ -154,6 +158,14 @@ def test_arrays_as_entries():
     )
 
 
+def test_elements_multiply_on_their_side():
+    A = H("QQ")
+    _, i, j, k = A.basis
+    M = A.matrix([[1, j]])
+    assert (i * M, M * i) == (A.matrix([[i, k]]), A.matrix([[i, -k]]))
+    assert 2 * M == M * 2 == M + M
+
+
 def test_linear_equations():
     A = QuaternionAlgebra("QQ", -1, -3)
     _, i, j, k = A.basis
@@ -182,3 +194,29 @@ def test_what_is_refused():
         M.reduced_norm()
     with pytest.raises(MixedParentsError):
         M + H("GF(3)").matrix([[1, 2]])
+
+
+@pytest.mark.parametrize("field", ["QQ", "GF(7)", "RR", "QQ(sqrt(5))"])
+def test_equations_that_are_read(field):
+    A = H(field)
+    _, i, j, k = A.basis
+    found = read_equation(A, "i*x - conj(x)*j/2 + trace(x)*(1+k)**2 = x*k + 3")
+    assert found
+    for x in (found.particular, *(found.particular + y for y in found.kernel)):
+        assert i * x - x.conjugate() * j / 2 + A.scalar(x.trace()) * (1 + k) ** 2 == x * k + 3
+
+
+@pytest.mark.parametrize(
+    "text", ["x*x = 1", "x", "1 = 2", "1/x = 2", "x = y", "norm(x) = 1", "x == 1 == 2"]
+)
+def test_equations_that_are_refused(text):
+    with pytest.raises(NotationError):
+        read_equation(H("QQ"), text)
+
+
+def test_the_command_solves(capsys):
+    status, out, _ = run(capsys, "solve", "i*x - x*j == i - j")
+    assert (status, out.splitlines()[0][:4]) == (0, "x = ")
+    status, out, _ = run(capsys, "solve", "i*x - x*j == k", "--format", "json")
+    assert status == 1
+    assert json.loads(out)["particular"] is None
