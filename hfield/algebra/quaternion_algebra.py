@@ -29,6 +29,7 @@ from hfield.rings.integers import QQ
 from hfield.structure.global_field import field_named_by, global_field, known_field, no_flag
 
 if TYPE_CHECKING:
+    from hfield.algebra.brauer import Embedding, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Lattice, Order
@@ -544,6 +545,36 @@ class QuaternionAlgebra(Hinted):
             if kind in _KINDS.values():
                 return int(getattr(found, kind))
         return structure.count(ring, c, kind, value).value
+
+    # --- the Brauer group --------------------------------------------------------------------------
+
+    def tensor(self, other: QuaternionAlgebra) -> TensorProduct:
+        """Return ``A ⊗ B``: ``.brauer_class``, ``.index`` (1, 2 or 4) with ``.reason``, ``.common_slot``.
+
+        Raises :class:`MixedParentsError` for different fields, :class:`CoercionError` for degenerate ones.
+
+        >>> T = H("QQ").tensor(QuaternionAlgebra(-1, -3))
+        >>> T.brauer_class, T.index, T.common_slot
+        ((2, 3), 2, (-1, k, i))
+        """
+        from hfield.algebra.brauer import TensorProduct
+
+        return TensorProduct(self, other)
+
+    def embed(self, d: object) -> Embedding:
+        """Return an embedding of F(√d): true with ``.element``, whose square is d, or false with ``.place``.
+
+        Over ℚ d may be a quadratic field, of whose polynomial ``.element`` is a root. Raises
+        :class:`RingError` for a square d, and in characteristic 2.
+
+        >>> A = QuaternionAlgebra(-1, -3)
+        >>> found = A.embed(-7)
+        >>> found.element**2, A.embed(7).place, A.embed(read_ring("QQ(zeta3)")).element
+        (−7, 3, −1/2 + 1/2j)
+        """
+        from hfield.algebra.brauer import embed
+
+        return embed(self, d)
 
     # --- matrices and equations: their room is imported on use ---------------------------------
 

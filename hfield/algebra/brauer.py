@@ -1,0 +1,190 @@
+"""Tensor products of two quaternion algebras in the Brauer group, and quadratic fields inside one."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import product
+from typing import Any
+
+from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError, shorten
+from hfield.rings.base import Ring
+from hfield.structure import (
+    global_field,
+    is_central_simple,
+    is_division,
+    is_isomorphic,
+    ramified_places,
+)
+
+BOUND = 3  # coordinates of pure elements that are tried for a common slot
+ALBERT = (
+    "A. A. Albert, Proc. AMS 35 (1972): the index is at most 2 exactly where there is a common slot"
+)
+GLOBAL = "over this field the index of a class is its order (Albert, Brauer, Hasse, Noether)"
+
+
+class TensorProduct:
+    """``A ⊗ B`` for central simple A and B over one field: its class, its index, a common slot.
+
+    >>> from hfield import H, QuaternionAlgebra
+    >>> T = H("QQ").tensor(QuaternionAlgebra(-1, -3))
+    >>> T.brauer_class, T.index, T.common_slot is not None
+    ((2, 3), 2, True)
+    """
+
+    def __init__(self, first: Parent, second: Parent) -> None:
+        if first.ring != second.ring:
+            raise MixedParentsError(
+                f"{first} is over {first.ring}, {second} over {second.ring}: change the ring of one first"
+            )
+        for A in (first, second):
+            if not is_central_simple(A.ring, A.constants):
+                raise CoercionError(
+                    f"{A} is not central simple, so that it has no class in the Brauer group"
+                )
+        self.first, self.second = first, second
+
+    def __repr__(self) -> str:
+        return f"{self.first} ⊗ {self.second}"
+
+    @cached_property
+    def brauer_class(self) -> tuple[Hashable, ...]:
+        """The places where just one of the two ramifies: where their product does.
+
+        Raises :class:`UndecidedError` over a field without a theory of places.
+        """
+        one, other = (ramified_places(A.ring, A.constants) for A in (self.first, self.second))
+        return (*(p for p in one if p not in other), *(p for p in other if p not in one))
+
+    @cached_property
+    def _index(self) -> tuple[int, str]:
+        F, one, other = self.first.ring, self.first.constants, self.second.constants
+        if is_isomorphic(F, one, other):
+            return 1, "the two are isomorphic, and each is its own opposite"
+        if not (is_division(F, one) and is_division(F, other)):
+            return 2, "one of the two splits, the other does not"
+        field = global_field(F)
+        if field is not None and field.splits_if_unramified:
+            return 2, GLOBAL
+        if self._searched is not None:
+            return 2, ALBERT
+        raise UndecidedError(
+            f"whether the index of {self} is 2 or 4 is not decided over {F.name}: no common slot was found "
+            f"among pure elements with coordinates up to {BOUND}"
+        )
+
+    @property
+    def index(self) -> int:
+        """The index: 1, 2 or 4, the degree of the division algebra of the class. Raises UndecidedError."""
+        return self._index[0]
+
+    @property
+    def reason(self) -> str:
+        """Why the index is what it is. Raises :class:`UndecidedError`."""
+        return self._index[1]
+
+    @cached_property
+    def _searched(self) -> tuple[Any, Quaternion, Quaternion] | None:
+        F = self.first.ring
+        for x in _pure(self.first):
+            a = -x.norm()
+            if F.is_zero(a):
+                continue
+            y = _square_root(self.second, a)
+            if y is not None:
+                return a, x, y
+        return None
+
+    @property
+    def common_slot(self) -> tuple[Any, Quaternion, Quaternion] | None:
+        """A scalar a with elements x and y of the two, ``x² = y² = a``; None if the index is 4.
+
+        Raises :class:`UndecidedError` where none is found.
+        """
+        if self.index == 4:
+            return None
+        if self._searched is None:
+            raise UndecidedError(
+                f"{self} has a common slot, but none among pure elements with coordinates up to {BOUND}"
+            )
+        return self._searched
+
+
+def _pure(A: Parent) -> Iterator[Quaternion]:
+    """Run through small elements of trace 0, not 0, one of ±x."""
+    e, i, j, k = A.basis
+    t = A.constants.t  # the trace of i, and of k it is 0
+    pure = [i * 2 - e * t, j, k] if A.ring.characteristic != 2 else [e, j, k] if t else [e, i, j, k]
+    digits = sorted(range(-BOUND, BOUND + 1), key=lambda n: (abs(n), n < 0))
+    every = sorted(product(digits, repeat=len(pure)), key=lambda c: sum(map(abs, c)))
+    for c in every:
+        if next((n for n in c if n), -1) < 0:
+            continue
+        yield sum((q * n for q, n in zip(pure[1:], c[1:], strict=True)), pure[0] * c[0])
+
+
+def _square_root(A: Parent, d: Any) -> Quaternion | None:
+    """Return an element that is no scalar and has the square d."""
+    try:
+        roots = A.scalar(d).square_roots()
+    except UndecidedError:
+        return None
+    return next((x for x in roots if x.vector_part), None)
+
+
+@dataclass(frozen=True)
+class Embedding:
+    """An element with the square ``d``, or the root of a field's polynomial, of discriminant 4d; or none.
+
+    ``place`` is then one at which there is none locally, where the field has places.
+    """
+
+    d: Any
+    element: Quaternion | None
+    place: Hashable | None = None
+    reason: str = ""
+
+    def __bool__(self) -> bool:
+        return self.element is not None
+
+
+def embed(A: Parent, d: object) -> Embedding:
+    """Return an embedding of F(√d), or of a quadratic field over ℚ, into a central simple algebra over F.
+
+    F(√d) embeds exactly where no ramified place of A splits in it: d is a square in no completion at one
+    (Voight, *Quaternion Algebras*, 14.6.7). Raises :class:`RingError` for a square d and in characteristic 2,
+    :class:`UndecidedError`.
+    """
+    F: Any = A.ring
+    if isinstance(d, Ring):
+        field: Any = d
+        if getattr(field, "degree", None) != 2 or getattr(F, "degree", None) != 1:
+            raise RingError(
+                f"expected a quadratic field over {F.name}, or d for F(√d); found {field.name}"
+            )
+        trace, norm = (F(x) for x in (field.trace(field.gen), field.norm(field.gen)))
+        found = embed(A, trace * trace / 4 - norm)
+        if found.element is None:
+            return found
+        return replace(found, element=found.element + A.scalar(trace / 2))
+    if F.characteristic == 2:
+        raise RingError(f"F(√d) is no separable extension of {F.name}: 2 = 0 there")
+    if not is_central_simple(F, A.constants):
+        raise CoercionError(f"{A} is not central simple")
+    x = F(d)
+    if F.is_zero(x) or F.is_square(x):
+        raise RingError(f"{shorten(F.text(x))} is a square in {F.name}, and adjoins nothing")
+    root = next((q for q in A.scalar(x).square_roots() if q.vector_part), None)
+    if root is not None:
+        return Embedding(x, root)
+    for place in ramified_places(F, A.constants) if global_field(F) is not None else ():
+        completion: Any = F.completion(place)
+        if completion.is_square(completion(x)):
+            why = (
+                f"{F.text(x)} is a square in the completion at {place}, where the algebra ramifies"
+            )
+            return Embedding(x, None, place, why)
+    return Embedding(x, None, None, f"no element of {A} has the square {F.text(x)}")

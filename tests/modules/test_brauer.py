@@ -1,0 +1,92 @@
+"""Tensor products and embeddings: against ramification, symbols, and the maps themselves."""
+
+from itertools import combinations
+
+import pytest
+
+from hfield import (
+    CoercionError,
+    H,
+    MixedParentsError,
+    QuaternionAlgebra,
+    RingError,
+    hilbert_symbol,
+    ring,
+)
+
+
+def over(primes):
+    return QuaternionAlgebra.from_ramification("QQ", primes)
+
+
+PAIRS = list(combinations([(2, 3), (2, 5), (3, 5), (7, "inf"), (), (2, "inf")], 2))
+
+
+@pytest.mark.parametrize(("one", "other"), PAIRS)
+def test_products_over_the_rationals(one, other):
+    A, B = over(one), over(other)
+    T = A.tensor(B)
+    assert set(T.brauer_class) == set(one) ^ set(other)
+    assert T.index == (1 if set(one) == set(other) else 2)
+    a, x, y = T.common_slot
+    assert x.algebra == A
+    assert y.algebra == B
+    assert x * x == a
+    assert y * y == a
+    assert x.trace() == y.trace() == 0
+
+
+def test_products_elsewhere():
+    A = H("GF(7)")
+    assert (A.tensor(A).index, A.tensor(A).brauer_class) == (1, ())
+    K = ring("QQ(sqrt(5))")
+    T = H(K).tensor(QuaternionAlgebra(K, -1, -3))
+    assert T.index in (1, 2)
+    assert set(T.brauer_class) == set(H(K).ramified_places()) ^ set(T.second.ramified_places())
+    R = H("RR").tensor(H("RR"))
+    assert R.index == 1
+    F = ring("QQ(x,y)")
+    T = QuaternionAlgebra(F, "x", "y").tensor(QuaternionAlgebra(F, "x", "y+1"))
+    a, x, y = T.common_slot
+    assert T.index == 2
+    assert x * x == a
+    assert y * y == a
+    S = QuaternionAlgebra("GF(3)(t)", "t", "t+1").tensor(QuaternionAlgebra("GF(3)(t)", "t", "-1"))
+    assert S.index == 2
+    assert S.common_slot[1] ** 2 == S.common_slot[0]
+
+
+@pytest.mark.parametrize("primes", [(2, 3), (2, "inf"), (3, "inf"), (5, 7), (2, 3, 5, "inf"), ()])
+def test_embeddings_over_the_rationals(primes):
+    A = over(primes)
+    for d in (-1, -2, -3, 2, 3, 5, -7, 6, -15, 21, -23):
+        found = A.embed(d)
+        field = ring(f"QQ(sqrt({d}))")
+        assert bool(found) == A.change_ring(field).is_isomorphic(QuaternionAlgebra(field, 1, 1)), d
+        if found:
+            assert found.element**2 == d
+        else:
+            assert found.place in A.ramified_places()
+            assert all(hilbert_symbol(d, n, found.place) == 1 for n in (-1, 2, 3, 5, 7))
+
+
+def test_fields_embed():
+    A = over((2, "inf"))
+    L = ring("QQ[s]/(s^2-s+3)")
+    x = A.embed(L).element
+    assert x * x - x + 3 == 0
+    assert A.embed(ring("QQ(I)")).element ** 2 == -1
+    assert not A.embed(ring("QQ(sqrt(2))"))
+
+
+def test_what_is_refused():
+    A = H("QQ")
+    for d in (4, 0, ring("QQ[s]/(s^3-2)")):
+        with pytest.raises(RingError):
+            A.embed(d)
+    with pytest.raises(RingError, match="2 = 0"):
+        QuaternionAlgebra.from_text("[1,t|GF(2)(t))").embed("t")
+    with pytest.raises(MixedParentsError):
+        A.tensor(H("GF(3)"))
+    with pytest.raises(CoercionError, match="not central simple"):
+        H("GF(2)").tensor(H("GF(2)"))
