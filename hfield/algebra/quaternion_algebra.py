@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from hfield.lattices.number_field_orders import IntegersOrder
     from hfield.modules.equations import LinearSolutions
     from hfield.modules.matrix import Matrix
+    from hfield.modules.polynomials import Polynomials
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
 MOST = 10**8  # elements of an array that lists all
@@ -587,6 +588,18 @@ class QuaternionAlgebra(Hinted):
         from hfield.modules.matrix import Matrix
 
         return Matrix(self, rows)
+
+    def polynomials(self, variable: str = "x") -> Polynomials:
+        """Return the polynomials over the algebra in a central variable, coefficients on the left.
+
+        >>> A = H("RR"); e, i, j, k = A.basis
+        >>> P = A.polynomials("x"); f = P([1, i, 1])
+        >>> f, len(f.roots().isolated), all(not f(q) for q in f.roots().isolated)
+        (x^2 + i*x + 1, 2, True)
+        """
+        from hfield.modules.polynomials import Polynomials
+
+        return Polynomials(self, variable)
 
     def sylvester(self, a: object, b: object, c: object) -> LinearSolutions:
         """Return all x with ``a·x − x·b = c``: ``.particular`` and ``.kernel``; falsy with ``.reason``.

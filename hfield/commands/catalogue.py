@@ -33,6 +33,7 @@ COMMANDS = {
     "four-squares": "write an integer as a sum of four squares",
     "table": "print the multiplication table of an algebra",
     "eval": "compute an expression exactly",
+    "roots": "find all roots of a polynomial over an algebra",
     "solve": "solve a linear equation in one unknown quaternion",
     "warm": "compile the loops over arrays beforehand",
     "docs": "open the documentation in the browser",

@@ -1,7 +1,8 @@
 """Class groups, narrow class groups and unit groups of number fields, and whether an ideal is principal.
 
-All is read off the proved S-units (:mod:`hfield.fields.number_fields.classes.s_units`): the class group is ℤ^S modulo
-their exponents, the units are the S-units with exponents 0; signs at the real places make the narrow group.
+All is read off the proved S-units (:mod:`hfield.fields.number_fields.classes.s_units`): the class group is
+ℤ^S modulo their exponents, the units are the S-units with exponents 0; signs at the real places make the
+narrow group.
 """
 
 from __future__ import annotations

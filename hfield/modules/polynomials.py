@@ -1,0 +1,356 @@
+"""Polynomials in a central variable over a quaternion algebra, coefficients on the left, and their roots.
+
+B. Gordon and T. Motzkin, "On the zeros of polynomials over division rings", Trans. AMS 116 (1965). If
+f(q) = 0, then f = h·(x − q), so that x² − tr(q)·x + N(q) divides norm(f); modulo it f is a + b·x, and
+a + b·q = 0 is linear.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.errors import (
+    CoercionError,
+    MixedParentsError,
+    NotationError,
+    NotInvertibleError,
+    UndecidedError,
+    shorten,
+)
+from hfield.modules.factors import small_factors
+from hfield.structure import is_central_simple, is_division, split
+from hfield.structure.linear_algebra.echelon import null_space, solution
+from hfield.syntax import Reader, plain_element
+
+MOST_DEGREE = 1000
+
+
+@dataclass(frozen=True)
+class Polynomials:
+    """The polynomials over an algebra in a central variable: ``P = A.polynomials("x"); P([c0, c1, c2])``."""
+
+    algebra: Parent
+    variable: str = "x"
+
+    def __call__(self, coefficients: Iterable[object]) -> Polynomial:
+        """Return the polynomial with these coefficients, low degree first."""
+        if isinstance(coefficients, str) or not isinstance(coefficients, Iterable):
+            raise CoercionError(
+                f"a polynomial takes a list of coefficients, not {shorten(coefficients)}"
+            )
+        found = [self.algebra(c) for c in coefficients]
+        while found and not found[-1]:
+            found.pop()
+        return Polynomial(self, tuple(found))
+
+    def parse(self, text: str) -> Polynomial:
+        """Read a polynomial such as ``x^2 + i*x + 1``. Raises :class:`NotationError`.
+
+        >>> from hfield import H
+        >>> H("QQ").polynomials().parse("(x - i)*(x - j)")
+        x^2 + (-i - j)*x + k
+        """
+        A, F = self.algebra, self.algebra.ring
+        if self.variable in F.names():
+            raise NotationError(
+                f"{self.variable} is an element of {F.name}; name the variable otherwise"
+            )
+        names = {name: self([x]) for name, x in F.names().items()}
+        names |= {name: self([q]) for name, q in zip("eijk", A.basis, strict=True)}
+        names[self.variable] = self([0, 1])
+        functions: dict[str, Callable[..., Any]] = {"**": Polynomial.__pow__, "/": _over_constant}
+        reader = Reader(
+            lambda n: self([A.scalar(n)]), names, functions, f"polynomials over {A}", F.parse_limit
+        )
+        found: Polynomial = reader.read(plain_element(text.replace("^", "**")))
+        return found
+
+
+@dataclass(frozen=True)
+class Family:
+    """Infinitely or several roots of one trace and norm: those q with a + b·q = 0 (b a zero divisor)."""
+
+    t: Any
+    n: Any
+    example: Quaternion
+    polynomial: Polynomial
+
+    def contains(self, q: Quaternion) -> bool:
+        """Tell whether an element is one of these roots."""
+        F = self.polynomial.parent.algebra.ring
+        return F.equal(q.trace(), self.t) and F.equal(q.norm(), self.n) and not self.polynomial(q)
+
+
+@dataclass(frozen=True)
+class Roots:
+    """All roots: ``spheres`` (t, n), where all q with q² = t·q − n are; ``isolated``; other ``families``."""
+
+    spheres: tuple[tuple[Any, Any], ...]
+    isolated: tuple[Quaternion, ...]
+    families: tuple[Family, ...]
+
+
+@dataclass(frozen=True)
+class NoFactors:
+    """No product of linear factors; false. ``reason`` says why."""
+
+    reason: str
+
+    def __bool__(self) -> bool:
+        return False
+
+
+@dataclass(frozen=True)
+class Polynomial:
+    """``coefficients[0] + coefficients[1]·x + …``, x central, the last coefficient not 0.
+
+    >>> from hfield import H
+    >>> A = H("QQ"); e, i, j, k = A.basis
+    >>> f = A.polynomials("x")([1, 0, 1])
+    >>> f, f(i), f.roots().spheres
+    (x^2 + 1, 0, ((0, 1),))
+    """
+
+    parent: Polynomials
+    coefficients: tuple[Quaternion, ...]
+
+    @property
+    def degree(self) -> int:
+        """The degree; −1 for 0."""
+        return len(self.coefficients) - 1
+
+    def __bool__(self) -> bool:
+        return bool(self.coefficients)
+
+    def __call__(self, q: object) -> Quaternion:
+        """Return Σ cₙ·qⁿ."""
+        value, x = self.parent.algebra.scalar(0), self.parent.algebra(q)
+        for c in reversed(self.coefficients):
+            value = value * x + c
+        return value
+
+    def _operand(self, other: object) -> Polynomial:
+        if not isinstance(other, Polynomial):
+            return self.parent([other])
+        if other.parent != self.parent:
+            raise MixedParentsError(
+                f"a polynomial over {self.parent.algebra} meets one over {other.parent.algebra}"
+            )
+        return other
+
+    def __add__(self, other: object) -> Polynomial:
+        one, two = self.coefficients, self._operand(other).coefficients
+        if len(one) < len(two):
+            one, two = two, one
+        return self.parent([*(a + b for a, b in zip(one, two, strict=False)), *one[len(two) :]])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Polynomial:
+        return Polynomial(self.parent, tuple(-c for c in self.coefficients))
+
+    def __sub__(self, other: object) -> Polynomial:
+        return self + -self._operand(other)
+
+    def __mul__(self, other: object) -> Polynomial:
+        other = self._operand(other)
+        out = [self.parent.algebra.scalar(0)] * (len(self.coefficients) + len(other.coefficients))
+        for m, a in enumerate(self.coefficients):
+            for n, b in enumerate(other.coefficients):
+                out[m + n] = out[m + n] + a * b
+        return self.parent(out)
+
+    def __rmul__(self, other: object) -> Polynomial:
+        return self._operand(other) * self
+
+    def __pow__(self, n: int) -> Polynomial:
+        if not isinstance(n, int) or n < 0 or (n > 1 and n * self.degree > MOST_DEGREE):
+            raise CoercionError(
+                f"a power has an exponent from 0 to {MOST_DEGREE} over the degree, not {shorten(n)}"
+            )
+        result = self.parent([1])
+        for _ in range(n):
+            result = result * self
+        return result
+
+    def conjugate(self) -> Polynomial:
+        """Return the polynomial of the conjugates."""
+        return self.parent([c.conjugate() for c in self.coefficients])
+
+    def norm(self) -> Polynomial:
+        """Return f·conj(f), the coefficients of which lie in the base ring; multiplicative."""
+        return self * self.conjugate()
+
+    def divmod_right(self, other: object) -> tuple[Polynomial, Polynomial]:
+        """Return h and r with f = h·g + r and deg r < deg g. The remainder by x − q is f(q).
+
+        Raises :class:`NotInvertibleError` unless the leading coefficient of g is a unit.
+        """
+        return self._divided(other, left=False)
+
+    def divmod_left(self, other: object) -> tuple[Polynomial, Polynomial]:
+        """Return h and r with f = g·h + r and deg r < deg g; as :meth:`divmod_right`."""
+        return self._divided(other, left=True)
+
+    def _divided(self, other: object, left: bool) -> tuple[Polynomial, Polynomial]:
+        g = self._operand(other).coefficients
+        if not g:
+            raise NotInvertibleError("cannot divide by the polynomial 0")
+        back, rest = g[-1].inverse(), list(self.coefficients)
+        quotient = [self.parent.algebra.scalar(0)] * max(len(rest) - len(g) + 1, 0)
+        for shift in reversed(range(len(quotient))):
+            top = rest[shift + len(g) - 1]
+            c = quotient[shift] = back * top if left else top * back
+            for n, b in enumerate(g):
+                rest[shift + n] = rest[shift + n] - (b * c if left else c * b)
+        return self.parent(quotient), self.parent(rest[: len(g) - 1])
+
+    def __repr__(self) -> str:
+        x, shown = self.parent.variable, []
+        for n, c in reversed(list(enumerate(self.coefficients))):
+            power = ("", x)[n] if n < 2 else f"{x}^{n}"
+            text = str(c)
+            if c and text != "1" and power and any(s in text[1:] for s in "+- /"):
+                text = f"({text})"
+            if c:
+                shown.append(
+                    power if power and text == "1" else f"{text}*{power}" if power else text
+                )
+        return " + ".join(shown) or "0"
+
+    # --- roots ---------------------------------------------------------------------------------
+
+    def roots(self) -> Roots:
+        """Return all q of the algebra with f(q) = 0, over a central simple algebra.
+
+        S(t, n) are the q of trace t and norm n. All of those in ``spheres`` are roots; ``isolated`` are roots
+        alone in their S(t, n), ``families`` are the rest. Raises :class:`CoercionError` for f = 0 and
+        :class:`UndecidedError` where norm(f) = 0, or is not factored over the base field.
+        """
+        A = self.parent.algebra
+        F = A.ring
+        if not self:
+            raise CoercionError("every element is a root of 0")
+        if not is_central_simple(F, A.constants):
+            raise UndecidedError(f"roots are found in central simple algebras, and {A} is none")
+        norm = [c.coordinates[0] for c in self.norm().coefficients]
+        if not norm:
+            raise UndecidedError(
+                "the norm of the polynomial is 0, so that no quadratic polynomial is ruled out"
+            )
+        spheres, isolated, families = [], list[Quaternion](), list[Family]()
+        linear, quadratic = small_factors(F, norm)
+        pairs: dict[Any, tuple[Any, Any]] = {
+            (F.key(s + r), F.key(s * r)): (s + r, s * r) for s, r in combinations(linear, 2)
+        }
+        for t, n in (*pairs.values(), *quadratic):
+            rest = self.divmod_right(self.parent([n, -t, 1]))[1].coefficients
+            a, b = (*rest, *[A.scalar(0)] * (2 - len(rest)))
+            if not a and not b:
+                point = _point(A, t, n)
+                if point is not None:
+                    spheres.append((t, n))
+                elif F.equal(t * t, n * 4) and F.characteristic != 2:
+                    isolated.append(A.scalar(t / F(2)))
+                elif F.characteristic == 2 and F.is_zero(t):
+                    isolated.append(A.scalar(F.sqrt(n)))
+                continue
+            points, whole = _on_line(A, a, b, t, n)
+            if whole or len(points) > 1:
+                families.append(Family(t, n, points[0], self))
+            else:
+                isolated += points
+        return Roots(tuple(spheres), tuple(isolated), tuple(families))
+
+    def linear_factors(self) -> tuple[Quaternion, tuple[Quaternion, ...]] | NoFactors:
+        """Return (c, (q₁, …, qₙ)) with f = c·(x − q₁)⋯(x − qₙ), or a false answer that says there is none.
+
+        Over a division algebra any root may be the last: factors are unique up to similarity and order
+        (O. Ore, Annals of Math. 34 (1933)). Raises :class:`NotInvertibleError` unless c is a unit, and
+        :class:`UndecidedError` where roots are not found, or over split algebras the first choices fail.
+        """
+        A = self.parent.algebra
+        if not self:
+            raise NotInvertibleError(
+                "0 is no product of linear factors: its leading coefficient is no unit"
+            )
+        c, rest = self.coefficients[-1], self
+        c.inverse()
+        factors: list[Quaternion] = []
+        while rest.degree > 0:
+            found = rest.roots()
+            q = next(_some(A, found), None)
+            if q is None:
+                if is_division(A.ring, A.constants):
+                    return NoFactors(
+                        f"{rest} has no root in {A}, and f is its product with linear factors"
+                    )
+                raise UndecidedError(
+                    f"{rest}, which is left of f, has no root: another choice of roots may do"
+                )
+            factors.append(q)
+            rest = rest.divmod_right(self.parent([-q, 1]))[0]
+        return c, tuple(reversed(factors))
+
+
+def _over_constant(f: Polynomial, g: Polynomial) -> Polynomial:
+    if g.degree > 0:
+        raise NotationError(f"polynomials are divided by elements alone, not by {g}")
+    return f * g(0).inverse()
+
+
+def _some(A: Parent, found: Roots) -> Iterator[Quaternion]:
+    yield from found.isolated
+    for t, n in found.spheres:
+        point = _point(A, t, n)
+        assert point is not None
+        yield point
+    yield from (family.example for family in found.families)
+
+
+def _point(A: Parent, t: Any, n: Any) -> Quaternion | None:
+    """Return an element of trace t and norm n that is no scalar, or None. Raises :class:`UndecidedError`."""
+    F = A.ring
+    matrices = split(F, A.constants)
+    if matrices is not None:
+        return A(*matrices.from_matrix(((F.zero, -n), (F.one, t))))
+    if F.characteristic == 2:
+        raise UndecidedError(
+            f"whether {A} has elements of a given trace and norm is not decided: 2 = 0 in {F.name}"
+        )
+    half = t / F(2)
+    roots = A.scalar(half * half - n).square_roots()
+    root = next((x for x in roots if x.vector_part), None)
+    return None if root is None else root + A.scalar(half)
+
+
+def _on_line(
+    A: Parent, a: Quaternion, b: Quaternion, t: Any, n: Any
+) -> tuple[list[Quaternion], bool]:
+    """Return roots of a + b·q of trace t and norm n, all unless they are a whole line, and whether they are.
+
+    b is not 0 or a is not. If b is a zero divisor, its annihilator is a right ideal of dimension 2, on which
+    the trace is not 0 throughout: a point, or a line, on which the norm is a quadratic polynomial.
+    """
+    F = A.ring
+    rows: list[list[Any]] = [list(row) for row in b.matrix()]
+    rows.append([F(2), A.constants.t, F.zero, F.zero])
+    start = solution(F, rows, [*([-x] for x in a.coordinates), [t]])
+    if start is None:
+        return [], False
+    q = A(*(row[0] for row in start))
+    directions = null_space(F, rows, 4)
+    if not directions:
+        return [q] if F.equal(q.norm(), n) else [], False
+    (direction,) = directions
+    v = A(*direction)
+    c = q.norm() - n, (q * v.conjugate()).trace(), v.norm()
+    if all(map(F.is_zero, c)):
+        return [q], True
+    if F.is_zero(c[1]) and F.is_zero(c[2]):
+        return [], False
+    return [q + v * s for s in F.roots(list(c))], False

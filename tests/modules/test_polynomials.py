@@ -1,0 +1,164 @@
+"""Polynomials over quaternion algebras: division, and all roots against brute force and substitution."""
+
+import json
+from itertools import product
+from random import Random
+
+import pytest
+
+from hfield import (
+    CoercionError,
+    H,
+    NotationError,
+    NotInvertibleError,
+    QuaternionAlgebra,
+    TooLargeError,
+    UndecidedError,
+)
+from tests.commands.running import run
+
+
+def random_polynomial(P, degree, rng):
+    A = P.algebra
+    lower = [A(*(rng.choice((0, 0, 1, -1, 2)) for _ in range(4))) for _ in range(degree)]
+    return P([*lower, 1])
+
+
+@pytest.mark.parametrize("field", ["QQ", "GF(7)", "GF(9)", "QQ(x)", "GF(2)", "ZZ/6"])
+def test_division(field):
+    P, rng = H(field).polynomials("y"), Random(field)
+    for _ in range(5):
+        f, g = random_polynomial(P, 4, rng), random_polynomial(P, 2, rng)
+        h, r = f.divmod_right(g)
+        assert h * g + r == f
+        assert r.degree < 2
+        h, r = f.divmod_left(g)
+        assert g * h + r == f
+        q = P.algebra(1, 2, 0, 1)
+        assert f.divmod_right(P([-q, 1]))[1] == P([f(q)])
+        assert (f * g).norm() == f.norm() * g.norm()
+        assert all(not c.vector_part for c in f.norm().coefficients)
+    with pytest.raises(NotInvertibleError):
+        f.divmod_right(P([1, 0]) - 1)
+
+
+@pytest.mark.parametrize("text", ["(-1,-1|GF(3))", "[1,1|GF(2))", "(1,2|GF(3))"])
+def test_all_roots_by_brute_force(text):
+    A, rng = QuaternionAlgebra.from_text(text), Random(text)
+    P, everything = A.polynomials(), list(A.elements())
+    for degree in (1, 2, 2, 2, 3, 3):
+        for _ in range(6):
+            f = random_polynomial(P, degree, rng)
+            if not f.norm():
+                continue
+            roots = {q for q in everything if not f(q)}
+            found = f.roots()
+            spheres = {(A.ring.key(t), A.ring.key(n)) for t, n in found.spheres}
+
+            def place(q):
+                return A.ring.key(q.trace()), A.ring.key(q.norm())
+
+            inside = {q for q in roots if place(q) in spheres and q.vector_part}
+            assert all(not f(q) for q in everything if q.vector_part and place(q) in spheres)
+            families = {q for q in everything if any(m.contains(q) for m in found.families)}
+            assert all(m.contains(m.example) for m in found.families)
+            isolated = set(found.isolated)
+            assert len(isolated) == len(found.isolated)
+            scalars = {q for q in roots if not q.vector_part and place(q) in spheres}
+            assert inside | families | isolated | scalars == roots
+            assert not isolated & (inside | families)
+            for q in isolated:
+                assert [p for p in roots if place(p) == place(q)] == [q]
+
+
+@pytest.mark.parametrize("text", ["(-1,-1|QQ)", "(2,3|QQ)", "(1,1|QQ)", "(-1,-3|QQ)"])
+def test_products_of_linear_factors(text):
+    A, rng = QuaternionAlgebra.from_text(text), Random(text)
+    P = A.polynomials()
+    for _ in range(8):
+        factors = [A(*(rng.randrange(-2, 3) for _ in range(4))) for _ in range(3)]
+        f = P([2])
+        for q in factors:
+            f = f * P([-q, 1])
+        found = f.roots()
+        assert not f(factors[-1])
+        last = factors[-1]
+        assert (
+            last in found.isolated
+            or any(m.contains(last) for m in found.families)
+            or any((last.trace(), last.norm()) == pair for pair in found.spheres)
+        )
+        assert all(not f(q) for q in (*found.isolated, *(m.example for m in found.families)))
+        try:
+            c, parts = f.linear_factors()
+        except UndecidedError:
+            assert not A.is_division_algebra()
+            continue
+        again = P([c])
+        for q in parts:
+            again = again * P([-q, 1])
+        assert again == f
+
+
+def test_over_the_reals_and_number_fields():
+    for field in ("RR", "QQ(sqrt(5))"):
+        A = H(field)
+        i = A.basis[1]
+        P = A.polynomials()
+        f = P([1, i, 1])
+        c, parts = f.linear_factors()
+        assert (P([-parts[0], 1]) * P([-parts[1], 1])) * c == f
+        assert len(f.roots().isolated) == 2
+    f = H("QQ").polynomials()([1, "i", 1])
+    assert f.roots().isolated == ()
+    refused = f.linear_factors()
+    assert not refused
+    assert "no root" in refused.reason
+    assert H("QQ").polynomials()([2, 0, 1]).roots().spheres == ((0, 2),)
+    assert H("QQ").polynomials()([7, 0, 1]).roots().spheres == ()  # 7 is no sum of three squares
+    assert H("RR").polynomials()([-2, 0, 1]).roots().isolated == (
+        H("RR")("sqrt(2)"),
+        H("RR")("-sqrt(2)"),
+    )
+
+
+def test_what_is_refused():
+    P = H("QQ").polynomials()
+    with pytest.raises(CoercionError, match="root of 0"):
+        P([]).roots()
+    M = QuaternionAlgebra("QQ", 1, 1).polynomials()
+    with pytest.raises(UndecidedError, match="norm of the polynomial is 0"):
+        M(["1+i"]).roots()
+    with pytest.raises(UndecidedError, match="is not factored"):
+        H("RR").polynomials()([1, "i+j", 0, 1]).roots()
+    with pytest.raises(UndecidedError, match="central simple"):
+        H("GF(2)").polynomials()([1, 1]).roots()
+
+
+def test_every_polynomial_of_degree_one_over_gf_3():
+    A = H("GF(3)")
+    P, some = A.polynomials(), list(A.elements())[::7]
+    for a, b in product(some, some):
+        f = P([a, b])
+        if f and f.norm():
+            found = f.roots()
+            every = {q for q in A.elements() if not f(q)}
+            counted = {
+                q
+                for q in every
+                if q in found.isolated or any(m.contains(q) for m in found.families)
+            }
+            assert counted == every
+
+
+def test_what_is_read(capsys):
+    P = H("QQ").polynomials("x")
+    assert P.parse("(x - i)*(x - j)/2 + x^3") == P(["k/2", "-(i+j)/2", "1/2", 1])
+    for text in ("x +", "1/x", "x**-1", "y", "x**(10**9)"):
+        with pytest.raises((NotationError, CoercionError, TooLargeError)):
+            P.parse(text)
+    status, out, _ = run(capsys, "roots", "x^2 + i*x + 1", "--field", "RR", "--format", "json")
+    assert status == 0
+    assert len(json.loads(out)["isolated"]) == 2
+    status, out, _ = run(capsys, "roots", "x^2 + 1")
+    assert (status, out) == (0, "all q of trace 0 and norm 1\n")
