@@ -156,6 +156,9 @@ class Polynomial:
     def __sub__(self, other: object) -> Polynomial:
         return self + -self._operand(other)
 
+    def __rsub__(self, other: object) -> Polynomial:
+        return self._operand(other) - self
+
     def __mul__(self, other: object) -> Polynomial:
         other = self._operand(other)
         out = [self.parent.algebra.scalar(0)] * (len(self.coefficients) + len(other.coefficients))
@@ -264,7 +267,11 @@ class Polynomial:
                 families.append(Family(t, n, points[0], self))
             else:
                 isolated += points
-        return Roots(tuple(spheres), tuple(isolated), tuple(families))
+        # A scalar r in no family can still lie in the sphere of (x - r)(x - s), which is not of its trace.
+        alone = (
+            q for q in isolated if not any(self.parent([n, -t, 1])(q).is_zero() for t, n in spheres)
+        )
+        return Roots(tuple(spheres), tuple(alone), tuple(families))
 
     def linear_factors(self) -> tuple[Quaternion, tuple[Quaternion, ...]] | NoFactors:
         """Return (c, (q₁, …, qₙ)) with f = c·(x − q₁)⋯(x − qₙ), or a false answer that says there is none.

@@ -162,3 +162,26 @@ def test_what_is_read(capsys):
     assert len(json.loads(out)["isolated"]) == 2
     status, out, _ = run(capsys, "roots", "x^2 + 1")
     assert (status, out) == (0, "all q of trace 0 and norm 1\n")
+
+
+def test_isolated_roots_lie_in_no_sphere() -> None:
+    # Every f of degree 2 with leading coefficient 1 over the matrices over GF(2), by substitution.
+    A = QuaternionAlgebra("GF(2)", 1, 1, 1)
+    P, elements = A.polynomials("x"), list(A.elements())
+    for a, b in product(elements, repeat=2):
+        f = P([a, b, 1])
+        if not f.norm():
+            continue
+        found = f.roots()
+        spheres = [P([n, -t, 1]) for t, n in found.spheres]
+        for q in elements:
+            in_sphere = any(not g(q) for g in spheres)
+            in_family = any(family.contains(q) for family in found.families)
+            assert (not f(q)) == (in_sphere or in_family or q in found.isolated)
+            assert not (in_sphere and q in found.isolated)
+
+
+def test_an_element_minus_a_polynomial() -> None:
+    A = QuaternionAlgebra("QQ", -1, -1)
+    x = A.polynomials("x")([0, 1])
+    assert (1 - x).coefficients == (A.one, -A.one)
