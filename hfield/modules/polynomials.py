@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
+from typing import Any, ClassVar
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import (
@@ -117,6 +117,8 @@ class Polynomial:
 
     parent: Polynomials
     coefficients: tuple[Quaternion, ...]
+
+    multiplied_by_elements: ClassVar[bool] = True  # q·f is this class's
 
     @property
     def degree(self) -> int:
