@@ -11,6 +11,7 @@ import flint
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import factorise
 from hfield.fields.number_fields.ring import NumberField
+from hfield.fields.number_fields.with_ideals import WithIdeals
 from hfield.primality import is_prime
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     from hfield.rings.closed_fields.closed_forms import Closed
 
 
-class QuadraticField(ValueRing[Surd]):
+class QuadraticField(WithIdeals, ValueRing[Surd]):
     """ℚ(√d) for a squarefree integer d ≠ 1; ``gen`` is √d, or I for d = −1.
 
     >>> from hfield import ring

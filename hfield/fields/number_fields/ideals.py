@@ -1,0 +1,371 @@
+"""Fractional ideals of the integers of a number field, as lattices in Hermite normal form.
+
+H. Cohen, *A Course in Computational Algebraic Number Theory*, section 4.7. An ideal is an integer matrix over
+a denominator, in lowest terms: rows are coordinates in the integral basis. That is unique, so ideals are
+equal where matrices are. Inverses and intersections go by duals in the trace form.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from fractions import Fraction
+from functools import cached_property, lru_cache
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield.errors import HFieldError, RingError, shorten
+from hfield.factorisation import factorise
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.integers import multiplication_tables
+from hfield.fields.number_fields.integral_basis import coefficients, coordinate_rows, element_of
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
+from hfield.fields.number_fields.quadratic.as_number_field import (
+    as_number_field,
+    from_number_field,
+    into_number_field,
+    place_in_number_field,
+)
+from hfield.fields.number_fields.quadratic.places import QuadraticPlace
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.ring import NumberField
+
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.class_groups import Principality
+
+
+class Integers:
+    """The ring of integers of a field, as what ideals compute with; ``field`` is the field as QQ[s]/(f)."""
+
+    def __init__(self, ring: NumberField | QuadraticField) -> None:
+        self.ring = ring
+        self.field = field = as_number_field(ring) if isinstance(ring, QuadraticField) else ring
+        self.n = n = field.degree
+        self.basis = field.integral_basis()
+        rows = flint.fmpq_mat(n, n, [c for w in self.basis for c in coefficients(w)])
+        self.tables = multiplication_tables(field, rows)
+        traces = [(v * w).trace() for v in self.basis for w in self.basis]
+        self.trace_form = flint.fmpq_mat(n, n, traces)
+
+    def inside(self, x: Any) -> FieldElement:
+        """Return an element of the ring as one of the field QQ[s]/(f). Raises :class:`CoercionError`."""
+        if isinstance(x, FieldElement) and x.field == self.field:
+            return x
+        x = self.ring(x)
+        if isinstance(self.ring, QuadraticField):
+            return into_number_field(self.field, x, self.ring.d)
+        return x  # type: ignore[no-any-return]
+
+    def outside(self, x: FieldElement) -> Any:
+        """Return an element of QQ[s]/(f) as one of the ring."""
+        return from_number_field(self.ring, x) if isinstance(self.ring, QuadraticField) else x
+
+    def primes_above(self, p: int) -> list[tuple[Any, PrimeIdeal]]:
+        """Return the prime ideals above p: as the ring has them, and as QQ[s]/(f) has them."""
+        if isinstance(self.ring, QuadraticField):
+            return [(P, place_in_number_field(self.field, P)) for P in self.ring.primes_above(p)]  # type: ignore[misc]
+        return [(P, P) for P in primes_above(self.field, p)]
+
+    def ideal(self, rows: flint.fmpq_mat) -> Ideal:
+        """Return the ideal that rows of coordinates span over ℤ."""
+        whole, den = rows.numer_denom()
+        n = self.n
+        entries = whole.hnf().entries()[: n * n]
+        if not entries[n * n - 1]:
+            raise RingError(
+                f"expected a nonzero ideal of the integers of {shorten(self.ring.name)}; "
+                "give a generator that is not 0"
+            )
+        common = math.gcd(int(den), *map(int, entries))
+        matrix = flint.fmpz_mat(n, n, [c // common for c in entries])
+        return Ideal(self, matrix, int(den) // common)
+
+    def principal(self, x: FieldElement) -> Ideal:
+        """Return the ideal of one element, not 0."""
+        return self.ideal(coordinate_rows(self.field, [x * w for w in self.basis]))
+
+    def prime(self, prime: PrimeIdeal) -> Ideal:
+        """Return a prime ideal as a lattice."""
+        # the root s may have a denominator prime to p
+        scale = int(coordinate_rows(self.field, [prime.pi]).numer_denom()[1])
+        pair = self.field(prime.p), prime.pi * scale
+        return self.ideal(coordinate_rows(self.field, [x * w for x in pair for w in self.basis]))
+
+    @cached_property
+    def codifferent(self) -> Ideal:
+        """The x with tr(x·y) in ℤ for all integers y."""
+        return self.ideal(self.trace_form.inv())
+
+    @cached_property
+    def one(self) -> Ideal:
+        """The ideal of all integers."""
+        return self.principal(self.field.one)
+
+
+@lru_cache(maxsize=256)
+def integers(ring: NumberField | QuadraticField) -> Integers:
+    """Return the integers of a field."""
+    return Integers(ring)
+
+
+def ideal(ring: NumberField | QuadraticField, generators: object) -> Ideal:
+    """Return the fractional ideal that some elements, prime ideals and ideals generate together.
+
+    Raises :class:`RingError` for the zero ideal, :class:`CoercionError` for what is not of the field.
+    """
+    frame = integers(ring)
+    if isinstance(generators, Ideal) and generators.ring == ring:
+        return generators
+    several = isinstance(generators, Iterable) and not isinstance(generators, str | Ideal)
+    things: list[Any] = list(generators) if several else [generators]  # type: ignore[call-overload]
+    rows: list[flint.fmpq] = []
+    for x in things:
+        rows += _rows(frame, x)
+    n = frame.n
+    return (
+        frame.ideal(flint.fmpq_mat(len(rows) // n, n, rows))
+        if rows
+        else frame.ideal(flint.fmpq_mat(n, n))
+    )
+
+
+def _rows(frame: Integers, x: Any) -> list[flint.fmpq]:
+    """Return the coordinates of a basis of the ideal of one thing; nothing for 0."""
+    if isinstance(x, Ideal):
+        if x.ring != frame.ring:
+            raise RingError(
+                f"{shorten(x)} is an ideal of {shorten(x.ring.name)}, not of {shorten(frame.ring.name)}"
+            )
+        return x.rows.entries()  # type: ignore[no-any-return]
+    elements: list[FieldElement]
+    if isinstance(x, PrimeIdeal | QuadraticPlace):
+        if x.field != frame.ring or not x.is_finite:
+            raise RingError(
+                f"{shorten(x)} is no prime ideal of {shorten(frame.ring.name)}; "
+                "see primes_above(p) of the field"
+            )
+        if isinstance(x, PrimeIdeal):
+            return frame.prime(x).rows.entries()  # type: ignore[no-any-return]
+        elements = list(map(frame.inside, x.generators))
+    else:
+        elements = [frame.inside(x)]
+    products = [y * w for y in elements if y for w in frame.basis]
+    return coordinate_rows(frame.field, products).entries() if products else []  # type: ignore[no-any-return]
+
+
+class Ideal:
+    """A nonzero fractional ideal of the integers of a number field: ``K.ideal(gens)``.
+
+    ``basis`` is a basis over ℤ, ``matrix`` over ``denominator`` its coordinates in ``K.integral_basis()``, in
+    Hermite normal form. Numbers, elements and prime ideals multiply and add as the ideals that they generate.
+
+    >>> from hfield import ring
+    >>> K = ring("QQ(sqrt(-5))"); a = K.ideal([2, 1 + K.gen])
+    >>> a, a * a, a**-1, a.norm(), a.factorisation()
+    (ideal(2, 1+sqrt(-5)), ideal(2), ideal(1, 1/2+1/2*sqrt(-5)), 2, ((2, 1),))
+    >>> 1 + K.gen in a, 1 in a, a + 3 == K.ideal(1), a & 3 == 3 * a
+    (True, False, True, True)
+    """
+
+    __slots__ = ("__dict__", "denominator", "frame", "matrix")
+
+    def __init__(self, frame: Integers, matrix: flint.fmpz_mat, denominator: int) -> None:
+        self.frame, self.matrix, self.denominator = frame, matrix, denominator
+
+    @property
+    def ring(self) -> Any:
+        """The field."""
+        return self.frame.ring
+
+    @cached_property
+    def rows(self) -> flint.fmpq_mat:
+        """The coordinates of a basis in the integral basis."""
+        return flint.fmpq_mat(self.matrix) * flint.fmpq(1, self.denominator)
+
+    @cached_property
+    def elements(self) -> tuple[FieldElement, ...]:
+        """A basis over ℤ, of elements of QQ[s]/(f)."""
+        return tuple(element_of(self.frame.field, row) for row in self.rows.tolist())
+
+    @property
+    def basis(self) -> tuple[Any, ...]:
+        """A basis over ℤ, of elements of the field."""
+        return tuple(map(self.frame.outside, self.elements))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return ideal, (self.ring, list(self.basis))
+
+    # --- arithmetic --------------------------------------------------------------------------------
+
+    def _other(self, x: object) -> Ideal | None:
+        if isinstance(x, Ideal):
+            return x if x.ring == self.ring else None
+        if isinstance(x, str):
+            return None
+        try:
+            return ideal(self.ring, [x])
+        except HFieldError:
+            return None
+
+    def __mul__(self, other: object) -> Ideal:
+        b = self._other(other)
+        if b is None:
+            return NotImplemented
+        n, tables = self.frame.n, self.frame.tables
+        entries: list[flint.fmpz] = []
+        for row in self.matrix.tolist():
+            action = flint.fmpz_mat(n, n)
+            for c, table in zip(row, tables, strict=True):
+                if c:
+                    action += table * c
+            entries += (b.matrix * action).entries()
+        products = flint.fmpq_mat(flint.fmpz_mat(n * n, n, entries))
+        return self.frame.ideal(products * flint.fmpq(1, self.denominator * b.denominator))
+
+    __rmul__ = __mul__
+
+    def __add__(self, other: object) -> Ideal:
+        b = self._other(other)
+        if b is None:
+            return NotImplemented
+        n = self.frame.n
+        both = [*self.rows.entries(), *b.rows.entries()]
+        return self.frame.ideal(flint.fmpq_mat(2 * n, n, both))
+
+    __radd__ = __add__
+
+    def __and__(self, other: object) -> Ideal:
+        b = self._other(other)
+        return NotImplemented if b is None else (self._dual() + b._dual())._dual()
+
+    __rand__ = __and__
+
+    def _dual(self) -> Ideal:
+        """Return the x with tr(x·y) in ℤ for all y of the ideal."""
+        return self.frame.ideal((self.rows * self.frame.trace_form).inv().transpose())
+
+    def inverse(self) -> Ideal:
+        """Return the x with x·a integral: the dual of the product with the codifferent."""
+        return (self * self.frame.codifferent)._dual()
+
+    def __truediv__(self, other: object) -> Ideal:
+        b = self._other(other)
+        return NotImplemented if b is None else self * b.inverse()
+
+    def __rtruediv__(self, other: object) -> Ideal:
+        b = self._other(other)
+        return NotImplemented if b is None else b * self.inverse()
+
+    def __pow__(self, exponent: int) -> Ideal:
+        if not isinstance(exponent, int):
+            return NotImplemented
+        base, n = (self.inverse(), -exponent) if exponent < 0 else (self, exponent)
+        result = self.frame.one
+        while n:
+            if n & 1:
+                result = result * base
+            n >>= 1
+            base = base * base if n else base
+        return result
+
+    # --- what it is --------------------------------------------------------------------------------
+
+    def __eq__(self, other: object) -> bool:
+        b = self._other(other)
+        if b is None:
+            return NotImplemented
+        return self.denominator == b.denominator and bool(self.matrix == b.matrix)
+
+    def __hash__(self) -> int:
+        return hash((self.ring, self.denominator, tuple(map(int, self.matrix.entries()))))
+
+    def __contains__(self, x: object) -> bool:
+        row = coordinate_rows(self.frame.field, [self.frame.inside(x)])
+        return all(c.q == 1 for c in (row * self.rows.inv()).entries())
+
+    def contains(self, other: object) -> bool:
+        """Tell whether an ideal lies in this one: whether this one divides it."""
+        b = ideal(self.ring, other)
+        return all(c.q == 1 for c in (b.rows * self.rows.inv()).entries())
+
+    def is_integral(self) -> bool:
+        """Tell whether all elements are integers of the field."""
+        return self.denominator == 1
+
+    def norm(self) -> int | Fraction:
+        """Return the absolute norm, positive: the number of residues, for an integral ideal."""
+        size = Fraction(int(self.matrix.det()), self.denominator**self.frame.n)
+        return size.numerator if size.denominator == 1 else size
+
+    def valuation(self, prime: object) -> int:
+        """Return the exponent of a prime ideal here. Raises :class:`RingError` for what is none."""
+        frame = self.frame
+        if not isinstance(prime, PrimeIdeal | QuadraticPlace) or not prime.is_finite:
+            raise RingError(f"expected a prime ideal, not {shorten(prime)}; see primes_above(p)")
+        inside: Any = prime
+        if isinstance(prime, QuadraticPlace):
+            inside = place_in_number_field(frame.field, prime)
+        return min(inside.valuation(x) for x in self.elements)
+
+    def factorisation(self) -> tuple[tuple[Any, int], ...]:
+        """Return pairs (prime ideal, exponent ≠ 0), ascending by the primes below; the norm is factored.
+
+        Raises :class:`UnfactoredError`.
+        """
+        above = factorise(int(self.matrix.det())) if abs(self.matrix.det()) != 1 else {}
+        below = factorise(self.denominator) if self.denominator != 1 else {}
+        out = []
+        for p in sorted({*above, *below}):
+            for shown, prime in self.frame.primes_above(p):
+                e = min(prime.valuation(x) for x in self.elements)
+                if e:
+                    out.append((shown, e))
+        return tuple(out)
+
+    @cached_property
+    def generators(self) -> tuple[Any, ...]:
+        """One or two elements that generate the ideal, the first of them rational."""
+        least = flint.fmpq(self._least_integer, self.denominator)
+        first = self.frame.field.one * least
+        found = [first]
+        if self.frame.principal(first) != self:
+            found.append(self._second(first))
+        return tuple(map(self.frame.outside, found))
+
+    @property
+    def _least_integer(self) -> int:
+        """The least positive integer in ``denominator`` times the ideal."""
+        row = coordinate_rows(self.frame.field, [self.frame.field.one])
+        inverse = flint.fmpq_mat(self.matrix).inv()
+        return math.lcm(*(int(c.q) for c in (row * inverse).entries()))
+
+    def _second(self, first: FieldElement) -> FieldElement:
+        """Return an element that generates the ideal together with a given one, among small combinations."""
+        start = self.frame.principal(first)
+        for bound in range(1, 50):
+            digits = sorted(range(-bound, bound + 1), key=lambda k: (abs(k), k < 0))
+            for c in product(digits, repeat=self.frame.n):
+                if max(map(abs, c)) != bound or next(k for k in c if k) < 0:
+                    continue
+                x = sum(
+                    (w * k for w, k in zip(self.elements, c, strict=True)), self.frame.field.zero
+                )
+                if start + self.frame.principal(x) == self:
+                    return x
+        raise RingError(f"no two small generators were found for an ideal of norm {self.norm()}")
+
+    def is_principal(self) -> Principality:
+        """Return an answer, true or false, with ``generator`` (None if false) and ``evidence``.
+
+        Raises :class:`TooLargeError` where the class group of the field is out of reach.
+        """
+        from hfield.fields.number_fields.class_groups import is_principal
+
+        return is_principal(self)
+
+    def __str__(self) -> str:
+        return f"ideal({', '.join(map(self.ring.text, self.generators))})"
+
+    __repr__ = __str__

@@ -1,0 +1,543 @@
+"""The S-units of a number field, for a set S of primes that generates the class group: proved, not guessed.
+
+All primes P of norm up to Minkowski's bound generate the class group. For most of them an element is found
+whose ideal is P times earlier primes; S is the rest. Elements with all their primes in S span a subgroup of
+the S-units, of an index m that is the quotient of two covolumes, at most h'R'/R_min for a proved lower bound of
+regulators. For every prime ℓ up to this quotient, residues at primes of degree one and norm 1 modulo ℓ
+show that no further product is an ℓ-th power, or the ℓ-th root is taken into the group: so m = 1 in the end
+(H. Cohen, *A Course in Computational Algebraic Number Theory*, section 6.5; M. Pohst and H. Zassenhaus,
+*Algorithmic Algebraic Number Theory*, chapter 5).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property, lru_cache
+from itertools import product
+from random import Random
+from typing import Any
+
+import flint
+
+from hfield.errors import TooLargeError, UndecidedError, shorten
+from hfield.factorisation import remove
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.ideals import Ideal, Integers, integers
+from hfield.fields.number_fields.integers import left_kernel
+from hfield.fields.number_fields.integral_basis import element_of
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+from hfield.fields.number_fields.sums import roots_in
+from hfield.primality import is_prime, primes
+from hfield.rings.balls import precision
+
+MAX_BOUND = 20_000  # of the norms of primes that generate the class group
+MAX_SATURATED = 20_000  # primes at which a group of units is shown to be saturated
+MAX_ROOTS = 50_000  # choices of conjugates of a root
+TRIES = 400
+SHIFT = 40  # binary digits of conjugates in lattices to be reduced
+
+MINKOWSKI = "H. Minkowski: each class contains an ideal of norm at most (4/π)^r₂·n!/nⁿ·√|D|"
+FRIEDMAN = "E. Friedman, Invent. Math. 98 (1989): a regulator is at least 0.2052"
+ARTIN = "E. Artin: a unit ε > 1 of a cubic field with one real place has 4ε³ + 24 > |D|"
+CUSICK = "T. W. Cusick, 1984: the regulator of a totally real cubic field is at least log²(D/4)/16"
+QUADRATIC = "a unit > 1 of a real quadratic field is at least (√(D − 4) + √D)/2"
+
+
+class SUnits:
+    """Generators of the S-units of a field modulo roots of unity: as many as ``primes`` and the unit rank."""
+
+    def __init__(self, frame: Integers) -> None:
+        self.frame, self.field, self.n = frame, frame.field, frame.n
+        self.rng = Random(1)
+        real, complex_ = self.field.signature
+        self.rank = real + complex_ - 1
+        self.bound = minkowski(frame)
+        if self.bound > MAX_BOUND:
+            raise TooLargeError(
+                f"the class group of {shorten(frame.ring.name)} asks for all prime ideals of norm up to "
+                f"{self.bound}, and {MAX_BOUND} is the most here: the discriminant is too large"
+            )
+        self.order_of_torsion, self.torsion = roots_of_unity(frame)
+        self._shape = _conjugates(frame)
+        self.base = sorted(
+            (P for p in primes(self.bound + 1) for _, P in frame.primes_above(p)),
+            key=lambda P: (P.norm > self.bound, P.norm),
+        )
+        self.base = [P for P in self.base if P.norm <= self.bound]
+        self.place = {P: k for k, P in enumerate(self.base)}
+        self.reductions: dict[int, tuple[FieldElement, dict[int, int]]] = {}
+        self.primes: list[int] = []
+        self._reduce_base()
+        self.generators: list[FieldElement] = []
+        self.rows: list[list[int]] = []
+        self.saturated: dict[int, list[tuple[int, int]]] = {}
+        self._collect()
+        self._saturate()
+
+    # --- smooth elements ---------------------------------------------------------------------------
+
+    def short(self, ideal: Ideal, count: int) -> Iterator[FieldElement]:
+        """Yield short elements of an ideal, by a reduced basis."""
+        rows = ideal.matrix * self._shape
+        change = rows.lll(transform=True)[1]
+        basis = [
+            element_of(self.field, row)
+            for row in (flint.fmpq_mat(change * ideal.matrix) / ideal.denominator).tolist()
+        ]
+        done, bound = 0, 0
+        while done < count:
+            bound += 1
+            for c in product(sorted(range(-bound, bound + 1), key=abs), repeat=self.n):
+                if max(map(abs, c)) != bound or next(k for k in c if k) < 0:
+                    continue
+                x = self.field.zero
+                for k, w in zip(c, basis, strict=True):
+                    if k:
+                        x = x + w * k
+                yield x
+                done += 1
+                if done >= count:
+                    return
+
+    def smooth(self, x: FieldElement) -> dict[int, int] | None:
+        """Return the exponents of x at the primes of the base, or None if it has others."""
+        size, den = x.norm(), int(x.poly.denom())
+        return self._exponents_at(int(size.p), int(size.q) * den, lambda P: P.valuation(x))
+
+    def smooth_ideal(self, a: Ideal) -> dict[int, int] | None:
+        """Return the exponents of an ideal at the primes of the base, or None if it has others."""
+        return self._exponents_at(
+            int(a.matrix.det()), a.denominator, lambda P: min(map(P.valuation, a.elements))
+        )
+
+    def _exponents_at(
+        self, above: int, below: int, valuation: Callable[[PrimeIdeal], int]
+    ) -> dict[int, int] | None:
+        out: dict[int, int] = {}
+        rests = [abs(above), abs(below)]
+        for p in self._rational:
+            if rests[0] % p and rests[1] % p:
+                continue
+            rests = [remove(n, p)[1] if n % p == 0 else n for n in rests]
+            for _, P in self.frame.primes_above(p):
+                v = valuation(P)
+                if v:
+                    if P not in self.place:
+                        return None
+                    out[self.place[P]] = v
+        return (
+            out
+            if rests == [1, 1] or (rests[0] == 1 and not self._has(rests[1], valuation))
+            else None
+        )
+
+    def _has(self, rest: int, valuation: Callable[[PrimeIdeal], int]) -> bool:
+        """Tell whether a prime that may divide a denominator does."""
+        above = (P for p, _ in _factors(rest) for _, P in self.frame.primes_above(p))
+        return any(map(valuation, above))
+
+    @cached_property
+    def _rational(self) -> list[int]:
+        return sorted({P.p for P in self.base})
+
+    def _reduce_base(self) -> None:
+        """Find for the primes of the base an element with that prime once, and else earlier ones."""
+        small = max(7, abs(self.field.discriminant()).bit_length())
+        for k, P in enumerate(self.base):
+            if P.is_inert:
+                self.reductions[k] = (self.field(P.p), {k: 1})
+                continue
+            found = self._reduction(k) if P.norm > small else None
+            if found is None:
+                self.primes.append(k)
+            else:
+                self.reductions[k] = found
+
+    def _reduction(self, k: int) -> tuple[FieldElement, dict[int, int]] | None:
+        ideal = self.frame.prime(self.base[k])
+        for turn in range(8):
+            helper = ideal
+            if turn:
+                helper = ideal * self.frame.prime(self.base[self.rng.choice(self.primes)])
+            for x in self.short(helper, TRIES // 8):
+                found = self.smooth(x)
+                if found and max(found) == k and found[k] == 1:
+                    return x, found
+        return None
+
+    def reduced(self, x: FieldElement, exponents: dict[int, int]) -> tuple[FieldElement, list[int]]:
+        """Return x times elements of the field, and exponents at the primes of S alone."""
+        left = dict(exponents)
+        while True:
+            k = max((j for j, v in left.items() if v and j in self.reductions), default=None)
+            if k is None:
+                return x, [left.get(j, 0) for j in self.primes]
+            alpha, its = self.reductions[k]
+            times = left[k]
+            x = x * self.field.power(alpha, -times)
+            for j, v in its.items():
+                left[j] = left.get(j, 0) - times * v
+
+    def _relations(self) -> Iterator[tuple[FieldElement, list[int]]]:
+        """Yield elements with all their primes in S."""
+        seen = set()
+        for p in sorted({self.base[k].p for k in self.primes}):
+            found = self.smooth(self.field(p))
+            if found:
+                yield self.reduced(self.field(p), found)
+        size = 1
+        for turn in range(2_000):
+            ideal = self.frame.one
+            if turn and self.primes:
+                for _ in range(1 + self.rng.randrange(1 + min(3, size))):
+                    ideal = ideal * self.frame.prime(self.base[self.rng.choice(self.primes)])
+                size += turn % 50 == 0
+            for x in self.short(ideal, TRIES // 20 if turn else TRIES):
+                if x in seen:
+                    continue
+                seen.add(x)
+                found = self.smooth(x)
+                if found is not None:
+                    yield self.reduced(x, found)
+
+    # --- the group ---------------------------------------------------------------------------------
+
+    def _collect(self) -> None:
+        """Find elements that span a subgroup of finite, and small, index."""
+        wanted = len(self.primes) + self.rank
+        elements: list[FieldElement] = []
+        rows: list[list[int]] = []
+        if not wanted:
+            return
+        target, same = wanted + 4, 0
+        for turn, (x, row) in enumerate(self._relations()):
+            elements.append(x)
+            rows.append(row)
+            if len(elements) < target:
+                continue
+            target = len(elements) + 4
+            if self.primes and flint.fmpz_mat(rows).rank() < len(self.primes):
+                continue
+            found = self._independent(elements, rows)
+            if len(found) != wanted:
+                continue
+            elements = [self.product(elements, c) for c in found]
+            rows = [self._exponents(x) for x in elements]
+            target = wanted + 6
+            before = self._index_bound(self.generators, self.rows) if self.generators else 0
+            self.generators, self.rows = list(elements), list(rows)
+            limit = self._index_bound(elements, rows)
+            same = same + 1 if limit == before else 0
+            if (
+                limit < 20
+                or same == (2 if limit < MAX_SATURATED else 8)
+                or turn > 60 * wanted + 600
+            ):
+                return
+        if not self.generators:
+            raise UndecidedError(
+                f"too few relations were found for the class group of {shorten(self.frame.ring.name)}"
+            )
+
+    def _exponents(self, x: FieldElement) -> list[int]:
+        return [self.base[k].valuation(x) for k in self.primes]
+
+    def product(self, elements: Sequence[FieldElement], exponents: Sequence[int]) -> FieldElement:
+        """Return a product of powers."""
+        out = self.field.one
+        for x, c in zip(elements, exponents, strict=True):
+            if c:
+                out = out * self.field.power(x, int(c))
+        return out
+
+    def _independent(self, elements: list[FieldElement], rows: list[list[int]]) -> list[list[int]]:
+        """Return exponents of products that span, up to roots of unity, what all elements span."""
+        count = len(elements)
+        whole = []
+        for k, (x, row) in enumerate(zip(elements, rows, strict=True)):
+            logs = [_rounded(v, 100) for v in logarithms(self.frame, x, 192)[: self.rank]]
+            # so heavy that errors of logarithms are not worth reducing
+            unit = [int(j == k) << 56 for j in range(count)]
+            whole.append([*unit, *(c << 100 for c in row), *logs])
+        found = flint.fmpz_mat(whole).lll().tolist()
+        out = []
+        for row in found:
+            if any(abs(c) > 1 << 84 for c in row[count:]):
+                out.append([int(c) >> 56 for c in row[:count]])
+        return out
+
+    def covolume(self, elements: list[FieldElement], rows: list[list[int]]) -> Any:
+        """Return a ball around h·R times the index of the group that independent S-units span."""
+        bits = 128
+        while bits <= 1 << 16:
+            logs = [logarithms(self.frame, x, bits)[: self.rank] for x in elements]
+            with precision(bits):
+                whole = [[*map(flint.arb, row), *log] for row, log in zip(rows, logs, strict=True)]
+                size = abs(flint.arb_mat(whole).det()) if whole else flint.arb(1)
+            if size > 0 and size.rel_accuracy_bits() > 20:
+                return size
+            bits *= 2
+        raise UndecidedError("a regulator was not told from zero")
+
+    def _index_bound(self, elements: list[FieldElement], rows: list[list[int]]) -> int:
+        """Return a bound for the index of a group in the S-units: h'R' over the least regulator."""
+        size = self.covolume(elements, rows)
+        with precision(128):
+            return int(
+                (size / self.least_regulator()[0] + flint.arb(2) ** -20)
+                .upper()
+                .floor()
+                .unique_fmpz()
+            )
+
+    def least_regulator(self) -> tuple[Any, str]:
+        """Return a proved lower bound for the regulator, and by whom."""
+        if not self.rank:
+            return flint.arb(1), "the unit rank is 0"
+        if self.n == 2:
+            d = flint.arb(self.field.discriminant())
+            return (((d - 4).sqrt() + d.sqrt()) / 2).log(), QUADRATIC
+        size, least = abs(self.field.discriminant()), flint.arb("0.2052")
+        if self.n == 3:
+            if self.rank == 1:
+                other, source = (flint.arb(size - 24) / 4).log() / 3, ARTIN
+            else:
+                other, source = (flint.arb(size) / 4).log() ** 2 / 16, CUSICK
+            if other > least:
+                return other, source
+        return least, FRIEDMAN
+
+    def _saturate(self) -> None:
+        """Take roots into the group until it is saturated at all primes that its index may have."""
+        if not self.generators:
+            return
+        limit = self._index_bound(self.generators, self.rows)
+        if limit > MAX_SATURATED:
+            raise TooLargeError(
+                f"the units of {shorten(self.frame.ring.name)} are known up to an index below {limit} only"
+            )
+        for ell in primes():
+            if ell > limit:
+                return
+            if not self.rank and limit % ell:  # the index divides the determinant of the exponents
+                continue
+            while (found := self._root_at(ell)) is not None:
+                position, y = found
+                self.generators[position] = y
+                self.rows[position] = self._exponents(y)
+                limit = self._index_bound(self.generators, self.rows)
+
+    def _root_at(self, ell: int) -> tuple[int, FieldElement] | None:
+        """Return an ℓ-th root of a product, and a generator that it replaces; None for a saturated group."""
+        elements = list(self.generators)
+        if self.order_of_torsion % ell == 0:
+            elements.append(self.torsion)
+        columns: list[list[int]] = []
+        used: list[tuple[int, int]] = []
+        sought = len(elements)
+        tests = self._characters(ell)
+        for _ in range(12):
+            while len(columns) < sought:
+                (q, root), column = next(tests)(elements)
+                columns.append(column)
+                used.append((q, root))
+            matrix = flint.nmod_mat(
+                len(columns), len(elements), [c for v in columns for c in v], ell
+            )
+            kernel = left_kernel(matrix.transpose())
+            if not kernel:
+                self.saturated[ell] = used
+                return None
+            if sought > len(elements) + 8:
+                for vector in kernel:
+                    position = next((k for k, c in enumerate(vector) if c), len(elements))
+                    if position >= len(self.generators):
+                        continue
+                    inverse = pow(vector[position], -1, ell)
+                    balanced = [(c * inverse + ell // 2) % ell - ell // 2 for c in vector]
+                    if ell == 2:
+                        balanced = list(vector)
+                    y = self.root(self.product(elements, balanced), ell)
+                    if y is not None:
+                        return position, y
+            sought += 10
+        raise UndecidedError(
+            f"units of {shorten(self.frame.ring.name)} were not shown to be saturated at {ell}"
+        )
+
+    def _characters(self, ell: int) -> Iterator[Any]:
+        """Yield functions: ℓ-th power residue symbols of elements, as exponents, at primes of degree one."""
+        whole = self.field.polynomial.numer()
+        bad = int(whole.discriminant()) * int(whole.leading_coefficient())
+        below = {self.base[k].p for k in self.primes}
+        q = 1
+        while True:
+            q += ell
+            if not is_prime(q) or bad % q == 0 or q in below:
+                continue
+            reduced = flint.nmod_poly([int(c) % q for c in whole.coeffs()], q)
+            roots = [int(-g[0] / g[1]) for g, _ in reduced.factor()[1] if g.degree() == 1]
+            if not roots:
+                continue
+            power = (q - 1) // ell
+            omega = next(w for w in (pow(b, power, q) for b in range(2, q)) if w != 1)
+            table, w = {}, 1
+            for k in range(ell):
+                table[w] = k
+                w = w * omega % q
+            for root in roots:
+                yield lambda xs, q=q, r=root, t=table, e=power: (
+                    (q, r),
+                    [t[pow(residue(x, r, q), e, q)] for x in xs],
+                )
+
+    def root(self, x: FieldElement, ell: int) -> FieldElement | None:
+        """Return y with y^ℓ = x, or None."""
+        return root(self.frame, x, ell)
+
+
+def residue(x: FieldElement, root: int, q: int) -> int:
+    """Return the residue of x modulo the prime of degree one at which s goes to a number modulo q."""
+    total = 0
+    for c in reversed(x.poly.numer().coeffs()):
+        total = (total * root + int(c % q)) % q
+    return total * pow(int(x.poly.denom()) % q, -1, q) % q
+
+
+def minkowski(frame: Integers) -> int:
+    """Return a bound for the norms of integral ideals of which each class has one."""
+    n, size = frame.n, abs(frame.field.discriminant())
+    complex_ = frame.field.signature[1]
+    with precision(128):
+        if n == 2:  # reduced forms have a first coefficient of at most √(|D|/3) or √(D/5)
+            bound = (flint.arb(size) / (3 if complex_ else 5)).sqrt()
+        else:
+            bound = (4 / flint.arb.pi()) ** complex_ * math.factorial(n) / n**n
+            bound *= flint.arb(size).sqrt()
+        return max(1, int((bound + flint.arb(2) ** -40).upper().floor().unique_fmpz()))
+
+
+def roots_of_unity(frame: Integers) -> tuple[int, FieldElement]:
+    """Return the number of roots of unity, and one that generates them."""
+    field, n = frame.field, frame.n
+    if field.signature[0]:
+        return 2, -field.one
+    candidates = [m for m in range(4, 4 * n * n + 8, 2) if n % _totient(m) == 0]
+    for m in reversed(candidates):
+        found = roots_in(field, flint.fmpq_poly(flint.fmpz_poly.cyclotomic(m)))
+        if found:
+            return m, found[0]
+    return 2, -field.one
+
+
+def _totient(m: int) -> int:
+    return sum(math.gcd(m, k) == 1 for k in range(1, m + 1))
+
+
+def _conjugates(frame: Integers) -> flint.fmpz_mat:
+    """Return the integral basis in real and imaginary parts of conjugates, rounded: for reduction only."""
+    rows = []
+    for w in frame.basis:
+        row = []
+        for index in range(frame.field.embeddings.count):
+            z = frame.field.embeddings.value(w.poly, index, 128)
+            if index < frame.field.embeddings.real_count:
+                row.append(_rounded(z.real, SHIFT))
+            else:
+                row += [_rounded(z.real * 1.41421356, SHIFT), _rounded(z.imag * 1.41421356, SHIFT)]
+        rows.append(row)
+    return flint.fmpz_mat(rows)
+
+
+def _rounded(x: Any, shift: int) -> int:
+    with precision(256):
+        return int((x.mid() * flint.arb(2) ** shift).floor().unique_fmpz())
+
+
+def logarithms(frame: Integers, x: FieldElement, bits: int = 128) -> list[Any]:
+    """Return balls around the logarithms of absolute values at infinity, twice those at complex places."""
+    embeddings = frame.field.embeddings
+    out = []
+    for index in range(embeddings.count):
+        work = bits
+        while True:
+            z = embeddings.value(x.poly, index, work)
+            with precision(work):
+                size = abs(z)
+            if size > 0 and size.rel_accuracy_bits() >= bits - 32:
+                break
+            work *= 2
+        with precision(bits):
+            out.append(size.log() * (1 if index < embeddings.real_count else 2))
+    return out
+
+
+def root(frame: Integers, x: FieldElement, ell: int) -> FieldElement | None:
+    """Return y in the field with y^ℓ = x, or None: conjugates are combined, and the power compared."""
+    field = frame.field
+    real, complex_ = field.signature
+    if ell**complex_ * (2**real if ell == 2 else 1) > MAX_ROOTS:
+        raise TooLargeError(f"a root of degree {ell} has too many conjugates to try")
+    scale = int(frame.principal(x).denominator)
+    # m·y is an integer where m^ℓ·x is
+    y_scale = math.prod(p ** -(-e // ell) for p, e in _factors(scale))
+    target = x * flint.fmpq(y_scale) ** ell
+    height = max(
+        abs(int(c)) for c in (*target.poly.numer().coeffs(), target.poly.denom())
+    ).bit_length()
+    bits = 128
+    while bits < 4 * height + 256:
+        bits *= 2
+    values = [field.embeddings.value(target.poly, k, bits) for k in range(real + complex_)]
+    shape = [
+        [field.embeddings.value(w.poly, k, bits) for k in range(real + complex_)]
+        for w in frame.basis
+    ]
+    with precision(bits):
+        basis = []
+        for conjugates in shape:
+            row = []
+            for k, z in enumerate(conjugates):
+                row += [z.real] if k < real else [z.real, z.imag]
+            basis.append(row)
+        inverse = flint.arb_mat(basis).inv()
+        choices: list[list[Any]] = []
+        for k, z in enumerate(values):
+            if k < real:
+                v = z.real
+                if v < 0 and ell == 2:
+                    return None
+                size = abs(v).root(ell)
+                sign = -1 if v < 0 else 1
+                choices.append([[size * sign], [-size]] if ell == 2 else [[size * sign]])
+            else:
+                size, angle = abs(z).root(ell), z.arg() / ell
+                turns = [angle + 2 * flint.arb.pi() * t / ell for t in range(ell)]
+                choices.append([[size * a.cos(), size * a.sin()] for a in turns])
+        for choice in product(*choices):
+            row = flint.arb_mat([[c for part in choice for c in part]]) * inverse
+            whole = [c.unique_fmpz() or _nearest(c) for c in row.entries()]
+            if None in whole:
+                continue
+            y = element_of(field, [flint.fmpq(c) for c in whole])
+            if field.power(y, ell) == target:
+                found: FieldElement = y * flint.fmpq(1, y_scale)
+                return found
+    return None
+
+
+def _nearest(c: Any) -> Any:
+    """Return the integer in a narrow ball, or None."""
+    found = (c + flint.arb("0.5")).floor().unique_fmpz()
+    return found if found is not None and (c - found).contains(0) else None
+
+
+def _factors(n: int) -> list[tuple[int, int]]:
+    return [(int(p), int(e)) for p, e in flint.fmpz(n).factor()]
+
+
+@lru_cache(maxsize=256)
+def s_units(ring: Any) -> SUnits:
+    """Return the S-units of a field, for primes S that generate its class group."""
+    return SUnits(integers(ring))

@@ -1,0 +1,86 @@
+"""What number fields of all kinds say of ideals, classes and units; the answers stand above the rings."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from hfield.rings.base import of_fields
+
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.class_groups import ClassGroup, UnitGroup
+    from hfield.fields.number_fields.ideals import Ideal
+
+
+class WithIdeals:
+    """Ideals of the integers of a number field."""
+
+    def ideal(self, generators: object) -> Ideal:
+        """Return the fractional ideal of an element, a prime ideal, an ideal, or a list of such.
+
+        Raises :class:`RingError` for the zero ideal, :class:`CoercionError` for what is not of the field.
+
+        >>> from hfield import ring
+        >>> K = ring("QQ[s]/(s^3-2)"); a = K.ideal([3, 1 + K.gen])
+        >>> a, a**3, a.norm()
+        (ideal(3, s+s^2), ideal(3), 3)
+        """
+        found: Ideal = of_fields("number_fields.ideals.ideal")(self, generators)
+        return found
+
+    def zeta_minus_one(self) -> Fraction:
+        """Return ζ_K(−1) of a totally real field, exactly, by Siegel's formula.
+
+        Raises :class:`RingError` for other fields, :class:`TooLargeError` for large discriminants.
+
+        >>> from hfield import ring
+        >>> ring("QQ(sqrt(5))").zeta_minus_one(), ring("QQ[s]/(s^3-3*s-1)").zeta_minus_one()
+        (Fraction(1, 30), Fraction(-1, 9))
+        """
+        found: Fraction = of_fields("number_fields.zeta.zeta_minus_one")(self)
+        return found
+
+    def class_group(self) -> ClassGroup:
+        """Return the class group, proved; with ``order, invariants, generators, class_of(a), evidence``.
+
+        Raises :class:`TooLargeError` where the discriminant is too large.
+
+        >>> from hfield import ring
+        >>> ring("QQ(sqrt(-23))").class_group().order, ring("QQ[s]/(s^3-2)").class_group().order
+        (3, 1)
+        """
+        found: ClassGroup = of_fields("number_fields.class_groups.class_group")(self)
+        return found
+
+    def narrow_class_group(self) -> ClassGroup:
+        """Return the group of ideals modulo those with a totally positive generator. Raises likewise.
+
+        >>> from hfield import ring
+        >>> ring("QQ(sqrt(3))").narrow_class_group().order
+        2
+        """
+        found: ClassGroup = of_fields("number_fields.class_groups.class_group")(self, narrow=True)
+        return found
+
+    def unit_group(self) -> UnitGroup:
+        """Return the unit group, proved; with ``rank, generators, torsion, regulator, totally_positive``.
+
+        Raises :class:`TooLargeError` where the discriminant is too large.
+
+        >>> from hfield import ring
+        >>> U = ring("QQ[s]/(s^4-s-1)").unit_group()
+        >>> U, U.torsion_order, U.regulator > 0
+        (ℤ/2 × ℤ^2, 2, True)
+        """
+        found: UnitGroup = of_fields("number_fields.class_groups.unit_group")(self)
+        return found
+
+    def totally_positive_units(self) -> tuple[Any, ...]:
+        """Return generators of the group of totally positive units. Raises likewise.
+
+        >>> from hfield import ring
+        >>> [u.sign() for u in ring("QQ[s]/(s^3-3*s-1)").totally_positive_units()]
+        [1, 1]
+        """
+        found: UnitGroup = of_fields("number_fields.class_groups.unit_group")(self)
+        return found.totally_positive
