@@ -12,7 +12,6 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -31,6 +30,7 @@ from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified
 from hfield.lattices.dedekind_modules import hermite, multiplication, pseudo_basis
+from hfield.lattices.number_field_lattices import IntegersLattice
 from hfield.primality import WORD
 from hfield.product import Constants, Scalar, multiply, norm
 from hfield.rings.residue_polynomials import coefficients
@@ -134,7 +134,7 @@ def _multiple(field: NumberField, x: FieldElement) -> int:
 TRIALS = 1_000
 
 
-class IntegersOrder:
+class IntegersOrder(IntegersLattice):
     """An order over the integers of a number field; ``rows`` are a basis over ℤ, see :class:`Frame`.
 
     It is checked to be a ring with 1, and to have the discriminant that the ramified places ask for.
@@ -146,8 +146,8 @@ class IntegersOrder:
     """
 
     def __init__(self, frame: Frame, rows: flint.fmpq_mat, finite: tuple[PrimeIdeal, ...]) -> None:
-        self.frame, self.rows = frame, rows
-        self.algebra, self.field = frame.algebra, frame.field
+        super().__init__(frame, rows)
+        rows = self.rows
         self._ramified = finite
         inverse = rows.inv()
         products = [rows * frame.right(row) * inverse for row in rows.tolist()]
@@ -155,19 +155,6 @@ class IntegersOrder:
             raise AssertionError("an order is closed under multiplication")
         if not self.is_maximal():
             raise AssertionError("a maximal order has the discriminant of its algebra")
-
-    @cached_property
-    def basis(self) -> tuple[Quaternion, ...]:
-        """A basis over ℤ, of 4n quaternions."""
-        return tuple(self.frame.quaternion(row) for row in self.rows.tolist())
-
-    def __contains__(self, x: object) -> bool:
-        row = self.frame.row(self.algebra(x))
-        return all(c.q == 1 for c in (row * self.rows.inv()).entries())
-
-    def pseudo_basis(self) -> PseudoBasis:
-        """Return four pairs (basis over ℤ of an ideal, quaternion): O is the direct sum of their products."""
-        return self.frame.pseudo_basis(self.rows)
 
     def discriminant(self) -> tuple[PrimeIdeal, ...]:
         """Return the prime ideals whose product is the reduced discriminant."""
