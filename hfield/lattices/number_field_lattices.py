@@ -36,11 +36,11 @@ class IntegersLattice:
     """A lattice over the integers of a number field, of full rank; ``rows`` are a basis over ℤ.
 
     >>> from hfield import QuaternionAlgebra
-    >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); A = O.algebra
-    >>> I = O.right_ideal([2, 1 + A.i]); J = O.left_ideal([3])
+    >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); i = O.algebra(0, 1, 0, 0)
+    >>> I = O.right_ideal([2, 1 + i]); J = O.left_ideal([3])
     >>> I.norm(), I.right_order() == O, I * I.inverse() == I.left_order()
     (ideal(2), True, True)
-    >>> I + J == O, O.index(I & J), 1 + A.i in I, I.conjugate().left_order() == O
+    >>> I + J == O, O.index(I & J), 1 + i in I, I.conjugate().left_order() == O
     (True, ideal(324), True, True)
     """
 
