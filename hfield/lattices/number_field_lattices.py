@@ -71,7 +71,9 @@ class IntegersLattice:
 
     def _same(self, other: IntegersLattice) -> IntegersLattice:
         if not isinstance(other, IntegersLattice) or other.algebra != self.algebra:
-            raise LatticeError(f"expected a lattice in {shorten(self.algebra)}, not {shorten(other)}")
+            raise LatticeError(
+                f"expected a lattice in {shorten(self.algebra)}, not {shorten(other)}"
+            )
         return other
 
     def __add__(self, other: IntegersLattice) -> IntegersLattice:
@@ -101,9 +103,7 @@ class IntegersLattice:
         columns: list[Any] = []
         for row in self._same(other).rows.tolist():
             columns += (self.frame.right(row) * self._inverse_rows).transpose().tolist()
-        return IntegersLattice(
-            self.frame, unique_rows(flint.fmpq_mat(columns)).inv().transpose()
-        )
+        return IntegersLattice(self.frame, unique_rows(flint.fmpq_mat(columns)).inv().transpose())
 
     def left_order(self) -> IntegersLattice:
         """Return the x with x·L ⊂ L."""
