@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 
+import flint
 import pytest
 
 from hfield import LatticeError, QuaternionAlgebra
@@ -55,3 +56,13 @@ def test_units_where_a_totally_positive_unit_is_no_square():
     assert O.discriminant() == ()
     assert classes == Fraction(1, 12)
     assert O.unit_index() == 24
+
+
+def test_norms_are_generated_by_sums_too():
+    # N(1 + i) = 0 and N(3i) = −9, but N(1 + 4i) = −15
+    A = QuaternionAlgebra("QQ(sqrt(2))", 1, -1)
+    O = A.maximal_order()
+    s = A.ring.gen
+    vectors = [A(1, 1, 0, 0), A(0, 3, 0, 0), A(0, 0, 3, 0), A(0, 0, 0, 3)]
+    rows = [O.frame.row(q * c).entries() for q in vectors for c in (1, s)]
+    assert IntegersLattice(O.frame, flint.fmpq_mat(rows)).norm() == A.ring.ideal(3)
