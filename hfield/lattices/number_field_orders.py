@@ -12,12 +12,12 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.fields.number_fields.ideals import integers
 from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
@@ -31,6 +31,8 @@ from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified
 from hfield.lattices.dedekind_modules import hermite, multiplication, pseudo_basis
+from hfield.lattices.enumeration import short_vectors
+from hfield.lattices.number_field_lattices import IntegersLattice
 from hfield.primality import WORD
 from hfield.product import Constants, Scalar, multiply, norm
 from hfield.rings.residue_polynomials import coefficients
@@ -134,7 +136,7 @@ def _multiple(field: NumberField, x: FieldElement) -> int:
 TRIALS = 1_000
 
 
-class IntegersOrder:
+class IntegersOrder(IntegersLattice):
     """An order over the integers of a number field; ``rows`` are a basis over ℤ, see :class:`Frame`.
 
     It is checked to be a ring with 1, and to have the discriminant that the ramified places ask for.
@@ -146,8 +148,8 @@ class IntegersOrder:
     """
 
     def __init__(self, frame: Frame, rows: flint.fmpq_mat, finite: tuple[PrimeIdeal, ...]) -> None:
-        self.frame, self.rows = frame, rows
-        self.algebra, self.field = frame.algebra, frame.field
+        super().__init__(frame, rows)
+        rows = self.rows
         self._ramified = finite
         inverse = rows.inv()
         products = [rows * frame.right(row) * inverse for row in rows.tolist()]
@@ -155,19 +157,6 @@ class IntegersOrder:
             raise AssertionError("an order is closed under multiplication")
         if not self.is_maximal():
             raise AssertionError("a maximal order has the discriminant of its algebra")
-
-    @cached_property
-    def basis(self) -> tuple[Quaternion, ...]:
-        """A basis over ℤ, of 4n quaternions."""
-        return tuple(self.frame.quaternion(row) for row in self.rows.tolist())
-
-    def __contains__(self, x: object) -> bool:
-        row = self.frame.row(self.algebra(x))
-        return all(c.q == 1 for c in (row * self.rows.inv()).entries())
-
-    def pseudo_basis(self) -> PseudoBasis:
-        """Return four pairs (basis over ℤ of an ideal, quaternion): O is the direct sum of their products."""
-        return self.frame.pseudo_basis(self.rows)
 
     def discriminant(self) -> tuple[PrimeIdeal, ...]:
         """Return the prime ideals whose product is the reduced discriminant."""
@@ -180,6 +169,50 @@ class IntegersOrder:
     def is_maximal(self) -> bool:
         """Tell whether the order is maximal: whether its discriminant is that of the algebra."""
         return self.norm_of_discriminant() == math.prod(P.norm for P in self._ramified)
+
+    def unit_index(self) -> int:
+        """Return [Oˣ : ℤ_Kˣ], of a totally definite algebra: units are enumerated in the form Tr(N(x)).
+
+        Raises :class:`LatticeError` for other algebras, whose units are infinitely many.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().unit_index()
+        60
+        """
+        field = self.field
+        signs = [
+            field.multiplication(x).charpoly().coeffs() for x in (-self.frame.a, -self.frame.b)
+        ]
+        positive = all(c * (-1) ** (len(p) - 1 - k) > 0 for p in signs for k, c in enumerate(p))
+        if field.signature != (field.degree, 0) or not positive:
+            raise LatticeError(
+                f"the units of orders in {shorten(self.algebra)} modulo those of the field are not finitely "
+                "many; expected a totally definite algebra over a totally real field"
+            )
+        # the units of norm u, up to sign, for u in the totally positive units modulo squares of units
+        norms = [field.one]
+        inside = integers(self.algebra.ring).inside
+        for g in map(inside, self.algebra.ring.totally_positive_units()):
+            if all((g * u).sqrt() is None for u in norms):
+                norms += [g * u for u in norms]
+        rows = self.rows.tolist()
+        values = [self.frame.norm(row) for row in rows]
+
+        def both(i: int, j: int) -> Any:
+            total = self.frame.norm([x + y for x, y in zip(rows[i], rows[j], strict=True)])
+            return total - values[i] - values[j]
+
+        size = range(len(rows))
+        gram = flint.fmpz_mat([[int(both(i, j).trace().p) for j in size] for i in size])
+        change = gram.lll(transform=True, rep="gram")[1]
+        form = (change * gram * change.transpose()).tolist()
+        basis = flint.fmpq_mat(change) * self.rows
+        bound = max(2 * int(u.trace().p) for u in norms)
+        count = 0
+        for x, _ in short_vectors([list(map(int, row)) for row in form], bound):
+            row = flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis
+            count += self.frame.norm(row.entries()) in norms
+        return count
 
     def __repr__(self) -> str:
         return f"the maximal order of {self.algebra} with the discriminant {self.discriminant()}"
