@@ -665,7 +665,7 @@ class QuaternionAlgebra(Hinted):
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
         >>> O.discriminant(), len(O.basis)
-        ((), 8)
+        (ideal(1), 8)
         """
         from hfield.lattices.lattice import Order
         from hfield.lattices.named_orders import maximal_order

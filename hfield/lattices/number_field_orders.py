@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.fields.number_fields.ideals import integers
+from hfield.fields.number_fields.ideals import Ideal, integers
 from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
@@ -144,7 +144,7 @@ class IntegersOrder(IntegersLattice):
     >>> from hfield import QuaternionAlgebra
     >>> O = QuaternionAlgebra("QQ[s]/(s^3-2)", -1, -1).maximal_order()
     >>> O.discriminant(), len(O.basis), O.is_maximal()
-    (((2, s),), 12, True)
+    (ideal(2, s), 12, True)
     """
 
     def __init__(self, frame: Frame, rows: flint.fmpq_mat, finite: tuple[PrimeIdeal, ...]) -> None:
@@ -158,9 +158,11 @@ class IntegersOrder(IntegersLattice):
         if not self.is_maximal():
             raise AssertionError("a maximal order has the discriminant of its algebra")
 
-    def discriminant(self) -> tuple[PrimeIdeal, ...]:
-        """Return the prime ideals whose product is the reduced discriminant."""
-        return tuple(self.algebra.discriminant())
+    def discriminant(self) -> Ideal:
+        """Return the reduced discriminant, an ideal of the integers of the field."""
+        K: Any = self.algebra.ring
+        found: Ideal = math.prod(map(K.ideal, self.algebra.discriminant()), start=K.ideal(1))
+        return found
 
     def norm_of_discriminant(self) -> int:
         """Return the norm of the reduced discriminant."""
