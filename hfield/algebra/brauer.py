@@ -11,13 +11,8 @@ from typing import Any
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError, shorten
 from hfield.rings.base import Ring
-from hfield.structure import (
-    global_field,
-    is_central_simple,
-    is_division,
-    is_isomorphic,
-    ramified_places,
-)
+from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
+from hfield.structure.global_field import global_field
 
 BOUND = 3  # coordinates of pure elements that are tried for a common slot
 ALBERT = (
