@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Lattice, Order
-    from hfield.lattices.number_field_orders import IntegersOrder
+    from hfield.lattices.over_integers.orders import IntegersOrder
     from hfield.modules.equations import LinearSolutions
     from hfield.modules.matrix import Matrix
     from hfield.modules.polynomials import Polynomials
@@ -669,7 +669,7 @@ class QuaternionAlgebra(Hinted):
         """
         from hfield.lattices.lattice import Order
         from hfield.lattices.named_orders import maximal_order
-        from hfield.lattices.number_field_orders import maximal_order_over_integers
+        from hfield.lattices.over_integers.orders import maximal_order_over_integers
 
         with known_primes(factors):
             F = self.ring

@@ -6,7 +6,7 @@ import flint
 import pytest
 
 from hfield import LatticeError, QuaternionAlgebra
-from hfield.lattices.number_field_lattices import IntegersLattice
+from hfield.lattices.over_integers.lattices import IntegersLattice
 
 
 @pytest.mark.parametrize("field", ["QQ(sqrt(5))", "QQ(sqrt(-5))", "QQ(sqrt(10))", "QQ[s]/(s^3-2)"])

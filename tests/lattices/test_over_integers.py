@@ -9,7 +9,7 @@ import pytest
 
 from hfield import QuaternionAlgebra, ring
 from hfield.errors import HFieldError, LatticeError
-from hfield.lattices.number_field_orders import IntegersOrder
+from hfield.lattices.over_integers.orders import IntegersOrder
 
 FIELDS = ["QQ[s]/(s^3-2)", "QQ(zeta5)", "QQ(zeta7)+", "QQ(sqrt(5))", "QQ(sqrt(-5))", "QQ[s]/(s^4+210*s^2+11)",
           "QQ[s]/(s^3-s^2-2*s-8)", "QQ(sqrt(2),sqrt(3))"]  # fmt: skip

@@ -30,9 +30,9 @@ from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified
-from hfield.lattices.dedekind_modules import hermite, multiplication, pseudo_basis
 from hfield.lattices.enumeration import short_vectors
-from hfield.lattices.number_field_lattices import IntegersLattice
+from hfield.lattices.over_integers.dedekind_modules import hermite, multiplication, pseudo_basis
+from hfield.lattices.over_integers.lattices import IntegersLattice
 from hfield.primality import WORD
 from hfield.product import Constants, Scalar, multiply, norm
 from hfield.rings.residue_polynomials import coefficients
@@ -41,7 +41,7 @@ from hfield.structure.forms import NormalForm, normal_form
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.fields.number_fields.elements import FieldElement
-    from hfield.lattices.dedekind_modules import PseudoBasis
+    from hfield.lattices.over_integers.dedekind_modules import PseudoBasis
 
 
 class Frame:

@@ -13,12 +13,12 @@ import flint
 
 from hfield.errors import LatticeError, shorten
 from hfield.fields.number_fields.ideals import Ideal, ideal
-from hfield.lattices.dedekind_modules import pseudo_basis
+from hfield.lattices.over_integers.dedekind_modules import pseudo_basis
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
-    from hfield.lattices.dedekind_modules import PseudoBasis
-    from hfield.lattices.number_field_orders import Frame
+    from hfield.lattices.over_integers.dedekind_modules import PseudoBasis
+    from hfield.lattices.over_integers.orders import Frame
 
 
 def unique_rows(rows: flint.fmpq_mat) -> flint.fmpq_mat:
