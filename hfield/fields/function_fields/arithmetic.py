@@ -22,11 +22,12 @@ import flint
 
 from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import Factors
-from hfield.fields.function_fields.conics import RamifiedError, solve_conic_functions
-from hfield.fields.function_fields.inseparable import (
+from hfield.fields.function_fields.conics import (
+    RamifiedError,
     artin_schreier,
     as_norm,
     embed_even,
+    solve_conic_functions,
     square_parts,
 )
 from hfield.fields.function_fields.places import FunctionPlace, place_of_functions
