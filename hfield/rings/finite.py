@@ -89,7 +89,7 @@ class FiniteField(Ring):
         return _arrays().inverse(self, values)
 
 
-class PrimeField(FiniteField, Modular):
+class PrimeField(Modular, FiniteField):
     """GF(p): elements are flint's ``nmod`` or ``fmpz_mod``, arrays galois's."""
 
     degree = 1
@@ -105,18 +105,6 @@ class PrimeField(FiniteField, Modular):
         if is_galois(x):
             return _arrays().from_galois(self, x)
         return super().__call__(x)
-
-    def state(self, x: flint.nmod | flint.fmpz_mod) -> object:
-        """Return the residue as an int."""
-        return int(x)
-
-    def label(self, x: flint.nmod) -> int:
-        """Return galois's integer label of x."""
-        return int(x)
-
-    def from_label(self, n: int) -> flint.nmod:
-        """Return the element with galois's integer label n."""
-        return self.residue(n)
 
 
 class ExtensionField(FiniteField):

@@ -241,14 +241,6 @@ class Residues(Modular):
         """The ring by its modulus."""
         return {"kind": "residues", "modulus": self.modulus}
 
-    def label(self, x: flint.nmod) -> int:
-        """Return the residue between 0 and n − 1."""
-        return int(x)
-
-    def from_label(self, n: int) -> flint.nmod:
-        """Return the element with a residue."""
-        return self(n)
-
     def array_of_labels(self, row: np.ndarray) -> Any:
         """Return an array of residues as ``array`` returns arrays."""
         from hfield.rings.arrays import objects
@@ -264,10 +256,6 @@ class Residues(Modular):
     def in_words(self) -> str:
         """Say what ℤ/n is."""
         return f"the integers modulo {shorten(self.modulus)}"
-
-    def state(self, x: flint.nmod | flint.fmpz_mod) -> int:
-        """Return the residue as an int."""
-        return int(x)
 
 
 def Zmod(n: int) -> Modular:
