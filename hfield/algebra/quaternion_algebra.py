@@ -787,8 +787,8 @@ def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, o
         primes = factorise(a) if a > 0 else {2: a}
         if primes and max(primes.values()) != 1:
             raise RingError(
-                f"{shorten(a)} is not the discriminant of an algebra over QQ: expected a product of different "
-                "primes, or an algebra such as '(-1,-11|QQ)'"
+                f"{shorten(a)} is not the discriminant of an algebra over QQ: expected a product of "
+                "different primes, or an algebra such as '(-1,-11|QQ)'"
             )
         return QQ, *known_field(QQ).with_ramification(list(primes), len(primes) % 2 == 1), 0
     raise RingError(

@@ -43,7 +43,7 @@ def division_over_many_fields() -> bool:
 
 def an_inverse() -> bool:
     A = H("GF(5)(t)")
-    _, i, j, k = A.basis
+    _, i, j, _ = A.basis
     M = A.matrix([[1, i], [j, 1]])
     return M @ M.inverse() == A.matrix([[1, 0], [0, 1]])
 
