@@ -16,16 +16,18 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import LatticeError, shorten
+from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.fields.number_fields.ideals import Ideal, integers
 from hfield.hints import IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices.checked_arguments import checked_side, listed
 from hfield.lattices.enumeration import short_vectors
-from hfield.lattices.over_integers import local_orders
+from hfield.lattices.over_integers import ideals_of_norm, local_orders
 from hfield.lattices.over_integers.dedekind_modules import unique_rows
 from hfield.lattices.over_integers.frames import Frame
+from hfield.lattices.over_integers.local_orders import Local
 
 if TYPE_CHECKING:
+    from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.lattices.over_integers.dedekind_modules import PseudoBasis
 
 OTHER = {"left": "right", "right": "left"}
@@ -272,6 +274,24 @@ class IntegersOrder(IntegersLattice):
         P = self.frame.prime(prime)
         return self.discriminant().valuation(P) - (P in self.frame.ramified)
 
+    def eichler_symbol(self, prime: object) -> int | None:
+        """Return the Eichler symbol (O | P): 1, 0 or −1; None where the order is M₂(ℤ_P).
+
+        It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2).
+        """
+        P = self.frame.prime(prime)
+        if not self.discriminant().valuation(P):
+            return None
+        return Local(self.frame, P).symbol(self.rows)
+
+    def is_eichler(self) -> bool:
+        """Tell whether this is an intersection of two maximal orders (Voight, section 24.3)."""
+        level = self.level.factorisation()
+        ramified = self.frame.ramified
+        return all(
+            self.frame.prime(P) not in ramified and self.eichler_symbol(P) == 1 for P, _ in level
+        )
+
     def is_maximal(self) -> Because:
         """Tell whether no larger order contains this one, with a ``reason``: its discriminant decides."""
         level = self.level
@@ -296,6 +316,54 @@ class IntegersOrder(IntegersLattice):
     def right_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
         """Return the right ideal x·O + y·O + … . Raises :class:`LatticeError` for a rank below 4."""
         return IntegersIdeal(self.frame, self._ideal(generators, "right"), "right", self)
+
+    def _ideals_of_prime_norm(self, prime: PrimeIdeal) -> tuple[Local, list[ideals_of_norm.Rows]]:
+        """Return what is needed to list right ideals of norm P, computed once."""
+        if prime not in self._known:
+            local = Local(self.frame, prime)
+            exponent = self.discriminant().valuation(prime)
+            ramified = prime in self.frame.ramified
+            found = ideals_of_norm.generators(local, self.rows, exponent, ramified)
+            self._known[prime] = local, found
+        return self._known[prime]
+
+    @cached_property
+    def _known(self) -> dict[PrimeIdeal, tuple[Local, list[ideals_of_norm.Rows]]]:
+        return {}
+
+    def subideals(self, ideal: IntegersLattice, prime: object) -> list[IntegersIdeal]:
+        """Return all invertible right ideals of relative norm P in an invertible right ideal of this order.
+
+        They are N(P) + 1 where P does not divide the discriminant. Raises :class:`TooLargeError`.
+        """
+        local, found = self._ideals_of_prime_norm(self.frame.prime(prime))
+        rows = ideals_of_norm.subideals(local, self._same(ideal).rows, found)
+        return [IntegersIdeal(self.frame, J, "right", self) for J in rows]
+
+    def ideals_of_norm(self, norm: object, side: str = "left") -> list[IntegersIdeal]:
+        """Return all invertible integral ideals on a side whose norm is an ideal or a prime of the field.
+
+        Of prime norm P, off the discriminant, there are N(P) + 1. Raises :class:`LatticeError`,
+        and :class:`TooLargeError` for more than 10⁵.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.eichler_order(3)
+        >>> [len(O.ideals_of_norm(n)) for n in (1, 2, 3)]
+        [1, 5, 19]
+        """
+        wanted = self.frame.ideal(norm)
+        layer = [IntegersIdeal(self.frame, self.rows, "right", self)]
+        for P, e in wanted.factorisation():
+            if e > 1 and self.discriminant().valuation(P) > 1:
+                raise LatticeError(
+                    f"ideals of norm {wanted} are not listed at {P}, whose square divides the discriminant; "
+                    "those of norm P are"
+                )
+            for _ in range(e):
+                if len(layer) * (self.frame.prime(P).norm + 1) > ideals_of_norm.MOST:
+                    raise TooLargeError(f"there are too many ideals of norm {wanted} to list them")
+                layer = list({J: J for I in layer for J in self.subideals(I, P)})
+        return layer if checked_side(side) == "right" else [J.conjugate() for J in layer]
 
     def __repr__(self) -> str:
         kind = "a maximal order" if self.is_maximal() else "an order"

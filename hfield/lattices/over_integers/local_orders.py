@@ -11,6 +11,8 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable
+from functools import cached_property
+from itertools import product
 from typing import TYPE_CHECKING
 
 import flint
@@ -119,8 +121,8 @@ class Local:
         columns: list[list[int]] = [[] for _ in range(frame.size)]
         for row in ideal.tolist():
             products = (ideal * frame.right(row) * inverse).tolist()
-            for k, product in enumerate(products):
-                columns[k] += [int(c.p) % self.p for c in product]
+            for column, found in zip(columns, products, strict=True):
+                column += [int(c.p) % self.p for c in found]
         vectors = left_kernel(flint.nmod_mat(columns, self.p))
         return self._above(ideal, vectors) * flint.fmpq(1, self.p)
 
@@ -155,6 +157,32 @@ class Local:
             moved = [c - s for c, s in zip(row, [*shift, *[0] * (3 * frame.n)], strict=True)]
             return moved, place.lift((other - root) % place.modulus)
         raise LatticeError(f"no idempotent was found in the residues of an order at {self.prime}")
+
+    def symbol(self, rows: flint.fmpq_mat) -> int:
+        """Return 1, 0 or −1 where the residues modulo the radical are split, ramified or inert at P.
+
+        Outside of what is central modulo the radical a polynomial x² − tr(x)·x + N(x) is separable.
+        """
+        place = self.place
+        for row in rows.tolist():
+            trace = self.prime.residue_of(self.frame.parts(row)[0] * 2)
+            norm = self.prime.residue_of(self.frame.norm(row))
+            if (trace if place.even else (trace * trace - norm * 4) % place.modulus) != 0:
+                root = place.quadratic_root(place.one, place.zero - trace, norm)
+                return -1 if root is None else 1
+        return 0
+
+    @cached_property
+    def representatives(self) -> list[FieldElement]:
+        """Integers of the field, one of each class modulo P, 0 first."""
+        digits = product(range(self.p), repeat=self.prime.f)
+        return [self.prime.lift(flint.nmod_poly(list(c), self.p)) for c in digits]
+
+    def times_prime(self, rows: flint.fmpq_mat) -> flint.fmpq_mat:
+        """Return P·L."""
+        elements = self.frame.integers.prime(self.prime).elements
+        parts = [row for x in elements for row in (rows * self.frame.scalar(x)).tolist()]
+        return unique_rows(flint.fmpq_mat(parts))
 
     def idempotent(self, rows: flint.fmpq_mat, k: int) -> flint.fmpq_mat:
         """Return e in an order that has matrices of rank 1 modulo P, with e² ≡ e modulo Pᵏ and e ≢ 0, 1.
