@@ -7,8 +7,9 @@ from hfield.lattices.over_integers.lattices import IntegersOrder
 from hfield.lattices.over_integers.orders import checked_ring
 
 # class numbers 1 and more, algebras ramified at finite places and not
-ALGEBRAS = ["(-1,-1|QQ(sqrt(5)))", "(-1,-3|QQ(sqrt(10)))", "(2,5|QQ(sqrt(-5)))", 
-            "(-1,-1|QQ[s]/(s^3-s^2-2*s+1))", "(-3,7|QQ(sqrt(-23)))", "(-1,-1|QQ[s]/(s^4-s^3-3*s^2+s+1))"]  # fmt: skip
+ALGEBRAS = ["(-1,-1|QQ(sqrt(5)))", "(-1,-3|QQ(sqrt(10)))", "(2,5|QQ(sqrt(-5)))",
+            "(-1,-1|QQ[s]/(s^3-s^2-2*s+1))", "(-3,7|QQ(sqrt(-23)))",
+            "(-1,-1|QQ[s]/(s^4-s^3-3*s^2+s+1))"]  # fmt: skip
 
 
 def split_primes(A, *numbers):

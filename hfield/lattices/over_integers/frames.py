@@ -60,8 +60,8 @@ class Frame:
         )
         self.start = multiplication(field, field.one, 4)
         self.constants = Constants(self.a, 0, self.b)
-        scalars = [multiplication(field, w, 4) for w in self.omega]
-        self._right = [self._by_right(u) * scalar for u in range(4) for scalar in scalars]
+        self.scalars = [multiplication(field, w, 4) for w in self.omega]
+        self._right = [self._by_right(u) * scalar for u in range(4) for scalar in self.scalars]
 
     # --- the base ----------------------------------------------------------------------------------
 
@@ -112,8 +112,11 @@ class Frame:
 
     def right(self, row: list[flint.fmpq]) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by an element from the right."""
+        return self._combination(row, self._right)
+
+    def _combination(self, row: list[flint.fmpq], matrices: list[flint.fmpq_mat]) -> flint.fmpq_mat:
         total = flint.fmpq_mat(self.size, self.size)
-        for c, matrix in zip(row, self._right, strict=True):
+        for c, matrix in zip(row, matrices, strict=True):
             if c != 0:
                 total = total + matrix * c
         return total
@@ -147,7 +150,7 @@ class Frame:
 
     def scalar(self, x: Any) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by an element of QQ[s]/(f)."""
-        return multiplication(self.field, x, 4)
+        return self._combination(coordinate_rows(self.field, [x]).entries(), self.scalars)
 
     def norm(self, row: list[flint.fmpq]) -> Any:
         """Return the reduced norm."""

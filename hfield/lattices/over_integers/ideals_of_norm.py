@@ -2,7 +2,7 @@
 
 A right ideal of relative norm P in I = y·O_P is y·K + P·I, for a right ideal K of O of norm P. K contains
 P·O, and is x·O + P·O for an x in O with a norm of valuation 1: in M₂(ℤ_P) for the lines of a plane, in an
-Eichler order for those in two columns and, of level P, the radical (Voight, *Quaternion Algebras*, 26.3, 41.3).
+Eichler order for those in two columns and, of level P, the radical (Voight, *Quaternion Algebras*, 26.3).
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def _independent(local: Local, larger: flint.fmpq_mat, below: flint.fmpq_mat) ->
     for row in larger.tolist():
         if any(c.q != 1 for c in (flint.fmpq_mat([row]) * inverse).entries()):
             found.append(row)
-            multiples = [(flint.fmpq_mat([row]) * frame.scalar(w)).entries() for w in frame.omega]
+            multiples = [(flint.fmpq_mat([row]) * m).entries() for m in frame.scalars]
             below = unique_rows(flint.fmpq_mat([*below.tolist(), *multiples]))
             inverse = below.inv()
     return found
@@ -124,7 +124,7 @@ def subideals(local: Local, ideal: flint.fmpq_mat, found: list[Rows]) -> Iterato
     below = local.times_prime(ideal).tolist()
     for pair in found:
         elements = [y * frame.right(row) for row in pair]
-        parts = [(x * frame.scalar(w)).entries() for x in elements for w in frame.omega]
+        parts = [(x * m).entries() for x in elements for m in frame.scalars]
         yield unique_rows(flint.fmpq_mat([*parts, *below]))
 
 
