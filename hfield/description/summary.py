@@ -15,7 +15,7 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
 from hfield.lattices.lattice import Order
-from hfield.lattices.over_integers.orders import IntegersOrder
+from hfield.lattices.over_integers.lattices import IntegersOrder
 from hfield.notation import element_text
 from hfield.rings.base import INFINITY, Ring, WithIntegers
 from hfield.structure.global_field import global_field
