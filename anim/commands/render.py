@@ -170,7 +170,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     motions = motions_of(args, model, clip)
     text = page(
         model,
-        [Show(motion.name, motion.attitudes) for motion in motions],
+        [Show.of(motion) for motion in motions],
         clip.fps,
         curves=curves_of(motions[0]),
         camera=(camera.azimuth, camera.elevation),
