@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import ceil, cos, inf, sin, sqrt
+from math import ceil, cos, hypot, inf, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,6 +24,7 @@ STEP, SINK, CREEP = 1e-3, 1 / 400, 0.025
 """A step over √(l/g), how deep the weight presses the tip in over l, the creep over √(gl)."""
 TURN = 0.02
 """The step times the spin, at most."""
+MOST_FRICTION = 5.0
 RESTING = 1.0
 """c·√(gl), by which an impact of √(gl) loses most of its energy."""
 
@@ -48,7 +49,10 @@ class Contact:
 
     def __post_init__(self) -> None:
         real("the tip's radius", self.radius, above=0)
-        real("friction", self.friction, least=0)
+        if real("friction", self.friction, least=0) > MOST_FRICTION:
+            raise AnimationError(
+                f"friction is {self.friction:g}; expected at most {MOST_FRICTION:g}"
+            )
         real("rolling", self.rolling, least=0)
 
 
@@ -76,6 +80,17 @@ class FreeTop:
         if lowest - ball * (cos(tilt) - 1) < 0 or tilt > np.pi / 2:
             raise AnimationError(f"tilt is {tilt:.4g} rad; the rim is in the ground there")
         refuse_long(self.seconds, self.longest_step)
+        arm = self.contact.rolling * self.pull * self.longest_step
+        if ball > 100 * self.body.height or arm * self.body.mass > self.body.axial:
+            raise AnimationError(
+                f"a tip of {ball:g} m with a rolling arm of {self.contact.rolling:g} m is out of all "
+                f"proportion to a top whose centre is at {self.body.height:.3g} m"
+            )
+
+    @property
+    def pull(self) -> float:
+        """The gravity in m/s² after which ground and steps are made: that of Earth, or more."""
+        return max(STANDARD, self.launch.gravity)
 
     @property
     def central(self) -> float:
@@ -117,8 +132,11 @@ class FreeTop:
 
     @property
     def longest_step(self) -> float:
-        """The longest step in s that follows contact and spin."""
-        return min(STEP * sqrt(self.body.height / STANDARD), TURN / max(abs(self.spin), 1e-9))
+        """The longest step in s that follows contact, turning and decay."""
+        launch = self.launch
+        turning = hypot(self.spin, launch.precession * sin(launch.tilt))
+        rates = (turning, 1 / launch.spin_decay, 1 / launch.tilt_decay, 1e-9)
+        return min(STEP * sqrt(self.body.height / self.pull), TURN / max(rates))
 
     @property
     def steps(self) -> int:
@@ -143,14 +161,14 @@ class FreeTop:
         from anim.physics.contact import Ground
 
         body, launch, contact = self.body, self.launch, self.contact
-        pace, sink = sqrt(STANDARD * body.height), SINK * body.height
+        pace, sink = sqrt(self.pull * body.height), SINK * body.height
         return Ground(
             self.central / body.mass,
             body.axial / body.mass,
             launch.gravity,
             1 / launch.tilt_decay,
             1 / launch.spin_decay,
-            STANDARD / sink**1.5,
+            self.pull / sink**1.5,
             RESTING / pace,
             contact.friction,
             CREEP * pace,
@@ -165,7 +183,7 @@ class FreeTop:
         velocity = np.array([-rate * sin(tilt), 0.0, self.spin])
         turn = np.asarray(to_matrix(attitude))
         arm = turn @ [0.0, 0.0, self.lever]
-        sink = SINK * self.body.height * (self.launch.gravity / STANDARD) ** (2 / 3)
+        sink = SINK * self.body.height * (self.launch.gravity / self.pull) ** (2 / 3)
         place = arm + np.array([0.0, 0.0, self.contact.radius - sink])
         return np.concatenate(
             [attitude, velocity, place, np.cross(turn @ velocity, arm), np.zeros(1)]

@@ -157,6 +157,13 @@ class HeavyTop:
         return np.asarray(to_matrix(states[:, :4]))[:, 2, :]
 
 
+STORY = (
+    Launch(spin=36.0, tilt=0.35, precession=-1.5, spin_decay=30.0),
+    Contact(radius=0.02, friction=0.5, rolling=0.01),
+)
+"""A launch of the thesis's top, and a ground, that show in ten seconds all that a top does."""
+
+
 def physical(
     clip: Clip | None = None,
     body: Body | None = None,

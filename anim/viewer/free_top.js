@@ -6,10 +6,10 @@ const STANDARD = 9.80665, SINK = 1 / 400, CREEP = 0.025, FREE_STEP = 1e-3, TURN 
 const edgesOf = (body, outline, ball) => [[0, ball - body.height, ball], ...outline.slice(1).map(([r, z]) => [r, z - body.height, 0])];
 
 function groundOf(body, gravity, losses, { friction, rolling }) {
-  const pace = Math.sqrt(STANDARD * body.height);
+  const pull = Math.max(STANDARD, gravity), pace = Math.sqrt(pull * body.height);
   return {
     transverse: body.transverse / body.mass - body.height ** 2, axial: body.axial / body.mass, gravity, tumbling: losses[0], spinning: losses[1],
-    stiffness: STANDARD / (SINK * body.height) ** 1.5, damping: 1 / pace, friction, creep: CREEP * pace, rolling,
+    stiffness: pull / (SINK * body.height) ** 1.5, damping: 1 / pace, friction, creep: CREEP * pace, rolling,
   };
 }
 
@@ -77,12 +77,12 @@ function isDown({ y }, edges) {
   return edges.slice(1).some(([radius, height, rounding]) => y[9] + height * up - radius * side - rounding < 0);
 }
 
-const freeStep = (body, spin) => Math.min(FREE_STEP * Math.sqrt(body.height / STANDARD), TURN / Math.max(Math.abs(spin), 1e-9));
+const freeStep = (body, { w }, gravity) => Math.min(FREE_STEP * Math.sqrt(body.height / Math.max(STANDARD, gravity)), TURN / Math.max(Math.hypot(...w), 1e-9));
 
 // A pinned state let go upon a tip of the radius `ball`: the middle of the ball is at rest, and weight presses it in.
 function letGo({ q, w }, body, ball, gravity) {
   const arm = seenFromSpace(q, [0, 0, body.height - ball]), omega = seenFromSpace(q, w);
-  const sink = SINK * body.height * Math.cbrt(gravity / STANDARD) ** 2;
+  const sink = SINK * body.height * Math.cbrt(gravity / Math.max(STANDARD, gravity)) ** 2;
   const speed = [omega[1] * arm[2] - omega[2] * arm[1], omega[2] * arm[0] - omega[0] * arm[2], omega[0] * arm[1] - omega[1] * arm[0]];
   return free(Float64Array.from([...q, ...w, arm[0], arm[1], arm[2] + ball - sink, ...speed, 0]));
 }

@@ -111,7 +111,7 @@ class Simulator {
   // Whole steps only, so that what happens does not hang on how often the screen is drawn.
   advance(seconds) {
     this.owed += seconds;
-    const { y } = this.state, fixed = y && freeStep(this.body, this.set.spin);
+    const { y } = this.state, fixed = y && freeStep(this.body, this.state, this.set.gravity);
     for (let n = 0; n < MOST_STEPS && (y || this.landed === null); n++) {
       const h = fixed ?? Math.min(longestStep(this.state, this.rates), 0.01);
       if (this.owed < h) break;
