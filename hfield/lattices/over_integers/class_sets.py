@@ -19,6 +19,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from heapq import heappop, heappush
+from itertools import count
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -97,38 +99,35 @@ class Around:
         The units are those modulo ℤ_Kˣ; ν belongs to the lattice that is the key.
         """
         least, found = -1, []
-        for form, *others in self.ways:
-            gram = matrix * form * matrix.transpose()
-            reduced, change = gram.lll(transform=True, rep="gram")
+        for ways in self.ways:
+            reduced, change = (matrix * ways[0] * matrix.transpose()).lll(transform=True, rep="gram")
             value, vectors = least_vectors([list(map(int, row)) for row in reduced.tolist()])
             if least < 0 or value < least:
                 least, found = value, []
             if value == least:
                 rows = flint.fmpz_mat(vectors) * change * matrix
-                found += [(row, others) for row in rows.tolist()]
-        if len(found) > 1:  # those where Tr(ω·N(x)/ν) come first
-            sizes = [self._sizes(row, others) for row, others in found]
-            first = min(sizes)
-            found = [x for x, size in zip(found, sizes, strict=True) if size == first]
+                found += self._described(rows, ways)
+        if len(found) > 1:
+            first = min(size for size, _ in found)
+            found = [x for x in found if x[0] == first]
         keys: Counter[Key] = Counter()
-        left = self.keys.forms.left
-        for row, _ in found:
-            inverse, den = left(row).inv().numer_denom()
-            table = (matrix * inverse).hnf()
-            entries = table.entries()
-            common = den
-            for c in entries:
-                common = common.gcd(c)
-                if common == 1:
-                    break
-            keys[(int(den / common), *(int(c / common) for c in entries))] += 1
+        for _, row in found:
+            inverse, den = self.keys.forms.left(row).inv().numer_denom()
+            entries = list(map(int, (matrix * inverse).hnf().entries()))
+            common = math.gcd(int(den), *entries)
+            keys[(int(den) // common, *(c // common for c in entries))] += 1
         key = min(keys)
-        return key, keys[key], self._rest(found[0][0])
+        return key, keys[key], self._rest(found[0][1])
 
-    def _sizes(self, row: list[Any], others: list[flint.fmpz_mat]) -> list[int]:
-        x = flint.fmpz_mat([row])
-        back = x.transpose()
-        return [int((x * form * back)[0, 0]) for form in others]
+    @staticmethod
+    def _described(rows: flint.fmpz_mat, ways: list[flint.fmpz_mat]) -> list[tuple[Any, list[Any]]]:
+        """Return each x with the numbers Tr(ω·N(x)/ν), and then its inner products with all ±y, sorted."""
+        back, size = rows.transpose(), range(rows.nrows())
+        first, *others = ((rows * form * back).tolist() for form in ways)
+        return [
+            ((*(form[k][k] for form in others), *sorted(map(abs, first[k]))), row)
+            for k, row in zip(size, rows.tolist(), strict=True)
+        ]
 
     def _rest(self, row: list[Any]) -> FieldElement:
         """Return ν/N(x)."""
@@ -171,11 +170,15 @@ class Classes:
                 self._rows[prime] = rows
 
     def _good_primes(self) -> Iterator[PrimeIdeal]:
-        """Yield the primes that do not divide the discriminant, by the numbers below."""
+        """Yield the primes that do not divide the discriminant, ascending by their norms."""
+        number = count()
+        waiting: list[tuple[int, int, PrimeIdeal]] = []
         for p in primes():
+            while waiting and waiting[0][0] < p:
+                yield heappop(waiting)[2]
             for _, prime in self.frame.integers.primes_above(p):
                 if not self.ring.discriminant().valuation(prime):
-                    yield prime
+                    heappush(waiting, (prime.norm, next(number), prime))
 
     def _look_up(self, around: Around, rows: flint.fmpq_mat, number: int) -> int:
         """Return the number of the class of a lattice, which may be new; its norm is in a narrow class."""
