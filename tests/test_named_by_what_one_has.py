@@ -6,7 +6,7 @@ import pytest
 
 import anim
 import hfield
-from hfield import GF, QQ, H, QuaternionAlgebra, errors, explain, info, prove, ring, verify
+from hfield import CC, GF, QQ, H, QuaternionAlgebra, errors, explain, info, prove, ring, verify
 
 
 @pytest.mark.parametrize(
@@ -106,3 +106,18 @@ def test_public_classes() -> None:
     assert isinstance(QuaternionAlgebra(11).maximal_order().class_set(), hfield.ClassSet)
     assert anim.Scene
     assert anim.Film
+
+
+def test_claims_in_lists() -> None:
+    assert (
+        verify(["theorem-3", "centre"], field="QQ").rows
+        == verify("theorem-3", "centre", field="QQ").rows
+    )
+    with pytest.raises(errors.HFieldError, match="fields are field="):
+        verify("theorem-3", GF(9))
+
+
+def test_complex_floats_are_told_how_to_be_written() -> None:
+    with pytest.raises(errors.CoercionError, match=r"'0 \+ 1\*I'"):
+        H(CC)(1j)
+    assert H(CC)("0 + 1*I") == H(CC)("I")

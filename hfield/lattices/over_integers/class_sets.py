@@ -29,6 +29,8 @@ from hfield.errors import TooLargeError
 from hfield.lattices.class_number import local_factor
 from hfield.lattices.enumeration import least_vectors
 from hfield.lattices.over_integers import ideals_of_norm
+from hfield.lattices.over_integers.dedekind_modules import unique_rows
+from hfield.lattices.over_integers.equivalence import conjugator
 from hfield.lattices.over_integers.positive_generators import narrow_classes, units_modulo_squares
 from hfield.lattices.over_integers.trace_forms import trace_forms
 from hfield.primality import primes
@@ -236,9 +238,9 @@ class Classes:
     @cached_property
     def central(self) -> list[list[int]]:
         """Which class each becomes by ideals of K that generate the class group."""
-        multiple, generators = self.frame.multiple, self.frame.integers.ring.class_group().generators
+        frame, generators = self.frame, self.frame.integers.ring.class_group().generators
         return [
-            [self._times(n, lambda rows, a=a: multiple(rows, a), a * a) for n in range(len(self))]
+            [self._times(n, lambda I, a=a: unique_rows(frame.multiple(I, a)), a * a) for n in range(len(self))]
             for a in generators
         ]
 
@@ -265,21 +267,32 @@ class Classes:
         K and, for maximal and Eichler orders, one at each prime of the discriminant. Left orders of other
         orders are compared.
         """
-        primes = [P for P, e in self.ring.discriminant().factorisation()]
-        if self.ring.is_maximal_or_eichler():
+        primes = [P for P, _ in self.ring.discriminant().factorisation()]
+        if self.ring.is_eichler():
             return _orbits(len(self), [*self.central, *map(self.exchanged, primes)])
         kinds = _orbits(len(self), self.central)
-        firsts: dict[int, flint.fmpq_mat] = {}
+        firsts: dict[int, tuple[int, flint.fmpq_mat]] = {}  # a type: units and left order of a class
         names: dict[int, int] = {}
         for n, kind in enumerate(kinds):
             if kind in names:
                 continue
-            order = self.left_order_rows(n)
-            like = (m for m, other in firsts.items() if self._isomorphic(n, order, m, other))
-            names[kind] = next((kinds[m] for m in like), kind)
-            if names[kind] == kind:
-                firsts[n] = order
+            units, order = self.units[n], self._left_order(n)
+            names[kind] = next(
+                (
+                    other
+                    for other, (count, rows) in firsts.items()
+                    if count == units and conjugator(self.frame, rows, order)
+                ),
+                kind,
+            )
+            firsts.setdefault(names[kind], (units, order))
         return _renumbered([names[kind] for kind in kinds])
+
+    def _left_order(self, n: int) -> flint.fmpq_mat:
+        """Return the left order of class n, I·conj(I)/N(I)."""
+        frame, rows = self.frame, self.lattices[n]
+        whole = frame.product(rows, flint.fmpq_mat(frame.conjugate(rows.tolist())))
+        return unique_rows(frame.multiple(whole, frame.norm_ideal(rows).inverse()))
 
     @property
     def type_number(self) -> int:

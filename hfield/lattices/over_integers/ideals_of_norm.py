@@ -15,9 +15,8 @@ import flint
 
 from hfield.errors import LatticeError, TooLargeError
 from hfield.lattices.over_integers.dedekind_modules import unique_rows
-from hfield.lattices.over_integers.local_orders import Local
+from hfield.lattices.over_integers.local_orders import Local, Rows
 
-Rows = list[list[flint.fmpq]]
 MOST = 10**5
 """No more ideals of one norm than this are listed."""
 
@@ -34,16 +33,14 @@ def generators(local: Local, rows: flint.fmpq_mat, exponent: int, ramified: bool
         return _split(local, rows, exponent)
     radical, below = local.radical(rows), local.times_prime(rows)
     if exponent == 1:  # ramified, of one maximal ideal
-        return [_independent(local, radical, below)]
-    return _in_radical(local, rows, _independent(local, radical, below), below)
+        return [local.independent(radical, below)]
+    return _in_radical(local, rows, local.independent(radical, below), below)
 
 
 def _split(local: Local, rows: flint.fmpq_mat, exponent: int) -> list[Rows]:
     """Return those of M₂(ℤ_P), or of an Eichler order of level Pᵏ, k the exponent, through matrix units."""
     frame = local.frame
     e = local.idempotent(rows, 1)
-    one = frame.row(1)
-    by_e, by_f = frame.right(e.entries()), frame.right((one - e).entries())
     inverse = local.times_prime(rows).inv()
 
     def outside(elements: flint.fmpq_mat) -> flint.fmpq_mat:
@@ -52,14 +49,7 @@ def _split(local: Local, rows: flint.fmpq_mat, exponent: int) -> list[Rows]:
         k = next(k for k, row in enumerate(inside) if any(c.q != 1 for c in row))
         return flint.fmpq_mat([found[k]])
 
-    # u = e·b·(1 − e) and v = (1 − e)·b·e, not in P·O
-    left = [(e * frame.right(row)).entries() for row in rows.tolist()]
-    u = outside(flint.fmpq_mat(left) * by_f)
-    rest = [
-        [c - d for c, d in zip(*pair, strict=True)]
-        for pair in zip(rows.tolist(), left, strict=True)
-    ]
-    v = outside(flint.fmpq_mat(rest) * by_e)
+    u, v = map(outside, local.corners(rows, e))
 
     def lines(first: Any, second: Any, across: Any) -> Iterator[Rows]:
         # (first + c·second)·O, where first is idempotent and second·first = second
@@ -71,21 +61,8 @@ def _split(local: Local, rows: flint.fmpq_mat, exponent: int) -> list[Rows]:
     found = list(lines(e, v, u))
     if exponent == 0:
         return [*found, [v.entries(), (v * frame.right(u.entries())).entries()]]
-    found += lines(one - e, u, v)
+    found += lines(frame.row(1) - e, u, v)
     return [*found, [u.entries(), v.entries()]] if exponent == 1 else found
-
-
-def _independent(local: Local, larger: flint.fmpq_mat, below: flint.fmpq_mat) -> Rows:
-    """Return elements of a lattice that are a basis of it modulo another, which contains P times it."""
-    found: Rows = []
-    frame, inverse = local.frame, below.inv()
-    for row in larger.tolist():
-        if any(c.q != 1 for c in (flint.fmpq_mat([row]) * inverse).entries()):
-            found.append(row)
-            multiples = [(flint.fmpq_mat([row]) * m).entries() for m in frame.scalars]
-            below = unique_rows(flint.fmpq_mat([*below.tolist(), *multiples]))
-            inverse = below.inv()
-    return found
 
 
 def _in_radical(
@@ -108,7 +85,7 @@ def _in_radical(
                 flint.fmpq_mat([*multiples_from_left(local, x, rows), *below.tolist()])
             )
             if frame.norm_ideal(ideal) == prime and frame.volume(ideal) == order * prime * prime:
-                found.setdefault(str(ideal), _independent(local, ideal, below))
+                found.setdefault(str(ideal), local.independent(ideal, below))
     return list(found.values())
 
 

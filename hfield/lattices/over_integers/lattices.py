@@ -20,11 +20,17 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.fields.number_fields.ideals import Ideal
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
-from hfield.lattices.checked_arguments import checked_side, listed
-from hfield.lattices.over_integers import class_sets, equivalence, ideals_of_norm, local_orders
-from hfield.lattices.over_integers.dedekind_modules import unique_rows
+from hfield.lattices.checked_arguments import checked_side, listed, natural
+from hfield.lattices.over_integers import (
+    class_sets,
+    equivalence,
+    ideals_of_norm,
+    local_orders,
+    related_orders,
+)
+from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
 from hfield.lattices.over_integers.frames import Frame
-from hfield.lattices.over_integers.local_orders import Local
+from hfield.lattices.over_integers.local_orders import Local, Rows
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -123,10 +129,8 @@ class IntegersLattice(Hinted):
         return IntegersLattice(self.frame, flint.fmpq_mat(both))
 
     def __and__(self, other: IntegersLattice) -> IntegersLattice:
-        """Return the intersection, the dual of the sum of the duals in the plain pairing of coordinates."""
-        both = self.inverse_rows.transpose().tolist()
-        both += self._same(other).inverse_rows.transpose().tolist()
-        rows = unique_rows(flint.fmpq_mat(both)).inv().transpose()
+        """Return the intersection."""
+        rows = meet(self.rows, self._same(other).rows)
         is_ring = isinstance(self, IntegersOrder) and isinstance(other, IntegersOrder)
         return (IntegersOrder if is_ring else IntegersLattice)(self.frame, rows)
 
@@ -134,12 +138,10 @@ class IntegersLattice(Hinted):
         """Return rows that span the product with a lattice, an element, or an ideal of the field."""
         frame = self.frame
         if isinstance(other, IntegersLattice):
-            factors = list(map(frame.right, self._same(other).rows.tolist()))
-        elif isinstance(other, Ideal):
-            factors = list(map(frame.scalar, frame.ideal(other).elements))
-        else:
-            factors = [frame.right(frame.row(other).entries())]
-        return flint.fmpq_mat([row for m in factors for row in (self.rows * m).tolist()])
+            return frame.product(self.rows, self._same(other).rows)
+        if isinstance(other, Ideal):
+            return frame.multiple(self.rows, frame.ideal(other))
+        return self.rows * frame.right(frame.row(other).entries())
 
     def __mul__(self, other: object) -> IntegersLattice:
         """Return the product with a lattice, an element, a number or an ideal of the field."""
@@ -166,11 +168,7 @@ class IntegersLattice(Hinted):
 
     def dual(self) -> IntegersLattice:
         """Return the x with tr(x·L) ⊂ ℤ_K, the codifferent of an order (Voight, definition 15.6.2)."""
-        n = self.frame.n
-        columns: list[Any] = []
-        for row in self.rows.tolist():
-            columns += (self.frame.right(row) * 2).transpose().tolist()[:n]
-        return IntegersLattice(self.frame, unique_rows(flint.fmpq_mat(columns)).inv().transpose())
+        return IntegersLattice(self.frame, self.frame.dual(self.rows))
 
     def left_order(self) -> IntegersOrder:
         """Return the x with x·L ⊂ L, an order."""
@@ -257,8 +255,7 @@ class IntegersOrder(IntegersLattice):
 
     @cached_property
     def _discriminant(self) -> Ideal:
-        frame = self.frame
-        return frame.integers.principal(4 * frame.a * frame.b) * self.volume()
+        return self.frame.reduced_discriminant(self.rows)
 
     def norm_of_discriminant(self) -> int:
         """Return the absolute norm of the reduced discriminant."""
@@ -307,7 +304,82 @@ class IntegersOrder(IntegersLattice):
         """
         return IntegersOrder(self.frame, local_orders.maximal(self.frame, self.rows, self.level))
 
+    def conductor(self) -> Ideal:
+        """Return the largest ideal f with O = ℤ_K + f·G for an order G; 1 for a Gorenstein order."""
+        return related_orders.conductor(self.frame, self.rows)
+
+    def is_gorenstein(self) -> bool:
+        """Tell whether the codifferent is invertible: whether the conductor is 1 (Voight, section 24.2)."""
+        return self.conductor() == 1
+
+    def gorenstein_closure(self) -> IntegersOrder:
+        """Return the Gorenstein order G with O = ℤ_K + f·G, f the conductor (Voight, section 24.2)."""
+        return IntegersOrder(self.frame, related_orders.gorenstein_closure(self.frame, self.rows))
+
+    def is_bass(self) -> bool:
+        """Tell whether every order that contains this one is Gorenstein (Voight, section 24.5)."""
+        return related_orders.is_bass(self.frame, self.rows)
+
+    def is_hereditary(self) -> bool:
+        """Tell whether all ideals are invertible: whether no square divides the discriminant."""
+        return all(e == 1 for _, e in self.discriminant().factorisation())
+
+    def suborders(self, prime: object, k: int = 1) -> list[IntegersOrder]:
+        """Return all orders of index Pᵏ in this one. Raises :class:`TooLargeError` for many candidates.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.maximal_order(); P = A.ring.primes_above(2)[0]
+        >>> [len(O.suborders(P, k)) for k in (1, 2)], len(O.suborders(P)[0].overorders(P))
+        ([5, 41], 2)
+        """
+        return self._related(related_orders.suborders, prime, k)
+
+    def overorders(self, prime: object, k: int = 1) -> list[IntegersOrder]:
+        """Return all orders in which this one has the index Pᵏ. Raises :class:`TooLargeError` likewise."""
+        return self._related(related_orders.overorders, prime, k)
+
+    def _related(self, search: Any, prime: object, k: int) -> list[IntegersOrder]:
+        local = Local(self.frame, self.frame.prime(prime))
+        found = search(local, self.rows, natural(k, "the exponent of an index is"))
+        return [IntegersOrder(self.frame, rows) for rows in found]
+
     # --- ideals ------------------------------------------------------------------------------------
+
+    def two_sided_prime(self, prime: object) -> IntegersIdeal:
+        """Return the two-sided ideal at P that generates, with those of the field, all invertible ones there.
+
+        Its square is Pᵉ·O, the part of the discriminant at P; it is P·O where P does not divide that.
+        Raises :class:`LatticeError` where the order is neither maximal nor Eichler at P.
+        """
+        P = self.frame.prime(prime)
+        e = self.discriminant().valuation(P)
+        if e > 1 and (P in self.frame.ramified or self.eichler_symbol(P) != 1):
+            raise LatticeError(
+                f"the order is neither maximal nor an Eichler order at {shorten(prime)}: its two-sided "
+                "ideals there are not known"
+            )
+        found = self * self.frame.integers.prime(P) ** max(e, 1)
+        if e:
+            found = found + self.dual() * self.discriminant()
+        return IntegersIdeal(self.frame, found.rows, "right", self)
+
+    def connecting_ideal(self, other: IntegersOrder) -> IntegersIdeal:
+        """Return the primitive integral ideal with this left order and the right order ``other``.
+
+        Raises :class:`LatticeError` unless both are Eichler orders of one level.
+        """
+        self._same(other)
+        level = self.level
+        if (
+            not isinstance(other, IntegersOrder)
+            or other.level != level
+            or not (self.is_eichler() and other.is_eichler())
+        ):
+            raise LatticeError(
+                "connecting ideals exist here between Eichler orders of one level, and these are none"
+            )
+        rows = related_orders.connecting(self.frame, self.rows, other.rows, level)
+        return IntegersIdeal(self.frame, rows, "left", self)
 
     def left_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
         """Return the left ideal O·x + O·y + … . Raises :class:`LatticeError` for a rank below 4."""
@@ -317,7 +389,7 @@ class IntegersOrder(IntegersLattice):
         """Return the right ideal x·O + y·O + … . Raises :class:`LatticeError` for a rank below 4."""
         return IntegersIdeal(self.frame, self._ideal(generators, "right"), "right", self)
 
-    def ideals_of_prime_norm(self, prime: PrimeIdeal) -> tuple[Local, list[ideals_of_norm.Rows]]:
+    def ideals_of_prime_norm(self, prime: PrimeIdeal) -> tuple[Local, list[Rows]]:
         """Return what is needed to list right ideals of norm P, computed once."""
         if prime not in self._known:
             local = Local(self.frame, prime)
@@ -328,7 +400,7 @@ class IntegersOrder(IntegersLattice):
         return self._known[prime]
 
     @cached_property
-    def _known(self) -> dict[PrimeIdeal, tuple[Local, list[ideals_of_norm.Rows]]]:
+    def _known(self) -> dict[PrimeIdeal, tuple[Local, list[Rows]]]:
         return {}
 
     def subideals(self, ideal: IntegersLattice, prime: object) -> list[IntegersIdeal]:
@@ -451,7 +523,20 @@ class IntegersIdeal(IntegersLattice):
         """Tell whether the left and the right order are the same."""
         return self.left_order() == self.right_order()
 
+    def primitive_part(self) -> tuple[IntegersIdeal, Ideal]:
+        """Return (J, a) with I = a·J, a an ideal of the field, and J integral and not in b·O for any other b.
+
+        Raises :class:`LatticeError` unless the ideal is integral.
+        """
+        inverse = self.frame.scalars_into(self.rows, self.order.rows)
+        if not self.is_integral():
+            raise LatticeError("only an integral ideal has a primitive part, and this one is none")
+        return self._with(self * inverse), inverse.inverse()
+
     # --- arithmetic --------------------------------------------------------------------------------
+
+    def _with(self, lattice: IntegersLattice) -> IntegersIdeal:
+        return IntegersIdeal(self.frame, lattice.rows, self.side, self._order)
 
     def __add__(self, other: IntegersLattice) -> IntegersLattice:
         return self._joint(other, super().__add__(other))

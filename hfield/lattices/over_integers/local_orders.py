@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import Ideal
 
+Rows = list[list[flint.fmpq]]
 TRIALS = 1_000
 
 
@@ -68,9 +69,9 @@ class Local:
         """
         while level > 0:
             radical = self.radical(rows)
-            larger = self._left_order(radical)
+            larger = self.left_order(radical)
             if larger.det() == rows.det():  # hereditary, of level P
-                larger = self._left_order(self._maximal_ideal(rows, radical))
+                larger = self.left_order(self._maximal_ideal(rows, radical))
             index = abs(rows.det() / larger.det())
             level -= int(math.log2(int(index.p)) / math.log2(self.prime.norm) + 0.5)
             rows = larger
@@ -115,7 +116,7 @@ class Local:
         whole = [*vectors, *([self.p * int(i == j) for j in range(size)] for i in range(size))]
         return flint.fmpq_mat(hermite(whole, size)) * rows
 
-    def _left_order(self, ideal: flint.fmpq_mat) -> flint.fmpq_mat:
+    def left_order(self, ideal: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return the x with x·I ⊂ I, for an ideal I between an order and p times it."""
         frame, inverse = self.frame, ideal.inv()
         columns: list[list[int]] = [[] for _ in range(frame.size)]
@@ -180,9 +181,28 @@ class Local:
 
     def times_prime(self, rows: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return P·L."""
-        elements = self.frame.integers.prime(self.prime).elements
-        parts = [row for x in elements for row in (rows * self.frame.scalar(x)).tolist()]
-        return unique_rows(flint.fmpq_mat(parts))
+        return unique_rows(self.frame.multiple(rows, self.frame.integers.prime(self.prime)))
+
+    def independent(self, larger: flint.fmpq_mat, below: flint.fmpq_mat) -> Rows:
+        """Return elements of a lattice that are a basis of it modulo another, which contains P times it."""
+        found: Rows = []
+        inverse = below.inv()
+        for row in larger.tolist():
+            if any(c.q != 1 for c in (flint.fmpq_mat([row]) * inverse).entries()):
+                found.append(row)
+                multiples = [(flint.fmpq_mat([row]) * m).entries() for m in self.frame.scalars]
+                below = unique_rows(flint.fmpq_mat([*below.tolist(), *multiples]))
+                inverse = below.inv()
+        return found
+
+    def corners(
+        self, rows: flint.fmpq_mat, e: flint.fmpq_mat
+    ) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
+        """Return e·b·(1 − e) and (1 − e)·b·e for the basis b of a lattice."""
+        frame = self.frame
+        left = flint.fmpq_mat([(e * frame.right(row)).entries() for row in rows.tolist()])
+        other = frame.right((frame.row(1) - e).entries())
+        return left * other, (rows - left) * frame.right(e.entries())
 
     def idempotent(self, rows: flint.fmpq_mat, k: int) -> flint.fmpq_mat:
         """Return e in an order that has matrices of rank 1 modulo P, with e² ≡ e modulo Pᵏ and e ≢ 0, 1.
@@ -209,6 +229,5 @@ class Local:
         e = self.idempotent(rows, k)
         # these are (1 − e)·O + O·e + Pᵏ·O, and the conjugate of e is 1 − e modulo Pᵏ
         ideal = (rows * frame.right(e.entries())).tolist()
-        power = frame.integers.prime(self.prime) ** k
-        parts = [row for x in power.elements for row in (rows * frame.scalar(x)).tolist()]
+        parts = frame.multiple(rows, frame.integers.prime(self.prime) ** k).tolist()
         return unique_rows(flint.fmpq_mat([*ideal, *frame.conjugate(ideal), *parts]))
