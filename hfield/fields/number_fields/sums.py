@@ -99,15 +99,16 @@ def common_root(
     first = [field(c) for c in f.coeffs()]
     second = [field(0)]
     for c in reversed(g.coeffs()):
-        second = _times(second, line)
+        second = times(second, line)
         second[0] = second[0] + c
     while second:
-        first, second = second, _remainder(first, second)
+        first, second = second, remainder(first, second)
     root: FieldElement = -first[0] * first[1].inverse()
     return root
 
 
-def _times(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
+def times(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
+    """Return the product of two polynomials, [0] for 0."""
     out = [f[0] - f[0]] * (len(f) + len(g) - 1)
     for i, x in enumerate(f):
         for j, y in enumerate(g):
@@ -121,7 +122,7 @@ def _trimmed(f: list[FieldElement]) -> list[FieldElement]:
     return f
 
 
-def _remainder(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
+def remainder(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
     """Return f modulo g, [] for 0."""
     f = list(f)
     inverse = g[-1].inverse()
