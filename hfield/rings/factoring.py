@@ -1,4 +1,4 @@
-"""Monic irreducible factors of polynomials in one variable over fields, coefficients from low to high."""
+"""Polynomials in one variable over fields, as lists of coefficients from low to high: their factors."""
 
 from __future__ import annotations
 
@@ -71,3 +71,28 @@ def of_flint(ring: Ring, polynomial: Any, read: Callable[[Any], Any]) -> list[li
         monic(ring, [read(factor[n]) for n in range(factor.degree() + 1)])
         for factor, _ in polynomial.factor()[1]
     ]
+
+
+def divided(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+    """Return quotient and remainder, [] for 0, by a polynomial g whose last coefficient is not 0."""
+    rest, back = list(f), ring.inverse(g[-1])
+    quotient: list[Any] = []
+    while len(rest) >= len(g):
+        quotient.append(rest[-1] * back)
+        for k, x in enumerate(g, len(rest) - len(g)):
+            rest[k] = rest[k] - quotient[-1] * x
+        rest.pop()
+    while rest and ring.is_zero(rest[-1]):
+        rest.pop()
+    return quotient[::-1], rest
+
+
+def common_divisor(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
+    """Return the monic greatest common divisor, [] of two polynomials that are 0."""
+    one, two = ([*f], [*g])
+    for h in (one, two):
+        while h and ring.is_zero(h[-1]):
+            h.pop()
+    while two:
+        one, two = two, divided(ring, one, two)[1]
+    return monic(ring, one) if one else []

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.sums import remainder, times
-from hfield.rings.factoring import monic
+from hfield.fields.number_fields.sums import times
+from hfield.rings.factoring import common_divisor, divided, monic
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
@@ -30,7 +30,7 @@ def irreducible_factors(
     if len(f) == 1:
         return []
     derivative = [x * n for n, x in enumerate(f)][1:]
-    f = _quotient(f, common_divisor(field, f, derivative))
+    f = divided(field, f, common_divisor(field, f, derivative))[0]
     for c in count():
         moved = _substituted(field, f, field.gen * -c)
         norm = _norm(field, moved)
@@ -40,33 +40,6 @@ def irreducible_factors(
         common_divisor(field, moved, [field(x) for x in g.coeffs()]) for g, _ in norm.factor()[1]
     )
     return [monic(field, _substituted(field, g, field.gen * c)) for g in shared]
-
-
-def common_divisor(field: NumberField, f: Coefficients, g: Coefficients) -> Coefficients:
-    """Return the monic greatest common divisor of two polynomials, of which the first is not 0."""
-    g = _without_zeros(g)
-    while g:
-        f, g = g, remainder(f, g)
-    return monic(field, f)
-
-
-def _without_zeros(f: Coefficients) -> Coefficients:
-    f = list(f)
-    while f and not f[-1]:
-        f.pop()
-    return f
-
-
-def _quotient(f: Coefficients, g: Coefficients) -> Coefficients:
-    """Return f/g for a monic g that divides f."""
-    rest, out = list(f), list[FieldElement]()
-    while len(rest) >= len(g):
-        out.append(rest[-1])
-        for k, x in enumerate(g):
-            at = len(rest) - len(g) + k
-            rest[at] = rest[at] - out[-1] * x
-        rest.pop()
-    return out[::-1]
 
 
 def _substituted(field: NumberField, f: Coefficients, shift: FieldElement) -> Coefficients:
