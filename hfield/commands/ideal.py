@@ -60,7 +60,7 @@ def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim | Verdict]]:
 
 def _asked(args: Namespace) -> tuple[Ideal, Verdict | None]:
     A = algebra_of(args.algebra)
-    O = A.eichler_order(level_of(args.level))
+    O = A.eichler_order(level_of(args.level, A))
     make = O.left_ideal if args.side == "left" else O.right_ideal
     I = make(elements_of(A, args.generators, "the list of generators"))
     if args.principal:

@@ -116,6 +116,18 @@ class IntegersLattice(Hinted):
     def __repr__(self) -> str:
         return f"a lattice of rank {self.frame.size} over ZZ in {self.algebra}"
 
+    def latex(self) -> str:
+        """Write the lattice as a sum of ideals times elements, and its algebra, in LaTeX."""
+        K: Any = self.algebra.ring
+        pairs = []
+        for ideal, q in self.pseudo_basis():
+            numbers = (K.text(x, "latex") for x in K.ideal(list(ideal)).generators)
+            pairs.append(rf"\left({', '.join(numbers)}\right)\left({q.text('latex')}\right)")
+        return rf"{' + '.join(pairs)} \subset {self.algebra.latex()}"
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex()}$"
+
     # --- arithmetic --------------------------------------------------------------------------------
 
     def __add__(self, other: IntegersLattice) -> IntegersLattice:
@@ -297,6 +309,10 @@ class IntegersOrder(IntegersLattice):
         Raises :class:`UnfactoredError`, and :class:`TooLargeError` at primes of 64 bits and more.
         """
         return IntegersOrder(self.frame, local_orders.maximal(self.frame, self.rows, self.level))
+
+    def is_definite(self) -> bool:
+        """Tell whether the algebra is totally definite: units modulo those of the field are finitely many."""
+        return self.frame.is_definite
 
     def conductor(self) -> Ideal:
         """Return the largest ideal f with O = ℤ_K + f·G for an order G; 1 for a Gorenstein order."""
