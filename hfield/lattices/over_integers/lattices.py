@@ -8,8 +8,9 @@ make one another; what takes an algorithm is a function on frames and rows in a 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -17,11 +18,16 @@ import flint
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.fields.number_fields.ideals import Ideal, integers
-from hfield.hints import IDEAL, LATTICE, ORDER, Hinted
+from hfield.fields.number_fields.ideals import Ideal
+from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices.checked_arguments import checked_side, listed, natural
-from hfield.lattices.enumeration import short_vectors
-from hfield.lattices.over_integers import ideals_of_norm, local_orders, related_orders
+from hfield.lattices.over_integers import (
+    class_sets,
+    equivalence,
+    ideals_of_norm,
+    local_orders,
+    related_orders,
+)
 from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
 from hfield.lattices.over_integers.frames import Frame
 from hfield.lattices.over_integers.local_orders import Local, Rows
@@ -399,7 +405,7 @@ class IntegersOrder(IntegersLattice):
         """Return the right ideal x·O + y·O + … . Raises :class:`LatticeError` for a rank below 4."""
         return IntegersIdeal(self.frame, self._ideal(generators, "right"), "right", self)
 
-    def _ideals_of_prime_norm(self, prime: PrimeIdeal) -> tuple[Local, list[Rows]]:
+    def ideals_of_prime_norm(self, prime: PrimeIdeal) -> tuple[Local, list[Rows]]:
         """Return what is needed to list right ideals of norm P, computed once."""
         if prime not in self._known:
             local = Local(self.frame, prime)
@@ -418,7 +424,7 @@ class IntegersOrder(IntegersLattice):
 
         They are N(P) + 1 where P does not divide the discriminant. Raises :class:`TooLargeError`.
         """
-        local, found = self._ideals_of_prime_norm(self.frame.prime(prime))
+        local, found = self.ideals_of_prime_norm(self.frame.prime(prime))
         rows = ideals_of_norm.subideals(local, self._same(ideal).rows, found)
         return [IntegersIdeal(self.frame, J, "right", self) for J in rows]
 
@@ -451,51 +457,39 @@ class IntegersOrder(IntegersLattice):
         kind = "a maximal order" if self.is_maximal() else "an order"
         return f"{kind} of {self.algebra} with the discriminant {self.discriminant()}"
 
-    # --- units -------------------------------------------------------------------------------------
+    # --- units and classes, in a totally definite algebra ------------------------------------------
 
     def unit_index(self) -> int:
-        """Return [Oˣ : ℤ_Kˣ], of a totally definite algebra: units are enumerated in the form Tr(N(x)).
-
-        Raises :class:`LatticeError` for other algebras, whose units are infinitely many.
+        """Return [Oˣ : ℤ_Kˣ]. Raises :class:`IndefiniteError` where it is infinite.
 
         >>> from hfield import QuaternionAlgebra
-        >>> QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().unit_index()
-        60
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+        >>> O.unit_index(), O.unit_group()
+        (60, 'A5')
         """
-        field = self.field
-        signs = [
-            field.multiplication(x).charpoly().coeffs() for x in (-self.frame.a, -self.frame.b)
-        ]
-        positive = all(c * (-1) ** (len(p) - 1 - k) > 0 for p in signs for k, c in enumerate(p))
-        if field.signature != (field.degree, 0) or not positive:
-            raise LatticeError(
-                f"the units of orders in {shorten(self.algebra)} modulo those of the field are not finitely "
-                "many; expected a totally definite algebra over a totally real field"
-            )
-        # the units of norm u, up to sign, for u in the totally positive units modulo squares of units
-        norms = [field.one]
-        inside = integers(self.algebra.ring).inside
-        for g in map(inside, self.algebra.ring.totally_positive_units()):
-            if all((g * u).sqrt() is None for u in norms):
-                norms += [g * u for u in norms]
-        rows = self.rows.tolist()
-        values = [self.frame.norm(row) for row in rows]
+        return equivalence.unit_index(self.frame, self.rows)
 
-        def both(i: int, j: int) -> Any:
-            total = self.frame.norm([x + y for x, y in zip(rows[i], rows[j], strict=True)])
-            return total - values[i] - values[j]
+    def unit_group(self) -> str:
+        """Return the name of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on. Raises :class:`IndefiniteError`."""
+        return equivalence.unit_group(self.frame, self.rows)
 
-        size = range(len(rows))
-        gram = flint.fmpz_mat([[int(both(i, j).trace().p) for j in size] for i in size])
-        change = gram.lll(transform=True, rep="gram")[1]
-        form = (change * gram * change.transpose()).tolist()
-        basis = flint.fmpq_mat(change) * self.rows
-        bound = max(2 * int(u.trace().p) for u in norms)
-        count = 0
-        for x, _ in short_vectors([list(map(int, row)) for row in form], bound):
-            row = flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis
-            count += self.frame.norm(row.entries()) in norms
-        return count
+    def isomorphism(self, other: IntegersOrder) -> equivalence.Comparison:
+        """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
+
+        Raises :class:`IndefiniteError`.
+        """
+        found = self._same(other)
+        if self.discriminant() != found.discriminant():
+            return equivalence.Comparison(False, "their discriminants differ")
+        return equivalence.conjugator(self.frame, self.rows, found.rows)
+
+    def mass(self) -> Fraction:
+        """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, by a formula. Raises likewise."""
+        return class_sets.mass(self)
+
+    def class_set(self) -> IntegersClassSet:
+        """Return the invertible right ideal classes, complete by the mass. Raises :class:`IndefiniteError`."""
+        return IntegersClassSet(self)
 
 
 class IntegersIdeal(IntegersLattice):
@@ -597,8 +591,71 @@ class IntegersIdeal(IntegersLattice):
         """Return ``conj(I)/N(I)``. Raises :class:`LatticeError` unless I is locally principal."""
         return IntegersIdeal(self.frame, super().inverse().rows, OTHER[self.side], self._order)
 
+    # --- classes, in a totally definite algebra ----------------------------------------------------
+
+    def is_principal(self) -> equivalence.Comparison:
+        """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
+        return IntegersIdeal(self.frame, self.order.rows, self.side, self.order).equivalence(self)
+
+    def equivalence(self, other: IntegersIdeal) -> equivalence.Comparison:
+        """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
+
+        Where there is none it is false, and ``reason`` says why. Raises :class:`LatticeError` for ideals that
+        are not invertible, or of different orders or sides, :class:`IndefiniteError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order(); I = O.left_ideal([11, "1 + 3*i + j"])
+        >>> I.norm(), I.is_principal().element is not None, O.left_ideal([I.is_principal().element]) == I
+        """
+        same = isinstance(other, IntegersIdeal) and (self.side, self.order) == (other.side, other.order)
+        if not same or not (self.is_invertible() and other.is_invertible()):
+            raise LatticeError(
+                f"expected two invertible {self.side} ideals of one order, not {shorten(repr(other))}"
+            )
+        pair = (self.inverse(), other) if self.side == "left" else (other, self.inverse())
+        between = pair[0] * pair[1]
+        return equivalence.element_generating(self.frame, between.rows, other.norm() / self.norm())
+
     def __repr__(self) -> str:
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
+
+
+class IntegersClassSet(class_sets.Classes, Hinted):
+    """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
+
+    >>> from hfield import QuaternionAlgebra
+    >>> C = QuaternionAlgebra("QQ(sqrt(6))", -1, -1).maximal_order().class_set()
+    >>> len(C), C.mass, C.type_number
+    (3, Fraction(1, 4), 3)
+    """
+
+    elsewhere = CLASSES
+
+    def __init__(self, order: IntegersOrder) -> None:
+        super().__init__(order)
+        self.order = order
+
+    def __getitem__(self, n: int) -> IntegersIdeal:
+        """Return the representative of class n, a right ideal that contains 1; class 0 is that of O."""
+        return IntegersIdeal(self.frame, self.lattices[n], "right", self.order)
+
+    def __iter__(self) -> Iterator[IntegersIdeal]:
+        return (self[n] for n in range(len(self)))
+
+    def index(self, ideal: IntegersIdeal) -> int:
+        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
+        if not isinstance(ideal, IntegersIdeal) or ideal.side != "right":
+            raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
+        if ideal.order != self.order or not ideal.is_invertible():
+            raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of {self.order}")
+        return self.class_of(ideal.rows, ideal.norm())
+
+    def left_orders(self) -> list[IntegersOrder]:
+        """Return the left orders of the representatives, one a class."""
+        return [I.left_order() for I in self]
+
+    def __repr__(self) -> str:
+        return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
 
 
 def _integral(matrix: flint.fmpq_mat) -> bool:
