@@ -91,7 +91,10 @@ class Around:
         forms, omega = keys.forms, keys.frame.omega
         weights = [[u * w / norm.element for w in omega] for u in keys.units]
         # the first form is Tr(N(x)/ν), whether or not 1 is in the integral basis
-        every = [[forms.form(c) for c in (u / norm.element, *cs)] for u, cs in zip(keys.units, weights, strict=True)]
+        every = [
+            [forms.form(c) for c in (u / norm.element, *cs)]
+            for u, cs in zip(keys.units, weights, strict=True)
+        ]
         den = math.lcm(*(int(form.numer_denom()[1]) for ways in every for form in ways))
         self.ways = [[(form * den).numer_denom()[0] for form in ways] for ways in every]
 
@@ -102,7 +105,9 @@ class Around:
         """
         least, found = -1, []
         for ways in self.ways:
-            reduced, change = (matrix * ways[0] * matrix.transpose()).lll(transform=True, rep="gram")
+            reduced, change = (matrix * ways[0] * matrix.transpose()).lll(
+                transform=True, rep="gram"
+            )
             value, vectors = least_vectors([list(map(int, row)) for row in reduced.tolist()])
             if least < 0 or value < least:
                 least, found = value, []
@@ -240,7 +245,10 @@ class Classes:
         """Which class each becomes by ideals of K that generate the class group."""
         frame, generators = self.frame, self.frame.integers.ring.class_group().generators
         return [
-            [self._times(n, lambda I, a=a: unique_rows(frame.multiple(I, a)), a * a) for n in range(len(self))]
+            [
+                self._times(n, lambda I, a=a: unique_rows(frame.multiple(I, a)), a * a)
+                for n in range(len(self))
+            ]
             for a in generators
         ]
 
@@ -271,7 +279,9 @@ class Classes:
         if self.ring.is_eichler():
             return _orbits(len(self), [*self.central, *map(self.exchanged, primes)])
         kinds = _orbits(len(self), self.central)
-        firsts: dict[int, tuple[int, flint.fmpq_mat]] = {}  # a type: units and left order of a class
+        firsts: dict[
+            int, tuple[int, flint.fmpq_mat]
+        ] = {}  # a type: units and left order of a class
         names: dict[int, int] = {}
         for n, kind in enumerate(kinds):
             if kind in names:

@@ -53,13 +53,20 @@ def element_generating(frame: Frame, rows: flint.fmpq_mat, norm: Ideal) -> Compa
     forms, ring = trace_forms(frame), frame.integers.ring
     generator = totally_positive_generator(norm)
     if generator is None:
-        return Comparison(False, f"the norm would be a totally positive generator of {norm}, which has none")
+        return Comparison(
+            False, f"the norm would be a totally positive generator of {norm}, which has none"
+        )
     units = units_modulo_squares(ring)
     for u in units:
         for row in forms.elements_of_norm(rows, generator * u):
-            return Comparison(True, "the element is multiplied out", frame.quaternion(row.entries()))
+            return Comparison(
+                True, "the element is multiplied out", frame.quaternion(row.entries())
+            )
     shown = ", ".join(ring.text(frame.integers.outside(generator * u)) for u in units)
-    return Comparison(False, f"no element of the lattice between them has a norm among {shown}, up to squares of units")
+    return Comparison(
+        False,
+        f"no element of the lattice between them has a norm among {shown}, up to squares of units",
+    )
 
 
 # --- isomorphisms of orders ------------------------------------------------------------------------
@@ -155,7 +162,9 @@ def _intertwiner(
     forms = trace_forms(frame)
     columns: list[Any] = []
     for s, t in zip(sources, targets, strict=True):
-        columns += (frame.right(s.entries()) - forms.left_rational(t.entries())).transpose().tolist()
+        columns += (
+            (frame.right(s.entries()) - forms.left_rational(t.entries())).transpose().tolist()
+        )
     whole = flint.fmpq_mat(columns).numer_denom()[0]
     kernel, rank = whole.nullspace()
     assert rank == frame.n, "two elements that do not commute generate the algebra"

@@ -26,11 +26,13 @@ from hfield.lattices.over_integers import (
     equivalence,
     ideals_of_norm,
     local_orders,
+    quadratic_orders,
     related_orders,
 )
 from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
 from hfield.lattices.over_integers.frames import Frame
 from hfield.lattices.over_integers.local_orders import Local, Rows
+from hfield.lattices.over_integers.quadratic_orders import IntegersEmbeddings
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -359,6 +361,33 @@ class IntegersOrder(IntegersLattice):
         found = search(local, self.rows, natural(k, "the exponent of an index is"))
         return [IntegersOrder(self.frame, rows) for rows in found]
 
+    # --- elements ----------------------------------------------------------------------------------
+
+    def represent_integer(self, n: object) -> Quaternion | None:
+        """Return an element of norm n, an integer of the field, or None where there is none.
+
+        Decided by enumeration, or by a prime that forbids it. Raises :class:`IndefiniteError` unless the
+        algebra is totally definite, and :class:`UndecidedError` for large n.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(2))", -1, -1); M, s = A.maximal_order(), A.ring.gen
+        >>> A.order(["i", "j"]).represent_integer(2 + s), M.represent_integer(2 + s).norm()
+        (None, 2+sqrt(2))
+        """
+        return quadratic_orders.represent(self.frame, self.rows, n)
+
+    def embeddings(self, discriminant: object) -> IntegersEmbeddings:
+        """Return the optimal embeddings of the quadratic order of a totally negative discriminant.
+
+        Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); found = O.embeddings(-3)
+        >>> len(found), found.orbits, found.element**3
+        (20, 1, −1)
+        """
+        return quadratic_orders.embeddings(self.frame, self.rows, discriminant)
+
     # --- ideals ------------------------------------------------------------------------------------
 
     def two_sided_prime(self, prime: object) -> IntegersIdeal:
@@ -410,8 +439,7 @@ class IntegersOrder(IntegersLattice):
         if prime not in self._known:
             local = Local(self.frame, prime)
             exponent = self.discriminant().valuation(prime)
-            ramified = prime in self.frame.ramified
-            found = ideals_of_norm.generators(local, self.rows, exponent, ramified)
+            found = ideals_of_norm.generators(local, self.rows, exponent)
             self._known[prime] = local, found
         return self._known[prime]
 
@@ -607,7 +635,10 @@ class IntegersIdeal(IntegersLattice):
         >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order(); I = O.left_ideal([11, "1 + 3*i + j"])
         >>> I.norm(), I.is_principal().element is not None, O.left_ideal([I.is_principal().element]) == I
         """
-        same = isinstance(other, IntegersIdeal) and (self.side, self.order) == (other.side, other.order)
+        same = isinstance(other, IntegersIdeal) and (self.side, self.order) == (
+            other.side,
+            other.order,
+        )
         if not same or not (self.is_invertible() and other.is_invertible()):
             raise LatticeError(
                 f"expected two invertible {self.side} ideals of one order, not {shorten(repr(other))}"
@@ -647,7 +678,9 @@ class IntegersClassSet(class_sets.Classes, Hinted):
         if not isinstance(ideal, IntegersIdeal) or ideal.side != "right":
             raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
         if ideal.order != self.order or not ideal.is_invertible():
-            raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of {self.order}")
+            raise LatticeError(
+                f"{shorten(repr(ideal))} is no invertible right ideal of {self.order}"
+            )
         return self.class_of(ideal.rows, ideal.norm())
 
     def left_orders(self) -> list[IntegersOrder]:

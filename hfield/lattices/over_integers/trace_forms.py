@@ -68,7 +68,9 @@ class TraceForms:
         whole, den = flint.fmpq_mat([row]).numer_denom()
         return flint.fmpq_mat(self.left(whole.entries())) * flint.fmpq(1, int(den))
 
-    def elements_of_norm(self, rows: flint.fmpq_mat, norm: FieldElement) -> Iterator[flint.fmpq_mat]:
+    def elements_of_norm(
+        self, rows: flint.fmpq_mat, norm: FieldElement
+    ) -> Iterator[flint.fmpq_mat]:
         """Yield one of ±x for each x in a lattice with the given norm, totally positive."""
         whole, den = (rows * self.form(norm.inverse()) * rows.transpose()).numer_denom()
         reduced, change = whole.lll(transform=True, rep="gram")
