@@ -631,7 +631,11 @@ class QuaternionAlgebra(Hinted):
 
     @property
     def over_integers(self) -> bool:
-        """Whether lattices and orders are over the integers of a number field other than ℚ."""
+        """Whether lattices and orders are over the integers of a number field other than ℚ.
+
+        >>> H("QQ").over_integers, H("QQ(sqrt(2))").over_integers
+        (False, True)
+        """
         F = self.ring
         over_z = isinstance(F, WithIntegers) and F.degree == 1
         return bool(F.arithmetic and not F.characteristic and not over_z)

@@ -21,7 +21,6 @@ from hfield.errors import shorten
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.algebra.quaternion import Quaternion
-    from hfield.fields.number_fields.ideals import Ideal
     from hfield.lattices.certificates import Answer as Verdict
     from hfield.lattices.certificates import Claim
     from hfield.lattices.over_integers.lattices import IntegersLattice
@@ -139,7 +138,7 @@ def sum_text(L: IntegersLattice) -> str:
     )
 
 
-def ideal_json(ideal: Ideal) -> dict[str, object]:
+def ideal_json(ideal: Any) -> dict[str, object]:
     """Return generators, the absolute norm and the prime factors of an ideal of a number field."""
     return {
         "generators": [ideal.ring.text(x) for x in ideal.generators],

@@ -1,4 +1,4 @@
-"""Embeddings of quadratic orders and elements of given norm, over number fields, against plain enumeration."""
+"""Embeddings of quadratic orders and elements of given norm, over number fields, against enumeration."""
 
 import pytest
 

@@ -1,10 +1,11 @@
 """The invertible right ideal classes of an order over ℤ_K, in a totally definite algebra.
 
 A class is known by one lattice, so classes are looked up and not compared in pairs. An ideal I has the norm
-ν·a, with ν totally positive and a one of the ideals that stand for the narrow classes of K. The x in I of least
-Tr(N(x)/ν), over all such ν modulo squares of units, are the same for c·I but for the factor c. Of these take
-those where the conjugates of N(x)/ν come first; x⁻¹·I whose Hermite form comes first is the key. It lies in
-the class, and as many of these x as the left order has units modulo ℤ_K give it.
+ν·a, with ν totally positive and a one of the ideals that stand for the narrow classes of K. The x in I of
+least Tr(N(x)/ν), over all such ν modulo squares of units, are the same for c·I but for the factor c. Of these
+take those for which the numbers Tr(ω·N(x)/ν), and the inner products with the others, come first. Of their
+x⁻¹·I that is the key whose Hermite form comes first. It lies in the class, and as many of these x as the left
+order has units modulo ℤ_K give it.
 
 Starting from O, neighbours at primes are taken until the mass is used up: then no class is missing, and as
 all are different none comes twice (J. Voight, *Quaternion Algebras*, main theorem 26.1.5; M. Kirschmer and
@@ -15,7 +16,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -27,7 +28,7 @@ import flint
 
 from hfield.errors import TooLargeError
 from hfield.lattices.class_number import local_factor
-from hfield.lattices.enumeration import least_vectors
+from hfield.lattices.enumeration import Vector, least_vectors
 from hfield.lattices.over_integers import ideals_of_norm
 from hfield.lattices.over_integers.dedekind_modules import unique_rows
 from hfield.lattices.over_integers.equivalence import conjugator
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from hfield.lattices.over_integers.frames import Frame
 
 Key = tuple[int, ...]
+Row = tuple[int, ...]
 MOST_CLASSES = 20_000
 """More classes than this are not enumerated."""
 
@@ -55,7 +57,9 @@ def mass(order: Any) -> Fraction:
     frame = order.frame
     trace_forms(frame)
     ring = frame.integers.ring
-    found = Fraction(abs(ring.zeta_minus_one()) * ring.class_group().order, 2 ** (frame.n - 1))
+    found: Fraction = Fraction(
+        abs(ring.zeta_minus_one()) * ring.class_group().order, 2 ** (frame.n - 1)
+    )
     found *= order.norm_of_discriminant()
     for P, _ in order.discriminant().factorisation():
         found *= local_factor(order.eichler_symbol(P), frame.prime(P).norm)
@@ -103,43 +107,107 @@ class Around:
 
         The units are those modulo ℤ_Kˣ; ν belongs to the lattice that is the key.
         """
-        least, found = -1, []
-        for ways in self.ways:
-            reduced, change = (matrix * ways[0] * matrix.transpose()).lll(
-                transform=True, rep="gram"
-            )
-            value, vectors = least_vectors([list(map(int, row)) for row in reduced.tolist()])
+        least = -1
+        found: list[Found] = []
+        back = matrix.transpose()
+        grams = _divided([matrix * forms[0] * back for forms in self.ways])
+        for gram, forms in zip(grams, self.ways, strict=True):
+            reduced, change = gram.lll(transform=True, rep="gram")
+            value, vectors = least_vectors(_table(reduced))
             if least < 0 or value < least:
                 least, found = value, []
             if value == least:
-                rows = flint.fmpz_mat(vectors) * change * matrix
-                found += self._described(rows, ways)
-        if len(found) > 1:
-            first = min(size for size, _ in found)
-            found = [x for x in found if x[0] == first]
-        keys: Counter[Key] = Counter()
-        for _, row in found:
-            inverse, den = self.keys.forms.left(row).inv().numer_denom()
-            entries = list(map(int, (matrix * inverse).hnf().entries()))
-            common = math.gcd(int(den), *entries)
-            keys[(int(den) // common, *(c // common for c in entries))] += 1
-        key = min(keys)
-        return key, keys[key], self._rest(found[0][1])
+                found.append((vectors, change * matrix, forms))
+        rows = _first(found)
+        keys = []
+        while rows:
+            start, units, rows = rows[0], *self._orbit(matrix, rows)
+            keys.append((self._key(matrix, start), units, start))
+        key, units, start = min(keys)
+        return key, units, self._rest(start)
 
-    @staticmethod
-    def _described(rows: flint.fmpz_mat, ways: list[flint.fmpz_mat]) -> list[tuple[Any, list[Any]]]:
-        """Return each x with the numbers Tr(ω·N(x)/ν), and then its inner products with all ±y, sorted."""
-        back, size = rows.transpose(), range(rows.nrows())
-        first, *others = ((rows * form * back).tolist() for form in ways)
-        return [
-            ((*(form[k][k] for form in others), *sorted(map(abs, first[k]))), row)
-            for k, row in zip(size, rows.tolist(), strict=True)
-        ]
+    def _key(self, matrix: flint.fmpz_mat, row: Row) -> Key:
+        """Return x⁻¹·I in Hermite normal form, the denominator first."""
+        inverse, den = self.keys.forms.left(row).inv().numer_denom()
+        entries = list(map(int, (matrix * inverse).hnf().entries()))
+        common = math.gcd(int(den), *entries)
+        return int(den) // common, *(c // common for c in entries)
 
-    def _rest(self, row: list[Any]) -> FieldElement:
+    def _orbit(self, matrix: flint.fmpz_mat, rows: list[Row]) -> tuple[int, list[Row]]:
+        """Return how many y give the same x⁻¹·I as the first, x, and the others: x⁻¹·y is a unit there."""
+        if len(rows) == 1:
+            return 1, []
+        inverse = self.keys.forms.left(rows[0]).inv()
+        basis, quotients = (
+            flint.fmpq_mat(matrix) * inverse,
+            flint.fmpq_mat(flint.fmpz_mat(rows)) * inverse,
+        )
+        back, inside, outside = basis.inv(), rows, []
+        for row in basis.tolist():
+            products = quotients * (self.keys.frame.right(row) * back)
+            if products.numer_denom()[1] == 1:
+                continue
+            good = [all(c.q == 1 for c in product) for product in products.tolist()]
+            outside += [y for y, fits in zip(inside, good, strict=True) if not fits]
+            inside = [y for y, fits in zip(inside, good, strict=True) if fits]
+            table = quotients.tolist()
+            quotients = flint.fmpq_mat([q for q, fits in zip(table, good, strict=True) if fits])
+        return len(inside), outside
+
+    def _rest(self, row: Row) -> FieldElement:
         """Return ν/N(x)."""
         found: FieldElement = self.norm.element / self.keys.frame.norm(list(map(flint.fmpq, row)))
         return found
+
+
+Found = tuple[list[Vector], flint.fmpz_mat, list[flint.fmpz_mat]]
+
+
+def _first(found: list[Found]) -> list[Row]:
+    """Return, of vectors in coordinates of bases, those where some numbers come first, as rows.
+
+    The numbers are the values of the forms but the first, and then, in the first form, the inner products
+    with all ±y that have the same values, sorted. They are the same for lattices that differ by an element.
+    """
+    import numpy as np
+
+    tables = ([basis * f * basis.transpose() for f in forms] for _, basis, forms in found)
+    divided = map(_divided, zip(*tables, strict=True))
+    whole = [list(map(_table, grams)) for grams in zip(*divided, strict=True)]
+    parts = []
+    for (vectors, basis, _), grams in zip(found, whole, strict=True):
+        size = (max(abs(c) for v in vectors for c in v) * len(grams[0])) ** 2
+        size *= max(abs(c) for gram in grams for row in gram for c in row)
+        x = np.array(vectors, dtype=np.int64 if size < 2**62 else object)
+        parts.append((x, basis, [np.array(gram, dtype=x.dtype) for gram in grams]))
+    values = [
+        list(zip(*((x @ gram * x).sum(axis=1).tolist() for gram in grams[1:]), strict=True))
+        for x, _, grams in parts
+    ]
+    least = min(map(min, values))
+    parts = [
+        (x[[v == least for v in own]], basis, grams)
+        for (x, basis, grams), own in zip(parts, values, strict=True)
+    ]
+    products = [np.sort(np.abs(x @ grams[0] @ x.T), axis=1).tolist() for x, _, grams in parts]
+    first = min(min(own) for own in products if own)
+    rows: list[Row] = []
+    for (x, basis, _), own in zip(parts, products, strict=True):
+        chosen = [v for v, numbers in zip(x.tolist(), own, strict=True) if numbers == first]
+        if chosen:
+            rows += (tuple(map(int, y)) for y in (flint.fmpz_mat(chosen) * basis).tolist())
+    return rows
+
+
+def _divided(matrices: Iterable[flint.fmpz_mat]) -> list[flint.fmpz_mat]:
+    """Return matrices divided by the common divisor of all their entries."""
+    given = list(matrices)
+    common = math.gcd(*(int(c) for m in given for c in m.entries()))
+    return [flint.fmpz_mat(m.nrows(), m.ncols(), [c // common for c in m.entries()]) for m in given]
+
+
+def _table(matrix: flint.fmpz_mat) -> list[list[int]]:
+    return [list(map(int, row)) for row in matrix.tolist()]
 
 
 class Classes:
@@ -150,7 +218,7 @@ class Classes:
         self.mass = mass(ring)
         if self.mass > MOST_CLASSES:
             raise TooLargeError(
-                f"the mass is {self.mass}, so there are more than {MOST_CLASSES} classes, which are not enumerated"
+                f"the mass is {self.mass}, so there are more than {MOST_CLASSES} classes: too many"
             )
         self.keys = Keys(self.frame)
         self.units: list[int] = []
@@ -243,14 +311,14 @@ class Classes:
     @cached_property
     def central(self) -> list[list[int]]:
         """Which class each becomes by ideals of K that generate the class group."""
-        frame, generators = self.frame, self.frame.integers.ring.class_group().generators
-        return [
-            [
-                self._times(n, lambda I, a=a: unique_rows(frame.multiple(I, a)), a * a)
-                for n in range(len(self))
-            ]
-            for a in generators
-        ]
+        frame, size, moves = self.frame, range(len(self)), []
+        for a in frame.integers.ring.class_group().generators:
+
+            def by(rows: flint.fmpq_mat, a: Ideal = a) -> flint.fmpq_mat:
+                return unique_rows(frame.multiple(rows, a))
+
+            moves.append([self._times(n, by, a * a) for n in size])
+        return moves
 
     def exchanged(self, prime: object) -> list[int]:
         """Return which class each becomes by the two-sided prime ideal at a prime.

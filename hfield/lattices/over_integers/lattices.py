@@ -501,22 +501,24 @@ class IntegersOrder(IntegersLattice):
         """Return the name of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on. Raises :class:`IndefiniteError`."""
         return equivalence.unit_group(self.frame, self.rows)
 
-    def isomorphism(self, other: IntegersOrder) -> equivalence.Comparison:
+    def isomorphism(self, other: IntegersLattice) -> equivalence.Comparison:
         """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
 
         Raises :class:`IndefiniteError`.
         """
-        found = self._same(other)
-        if self.discriminant() != found.discriminant():
+        ring = self._same(other).left_order()
+        if ring != other:
+            raise LatticeError(f"{shorten(repr(other))} is no order")
+        if self.discriminant() != ring.discriminant():
             return equivalence.Comparison(False, "their discriminants differ")
-        return equivalence.conjugator(self.frame, self.rows, found.rows)
+        return equivalence.conjugator(self.frame, self.rows, ring.rows)
 
     def mass(self) -> Fraction:
         """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, by a formula. Raises likewise."""
         return class_sets.mass(self)
 
     def class_set(self) -> IntegersClassSet:
-        """Return the invertible right ideal classes, complete by the mass. Raises :class:`IndefiniteError`."""
+        """Return the invertible right ideal classes, complete by the mass formula. Raises likewise."""
         return IntegersClassSet(self)
 
 
@@ -632,8 +634,10 @@ class IntegersIdeal(IntegersLattice):
         are not invertible, or of different orders or sides, :class:`IndefiniteError`.
 
         >>> from hfield import QuaternionAlgebra
-        >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order(); I = O.left_ideal([11, "1 + 3*i + j"])
-        >>> I.norm(), I.is_principal().element is not None, O.left_ideal([I.is_principal().element]) == I
+        >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order()
+        >>> I = O.left_ideal([11, "1 + 3*i + j"]); answer = I.is_principal()
+        >>> I.norm(), bool(answer), O.left_ideal([answer.element]) == I
+        (ideal(11), True, True)
         """
         same = isinstance(other, IntegersIdeal) and (self.side, self.order) == (
             other.side,

@@ -33,7 +33,7 @@ def _units_by_signs(ring: Any) -> dict[tuple[int, ...], FieldElement]:
     """Return one unit for each pattern of signs at the real places that units have."""
     frame = integers(ring)
     units = [-frame.field.one, *map(frame.inside, ring.unit_group().generators)]
-    found = {}
+    found: dict[tuple[int, ...], FieldElement] = {}
     for exponents in product((0, 1), repeat=len(units)):
         u = frame.field.one
         for e, g in zip(exponents, units, strict=True):

@@ -1,8 +1,8 @@
 """Quadratic orders over ℤ_K inside an order of a totally definite algebra, and elements of given norm.
 
-The elements s = 2x − tr(x) are those of trace 0 in ℤ_K + 2O, and s² is the discriminant of ℤ_K[x]: a quadratic
-order of discriminant d is embedded by the vectors of norm −d of a ternary lattice, and optimally where no
-multiple of s by an inverse ideal is in it (Voight, *Quaternion Algebras*, chapter 30).
+The elements s = 2x − tr(x) are those of trace 0 in ℤ_K + 2O, and s² is the discriminant of ℤ_K[x]: a
+quadratic order of discriminant d is embedded by the vectors of norm −d of a ternary lattice, and optimally where
+no multiple of s by an inverse ideal is in it (Voight, *Quaternion Algebras*, chapter 30).
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ TRIED = 20_000
 class IntegersEmbeddings:
     """The optimal embeddings of the quadratic ℤ_K-order of ``discriminant`` in an order.
 
-    ``elements`` are the images of ``(t + √d)/2``, t² ≡ d modulo 4; ``orbits`` counts them up to conjugation by
-    units of the order.
+    ``elements`` are the images of ``(t + √d)/2``, t² ≡ d modulo 4; ``orbits`` counts them up to conjugation
+    by units of the order.
     """
 
     discriminant: Any
@@ -71,7 +71,7 @@ def embeddings(frame: Frame, rows: flint.fmpq_mat, d: Any) -> IntegersEmbeddings
     if t is None or any(v.sign(x) >= 0 for v in field.real_places()):
         raise LatticeError(
             f"{shorten(d)} is no discriminant of a totally imaginary quadratic order over the integers of "
-            f"{shorten(frame.algebra.ring.name)}: expected an integer that is totally negative, a square modulo 4"
+            f"{shorten(frame.algebra.ring.name)}: expected a totally negative integer, a square modulo 4"
         )
     ternary = _ternary(frame, rows)
     # what would make an order of smaller discriminant d/b² contain the image
@@ -163,8 +163,8 @@ def represent(frame: Frame, rows: flint.fmpq_mat, n: Any) -> Quaternion | None:
     if small:
         return None
     raise UndecidedError(
-        f"whether the norm of an element is {shorten(n)} was not decided: no prime forbids it, and of {TRIALS} "
-        "random ideals of this norm none has such a generator"
+        f"whether the norm of an element is {shorten(n)} was not decided: no prime forbids it, and of "
+        f"{TRIALS} random ideals of this norm none has such a generator"
     )
 
 
@@ -194,10 +194,10 @@ def _points(frame: Frame, rows: flint.fmpq_mat, norm: FieldElement) -> float:
 
 
 def is_obstructed(local: Local, rows: flint.fmpq_mat, norm: FieldElement) -> bool:
-    """Tell whether no element of the order has this norm in the completion at P; False where that is not seen.
+    """Tell whether no element of the order has this norm in the completion at P; False where it is not seen.
 
-    An element outside of P·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one of
-    norm n (Hensel); one in P·O has the norm of one of norm n/π².
+    An element outside of P·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one
+    of norm n (Hensel); one in P·O has the norm of one of norm n/π².
     """
     frame, P = local.frame, local.prime
     if P.norm**4 > TRIED:

@@ -1,4 +1,4 @@
-"""The forms Tr(c·N(x)) of a totally definite algebra, which are positive definite over ℤ for totally positive c.
+"""The forms Tr(c·N(x)) of a totally definite algebra, positive definite over ℤ for totally positive c.
 
 An element of norm ν has the value n = [K : ℚ] in the form with c = 1/ν; by the inequality of the means every
 x ≠ 0 with N(x)/ν integral has at least that. So equivalences, generators and units are vectors of least
@@ -8,7 +8,7 @@ conceivable length: they are there, or an exhausted enumeration says that they a
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -55,7 +55,7 @@ class TraceForms:
             total = total + flint.fmpq_mat(matrix) * (c * w).trace()
         return total
 
-    def left(self, row: list[Any]) -> flint.fmpz_mat:
+    def left(self, row: Sequence[Any]) -> flint.fmpz_mat:
         """Return the matrix of the multiplication by an element with integral coordinates from the left."""
         total = flint.fmpz_mat(self.frame.size, self.frame.size)
         for c, matrix in zip(row, self._left, strict=True):
