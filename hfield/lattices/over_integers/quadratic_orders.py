@@ -1,8 +1,8 @@
 """Quadratic orders over ℤ_K inside an order of a totally definite algebra, and elements of given norm.
 
 The elements s = 2x − tr(x) are those of trace 0 in ℤ_K + 2O, and s² is the discriminant of ℤ_K[x]: a
-quadratic order of discriminant d is embedded by the vectors of norm −d of a ternary lattice, and optimally where
-no multiple of s by an inverse ideal is in it (Voight, *Quaternion Algebras*, chapter 30).
+quadratic order of discriminant d is embedded by the vectors of norm −d of a ternary lattice, and optimally
+where no multiple of s by an inverse ideal is in it (Voight, *Quaternion Algebras*, chapter 30).
 """
 
 from __future__ import annotations
