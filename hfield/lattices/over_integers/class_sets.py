@@ -235,7 +235,7 @@ class Classes:
         self._left = self.mass
         one = Norm(*self.keys.narrow.split(self.frame.integers.one))
         self._index(self.ring.rows, one)
-        for prime in self._good_primes():
+        for prime in self.good_primes():
             if not self._left:
                 return
             rows: list[Counter[int]] = []
@@ -244,7 +244,7 @@ class Classes:
             if len(rows) == len(self.lattices) and not self._left:
                 self._rows[prime] = rows
 
-    def _good_primes(self) -> Iterator[PrimeIdeal]:
+    def good_primes(self) -> Iterator[PrimeIdeal]:
         """Yield the primes that do not divide the discriminant, ascending by their norms."""
         number = count()
         waiting: list[tuple[int, int, PrimeIdeal]] = []
@@ -358,8 +358,8 @@ class Classes:
         """
         primes = [P for P, _ in self.ring.discriminant().factorisation()]
         if self.ring.is_eichler():
-            return _orbits(len(self), [*self.central, *map(self.exchanged, primes)])
-        kinds = _orbits(len(self), self.central)
+            return orbits(len(self), [*self.central, *map(self.exchanged, primes)])
+        kinds = orbits(len(self), self.central)
         firsts: dict[
             int, tuple[int, flint.fmpq_mat]
         ] = {}  # a type: units and left order of a class
@@ -413,7 +413,7 @@ class Classes:
         return list(map(int, flint.fmpz_mat(self.brandt_matrix(prime)).charpoly().coeffs()))
 
 
-def _orbits(size: int, moves: list[list[int]]) -> list[int]:
+def orbits(size: int, moves: list[list[int]]) -> list[int]:
     """Return the number of the orbit of each of some things under permutations, in order."""
     kinds = [-1] * size
     for start in range(size):
