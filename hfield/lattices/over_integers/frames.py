@@ -97,6 +97,13 @@ class Frame:
         return tuple(finite_ramified(a, b, {2} | candidates(field, a) | candidates(field, b)))
 
     @cached_property
+    def is_definite(self) -> bool:
+        """Whether the field is totally real and the algebra ramifies at all its real places."""
+        places = self.field.real_places()
+        signs = [v.sign(x) for v in places for x in (self.a, self.b)]
+        return len(places) == self.n and all(sign < 0 for sign in signs)
+
+    @cached_property
     def discriminant(self) -> Ideal:
         """The product of the prime ideals at which the algebra ramifies."""
         return math.prod(map(self.integers.prime, self.ramified), start=self.integers.one)
