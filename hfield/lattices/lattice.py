@@ -17,6 +17,7 @@ from flint import fmpq
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, MixedParentsError, shorten
+from hfield.evidence import Certified, Claim
 from hfield.fuchsian.group import NormOneGroup
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices import (
@@ -35,7 +36,7 @@ from hfield.lattices import (
     z_lattice,
     z_order,
 )
-from hfield.lattices.certificates import Answer, Certified, Claim
+from hfield.lattices.certificates import Answer
 from hfield.lattices.checked_arguments import (
     checked_side,
     integer,
