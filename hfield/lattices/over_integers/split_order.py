@@ -1,0 +1,94 @@
+"""Orders over the integers of totally real fields that split at one real place, for their groups."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from flint import arb, ctx, fmpq
+
+from hfield.algebra.quaternion import Quaternion
+from hfield.errors import IndefiniteError, LatticeError, shorten
+from hfield.fields.number_fields.classes.zeta import zeta_minus_one
+from hfield.fields.number_fields.residues import local_place
+from hfield.fuchsian.split_order import SplitOrder
+
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.elements import FieldElement
+    from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+    from hfield.lattices.over_integers.lattices import IntegersOrder
+
+
+class SplitIntegersOrder(SplitOrder):
+    """An order over the integers of a totally real field; exact numbers are those of ``order.field``.
+
+    Raises :class:`IndefiniteError` unless there are only real places and one splits.
+    """
+
+    def __init__(self, order: IntegersOrder) -> None:
+        self.order, self.algebra, self.basis = order, order.algebra, order.basis
+        field, frame = order.field, order.frame
+        real, n = field.real_places(), field.degree
+        split = [v.index for v in real if v.sign(frame.a) > 0 or v.sign(frame.b) > 0]
+        if len(real) < n or len(split) != 1:
+            complex_ones = (n - len(real)) // 2
+            raise IndefiniteError(
+                f"{shorten(self.algebra)} splits at {len(split)} of the {len(real)} real places"
+                + (f" and the field has {complex_ones} complex ones" if complex_ones else "")
+                + "; norm_one_group() asks for a totally real field and exactly one real place that splits"
+            )
+        self.place = split[0]
+        self._others = [v.index for v in real if v.index != self.place]
+        self._value = field.embeddings
+        self.level = order.level
+        self.title = "maximal order" if order.is_maximal() else f"order of level {self.level}"
+
+    def __contains__(self, x: Quaternion) -> bool:
+        return x in self.order
+
+    def area(self) -> Fraction:
+        """Return the area by Shimizu's formula, for Eichler orders (Voight, theorem 39.1.8)."""
+        found = abs(zeta_minus_one(self.algebra.ring)) * Fraction(4, 2**self.order.field.degree)
+        for prime in self.order.frame.ramified:
+            found *= prime.norm - 1
+        for prime, e in self.level.factorisation():
+            P = self.order.frame.prime(prime)
+            if P in self.order.frame.ramified or not _is_eichler_at(self.order, P):
+                raise LatticeError(
+                    f"the area of the group is known for Eichler orders here, and this one is none at {prime}"
+                )
+            found *= (P.norm + 1) * P.norm ** (e - 1)
+        return found
+
+    def scalar(self, x: Any) -> FieldElement:
+        return self.order.frame.integers.inside(x)
+
+    def sign(self, x: FieldElement) -> int:
+        return self.order.field.sign(x, self.place)
+
+    def real(self, x: FieldElement) -> float:
+        return self._near(x, self.place)
+
+    def elsewhere(self, x: FieldElement) -> list[float]:
+        return [self._near(x, place) for place in self._others]
+
+    def _near(self, x: FieldElement, place: int) -> float:
+        return float(self._value.close(x.poly, place, 15).real.mid()) if x else 0.0
+
+    def ball(self, x: FieldElement) -> arb:
+        return self._value.value(x.poly, self.place, ctx.prec).real
+
+    def flat(self, q: Quaternion) -> list[fmpq]:
+        found: list[fmpq] = self.order.frame.row(q).entries()
+        return found
+
+
+def _is_eichler_at(order: IntegersOrder, prime: PrimeIdeal) -> bool:
+    """Tell whether the Eichler symbol at a prime is 1: some element has two eigenvalues in its residues."""
+    place = local_place(prime)
+    for row in order.rows.tolist():
+        trace = prime.residue_of(order.frame.parts(row)[0] * 2)
+        norm = prime.residue_of(order.frame.norm(row))
+        if (trace * trace - 4 * norm) % place.modulus != 0:
+            return place.quadratic_root(place.one, place.zero - trace, norm) is not None
+    return False
