@@ -26,7 +26,7 @@ def direction(camera: Camera) -> Floats:
 
 def places(model: Model, look: Look) -> Floats:
     """Return points (k, 3) spread over all places of the top, and of its shadow if the look has one."""
-    top = reached(model, look.tilt)
+    top = reached(model, look.tilt, look.room)
     if not look.shadow:
         return top
     above = top[top[:, 2] >= 0]
@@ -41,7 +41,12 @@ def _fall(light: Floats) -> Floats:
 
 
 def shadow(
-    mesh: Mesh, parts: tuple[Piece, ...], rotation: Floats, light: Floats, view: View
+    mesh: Mesh,
+    parts: tuple[Piece, ...],
+    rotation: Floats,
+    place: Floats,
+    light: Floats,
+    view: View,
 ) -> list[Floats]:
     """Return the shadow on the plane z = 0 as loops of pixels, to be filled together (nonzero winding).
 
@@ -49,7 +54,7 @@ def shadow(
     sense, so that the loops of all pieces make up the whole shadow. What has sunk below the ground throws
     none.
     """
-    here = mesh.points @ rotation.T
+    here = mesh.points @ rotation.T + place
     source = np.append(light @ rotation, 0.0)
     on_ground = View(view.matrix @ _fall(light))
     loops: list[Floats] = []

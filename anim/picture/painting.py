@@ -33,7 +33,7 @@ class Painter:
         self.model, self.look = model, look
         style = STYLES[look.style]
         self.view, background = style.scene(model, look)
-        self.mesh = Mesh.of(model, self.view.magnification(reached(model, look.tilt)))
+        self.mesh = Mesh.of(model, self.view.magnification(reached(model, look.tilt, look.room)))
         self._parts = pieces(self.mesh)
         self.light = light.direction(look.camera)
         self.body = style.body(self.mesh, _colours(model, look), self.light, look.quality)
@@ -43,31 +43,34 @@ class Painter:
     def __reduce__(self) -> tuple[type["Painter"], tuple[Model, Look]]:
         return Painter, (self.model, self.look)
 
-    def draw(self, matrix: ArrayLike, trail: ArrayLike | None = None) -> Pixels:
+    def draw(
+        self, matrix: ArrayLike, trail: ArrayLike | None = None, place: ArrayLike = (0, 0, 0)
+    ) -> Pixels:
         """Return the picture, uint8 (height, width, 3), sRGB, top row first.
 
         ``matrix`` (3, 3) is the rotation that takes the model to its attitude, ``trail`` (k, 3) the
-        places of the apex up to now; they are drawn when the look asks for the trace. Raises
+        places of the apex up to now; they are drawn when the look asks for the trace. The tip is at
+        ``place`` (3,). Raises
         :class:`~anim.errors.AnimationError` for anything but a rotation and finite points.
         """
-        rotation = _rotation(matrix)
+        rotation, tip = _rotation(matrix), _place(place)
         canvas = self.canvas
         canvas.clear()
         near: list[Floats] = []
         from_above = self.view.eye[2] >= 0
         if self.look.shadow and from_above:
-            self._draw_shadow(rotation)
+            self._draw_shadow(rotation, tip)
         if self.look.trace and trail is not None:
-            near, far = near_and_far(_points(trail), self.view)
+            near, far = near_and_far(_points(trail), self.view, tip)
             canvas.stroke(far, TRACE, self._pen)
-        self.body.draw(canvas, self.view.turned(rotation), rotation)
+        self.body.draw(canvas, self.view.moved(rotation, tip), rotation)
         canvas.stroke(near, TRACE, self._pen)
         if self.look.shadow and not from_above:
-            self._draw_shadow(rotation)
+            self._draw_shadow(rotation, tip)
         return canvas.rgb()
 
-    def _draw_shadow(self, rotation: Floats) -> None:
-        loops = light.shadow(self.mesh, self._parts, rotation, self.light, self.view)
+    def _draw_shadow(self, rotation: Floats, tip: Floats) -> None:
+        loops = light.shadow(self.mesh, self._parts, rotation, tip, self.light, self.view)
         if loops:
             self.canvas.fill(loops, SHADE, SHADE_OPACITY)
 
@@ -91,6 +94,13 @@ def _rotation(matrix: ArrayLike) -> Floats:
         raise AnimationError(f"the attitude has the shape {values.shape}; expected (3, 3)")
     if not (np.abs(values @ values.T - np.eye(3)).max() < 1e-6 and np.linalg.det(values) > 0):
         raise AnimationError("the attitude is not a rotation matrix: its rows are not orthonormal")
+    return values
+
+
+def _place(place: ArrayLike) -> Floats:
+    values = np.asarray(place, dtype=np.float64)
+    if values.shape != (3,) or not np.isfinite(values).all():
+        raise AnimationError(f"the tip's place is {place!r}; expected three finite numbers")
     return values
 
 

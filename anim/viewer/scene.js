@@ -24,10 +24,10 @@ vec4 dithered(vec3 c) {
   return vec4(c + (noise - .5) / 255., 1.);
 }`;
 const TOP_VERTEX = `
-attribute vec3 position, normal, colour; uniform vec4 q; uniform vec3 size; uniform mat4 matrix;
+attribute vec3 position, normal, colour; uniform vec4 q; uniform vec3 size, place; uniform mat4 matrix;
 varying vec3 n, at, tint;
 vec3 turn(vec3 v) { return v + 2. * cross(q.yzw, cross(q.yzw, v) + q.x * v); }
-void main() { n = turn(normal / size); at = turn(position * size); tint = colour; gl_Position = matrix * vec4(at, 1.); }`;
+void main() { n = turn(normal / size); at = turn(position * size) + place; tint = colour; gl_Position = matrix * vec4(at, 1.); }`;
 // On dark paper a rim of light and a lift of the blacks show where the top ends.
 const TOP_FRAGMENT = `${DITHER}
 varying vec3 n, at, tint; uniform vec3 light, eye;
@@ -40,24 +40,24 @@ void main() {
   gl_FragColor = dithered(sqrt(base * lit + .10 * pow(max(dot(m, h), 0.), 40.) + rim * mix(.015, .16, dark)));
 }`;
 const FLAT_VERTEX = `
-attribute vec3 position; uniform mat4 matrix; varying vec3 at;
-void main() { at = position; gl_Position = matrix * vec4(position, 1.); }`;
+attribute vec3 position; uniform mat4 matrix; uniform vec2 shift; varying vec3 at;
+void main() { at = position + vec3(shift, 0.); gl_Position = matrix * vec4(at, 1.); }`;
 // The top as discs along its axis: how much of each a ray to the light meets, softer the farther away it is, so that
 // the shadow is sharp where the tip stands. Dark paper is lit by a pool of light instead.
 const DISCS = 40;
 const GROUND_FRAGMENT = `${DITHER}
-varying vec3 at; uniform vec3 light, axis; uniform float radii[${DISCS}]; uniform vec2 reach;
+varying vec3 at; uniform vec3 light, axis, place; uniform float radii[${DISCS}]; uniform vec2 reach, focus;
 void main() {
-  float r = length(at.xy), shade = 0., along = dot(light, axis);
+  float r = length(at.xy - focus), gap = length(at.xy - place.xy), shade = 0., along = dot(light, axis);
   along = along < 0. ? min(along, -.05) : max(along, .05);
   for (int k = 0; k < ${DISCS}; k++) {
-    vec3 centre = axis * (reach.x * (float(k) + .5) / ${DISCS}.);
+    vec3 centre = place + axis * (reach.x * (float(k) + .5) / ${DISCS}.);
     float s = dot(centre - at, axis) / along;
     float soft = .015 + .11 * abs(s), d = length(at + s * light - centre);
     if (s > 0.) shade = max(shade, smoothstep(radii[k] + soft, radii[k] - soft, d) * min(1., radii[k] / soft));
   }
-  float contact = exp(-9. * r * r), near = smoothstep(5., 1., r), dark = 1. - smoothstep(.2, .6, paper.g);
-  float ring = smoothstep(.03, .0, abs(fract(r + .5) - .5)) * .05;
+  float contact = exp(-9. * gap * gap), near = smoothstep(5., 1., r), dark = 1. - smoothstep(.2, .6, paper.g);
+  float ring = smoothstep(.03, .0, abs(fract(length(at.xy) + .5) - .5)) * .05;
   vec3 lit = mix(paper * (1. - (.07 + ring) * near), paper + (.10 - ring * .5) * near, dark);
   gl_FragColor = dithered(reach.y > 0. ? lit * (1. - .42 * shade) * (1. - .35 * contact) : lit);
 }`;
@@ -78,7 +78,7 @@ class Scene {
     });
     this.ground = this.buffer(new Float32Array([-5, -5, 0, 5, -5, 0, 5, 5, 0, -5, -5, 0, 5, 5, 0, -5, 5, 0]));
     const apex = [0, 0, model.profile[model.profile.length - 1][1]];
-    this.trails = shows.map((show) => this.buffer(this.trail(show.quaternions, apex)));
+    this.trails = shows.map((show) => this.buffer(this.trail(show, apex)));
     this.programs = {
       top: this.program(TOP_VERTEX, TOP_FRAGMENT),
       ground: this.program(FLAT_VERTEX, GROUND_FRAGMENT),
@@ -101,9 +101,9 @@ class Scene {
     });
   }
 
-  trail(quaternions, apex) {
+  trail({ quaternions, places }, apex) {
     const out = new Float32Array((3 * quaternions.length) / 4);
-    for (let k = 0; 4 * k < quaternions.length; k++) out.set(rotate(quaternions.subarray(4 * k, 4 * k + 4), apex), 3 * k);
+    for (let k = 0; 4 * k < quaternions.length; k++) out.set(rotate(quaternions.subarray(4 * k, 4 * k + 4), apex).map((x, n) => x + (places?.[3 * k + n] ?? 0)), 3 * k);
     return out;
   }
 
@@ -155,13 +155,15 @@ class Scene {
 
   // `box` is x, y, width, height in pixels; `frame` may lie between two frames.
   draw(n, show, frame, camera, box) {
-    this.paint(attitude(show.quaternions, frame), this.trails[n], Math.floor(frame) + 1, {}, camera, box);
+    const k = Math.floor(frame), t = frame - k, { places } = show;
+    const place = places ? [0, 1, 2].map((n) => places[3 * k + n] + t * ((places[3 * k + 3 + n] ?? places[3 * k + n]) - places[3 * k + n])) : [0, 0, 0];
+    this.paint(attitude(show.quaternions, frame), this.trails[n], k + 1, {}, camera, box, place);
   }
 
-  // The top as `q` says, the first `seen` points of a trail, and vectors from the tip (or from `from`); returns the matrix of the view.
-  paint(q, trail, seen, vectors, camera, box) {
+  // The top as `q` says at its `place`, the view on its `focus`; the first `seen` points of a trail, and vectors from the tip (or from `from`); returns the matrix of the view.
+  paint(q, trail, seen, vectors, camera, box, place = [0, 0, 0], focus = [0, 0]) {
     const { gl } = this, [x, y, width, height] = box, aspect = width / height;
-    const { view, eye } = lookAt(camera.azimuth, camera.elevation, camera.distance, 1.35);
+    const { view, eye } = lookAt(camera.azimuth, camera.elevation, camera.distance, [...focus, 1.35]);
     const matrix = times(perspective(0.27 / Math.min(1, aspect), aspect, 0.5, 60), view);
     const fields = ["position", "normal", "colour"], { light, radii } = this, size = [1, 1, 1];
     gl.viewport(x, y, width, height);
@@ -169,20 +171,20 @@ class Scene {
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.CULL_FACE); // the ground is seen from below too
     const axis = rotate(q, [0, 0, 1]);
-    this.use("ground", this.ground, ["position"], { matrix, light, axis, radii, reach: [this.height, eye[2]] });
+    this.use("ground", this.ground, ["position"], { matrix, light, axis, place, radii, focus, shift: focus, reach: [this.height, eye[2]] });
     gl.drawArrays(gl.TRIANGLES, 0, 6);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
-    this.use("top", this.top, fields, { matrix, q, size, eye, light });
+    this.use("top", this.top, fields, { matrix, q, size, place, eye, light });
     gl.drawArrays(gl.TRIANGLES, 0, this.top.count / 9);
-    this.use("trail", trail, ["position"], { matrix });
+    this.use("trail", trail, ["position"], { matrix, shift: [0, 0] });
     gl.drawArrays(gl.LINE_STRIP, 0, seen);
     gl.clear(gl.DEPTH_BUFFER_BIT); // arrows are seen through the top
     for (const [name, mesh] of this.arrows) {
       const { vector, from = [0, 0, 0] } = vectors[name] ?? {}, length = vector ? Math.hypot(...vector) : 0;
       if (length < 0.05) continue;
       const moved = times(matrix, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...from, 1]);
-      this.use("top", mesh, fields, { matrix: moved, q: towards(vector), size: [2, 2, length], eye, light });
+      this.use("top", mesh, fields, { matrix: moved, q: towards(vector), size: [2, 2, length], place: [0, 0, 0], eye, light });
       gl.drawArrays(gl.TRIANGLES, 0, mesh.count / 9);
     }
     return matrix;

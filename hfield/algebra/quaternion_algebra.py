@@ -61,7 +61,7 @@ class QuaternionAlgebra(Hinted):
 
     ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Without a ring a and b
     are rational numbers, or elements of one number field; a text names the algebra, and an int alone is the
-    discriminant of a definite algebra over ℚ. Raises :class:`RingError` for what is none of these.
+    reduced discriminant of the algebra, over ℚ. Raises :class:`RingError` for what is none of these.
 
     Calling the algebra makes elements: ``A(1, 2, 0, 1)``, ``A("1 + 2*i + k")``, ``A(3)``; four coordinates
     may be arrays of one shape. Any a and b are allowed, 0 too (a degenerate algebra).
@@ -807,13 +807,13 @@ def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, o
         F, c = notation.parse_algebra(a)
         return F, c.a, c.b, c.t
     if b is None and isinstance(a, int) and not isinstance(a, bool):
-        primes = factorise(a) if a > 1 else {}
-        if len(primes) % 2 == 0 or max(primes.values()) > 1:
+        primes = factorise(a) if a > 0 else {2: a}
+        if primes and max(primes.values()) != 1:
             raise RingError(
-                f"{shorten(a)} is not the discriminant of a definite algebra over QQ: expected a product of "
-                "an odd number of different primes, or an algebra such as '(-1,-11|QQ)'"
+                f"{shorten(a)} is not the discriminant of an algebra over QQ: expected a product of "
+                "different primes, or an algebra such as '(-1,-11|QQ)'"
             )
-        return QQ, *known_field(QQ).with_ramification(list(primes), True), 0
+        return QQ, *known_field(QQ).with_ramification(list(primes), len(primes) % 2 == 1), 0
     raise RingError(
         f"an algebra is named by a ring and two constants, as in QuaternionAlgebra('QQ', -1, -11), by a text "
         f"such as '(-1,-11|QQ)', or by a discriminant such as 11; found {shorten(repr(a))}"

@@ -148,7 +148,7 @@ def place_json(place: object) -> object:
 def info(A: QuaternionAlgebra | Ring | int | str, factors: Factors | None = None) -> Description:
     """Return all that is known of an algebra: what ``hfield info`` prints, as an object that shows itself.
 
-    ``A`` is an algebra or its text, such as ``"(-1,-3|QQ)"``, the discriminant of a definite algebra over ℚ,
+    ``A`` is an algebra or its text, such as ``"(-1,-3|QQ)"``, the discriminant of an algebra over ℚ,
     or a ring or its text for H(F). ``factors`` may name primes of a and b, which
     spares their factorisation where it is too hard. Nothing raises where something is merely undecided: see
     ``undecided``. Raises :class:`NotationError` for a text that names no algebra.

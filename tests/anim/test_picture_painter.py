@@ -47,7 +47,9 @@ def test_pictures_depend_on_the_arguments_only(style):
     with ThreadPoolExecutor(4) as pool:
         own = pool.map(lambda job: painter(MODEL, look).draw(*job).tobytes(), jobs)
         assert first == list(own)
-        tasks = [Task(MODEL, look, matrix[None], trail) for matrix, trail in jobs] * 8
+        tasks = [
+            Task(MODEL, look, matrix[None], trail, np.zeros((1, 3))) for matrix, trail in jobs
+        ] * 8
         drawn = [picture.tobytes() for picture in pool.map(draw, tasks)]
         assert drawn == first * 8
 

@@ -43,6 +43,12 @@ def unique_rows(rows: flint.fmpq_mat) -> flint.fmpq_mat:
     return flint.fmpq_mat(flint.fmpz_mat(table)) * flint.fmpq(1, int(den))
 
 
+def meet(first: flint.fmpq_mat, second: flint.fmpq_mat) -> flint.fmpq_mat:
+    """Return the intersection, the dual of the sum of the duals in the plain pairing of coordinates."""
+    both = [*first.inv().transpose().tolist(), *second.inv().transpose().tolist()]
+    return unique_rows(flint.fmpq_mat(both)).inv().transpose()
+
+
 def multiplication(field: NumberField, x: Any, m: int = 1) -> flint.fmpq_mat:
     """Return the matrix that multiplies vectors of Kᵐ by x, from the right of rows of coordinates."""
     block = coordinate_rows(field, [w * x for w in field.integral_basis()]).tolist()

@@ -17,7 +17,7 @@ from hfield.fields.number_fields.quadratic.places import QuadraticPlace
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified
-from hfield.lattices.over_integers.dedekind_modules import multiplication, pseudo_basis
+from hfield.lattices.over_integers.dedekind_modules import multiplication, pseudo_basis, unique_rows
 from hfield.product import Constants, multiply, norm
 from hfield.structure.forms import NormalForm, normal_form
 
@@ -60,8 +60,8 @@ class Frame:
         )
         self.start = multiplication(field, field.one, 4)
         self.constants = Constants(self.a, 0, self.b)
-        scalars = [multiplication(field, w, 4) for w in self.omega]
-        self._right = [self._by_right(u) * scalar for u in range(4) for scalar in scalars]
+        self.scalars = [multiplication(field, w, 4) for w in self.omega]
+        self._right = [self._by_right(u) * scalar for u in range(4) for scalar in self.scalars]
 
     # --- the base ----------------------------------------------------------------------------------
 
@@ -112,8 +112,11 @@ class Frame:
 
     def right(self, row: list[flint.fmpq]) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by an element from the right."""
+        return self._combination(row, self._right)
+
+    def _combination(self, row: list[flint.fmpq], matrices: list[flint.fmpq_mat]) -> flint.fmpq_mat:
         total = flint.fmpq_mat(self.size, self.size)
-        for c, matrix in zip(row, self._right, strict=True):
+        for c, matrix in zip(row, matrices, strict=True):
             if c != 0:
                 total = total + matrix * c
         return total
@@ -145,9 +148,14 @@ class Frame:
         """Return the coordinates of the conjugates of the elements with these coordinates."""
         return [[c if k < self.n else -c for k, c in enumerate(row)] for row in table]
 
+    def is_integral(self, row: flint.fmpq_mat) -> bool:
+        """Tell whether an element has an integral trace and norm."""
+        trace, norm = self.parts(row.entries())[0] * 2, self.norm(row.entries())
+        return bool(self.field.is_integral(trace) and self.field.is_integral(norm))
+
     def scalar(self, x: Any) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by an element of QQ[s]/(f)."""
-        return multiplication(self.field, x, 4)
+        return self._combination(coordinate_rows(self.field, [x]).entries(), self.scalars)
 
     def norm(self, row: list[flint.fmpq]) -> Any:
         """Return the reduced norm."""
@@ -176,6 +184,33 @@ class Frame:
             mixed += (norms * multiplication(self.field, w)).tolist()
         return self.integers.ideal(flint.fmpq_mat(mixed))
 
+    # --- lattices, by rows of coordinates --------------------------------------------------------
+
+    def product(self, first: flint.fmpq_mat, second: flint.fmpq_mat) -> flint.fmpq_mat:
+        """Return the product of two lattices."""
+        factors = map(self.right, second.tolist())
+        return unique_rows(flint.fmpq_mat([row for m in factors for row in (first * m).tolist()]))
+
+    def multiple(self, rows: flint.fmpq_mat, ideal: Ideal) -> flint.fmpq_mat:
+        """Return rows that span an ideal of the field times what the given rows span."""
+        factors = map(self.scalar, ideal.elements)
+        return flint.fmpq_mat([row for m in factors for row in (rows * m).tolist()])
+
+    def dual(self, rows: flint.fmpq_mat) -> flint.fmpq_mat:
+        """Return the x with tr(x·L) in the integers of the field."""
+        columns: list[list[flint.fmpq]] = []
+        for row in rows.tolist():
+            columns += (self.right(row) * 2).transpose().tolist()[: self.n]
+        return unique_rows(flint.fmpq_mat(columns)).inv().transpose()
+
+    def scalars_into(self, first: flint.fmpq_mat, second: flint.fmpq_mat) -> Ideal:
+        """Return the x of the field with x·L ⊂ M."""
+        inverse = second.inv()
+        images = [(first * m * inverse).entries() for m in self.scalars]
+        return self.integers.ideal(
+            unique_rows(flint.fmpq_mat(images).transpose()).inv().transpose()
+        )
+
     def volume(self, rows: flint.fmpq_mat) -> Ideal:
         """Return the index ideal of a lattice in ⟨1, I, J, IJ⟩; rows are its Hermite normal form.
 
@@ -185,6 +220,10 @@ class Frame:
         blocks = ([row[k : k + n] for row in table[k : k + n]] for k in range(0, self.size, n))
         ideals = (self.integers.ideal(flint.fmpq_mat(block)) for block in blocks)
         return math.prod(ideals, start=self.integers.one)
+
+    def reduced_discriminant(self, rows: flint.fmpq_mat) -> Ideal:
+        """Return the reduced discriminant of an order, 4ab for ⟨1, I, J, IJ⟩."""
+        return self.integers.principal(4 * self.a * self.b) * self.volume(rows)
 
     def pseudo_basis(self, rows: flint.fmpq_mat) -> PseudoBasis:
         """Return ideals and quaternions."""

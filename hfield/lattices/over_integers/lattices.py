@@ -8,25 +8,33 @@ make one another; what takes an algorithm is a function on frames and rows in a 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import LatticeError, shorten
-from hfield.fields.number_fields.ideals import Ideal, integers
+from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.fields.number_fields.ideals import Ideal
 from hfield.fuchsian.group import NormOneGroup
-from hfield.hints import IDEAL, LATTICE, ORDER, Hinted
-from hfield.lattices.checked_arguments import checked_side, listed
-from hfield.lattices.enumeration import short_vectors
-from hfield.lattices.over_integers import local_orders
-from hfield.lattices.over_integers.dedekind_modules import unique_rows
+from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
+from hfield.lattices.checked_arguments import checked_side, listed, natural
+from hfield.lattices.over_integers import (
+    class_sets,
+    equivalence,
+    ideals_of_norm,
+    local_orders,
+    related_orders,
+)
+from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
 from hfield.lattices.over_integers.frames import Frame
+from hfield.lattices.over_integers.local_orders import Local, Rows
 
 if TYPE_CHECKING:
+    from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.lattices.over_integers.dedekind_modules import PseudoBasis
 
 OTHER = {"left": "right", "right": "left"}
@@ -122,10 +130,8 @@ class IntegersLattice(Hinted):
         return IntegersLattice(self.frame, flint.fmpq_mat(both))
 
     def __and__(self, other: IntegersLattice) -> IntegersLattice:
-        """Return the intersection, the dual of the sum of the duals in the plain pairing of coordinates."""
-        both = self.inverse_rows.transpose().tolist()
-        both += self._same(other).inverse_rows.transpose().tolist()
-        rows = unique_rows(flint.fmpq_mat(both)).inv().transpose()
+        """Return the intersection."""
+        rows = meet(self.rows, self._same(other).rows)
         is_ring = isinstance(self, IntegersOrder) and isinstance(other, IntegersOrder)
         return (IntegersOrder if is_ring else IntegersLattice)(self.frame, rows)
 
@@ -133,12 +139,10 @@ class IntegersLattice(Hinted):
         """Return rows that span the product with a lattice, an element, or an ideal of the field."""
         frame = self.frame
         if isinstance(other, IntegersLattice):
-            factors = list(map(frame.right, self._same(other).rows.tolist()))
-        elif isinstance(other, Ideal):
-            factors = list(map(frame.scalar, frame.ideal(other).elements))
-        else:
-            factors = [frame.right(frame.row(other).entries())]
-        return flint.fmpq_mat([row for m in factors for row in (self.rows * m).tolist()])
+            return frame.product(self.rows, self._same(other).rows)
+        if isinstance(other, Ideal):
+            return frame.multiple(self.rows, frame.ideal(other))
+        return self.rows * frame.right(frame.row(other).entries())
 
     def __mul__(self, other: object) -> IntegersLattice:
         """Return the product with a lattice, an element, a number or an ideal of the field."""
@@ -165,11 +169,7 @@ class IntegersLattice(Hinted):
 
     def dual(self) -> IntegersLattice:
         """Return the x with tr(x·L) ⊂ ℤ_K, the codifferent of an order (Voight, definition 15.6.2)."""
-        n = self.frame.n
-        columns: list[Any] = []
-        for row in self.rows.tolist():
-            columns += (self.frame.right(row) * 2).transpose().tolist()[:n]
-        return IntegersLattice(self.frame, unique_rows(flint.fmpq_mat(columns)).inv().transpose())
+        return IntegersLattice(self.frame, self.frame.dual(self.rows))
 
     def left_order(self) -> IntegersOrder:
         """Return the x with x·L ⊂ L, an order."""
@@ -256,8 +256,7 @@ class IntegersOrder(IntegersLattice):
 
     @cached_property
     def _discriminant(self) -> Ideal:
-        frame = self.frame
-        return frame.integers.principal(4 * frame.a * frame.b) * self.volume()
+        return self.frame.reduced_discriminant(self.rows)
 
     def norm_of_discriminant(self) -> int:
         """Return the absolute norm of the reduced discriminant."""
@@ -272,6 +271,24 @@ class IntegersOrder(IntegersLattice):
         """Return v_P[M : O] for a maximal order M that contains O."""
         P = self.frame.prime(prime)
         return self.discriminant().valuation(P) - (P in self.frame.ramified)
+
+    def eichler_symbol(self, prime: object) -> int | None:
+        """Return the Eichler symbol (O | P): 1, 0 or −1; None where the order is M₂(ℤ_P).
+
+        It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2).
+        """
+        P = self.frame.prime(prime)
+        if not self.discriminant().valuation(P):
+            return None
+        return Local(self.frame, P).symbol(self.rows)
+
+    def is_eichler(self) -> bool:
+        """Tell whether this is an intersection of two maximal orders (Voight, section 24.3)."""
+        level = self.level.factorisation()
+        ramified = self.frame.ramified
+        return all(
+            self.frame.prime(P) not in ramified and self.eichler_symbol(P) == 1 for P, _ in level
+        )
 
     def is_maximal(self) -> Because:
         """Tell whether no larger order contains this one, with a ``reason``: its discriminant decides."""
@@ -288,7 +305,82 @@ class IntegersOrder(IntegersLattice):
         """
         return IntegersOrder(self.frame, local_orders.maximal(self.frame, self.rows, self.level))
 
+    def conductor(self) -> Ideal:
+        """Return the largest ideal f with O = ℤ_K + f·G for an order G; 1 for a Gorenstein order."""
+        return related_orders.conductor(self.frame, self.rows)
+
+    def is_gorenstein(self) -> bool:
+        """Tell whether the codifferent is invertible: whether the conductor is 1 (Voight, section 24.2)."""
+        return self.conductor() == 1
+
+    def gorenstein_closure(self) -> IntegersOrder:
+        """Return the Gorenstein order G with O = ℤ_K + f·G, f the conductor (Voight, section 24.2)."""
+        return IntegersOrder(self.frame, related_orders.gorenstein_closure(self.frame, self.rows))
+
+    def is_bass(self) -> bool:
+        """Tell whether every order that contains this one is Gorenstein (Voight, section 24.5)."""
+        return related_orders.is_bass(self.frame, self.rows)
+
+    def is_hereditary(self) -> bool:
+        """Tell whether all ideals are invertible: whether no square divides the discriminant."""
+        return all(e == 1 for _, e in self.discriminant().factorisation())
+
+    def suborders(self, prime: object, k: int = 1) -> list[IntegersOrder]:
+        """Return all orders of index Pᵏ in this one. Raises :class:`TooLargeError` for many candidates.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.maximal_order(); P = A.ring.primes_above(2)[0]
+        >>> [len(O.suborders(P, k)) for k in (1, 2)], len(O.suborders(P)[0].overorders(P))
+        ([5, 41], 2)
+        """
+        return self._related(related_orders.suborders, prime, k)
+
+    def overorders(self, prime: object, k: int = 1) -> list[IntegersOrder]:
+        """Return all orders in which this one has the index Pᵏ. Raises :class:`TooLargeError` likewise."""
+        return self._related(related_orders.overorders, prime, k)
+
+    def _related(self, search: Any, prime: object, k: int) -> list[IntegersOrder]:
+        local = Local(self.frame, self.frame.prime(prime))
+        found = search(local, self.rows, natural(k, "the exponent of an index is"))
+        return [IntegersOrder(self.frame, rows) for rows in found]
+
     # --- ideals ------------------------------------------------------------------------------------
+
+    def two_sided_prime(self, prime: object) -> IntegersIdeal:
+        """Return the two-sided ideal at P that generates, with those of the field, all invertible ones there.
+
+        Its square is Pᵉ·O, the part of the discriminant at P; it is P·O where P does not divide that.
+        Raises :class:`LatticeError` where the order is neither maximal nor Eichler at P.
+        """
+        P = self.frame.prime(prime)
+        e = self.discriminant().valuation(P)
+        if e > 1 and (P in self.frame.ramified or self.eichler_symbol(P) != 1):
+            raise LatticeError(
+                f"the order is neither maximal nor an Eichler order at {shorten(prime)}: its two-sided "
+                "ideals there are not known"
+            )
+        found = self * self.frame.integers.prime(P) ** max(e, 1)
+        if e:
+            found = found + self.dual() * self.discriminant()
+        return IntegersIdeal(self.frame, found.rows, "right", self)
+
+    def connecting_ideal(self, other: IntegersOrder) -> IntegersIdeal:
+        """Return the primitive integral ideal with this left order and the right order ``other``.
+
+        Raises :class:`LatticeError` unless both are Eichler orders of one level.
+        """
+        self._same(other)
+        level = self.level
+        if (
+            not isinstance(other, IntegersOrder)
+            or other.level != level
+            or not (self.is_eichler() and other.is_eichler())
+        ):
+            raise LatticeError(
+                "connecting ideals exist here between Eichler orders of one level, and these are none"
+            )
+        rows = related_orders.connecting(self.frame, self.rows, other.rows, level)
+        return IntegersIdeal(self.frame, rows, "left", self)
 
     def left_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
         """Return the left ideal O·x + O·y + … . Raises :class:`LatticeError` for a rank below 4."""
@@ -298,11 +390,59 @@ class IntegersOrder(IntegersLattice):
         """Return the right ideal x·O + y·O + … . Raises :class:`LatticeError` for a rank below 4."""
         return IntegersIdeal(self.frame, self._ideal(generators, "right"), "right", self)
 
+    def ideals_of_prime_norm(self, prime: PrimeIdeal) -> tuple[Local, list[Rows]]:
+        """Return what is needed to list right ideals of norm P, computed once."""
+        if prime not in self._known:
+            local = Local(self.frame, prime)
+            exponent = self.discriminant().valuation(prime)
+            ramified = prime in self.frame.ramified
+            found = ideals_of_norm.generators(local, self.rows, exponent, ramified)
+            self._known[prime] = local, found
+        return self._known[prime]
+
+    @cached_property
+    def _known(self) -> dict[PrimeIdeal, tuple[Local, list[Rows]]]:
+        return {}
+
+    def subideals(self, ideal: IntegersLattice, prime: object) -> list[IntegersIdeal]:
+        """Return all invertible right ideals of relative norm P in an invertible right ideal of this order.
+
+        They are N(P) + 1 where P does not divide the discriminant. Raises :class:`TooLargeError`.
+        """
+        local, found = self.ideals_of_prime_norm(self.frame.prime(prime))
+        rows = ideals_of_norm.subideals(local, self._same(ideal).rows, found)
+        return [IntegersIdeal(self.frame, J, "right", self) for J in rows]
+
+    def ideals_of_norm(self, norm: object, side: str = "left") -> list[IntegersIdeal]:
+        """Return all invertible integral ideals on a side whose norm is an ideal or a prime of the field.
+
+        Of prime norm P, off the discriminant, there are N(P) + 1. Raises :class:`LatticeError`,
+        and :class:`TooLargeError` for more than 10⁵.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.eichler_order(3)
+        >>> [len(O.ideals_of_norm(n)) for n in (1, 2, 3)]
+        [1, 5, 19]
+        """
+        wanted = self.frame.ideal(norm)
+        layer = [IntegersIdeal(self.frame, self.rows, "right", self)]
+        for P, e in wanted.factorisation():
+            if e > 1 and self.discriminant().valuation(P) > 1:
+                raise LatticeError(
+                    f"ideals of norm {wanted} are not listed at {P}, whose square divides the discriminant; "
+                    "those of norm P are"
+                )
+            for _ in range(e):
+                if len(layer) * (self.frame.prime(P).norm + 1) > ideals_of_norm.MOST:
+                    raise TooLargeError(f"there are too many ideals of norm {wanted} to list them")
+                layer = list({J: J for I in layer for J in self.subideals(I, P)})
+        return layer if checked_side(side) == "right" else [J.conjugate() for J in layer]
+
     def __repr__(self) -> str:
         kind = "a maximal order" if self.is_maximal() else "an order"
         return f"{kind} of {self.algebra} with the discriminant {self.discriminant()}"
 
-    # --- units -------------------------------------------------------------------------------------
+    # --- units, in an algebra that splits at one real place -----------------------------------------
 
     def norm_one_group(self) -> NormOneGroup:
         """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
@@ -319,49 +459,41 @@ class IntegersOrder(IntegersLattice):
 
         return NormOneGroup(SplitIntegersOrder(self))
 
-    def unit_index(self) -> int:
-        """Return [Oˣ : ℤ_Kˣ], of a totally definite algebra: units are enumerated in the form Tr(N(x)).
+    # --- units and classes, in a totally definite algebra ------------------------------------------
 
-        Raises :class:`LatticeError` for other algebras, whose units are infinitely many.
+    def unit_index(self) -> int:
+        """Return [Oˣ : ℤ_Kˣ]. Raises :class:`IndefiniteError` where it is infinite.
 
         >>> from hfield import QuaternionAlgebra
-        >>> QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().unit_index()
-        60
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+        >>> O.unit_index(), O.unit_group()
+        (60, 'A5')
         """
-        field = self.field
-        signs = [
-            field.multiplication(x).charpoly().coeffs() for x in (-self.frame.a, -self.frame.b)
-        ]
-        positive = all(c * (-1) ** (len(p) - 1 - k) > 0 for p in signs for k, c in enumerate(p))
-        if field.signature != (field.degree, 0) or not positive:
-            raise LatticeError(
-                f"the units of orders in {shorten(self.algebra)} modulo those of the field are not finitely "
-                "many; expected a totally definite algebra over a totally real field"
-            )
-        # the units of norm u, up to sign, for u in the totally positive units modulo squares of units
-        norms = [field.one]
-        inside = integers(self.algebra.ring).inside
-        for g in map(inside, self.algebra.ring.totally_positive_units()):
-            if all((g * u).sqrt() is None for u in norms):
-                norms += [g * u for u in norms]
-        rows = self.rows.tolist()
-        values = [self.frame.norm(row) for row in rows]
+        return equivalence.unit_index(self.frame, self.rows)
 
-        def both(i: int, j: int) -> Any:
-            total = self.frame.norm([x + y for x, y in zip(rows[i], rows[j], strict=True)])
-            return total - values[i] - values[j]
+    def unit_group(self) -> str:
+        """Return the name of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on. Raises :class:`IndefiniteError`."""
+        return equivalence.unit_group(self.frame, self.rows)
 
-        size = range(len(rows))
-        gram = flint.fmpz_mat([[int(both(i, j).trace().p) for j in size] for i in size])
-        change = gram.lll(transform=True, rep="gram")[1]
-        form = (change * gram * change.transpose()).tolist()
-        basis = flint.fmpq_mat(change) * self.rows
-        bound = max(2 * int(u.trace().p) for u in norms)
-        count = 0
-        for x, _ in short_vectors([list(map(int, row)) for row in form], bound):
-            row = flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis
-            count += self.frame.norm(row.entries()) in norms
-        return count
+    def isomorphism(self, other: IntegersLattice) -> equivalence.Comparison:
+        """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
+
+        Raises :class:`IndefiniteError`.
+        """
+        ring = self._same(other).left_order()
+        if ring != other:
+            raise LatticeError(f"{shorten(repr(other))} is no order")
+        if self.discriminant() != ring.discriminant():
+            return equivalence.Comparison(False, "their discriminants differ")
+        return equivalence.conjugator(self.frame, self.rows, ring.rows)
+
+    def mass(self) -> Fraction:
+        """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, by a formula. Raises likewise."""
+        return class_sets.mass(self)
+
+    def class_set(self) -> IntegersClassSet:
+        """Return the invertible right ideal classes, complete by the mass formula. Raises likewise."""
+        return IntegersClassSet(self)
 
 
 class IntegersIdeal(IntegersLattice):
@@ -411,7 +543,20 @@ class IntegersIdeal(IntegersLattice):
         """Tell whether the left and the right order are the same."""
         return self.left_order() == self.right_order()
 
+    def primitive_part(self) -> tuple[IntegersIdeal, Ideal]:
+        """Return (J, a) with I = a·J, a an ideal of the field, and J integral and not in b·O for any other b.
+
+        Raises :class:`LatticeError` unless the ideal is integral.
+        """
+        inverse = self.frame.scalars_into(self.rows, self.order.rows)
+        if not self.is_integral():
+            raise LatticeError("only an integral ideal has a primitive part, and this one is none")
+        return self._with(self * inverse), inverse.inverse()
+
     # --- arithmetic --------------------------------------------------------------------------------
+
+    def _with(self, lattice: IntegersLattice) -> IntegersIdeal:
+        return IntegersIdeal(self.frame, lattice.rows, self.side, self._order)
 
     def __add__(self, other: IntegersLattice) -> IntegersLattice:
         return self._joint(other, super().__add__(other))
@@ -450,8 +595,78 @@ class IntegersIdeal(IntegersLattice):
         """Return ``conj(I)/N(I)``. Raises :class:`LatticeError` unless I is locally principal."""
         return IntegersIdeal(self.frame, super().inverse().rows, OTHER[self.side], self._order)
 
+    # --- classes, in a totally definite algebra ----------------------------------------------------
+
+    def is_principal(self) -> equivalence.Comparison:
+        """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
+        return IntegersIdeal(self.frame, self.order.rows, self.side, self.order).equivalence(self)
+
+    def equivalence(self, other: IntegersIdeal) -> equivalence.Comparison:
+        """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
+
+        Where there is none it is false, and ``reason`` says why. Raises :class:`LatticeError` for ideals that
+        are not invertible, or of different orders or sides, :class:`IndefiniteError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order()
+        >>> I = O.left_ideal([11, "1 + 3*i + j"]); answer = I.is_principal()
+        >>> I.norm(), bool(answer), O.left_ideal([answer.element]) == I
+        (ideal(11), True, True)
+        """
+        same = isinstance(other, IntegersIdeal) and (self.side, self.order) == (
+            other.side,
+            other.order,
+        )
+        if not same or not (self.is_invertible() and other.is_invertible()):
+            raise LatticeError(
+                f"expected two invertible {self.side} ideals of one order, not {shorten(repr(other))}"
+            )
+        pair = (self.inverse(), other) if self.side == "left" else (other, self.inverse())
+        between = pair[0] * pair[1]
+        return equivalence.element_generating(self.frame, between.rows, other.norm() / self.norm())
+
     def __repr__(self) -> str:
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
+
+
+class IntegersClassSet(class_sets.Classes, Hinted):
+    """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
+
+    >>> from hfield import QuaternionAlgebra
+    >>> C = QuaternionAlgebra("QQ(sqrt(6))", -1, -1).maximal_order().class_set()
+    >>> len(C), C.mass, C.type_number
+    (3, Fraction(1, 4), 3)
+    """
+
+    elsewhere = CLASSES
+
+    def __init__(self, order: IntegersOrder) -> None:
+        super().__init__(order)
+        self.order = order
+
+    def __getitem__(self, n: int) -> IntegersIdeal:
+        """Return the representative of class n, a right ideal that contains 1; class 0 is that of O."""
+        return IntegersIdeal(self.frame, self.lattices[n], "right", self.order)
+
+    def __iter__(self) -> Iterator[IntegersIdeal]:
+        return (self[n] for n in range(len(self)))
+
+    def index(self, ideal: IntegersIdeal) -> int:
+        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
+        if not isinstance(ideal, IntegersIdeal) or ideal.side != "right":
+            raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
+        if ideal.order != self.order or not ideal.is_invertible():
+            raise LatticeError(
+                f"{shorten(repr(ideal))} is no invertible right ideal of {self.order}"
+            )
+        return self.class_of(ideal.rows, ideal.norm())
+
+    def left_orders(self) -> list[IntegersOrder]:
+        """Return the left orders of the representatives, one a class."""
+        return [I.left_order() for I in self]
+
+    def __repr__(self) -> str:
+        return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
 
 
 def _integral(matrix: flint.fmpq_mat) -> bool:

@@ -11,6 +11,8 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable
+from functools import cached_property
+from itertools import product
 from typing import TYPE_CHECKING
 
 import flint
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import Ideal
 
+Rows = list[list[flint.fmpq]]
 TRIALS = 1_000
 
 
@@ -66,9 +69,9 @@ class Local:
         """
         while level > 0:
             radical = self.radical(rows)
-            larger = self._left_order(radical)
+            larger = self.left_order(radical)
             if larger.det() == rows.det():  # hereditary, of level P
-                larger = self._left_order(self._maximal_ideal(rows, radical))
+                larger = self.left_order(self._maximal_ideal(rows, radical))
             index = abs(rows.det() / larger.det())
             level -= int(math.log2(int(index.p)) / math.log2(self.prime.norm) + 0.5)
             rows = larger
@@ -113,14 +116,14 @@ class Local:
         whole = [*vectors, *([self.p * int(i == j) for j in range(size)] for i in range(size))]
         return flint.fmpq_mat(hermite(whole, size)) * rows
 
-    def _left_order(self, ideal: flint.fmpq_mat) -> flint.fmpq_mat:
+    def left_order(self, ideal: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return the x with x·I ⊂ I, for an ideal I between an order and p times it."""
         frame, inverse = self.frame, ideal.inv()
         columns: list[list[int]] = [[] for _ in range(frame.size)]
         for row in ideal.tolist():
             products = (ideal * frame.right(row) * inverse).tolist()
-            for k, product in enumerate(products):
-                columns[k] += [int(c.p) % self.p for c in product]
+            for column, found in zip(columns, products, strict=True):
+                column += [int(c.p) % self.p for c in found]
         vectors = left_kernel(flint.nmod_mat(columns, self.p))
         return self._above(ideal, vectors) * flint.fmpq(1, self.p)
 
@@ -156,6 +159,51 @@ class Local:
             return moved, place.lift((other - root) % place.modulus)
         raise LatticeError(f"no idempotent was found in the residues of an order at {self.prime}")
 
+    def symbol(self, rows: flint.fmpq_mat) -> int:
+        """Return 1, 0 or −1 where the residues modulo the radical are split, ramified or inert at P.
+
+        Outside of what is central modulo the radical a polynomial x² − tr(x)·x + N(x) is separable.
+        """
+        place = self.place
+        for row in rows.tolist():
+            trace = self.prime.residue_of(self.frame.parts(row)[0] * 2)
+            norm = self.prime.residue_of(self.frame.norm(row))
+            if (trace if place.even else (trace * trace - norm * 4) % place.modulus) != 0:
+                root = place.quadratic_root(place.one, place.zero - trace, norm)
+                return -1 if root is None else 1
+        return 0
+
+    @cached_property
+    def representatives(self) -> list[FieldElement]:
+        """Integers of the field, one of each class modulo P, 0 first."""
+        digits = product(range(self.p), repeat=self.prime.f)
+        return [self.prime.lift(flint.nmod_poly(list(c), self.p)) for c in digits]
+
+    def times_prime(self, rows: flint.fmpq_mat) -> flint.fmpq_mat:
+        """Return P·L."""
+        return unique_rows(self.frame.multiple(rows, self.frame.integers.prime(self.prime)))
+
+    def independent(self, larger: flint.fmpq_mat, below: flint.fmpq_mat) -> Rows:
+        """Return elements of a lattice that are a basis of it modulo another, which contains P times it."""
+        found: Rows = []
+        inverse = below.inv()
+        for row in larger.tolist():
+            if any(c.q != 1 for c in (flint.fmpq_mat([row]) * inverse).entries()):
+                found.append(row)
+                multiples = [(flint.fmpq_mat([row]) * m).entries() for m in self.frame.scalars]
+                below = unique_rows(flint.fmpq_mat([*below.tolist(), *multiples]))
+                inverse = below.inv()
+        return found
+
+    def corners(
+        self, rows: flint.fmpq_mat, e: flint.fmpq_mat
+    ) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
+        """Return e·b·(1 − e) and (1 − e)·b·e for the basis b of a lattice."""
+        frame = self.frame
+        left = flint.fmpq_mat([(e * frame.right(row)).entries() for row in rows.tolist()])
+        other = frame.right((frame.row(1) - e).entries())
+        return left * other, (rows - left) * frame.right(e.entries())
+
     def idempotent(self, rows: flint.fmpq_mat, k: int) -> flint.fmpq_mat:
         """Return e in an order that has matrices of rank 1 modulo P, with e² ≡ e modulo Pᵏ and e ≢ 0, 1.
 
@@ -181,6 +229,5 @@ class Local:
         e = self.idempotent(rows, k)
         # these are (1 − e)·O + O·e + Pᵏ·O, and the conjugate of e is 1 − e modulo Pᵏ
         ideal = (rows * frame.right(e.entries())).tolist()
-        power = frame.integers.prime(self.prime) ** k
-        parts = [row for x in power.elements for row in (rows * frame.scalar(x)).tolist()]
+        parts = frame.multiple(rows, frame.integers.prime(self.prime) ** k).tolist()
         return unique_rows(flint.fmpq_mat([*ideal, *frame.conjugate(ideal), *parts]))

@@ -94,8 +94,7 @@ def _reduced(rows: list[list[flint.fmpq]]) -> flint.fmpq_mat:
 
 def _check_integral(frame: Frame, row: flint.fmpq_mat) -> None:
     """Raise :class:`LatticeError` unless an element has an integral trace and norm."""
-    trace, norm = frame.parts(row.entries())[0] * 2, frame.norm(row.entries())
-    if not (frame.field.is_integral(trace) and frame.field.is_integral(norm)):
+    if not frame.is_integral(row):
         q = frame.quaternion(row.entries())
         raise LatticeError(
             f"these elements generate no order: {shorten(q)} has trace {q.trace()} and norm {q.norm()}, "
