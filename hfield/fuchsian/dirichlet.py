@@ -26,6 +26,8 @@ from hfield.fuchsian.split_order import SplitOrder
 
 ROUNDS = 400
 """So often at most units are looked for from more points."""
+DEEPEST = 1e6
+"""So far from the centre points are looked from at most, by the hyperbolic cosine: floats do not go farther."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +74,7 @@ def places(shape: Shape, area: float, rng: np.random.Generator) -> Any:
     start, width = np.tile(shape.gaps(), 2)
     # a line between the ends of a gap is at a distance with the cosine 1/sin(width/2)
     deep = 1 + 4 * area * rng.random(len(width)) / np.sin(np.minimum(width, np.pi) / 2)
+    deep = np.minimum(deep, DEEPEST)
     gaps = np.sqrt(1 - deep**-2) * np.exp(1j * (start + width * rng.random(len(width))))
     high = 1 + 4 * area * rng.random(6 if len(width) else 6 + int(area))
     klein = np.sqrt(1 - high**-2) * np.exp(2j * np.pi * rng.random(len(high)))

@@ -142,8 +142,7 @@ class NormOneGroup:
     def _domain(self) -> Domain:
         from hfield.fuchsian import search
 
-        centers = search.centers(self.order)
-        return self._around(next(c for c in centers if not search.is_fixed(self.order, c)))
+        return self._around(search.free_center(self.order))
 
     def _around(self, c: Quaternion) -> Domain:
         from hfield.fuchsian import dirichlet

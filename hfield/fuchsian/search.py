@@ -26,10 +26,10 @@ from hfield.fuchsian.split_order import SplitOrder
 
 Rows = Any
 """An array of integers: coordinates with respect to the basis of the order, one element a row."""
-MANY = 60
+MANY = 200
 """About so many vectors are looked at for each point."""
 NEAR = 1e-6
-FAR = 1e6
+FAR = 1e9
 """Units that move the centre so far, by the hyperbolic cosine, are left out."""
 
 
@@ -59,7 +59,9 @@ class Sight:
         self.elsewhere = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
         self.products = np.array(order.products).reshape(self.rank, self.rank, self.rank)
         self.bar = np.array(order.bars)
-        covolume = math.sqrt(np.linalg.det(self.forms(np.zeros(1), 1.0)[0]))
+        values, vectors = np.linalg.eigh(self.elsewhere.sum(axis=0))
+        self._others = (vectors * np.sqrt(np.maximum(values, 0)))[:, 4:]
+        covolume = abs(np.linalg.det(self.forms(np.zeros(1), 1.0)[0]))
         size = len(self.elsewhere) + 1
         ball = math.pi ** (2 * size) / math.gamma(2 * size + 1) * size ** (2 * size)
         self.cosh = max(2.0, math.sqrt(MANY * covolume / ball))
@@ -74,23 +76,21 @@ class Sight:
         return np.einsum("ni,ijk->njk", rows, self.products)
 
     def forms(self, points: Any, cosh: float) -> Any:
-        """Return the matrices of cosh d(g·0, w)/cosh plus the norms elsewhere, for points w of the disc."""
-        alpha = 1 / np.sqrt(1 - abs(points) ** 2)[:, None]
+        """Return linear forms, columns, whose squares sum to cosh d(g·0, w)/cosh plus the norms elsewhere."""
+        alpha = 1 / np.sqrt((1 - abs(points) ** 2) * cosh)[:, None]
         beta = alpha * points[:, None]
         a = alpha * self.a - beta * self.b.conj()
         b = alpha * self.b - beta * self.a.conj()
-        parts = np.stack([a.real, a.imag, b.real, b.imag], axis=1)
-        return np.einsum("npi,npj->nij", parts, parts) / cosh + self.elsewhere.sum(axis=0)
+        others = np.broadcast_to(self._others, (len(points), *self._others.shape))
+        return np.concatenate([np.stack([a.real, a.imag, b.real, b.imag], axis=2), others], axis=2)
 
     def carrying(self, points: Any, cosh: float | None = None) -> Rows:
         """Return units of norm 1, other than ±1 and up to the sign, that move the centre near some point."""
-        cosh = self.cosh if cosh is None else cosh
-        forms = self.forms(np.asarray(points), cosh)
+        forms = self.forms(points, self.cosh if cosh is None else cosh)
         steps = np.array([reduction(form) for form in forms])
-        reduced = steps @ forms @ steps.transpose(0, 2, 1)
-        which, vectors = short_vectors(reduced, len(self.elsewhere) + 1 + 1e-9)
-        # sorted by the form
-        starts = np.searchsorted(which, np.arange(len(forms) + 1))
+        which, vectors = short_vectors(steps @ forms, len(self.elsewhere) + 1 + 1e-9)
+        # in the order of the forms
+        starts = np.searchsorted(which, np.arange(len(steps) + 1))
         rows = [vectors[s:e] @ steps[n] for n, (s, e) in enumerate(pairwise(starts))]
         return distinct(self.units(np.concatenate(rows)))
 
@@ -112,40 +112,41 @@ def is_fixed(order: SplitOrder, center: Quaternion) -> bool:
     return bool((abs(found) < NEAR).any())
 
 
-def centers(order: SplitOrder) -> Iterator[Quaternion]:
-    """Yield elements of trace 0 and positive norm at the place: points to look from, simple ones first."""
+def free_center(order: SplitOrder) -> Quaternion:
+    """Return an element of trace 0, of positive norm at the place, that no unit but ±1 seems to fix."""
     _, i, j, _ = order.algebra.basis
     u = i - i.trace() / 2
     first = next(c for c in (u, j, u * j) if order.sign(order.scalar(c.norm())) > 0)
     plane = Plane(order, first)
-    if len(order.basis) > 4:  # small elements are mostly fixed by units
+    if len(order.basis) == 4:
+        candidates = _small(order, Sight(plane))
+    else:  # small elements are mostly fixed by units
         rng = random.Random(1)
-        for n in range(1000):
-            yield plane.nearby(
-                cmath.rect(rng.random() / 2, 2 * cmath.pi * rng.random()), 5 + n // 10
-            )
-        return
-    sight = Sight(plane)
+        turns = (2 * cmath.pi * rng.random() for _ in range(1000))
+        candidates = (plane.nearby(cmath.rect(rng.random() / 2, turn), 5) for turn in turns)
+    return next(c for c in candidates if not is_fixed(order, c))
+
+
+def _small(order: SplitOrder, sight: Sight) -> Iterator[Quaternion]:
+    """Yield elements of trace 0 and positive norm in an order over ℤ, one of each norm, by the norm."""
     twice = fmpz_mat(order.rows([2 * x - x.trace() for x in order.basis])).hnf().tolist()
     rows = np.array([[int(c) for c in row] for row in twice[:3]])
-    form = rows @ sight.forms(np.zeros(1), 1.0)[0] @ rows.T
-    rows = reduction(form) @ rows
+    rows = reduction(rows @ sight.forms(np.zeros(1), 1.0)[0]) @ rows
     for reach in (3, 8, 20):
         cube = np.indices((reach + 1, 2 * reach + 1, 2 * reach + 1)).reshape(3, -1).T
         cube -= [0, reach, reach]
         some = cube[np.gcd.reduce(cube, axis=1) == 1] @ rows
         a, b = sight.motions(some)
-        size = abs(a) ** 2 - abs(b) ** 2
-        for n in np.argsort(size, kind="stable").tolist():
-            if size[n] > NEAR:
-                yield order.element(some[n].tolist())
+        norms, first = np.unique((abs(a) ** 2 - abs(b) ** 2).round(6), return_index=True)
+        for n in first[norms > NEAR].tolist():
+            yield order.element(some[n].tolist())
 
 
-def reduction(form: Any) -> Any:
-    """Return the matrix of a change to a reduced basis for a definite form, as rows."""
-    whole = np.rint(form * 2.0**32).astype(np.int64).tolist()
-    _, steps = fmpz_mat(whole).lll(transform=True, rep="gram")
-    return np.array([int(x) for x in steps.entries()]).reshape(form.shape)
+def reduction(vectors: Any) -> Any:
+    """Return the change to a reduced basis of the lattice that rows span."""
+    whole = np.rint(vectors * 2.0**30).astype(np.int64).tolist()
+    _, steps = fmpz_mat(whole).lll(transform=True)
+    return np.array([int(x) for x in steps.entries()]).reshape(len(whole), -1)
 
 
 def distinct(rows: Rows) -> Rows:
@@ -157,13 +158,14 @@ def distinct(rows: Rows) -> Rows:
     return np.array(list(found), dtype=np.int64).reshape(len(found), rows.shape[1])
 
 
-def short_vectors(forms: Any, bound: float) -> tuple[Any, Any]:
-    """Return short vectors of definite forms, up to the sign: the number of each one's form, and rows.
+def short_vectors(bases: Any, bound: float) -> tuple[Any, Any]:
+    """Return the combinations of vectors, up to the sign, whose squares are at most a bound, in many lattices.
 
-    After Fincke and Pohst, breadth first: the last coordinates that are left over are chosen for all at once.
+    The number of each one's lattice, ascending, and the coefficients. After Fincke and Pohst, breadth
+    first: the last coefficient that is left is chosen for all at once.
     """
-    count, rank, _ = forms.shape
-    lower = np.linalg.cholesky(forms)
+    count, rank, _ = bases.shape
+    lower = np.linalg.cholesky(bases @ bases.transpose(0, 2, 1))
     scale = np.einsum("nii->ni", lower)
     mu = lower / scale[:, None, :]  # q(x) = Σ scaleₖ²·(xₖ + Σ_{j>k} mu[j, k]·xⱼ)²
     which = np.arange(count)
