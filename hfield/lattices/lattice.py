@@ -19,6 +19,7 @@ from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, MixedParentsError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.fuchsian.group import NormOneGroup
+from hfield.fuchsian.split_order import RationalOrder
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices import (
     certificates,
@@ -414,7 +415,7 @@ class Order(Certified, Lattice):
         in a definite
         algebra.
         """
-        return NormOneGroup(self.value)
+        return NormOneGroup(RationalOrder(self.value))
 
     # --- ideals ------------------------------------------------------------------------------------
 
