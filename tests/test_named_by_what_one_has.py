@@ -19,6 +19,11 @@ def test_algebras(named) -> None:
     assert A.discriminant() == 11
 
 
+def test_indefinite_algebras_by_their_discriminant() -> None:
+    assert QuaternionAlgebra(6).ramified_places() == (2, 3)
+    assert QuaternionAlgebra(1).ramified_places() == ()
+
+
 def test_algebras_over_the_field_of_their_constants() -> None:
     K = ring("QQ[s]/(s^3-2)")
     assert QuaternionAlgebra(K.gen, -1) == QuaternionAlgebra(K, K.gen, -1)
@@ -26,7 +31,7 @@ def test_algebras_over_the_field_of_their_constants() -> None:
 
 
 @pytest.mark.parametrize(
-    "named", [(12,), (6,), (-11,), (GF(9),), (GF(9), 1), (None,), (True,), ("11|",)]
+    "named", [(12,), (0,), (-11,), (GF(9),), (GF(9), 1), (None,), (True,), ("11|",)]
 )
 def test_what_names_no_algebra(named) -> None:
     with pytest.raises(errors.HFieldError):

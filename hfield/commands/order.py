@@ -54,9 +54,15 @@ def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
 def _made(args: Namespace) -> Order:
     """Return the order that is asked for."""
     A = algebra_of(args.algebra)
-    if args.generators is not None:
-        return A.order(elements_of(A, args.generators, "--generators"))
-    return A.extremal_order() if args.extremal else A.eichler_order(level_of(args.level or "1"))
+    if args.extremal:
+        return A.extremal_order()
+    given = args.generators
+    order: Order = (
+        A.eichler_order(level_of(args.level or "1"))
+        if given is None
+        else A.order(elements_of(A, given, "--generators"))
+    )
+    return order
 
 
 def to_json(O: Order) -> dict[str, Any]:

@@ -77,7 +77,7 @@ def add_where(parser: ArgumentParser) -> None:
 
 
 def algebra_of(text: str) -> QuaternionAlgebra:
-    """Read an algebra, or the definite one of a discriminant. Raises :class:`RingError`."""
+    """Read an algebra, or the one of a discriminant. Raises :class:`RingError`."""
     from hfield.algebra import QuaternionAlgebra
 
     return QuaternionAlgebra(int(text) if text.isascii() and text.isdecimal() else text)
