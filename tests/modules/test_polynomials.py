@@ -195,7 +195,9 @@ def test_roots_of_polynomials_of_norm_0_by_brute_force(text):
     divisors = [q for q in everything if q and not q.norm()]
     tried = 0
     for _ in range(60):
-        factors = [P([rng.choice(everything) for _ in range(rng.choice((1, 2, 3)))]) for _ in range(2)]
+        factors = [
+            P([rng.choice(everything) for _ in range(rng.choice((1, 2, 3)))]) for _ in range(2)
+        ]
         f = factors[0] * P([rng.choice(divisors)]) * factors[1]
         if not f:
             continue
