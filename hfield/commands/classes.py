@@ -23,7 +23,7 @@ from hfield.commands.orders import (
 from hfield.commands.parser import UsageError
 
 if TYPE_CHECKING:
-    from hfield.lattices.certificates import Claim
+    from hfield.evidence import Claim
     from hfield.lattices.lattice import ClassSet
     from hfield.lattices.over_integers.lattices import IntegersOrder
     from hfield.presenting import Part

@@ -20,9 +20,9 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError
+from hfield.evidence import Certified, Claim
 from hfield.factorisation import factorise
 from hfield.lattices import brandt, certificates, enumeration, hermite
-from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.checked_arguments import positive, prime
 from hfield.lattices.class_number import mass
 from hfield.lattices.ideals_of_norm import (

@@ -17,7 +17,9 @@ from flint import fmpq
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, MixedParentsError, shorten
+from hfield.evidence import Certified, Claim
 from hfield.fuchsian.group import NormOneGroup
+from hfield.fuchsian.split_order import RationalOrder
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices import (
     certificates,
@@ -35,7 +37,7 @@ from hfield.lattices import (
     z_lattice,
     z_order,
 )
-from hfield.lattices.certificates import Answer, Certified, Claim
+from hfield.lattices.certificates import Answer
 from hfield.lattices.checked_arguments import (
     checked_side,
     integer,
@@ -413,7 +415,7 @@ class Order(Certified, Lattice):
         in a definite
         algebra.
         """
-        return NormOneGroup(self.value)
+        return NormOneGroup(RationalOrder(self.value))
 
     # --- ideals ------------------------------------------------------------------------------------
 

@@ -20,6 +20,7 @@ import flint
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.fields.number_fields.ideals import Ideal
+from hfield.fuchsian.group import NormOneGroup
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices.checked_arguments import checked_side, listed, natural
 from hfield.lattices.eigensystems import WithForms
@@ -487,6 +488,23 @@ class IntegersOrder(IntegersLattice):
     def __repr__(self) -> str:
         kind = "a maximal order" if self.is_maximal() else "an order"
         return f"{kind} of {self.algebra} with the discriminant {self.discriminant()}"
+
+    # --- units, in an algebra that splits at one real place -----------------------------------------
+
+    def norm_one_group(self) -> NormOneGroup:
+        """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
+
+        Raises :class:`IndefiniteError` unless the field is totally real and exactly one real place splits.
+
+        >>> from hfield import QuaternionAlgebra, ring
+        >>> K = ring("QQ[s]/(s^3+s^2-2*s-1)")
+        >>> A = QuaternionAlgebra.from_ramification(K, K.real_places()[:2])
+        >>> G = A.maximal_order().norm_one_group(); G.area, G.signature
+        (Fraction(1, 42), Signature(genus=0, orders=(2, 3, 7), cusps=0))
+        """
+        from hfield.lattices.over_integers.split_order import SplitIntegersOrder
+
+        return NormOneGroup(SplitIntegersOrder(self))
 
     # --- units and classes, in a totally definite algebra ------------------------------------------
 
