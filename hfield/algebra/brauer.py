@@ -10,9 +10,11 @@ from typing import Any
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError, shorten
+from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
 from hfield.structure.global_field import global_field
+from hfield.structure.norm_forms.residue_forms import no_zero
 
 BOUND = 3  # coordinates of pure elements that are tried for a common slot
 ALBERT = (
@@ -66,9 +68,12 @@ class TensorProduct:
             return 2, GLOBAL
         if self._searched is not None:
             return 2, ALBERT
+        reason = no_zero(F, [*_pure_form(F, one), *(-c for c in _pure_form(F, other))])
+        if reason is not None:
+            return 4, f"Albert's form has no zero but 0: {reason}"
         raise UndecidedError(
             f"whether the index of {self} is 2 or 4 is not decided over {F.name}: no common slot was found "
-            f"among pure elements with coordinates up to {BOUND}"
+            f"among pure elements with coordinates up to {BOUND}, and no residues show that there is none"
         )
 
     @property
@@ -106,6 +111,12 @@ class TensorProduct:
                 f"{self} has a common slot, but none among pure elements with coordinates up to {BOUND}"
             )
         return self._searched
+
+
+def _pure_form(F: Any, c: Constants) -> list[Any]:
+    """Return the squares of three pure elements that are orthogonal, in a characteristic that is not 2."""
+    a = c.t * c.t + c.a * F(4)
+    return [a, c.b, -a * c.b]
 
 
 def _pure(A: Parent) -> Iterator[Quaternion]:
