@@ -202,7 +202,7 @@ class GlobalField(ABC):
         return iter(())
 
     def is_anisotropic(self, form: Sequence[Any]) -> bool | None:
-        """Tell whether a diagonal form without coefficients 0 has no zero but 0; None where it is not decided."""
+        """Tell whether a diagonal form without coefficients 0 has no zero but 0; None where not decided."""
         return None
 
     def same_class(self, form: NormalForm, other: NormalForm) -> bool:

@@ -161,10 +161,10 @@ class SeveralArithmetic(GlobalField):
                 continue
             if not any(r.is_norm for r in found) and found[0].field != F:
                 odd = [valuation(F, c, place) % 2 for c in form]
-                parts = [
+                even, rest = (
                     [r.value for r, o in zip(found, odd, strict=True) if o == n] for n in (0, 1)
-                ]
-                yield place, found[0].field, *parts
+                )
+                yield place, found[0].field, even, rest
 
     # --- what is not known -----------------------------------------------------------------------
 
