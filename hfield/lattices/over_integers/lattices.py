@@ -30,7 +30,7 @@ from hfield.lattices.over_integers import (
     related_orders,
 )
 from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
-from hfield.lattices.over_integers.frames import Frame
+from hfield.lattices.over_integers.frames import Frame, frame_of
 from hfield.lattices.over_integers.local_orders import Local, Rows
 from hfield.lattices.over_integers.quadratic_orders import IntegersEmbeddings
 
@@ -79,6 +79,13 @@ class IntegersLattice(Hinted):
     def __init__(self, frame: Frame, rows: flint.fmpq_mat) -> None:
         self.frame, self.rows = frame, unique_rows(rows)
         self.algebra, self.field = frame.algebra, frame.field
+
+    def __reduce__(self) -> tuple[object, ...]:
+        whole, den = self.rows.numer_denom()
+        table = [list(map(int, row)) for row in whole.tolist()]
+        return _restored, (type(self), self.algebra, int(den), table, *self._described)
+
+    _described: tuple[object, ...] = ()  # what else the class is made with
 
     # --- what it is --------------------------------------------------------------------------------
 
@@ -468,6 +475,8 @@ class IntegersOrder(IntegersLattice):
         [1, 5, 19]
         """
         wanted = self.frame.ideal(norm)
+        if not wanted.is_integral():
+            raise LatticeError(f"expected an ideal of integers as the norm, not {wanted}")
         layer = [IntegersIdeal(self.frame, self.rows, "right", self)]
         for P, e in wanted.factorisation():
             if e > 1 and self.discriminant().valuation(P) > 1:
@@ -539,6 +548,10 @@ class IntegersIdeal(IntegersLattice):
     ) -> None:
         super().__init__(frame, rows)
         self.side, self._order = side, order
+
+    @property
+    def _described(self) -> tuple[object, ...]:  # type: ignore[override]
+        return self.side, self._order
 
     @property
     def order(self) -> IntegersOrder:
@@ -693,6 +706,15 @@ class IntegersClassSet(class_sets.Classes, Hinted):
 
     def __repr__(self) -> str:
         return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
+
+
+def _restored(
+    kind: type[Any], algebra: Any, den: int, table: list[list[int]], *rest: object
+) -> IntegersLattice:
+    """Return a lattice that was pickled."""
+    rows = flint.fmpq_mat(flint.fmpz_mat(table)) * flint.fmpq(1, den)
+    found: IntegersLattice = kind(frame_of(algebra), rows, *rest)
+    return found
 
 
 def _integral(matrix: flint.fmpq_mat) -> bool:
