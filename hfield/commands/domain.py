@@ -62,7 +62,9 @@ def to_json(domain: Domain) -> dict[str, Any]:
     return {
         "schema": "hfield-domain/1",
         "algebra": str(group.order.algebra),
-        "level": group.order.level,
+        "level": group.order.level
+        if isinstance(group.order.level, int)
+        else str(group.order.level),
         "area": str(group.area),
         "signature": {"genus": genus, "orders": list(orders), "cusps": cusps},
         "center": [text(x) for x in domain.center_element.coordinates],

@@ -21,8 +21,8 @@ from hfield.commands.orders import (
 )
 
 if TYPE_CHECKING:
+    from hfield.evidence import Claim
     from hfield.lattices.certificates import Answer as Verdict
-    from hfield.lattices.certificates import Claim
     from hfield.lattices.lattice import Ideal
     from hfield.lattices.over_integers.equivalence import Comparison
     from hfield.lattices.over_integers.lattices import IntegersIdeal

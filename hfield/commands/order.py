@@ -21,7 +21,7 @@ from hfield.commands.orders import (
 )
 
 if TYPE_CHECKING:
-    from hfield.lattices.certificates import Claim
+    from hfield.evidence import Claim
     from hfield.lattices.lattice import Order
     from hfield.lattices.over_integers.lattices import IntegersOrder
     from hfield.presenting import Part

@@ -21,8 +21,8 @@ from hfield.errors import shorten
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.algebra.quaternion import Quaternion
+    from hfield.evidence import Claim
     from hfield.lattices.certificates import Answer as Verdict
-    from hfield.lattices.certificates import Claim
     from hfield.lattices.over_integers.lattices import IntegersLattice
 
 PATIENCE = 10

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -117,11 +118,22 @@ class Frame:
         entries = coordinate_rows(self.field, elements).entries()
         return flint.fmpq_mat(self.size, self.size, entries)
 
-    def right(self, row: list[flint.fmpq]) -> flint.fmpq_mat:
+    def right(self, row: Sequence[Any]) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by an element from the right."""
         return self._combination(row, self._right)
 
-    def _combination(self, row: list[flint.fmpq], matrices: list[flint.fmpq_mat]) -> flint.fmpq_mat:
+    @cached_property
+    def _left(self) -> list[flint.fmpq_mat]:
+        """The matrices of the multiplication by a basis from the left: x·y is conj(conj(y)·conj(x))."""
+        unit = [[int(k == m) for m in range(self.size)] for k in range(self.size)]
+        flip = flint.fmpq_mat(self.conjugate(unit))
+        return [flip * self.right(row) * flip for row in self.conjugate(unit)]
+
+    def left(self, row: Sequence[Any]) -> flint.fmpq_mat:
+        """Return the matrix of the multiplication by an element from the left."""
+        return self._combination(row, self._left)
+
+    def _combination(self, row: Sequence[Any], matrices: list[flint.fmpq_mat]) -> flint.fmpq_mat:
         total = flint.fmpq_mat(self.size, self.size)
         for c, matrix in zip(row, matrices, strict=True):
             if c != 0:

@@ -122,6 +122,18 @@ def subideals(local: Local, ideal: flint.fmpq_mat, found: list[Rows]) -> Iterato
         yield unique_rows(flint.fmpq_mat([*parts, *below]))
 
 
+def coordinates_of_subideals(
+    local: Local, spans: list[flint.fmpq_mat], ideal: flint.fmpq_mat
+) -> Iterator[flint.fmpz_mat]:
+    """Yield the same in coordinates of the ideal; ``spans`` are the elements found, with their multiples."""
+    frame, inverse = local.frame, ideal.inv()
+    y = frame.left(_generator(local, ideal).entries()) * inverse
+    below = (local.times_prime(ideal) * inverse).numer_denom()[0].tolist()
+    for span in spans:
+        whole = flint.fmpz_mat([*(span * y).numer_denom()[0].tolist(), *below]).hnf()
+        yield flint.fmpz_mat(frame.size, frame.size, whole.entries()[: frame.size**2])
+
+
 def _generator(local: Local, ideal: flint.fmpq_mat) -> flint.fmpq_mat:
     """Return an element that generates an invertible ideal at P: its norm is that of the ideal there."""
     frame, rows = local.frame, ideal.tolist()

@@ -8,6 +8,7 @@ make one another; what takes an algorithm is a function on frames and rows in a 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -19,8 +20,10 @@ import flint
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.fields.number_fields.ideals import Ideal
+from hfield.fuchsian.group import NormOneGroup
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices.checked_arguments import checked_side, listed, natural
+from hfield.lattices.eigensystems import WithForms
 from hfield.lattices.over_integers import (
     class_sets,
     equivalence,
@@ -31,6 +34,7 @@ from hfield.lattices.over_integers import (
 )
 from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
 from hfield.lattices.over_integers.frames import Frame, frame_of
+from hfield.lattices.over_integers.hecke_modules import IntegersModule
 from hfield.lattices.over_integers.local_orders import Local, Rows
 from hfield.lattices.over_integers.quadratic_orders import IntegersEmbeddings
 
@@ -494,6 +498,23 @@ class IntegersOrder(IntegersLattice):
         kind = "a maximal order" if self.is_maximal() else "an order"
         return f"{kind} of {self.algebra} with the discriminant {self.discriminant()}"
 
+    # --- units, in an algebra that splits at one real place -----------------------------------------
+
+    def norm_one_group(self) -> NormOneGroup:
+        """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
+
+        Raises :class:`IndefiniteError` unless the field is totally real and exactly one real place splits.
+
+        >>> from hfield import QuaternionAlgebra, ring
+        >>> K = ring("QQ[s]/(s^3+s^2-2*s-1)")
+        >>> A = QuaternionAlgebra.from_ramification(K, K.real_places()[:2])
+        >>> G = A.maximal_order().norm_one_group(); G.area, G.signature
+        (Fraction(1, 42), Signature(genus=0, orders=(2, 3, 7), cusps=0))
+        """
+        from hfield.lattices.over_integers.split_order import SplitIntegersOrder
+
+        return NormOneGroup(SplitIntegersOrder(self))
+
     # --- units and classes, in a totally definite algebra ------------------------------------------
 
     def unit_index(self) -> int:
@@ -668,7 +689,7 @@ class IntegersIdeal(IntegersLattice):
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
 
 
-class IntegersClassSet(class_sets.Classes, Hinted):
+class IntegersClassSet(class_sets.Classes, WithForms, Hinted):
     """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -703,6 +724,23 @@ class IntegersClassSet(class_sets.Classes, Hinted):
     def left_orders(self) -> list[IntegersOrder]:
         """Return the left orders of the representatives, one a class."""
         return [I.left_order() for I in self]
+
+    @cached_property
+    def _forms(self) -> IntegersModule:
+        """The functions on the classes as a module of Hecke operators."""
+        frame = self.frame
+
+        def of_level(level: list[tuple[PrimeIdeal, int]]) -> IntegersClassSet:
+            primes = [frame.integers.prime(P) ** e for P, e in level]
+            ideal = math.prod(primes, start=frame.integers.one)
+            rows = local_orders.eichler(frame, self._maximal.rows, ideal)
+            return IntegersClassSet(IntegersOrder(frame, rows))
+
+        return IntegersModule(self, of_level)
+
+    @cached_property
+    def _maximal(self) -> IntegersOrder:
+        return self.order.maximal_overorder()
 
     def __repr__(self) -> str:
         return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
