@@ -12,10 +12,11 @@ from hfield.lattices.over_integers.lattices import IntegersLattice, IntegersOrde
 from hfield.lattices.over_integers.local_orders import Local
 from hfield.lattices.over_integers.orders import checked_ring
 
-# class numbers 1 and more, algebras ramified at finite places and not
+# class numbers 1 and more, algebras ramified at finite places and not; the last with a generator of K that is
+# no integer
 ALGEBRAS = ["(-1,-1|QQ(sqrt(5)))", "(-1,-3|QQ(sqrt(10)))", "(2,5|QQ(sqrt(-5)))",
             "(-1,-1|QQ[s]/(s^3-s^2-2*s+1))", "(-3,7|QQ(sqrt(-23)))",
-            "(-1,-1|QQ[s]/(s^4-s^3-3*s^2+s+1))"]  # fmt: skip
+            "(-1,-1|QQ[s]/(s^4-s^3-3*s^2+s+1))", "(8+3*s,4+7*s|QQ[s]/(2*s^2-3))"]  # fmt: skip
 
 
 def split_primes(A, *numbers):
