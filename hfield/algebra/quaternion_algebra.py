@@ -637,9 +637,7 @@ class QuaternionAlgebra(Hinted):
         >>> H("QQ").over_integers, H("QQ(sqrt(2))").over_integers
         (False, True)
         """
-        F = self.ring
-        over_z = isinstance(F, WithIntegers) and F.degree == 1
-        return bool(F.arithmetic and not F.characteristic and not over_z)
+        return isinstance(self.ring, WithIntegers) and self.ring.degree > 1
 
     def lattice(self, elements: Iterable[object]) -> Any:  # Lattice, or IntegersLattice
         """Return the lattice that elements span over ℤ, or over the integers of a number field.
