@@ -31,6 +31,7 @@ from hfield.lattices.over_integers import (
     local_orders,
     quadratic_orders,
     related_orders,
+    trace_forms,
 )
 from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
 from hfield.lattices.over_integers.frames import Frame
@@ -230,6 +231,18 @@ class IntegersLattice(Hinted):
     @cached_property
     def _volume(self) -> Ideal:
         return self.frame.volume(self.rows)
+
+    def elements_of_norm(self, norm: object) -> tuple[Quaternion, ...]:
+        """Return all elements of a norm in the field, of a totally definite algebra.
+
+        Raises :class:`IndefiniteError`, :class:`TooLargeError` for more than a million.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> len(QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().elements_of_norm(1))
+        120
+        """
+        wanted = self.frame.integers.inside(norm)
+        return tuple(trace_forms.all_of_norm(self.frame, self.rows, wanted))
 
     def index(self, other: IntegersLattice) -> Ideal:
         """Return the index ideal [L : M], fractional where M is not in L."""
