@@ -93,7 +93,7 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
     ("words", "hint"),
     [
         (["order", "(-1,-11|GF(7))"], "over QQ"),
-        (["order", "6"], "odd number of different primes"),
+        (["order", "4"], "product of different primes"),
         (["order", "11", "--level", "22"], "in common"),
         (["order", "11", "--level", "x"], "positive integer"),
         (["order", "11", "--generators", "i"], "rank 2"),
