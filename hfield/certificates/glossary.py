@@ -123,8 +123,12 @@ QUATERNION_ROOT = (
 REAL_ROOTS = "every number that is not negative is a square in RR"
 MASS = "the ideal classes of an order have the mass that its Eichler symbols give (Eichler's mass formula)"
 COMPLEX_ROOTS = "every number is a square in CC"
-MINKOWSKI = "each class of a number field has an ideal of norm at most (4/π)^r₂·n!/nⁿ·√|D| (Minkowski)"
-REDUCED_FORMS = "each class of a quadratic field has an ideal of norm at most √(|D|/3), or √(D/5) for D > 0"
+MINKOWSKI = (
+    "each class of a number field has an ideal of norm at most (4/π)^r₂·n!/nⁿ·√|D| (Minkowski)"
+)
+REDUCED_FORMS = (
+    "each class of a quadratic field has an ideal of norm at most √(|D|/3), or √(D/5) for D > 0"
+)
 FRIEDMAN = "the regulator of a number field of positive unit rank is at least 0.2052 (Friedman)"
 ARTIN = "a unit ε > 1 of a cubic field with one real place has 4ε³ + 24 > |D| (Artin)"
 CUSICK = "the regulator of a totally real cubic field is at least log²(D/4)/16 (Cusick)"
