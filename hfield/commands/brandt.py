@@ -58,7 +58,8 @@ def run(args: Namespace) -> int:
 def _answer(args: Namespace, n: int) -> Answer:
     from hfield.primality import is_prime
 
-    A, level = algebra_of(args.algebra), level_of(args.level)
+    A = algebra_of(args.algebra)
+    level = level_of(args.level, A)
     O = A.eichler_order(level)
     sparse = args.format == "edges" and is_prime(n) and not args.plot
     _announce(A.class_number(level), sparse, args.format in ("plain", "json"))

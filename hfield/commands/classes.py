@@ -50,7 +50,8 @@ def run(args: Namespace) -> int:
 
 
 def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
-    A, level = algebra_of(args.algebra), level_of(args.level)
+    A = algebra_of(args.algebra)
+    level = level_of(args.level, A)
     O = A.eichler_order(level)
     number, mass = A.class_number(level), O.mass()
     if args.formula:

@@ -176,9 +176,13 @@ class Classes(Certified):
         order = self.ring
         for p, e in sorted(factorise(order.discriminant).items()):
             if is_maximal_or_eichler(order, p, e):
-                ideal = two_sided_prime(order, p)
-                return [self._index(product(lattice, ideal)) for lattice in self._lattices]
+                return self.exchanged_at(p)
         return list(range(len(self)))
+
+    def exchanged_at(self, p: int) -> list[int]:
+        """Return which class each becomes by the two-sided ideal at a prime."""
+        ideal = two_sided_prime(self.ring, p)
+        return [self._index(product(lattice, ideal)) for lattice in self._lattices]
 
     @property
     def type_number(self) -> int:

@@ -32,6 +32,7 @@ from hfield.primality import is_prime, primes
 from hfield.rings.balls import precision
 
 MAX_BOUND = 20_000  # of the norms of primes that generate the class group
+LEAST_BOUND = 5
 MAX_SATURATED = 20_000  # primes at which a group of units is shown to be saturated
 MAX_ROOTS = 50_000  # choices of conjugates of a root
 TRIES = 400
@@ -51,7 +52,8 @@ class SUnits:
         self.rng = Random(1)
         real, complex_ = self.field.signature
         self.rank = real + complex_ - 1
-        self.bound = minkowski(frame)
+        # at least some primes, so that elements of one norm give units where few short ones are units
+        self.bound = max(minkowski(frame), LEAST_BOUND if self.rank else 1)
         if self.bound > MAX_BOUND:
             raise TooLargeError(
                 f"the class group of {shorten(frame.ring.name)} asks for all prime ideals of norm up to "

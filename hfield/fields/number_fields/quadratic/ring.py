@@ -146,6 +146,15 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
                     out += [self.divide(y - self(g[1]), self(2)) for y in (root, -root)]
         return out
 
+    def irreducible_factors(self, coefficients: Sequence[Surd]) -> list[list[Surd]]:
+        """Return the monic irreducible factors of a polynomial that is not 0, each once."""
+        from hfield.fields.number_fields.quadratic import as_number_field as same
+
+        field = same.as_number_field(self)
+        inside = [same.into_number_field(field, x, self.d) for x in coefficients]
+        factors = field.irreducible_factors(inside)
+        return [[same.from_number_field(self, x) for x in f] for f in factors]
+
     @property
     def level(self) -> Known:
         """∞ for d > 0; else 1 for d = −1, 4 where −d ≡ 7 mod 8, and 2 for all others."""
