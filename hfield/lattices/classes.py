@@ -180,7 +180,12 @@ class Classes(Certified):
         return list(range(len(self)))
 
     def exchanged_at(self, p: int) -> list[int]:
-        """Return which class each becomes by the two-sided ideal at a prime."""
+        """Return which class each becomes by the two-sided ideal at a prime. Raises :class:`LatticeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(11).eichler_order(3).class_set().exchanged_at(3)
+        [1, 0, 2, 3]
+        """
         ideal = two_sided_prime(self.ring, p)
         return [self._index(product(lattice, ideal)) for lattice in self._lattices]
 

@@ -256,16 +256,16 @@ class WithForms:
 
     @property
     @abstractmethod
-    def forms(self) -> Module:
+    def _forms(self) -> Module:
         """The functions on the classes as a module of Hecke operators."""
 
     def cusp_dimension(self) -> int:
         """Return the dimension of the cusp forms."""
-        return self.forms.cusp_dimension
+        return self._forms.cusp_dimension
 
     def new_dimension(self) -> int:
         """Return the dimension of the newforms."""
-        return self.forms.new_dimension
+        return self._forms.new_dimension
 
     def newforms(self) -> list[Newform]:
         """Return the newforms with rational eigenvalues: ``f[P]``, and ``f.signs``, of Atkin and Lehner.
@@ -276,7 +276,7 @@ class WithForms:
         >>> f = QuaternionAlgebra(37).maximal_order().class_set().newforms()[0]; f, f.signs
         (a newform with the eigenvalues 2: -2, 3: -3, 5: -2, 7: -1, 11: -5, …, {37: 1})
         """
-        return self.forms.newforms
+        return self._forms.newforms
 
 
 def _trace(matrix: flint.fmpq_mat) -> int:

@@ -782,7 +782,7 @@ class ClassSet(Classes, WithForms, Hinted):
         return [I.left_order() for I in self]
 
     @cached_property
-    def forms(self) -> RationalModule:
+    def _forms(self) -> RationalModule:
         """The functions on the classes as a module of Hecke operators."""
         return RationalModule(self)
 

@@ -11,7 +11,7 @@ from math import factorial, isqrt
 
 from hfield.certificates.number_fields.integers import determinant
 from hfield.certificates.rejection import reject
-from hfield.certificates.scalars.irreducible import BITS, Disc, root_discs
+from hfield.certificates.scalars.number_fields import BITS, Disc, root_discs
 from hfield.certificates.work import charge
 
 DIGITS = 400

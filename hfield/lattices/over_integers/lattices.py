@@ -713,7 +713,7 @@ class IntegersClassSet(class_sets.Classes, WithForms, Hinted):
         return [I.left_order() for I in self]
 
     @cached_property
-    def forms(self) -> IntegersModule:
+    def _forms(self) -> IntegersModule:
         """The functions on the classes as a module of Hecke operators."""
         frame = self.frame
 

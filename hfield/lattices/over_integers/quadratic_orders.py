@@ -119,11 +119,8 @@ def _orbits(frame: Frame, rows: flint.fmpq_mat, elements: list[flint.fmpq_mat]) 
     """Return how many orbits there are under conjugation by the units of an order."""
     if not elements:
         return 0
-    forms = trace_forms(frame)
-    maps = [
-        forms.left_rational(u.entries()) * frame.right(u.entries()).inv()
-        for u in units(frame, rows)
-    ]
+    every = (u.entries() for u in units(frame, rows))
+    maps = [frame.left(u) * frame.right(u).inv() for u in every]
     left, orbits = {str(s): s for s in elements}, 0
     while left:
         s = next(iter(left.values()))

@@ -33,7 +33,7 @@ class TraceForms:
         totally_real = field.signature == (field.degree, 0)
         if not totally_real or not all(_positive(field, -x) for x in (frame.a, frame.b)):
             why = (
-                f"{shorten(field.name)} is not totally real, so no algebra over it is definite"
+                f"{shorten(frame.integers.ring.name)} is not totally real, so no algebra over it is definite"
                 if not totally_real
                 else f"{shorten(frame.algebra)} is split at a real place, so it is not totally definite"
             )
