@@ -123,8 +123,8 @@ QUATERNION_ROOT = (
 )
 REAL_ROOTS = "every number that is not negative is a square in RR"
 MASS = "the ideal classes of an order have the mass that its Eichler symbols give (Eichler's mass formula)"
-SHIMIZU = "the area of the plane modulo the units of norm 1 is what the Eichler symbols give (Shimizu's formula)"
-POINCARE = "the pairing of its sides generates the group of a domain, and its corners give all relations (Poincaré)"
+SHIMIZU = "the units of norm 1 of an order have the area that its Eichler symbols give (Shimizu's formula)"
+POINCARE = "what pairs the sides of a domain generates its group, its corners give all relations (Poincaré)"
 COMPLEX_ROOTS = "every number is a square in CC"
 MINKOWSKI = (
     "each class of a number field has an ideal of norm at most (4/π)^r₂·n!/nⁿ·√|D| (Minkowski)"
@@ -150,7 +150,7 @@ THEOREMS = {
     REAL_ROOTS: "Rudin, Principles of Mathematical Analysis, theorem 1.21",
     MASS: "Voight, Quaternion Algebras, theorem 26.1.5, for every order of a definite algebra over QQ",
     SHIMIZU: "Voight, Quaternion Algebras, theorem 39.1.8 and lemma 26.6.7, for every order over ZZ",
-    POINCARE: "Voight, Quaternion Algebras, theorem 37.5.3; Maskit, Advances in Mathematics 7 (1971), 219-230",
+    POINCARE: "Voight, Quaternion Algebras, theorem 37.5.3; Maskit, Adv. Math. 7 (1971), 219-230",
     MINKOWSKI: "Neukirch, Algebraic Number Theory, chapter I, section 5 and exercise 3 of section 6",
     REDUCED_FORMS: "Cassels, An Introduction to the Geometry of Numbers, chapter II, theorems II and IV",
     FRIEDMAN: "Friedman, Inventiones mathematicae 98 (1989), 599-622",

@@ -1,4 +1,4 @@
-"""Units of norm 1 of an indefinite order over ℚ: a polygon is their Dirichlet domain, since its area is theirs.
+"""Units of norm 1 of an indefinite order over ℚ: a polygon with their area is their Dirichlet domain.
 
 The plane is that of the elements of trace 0 with positive norm, up to positive factors, on the sheet of the
 centre c; g of norm 1 moves x to g·x·ḡ. Points and lines are rows of integers, and the polygon that lies
@@ -12,7 +12,7 @@ from functools import cached_property
 from itertools import product
 from math import gcd
 
-from hfield.certificates.orders.algebra import Algebra, Row, longest, times
+from hfield.certificates.orders.algebra import Row, longest, times
 from hfield.certificates.orders.lattice import Element, Lattice
 from hfield.certificates.orders.local_types import discriminant, eichler_symbol, factored
 from hfield.certificates.rejection import reject
@@ -79,9 +79,7 @@ class Domain:
             reject("the centre is no element of trace 0 and positive norm")
         for k in range(1, 4):
             v = tuple(int(k == m) for m in range(4))
-            u = tuple(
-                x - y for x, y in zip(self._times(c, v), self._times(v, c), strict=True)
-            )
+            u = tuple(x - y for x, y in zip(self._times(c, v), self._times(v, c), strict=True))
             size = self._pairing(u, u)
             if size > 0:
                 reject("the algebra is definite")
@@ -113,7 +111,7 @@ class Domain:
         return (a, b, d)
 
     def _need_polygon(self) -> None:
-        """Reject unless the lines bound a convex polygon, in order, once around, with corners at most at infinity.
+        """Reject unless the lines bound a convex polygon, in order, with corners at most at infinity.
 
         The forms f, positive at the centre, are the points (f₁/f₀, f₂/f₀) of the dual plane: corners of a
         convex polygon around 0 if they turn left there, seen from 0 and from one another, once around.
@@ -189,7 +187,7 @@ class Domain:
 
     @cached_property
     def elliptic(self) -> list[int]:
-        """The orders of the elliptic points, ascending; a side that is its own partner has one in its middle."""
+        """The orders of the elliptic points, ascending; one is in the middle of a side paired with itself."""
         halves = [2 for n, partner in enumerate(self.partners) if n == partner]
         return sorted([*halves, *(c.order for c in self.cycles if c.order > 1)])
 
