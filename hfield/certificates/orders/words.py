@@ -257,7 +257,7 @@ def _is_group(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Fin
     units = [an_element(x) for x in a_list(data["units"], "units")]
     domain = Domain(an_order(algebra, parts[0]), an_element(data["center"]), units)
     stated = (a_rational(parts[1]), list(numbers_of(parts[2])), a_rational(parts[3]))
-    if stated != (domain.genus, domain.elliptic, domain.cusps):
+    if stated != (domain.genus, domain.elliptic, Fraction(domain.cusps)):
         reject("the group has another signature")
     generators, relations = domain.presentation()
     if elements_of(parts[4]) != generators or list(words_of(parts[5])) != relations:
