@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
-from hfield.rings.base import Ring
+
+if TYPE_CHECKING:
+    from hfield.rings.base import Ring
 
 
 def by_square_roots(ring: Any, coefficients: Sequence[Any]) -> list[list[Any]]:
