@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -10,9 +11,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, shorten
+from hfield.factorisation import factorise
 from hfield.fuchsian import presentation
 from hfield.fuchsian.presentation import Word
-from hfield.fuchsian.split_order import SplitOrder
+from hfield.fuchsian.split_order import RationalOrder, SplitOrder
 
 if TYPE_CHECKING:
     from hfield.fuchsian import dirichlet
@@ -25,6 +27,31 @@ class Signature(NamedTuple):
     genus: int
     orders: tuple[int, ...]
     cusps: int
+
+
+def signature_of(
+    partners: Sequence[int], cycles: Sequence[dirichlet.Cycle], area: Fraction
+) -> Signature:
+    """Return the signature of the group with a domain."""
+    orders = [c.order for c in cycles if c.order > 1]
+    orders += [2 for n, partner in enumerate(partners) if n == partner]
+    cusps = sum(c.order == 0 for c in cycles)
+    twice = area + 2 - cusps - sum(1 - Fraction(1, m) for m in orders)
+    if twice % 2 or twice < 0:
+        raise ArithmeticError("the angles and the area of a domain do not agree")
+    return Signature(int(twice / 2), tuple(sorted(orders)), cusps)
+
+
+class Quotient(NamedTuple):
+    """The plane modulo a group between the units of norm 1 and the normaliser of an order.
+
+    ``elements`` has for each norm an element of the normaliser: these represent the larger group modulo the
+    smaller.
+    """
+
+    signature: Signature
+    area: Fraction
+    elements: dict[int, Quaternion]
 
 
 @dataclass(frozen=True)
@@ -112,19 +139,13 @@ class NormOneGroup:
 
         For Eichler orders over ℤ they are counted by optimal embeddings too; both agree, or this raises.
         """
-        domain = self._domain
-        orders = [c.order for c in domain.cycles if c.order > 1]
-        orders += [2 for n, partner in enumerate(domain.partners) if n == partner]
-        cusps = sum(c.order == 0 for c in domain.cycles)
-        twice = self.area + 2 - cusps - sum(1 - Fraction(1, m) for m in orders)
+        found = signature_of(self._domain.partners, self._domain.cycles, self.area)
         counted = (self.order.elliptic_points(2), self.order.elliptic_points(3))
-        if (
-            twice % 2
-            or self.order.cusps() not in (None, cusps)
-            or any(n not in (None, orders.count(m)) for m, n in zip((2, 3), counted, strict=True))
+        if self.order.cusps() not in (None, found.cusps) or any(
+            n not in (None, found.orders.count(m)) for m, n in zip((2, 3), counted, strict=True)
         ):
             raise ArithmeticError("the domain and the formulas for the signature do not agree")
-        return Signature(int(twice / 2), tuple(sorted(orders)), cusps)
+        return found
 
     # --- the domain --------------------------------------------------------------------------------
 
@@ -166,6 +187,30 @@ class NormOneGroup:
             ):
                 return c
         raise LatticeError(f"no point near {z} that units do not fix was found")
+
+    # --- larger groups -----------------------------------------------------------------------------
+
+    def quotient(self, *norms: int) -> Quotient:
+        """Return the plane modulo this group and the Atkin–Lehner involutions with these norms, or all.
+
+        Norms are exact divisors of the discriminant of an Eichler order over ℤ. Raises
+        :class:`LatticeError` for others, and :class:`TooLargeError` where none was found.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 3]).maximal_order().norm_one_group()
+        >>> G.quotient().signature
+        Signature(genus=0, orders=(2, 4, 6), cusps=0)
+        """
+        if not isinstance(self.order, RationalOrder):
+            raise LatticeError("involutions of Atkin and Lehner are known here for orders over ZZ")
+        from hfield.fuchsian import normaliser
+
+        whole = self.order.order.discriminant
+        every = norms or tuple(p**e for p, e in factorise(whole).items())
+        elements = normaliser.generated(self.order, every)
+        _, partners, cycles = normaliser.domain(self.order, elements, self.area)
+        area = self.area / len(elements)
+        return Quotient(signature_of(partners, cycles, area), area, elements)
 
     # --- the presentation --------------------------------------------------------------------------
 

@@ -82,7 +82,7 @@ class Shape:
             side = self.beyond(2 * a * b / (abs(a) ** 2 + abs(b) ** 2))
             done.append(rows[(side < 0) & (abs(b) > 1e-6)])
             rows, side = rows[side >= 0], side[side >= 0]
-            rows = np.einsum("nj,njk->nk", rows, self._back[side])
+            rows = self.sight.times(self._back[side], rows)
         return np.concatenate(done) if done else rows
 
     def cutting(self) -> Rows:
@@ -92,9 +92,7 @@ class Shape:
             inside = abs(corners) < 1 + NEAR
             side = self.beyond(moved(self.a.conj(), -self.b, corners))
             cut = inside & (side >= 0)
-            new.append(
-                np.einsum("nj,njk->nk", self.rows[side[cut]], self.sight.left(self.rows[cut]))
-            )
+            new.append(self.sight.times(self.sight.left(self.rows[cut]), self.rows[side[cut]]))
         return np.concatenate(new)
 
     def area(self) -> float:
@@ -103,7 +101,7 @@ class Shape:
         after, before = np.roll(z, -1), np.roll(z, 1)
         seen = (after - z) / (1 - z.conj() * after), (before - z) / (1 - z.conj() * before)
         angles = np.angle(seen[1] / seen[0]) % (2 * np.pi)
-        angles[abs(z) > 1 - 1e-7] = 0
+        angles[abs(self.corners) > 1 - 1e-10] = 0  # cusps
         return float((len(z) - 2) / 2 - angles.sum() / (2 * np.pi))
 
 

@@ -135,6 +135,33 @@ def test_eichler_orders_over_a_field() -> None:
         A.order(["2*i", "j"]).norm_one_group().area  # noqa: B018
 
 
+# the plane modulo the whole normaliser (Takeuchi; Elkies, ANTS III, 1998; X₀(11)⁺, X₀(37)⁺)
+STARS = {
+    (6, 1): (0, (2, 4, 6), 0), (10, 1): (0, (2, 2, 2, 3), 0), (14, 1): (0, (2, 2, 2, 4), 0),
+    (15, 1): (0, (2, 2, 2, 6), 0), (1, 11): (0, (2, 2, 2, 2), 1), (1, 37): (1, (2, 2, 2, 3), 1),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("D", "N"), STARS)
+def test_modulo_the_normaliser(D: int, N: int) -> None:
+    O = order(D, N)
+    star = O.norm_one_group().quotient()
+    assert star.signature == STARS[D, N]
+    for m, w in star.elements.items():
+        assert w.norm() == m
+        assert O.left_ideal([w]) == O.right_ideal([w])
+
+
+def test_some_involutions() -> None:
+    G = order(6).norm_one_group()
+    found = {m: G.quotient(m).signature.orders for m in (2, 3, 6)}
+    assert found == {2: (3, 4, 4), 3: (2, 6, 6), 6: (2, 2, 2, 3)}  # of index 2 in (2, 4, 6)
+    assert len(G.quotient(2, 3).elements) == 4
+    for m in (4, 5, 0):
+        with pytest.raises(LatticeError, match="exact divisor"):
+            G.quotient(m)
+
+
 def test_other_places_split() -> None:
     for field, b in (("QQ(sqrt(5))", 3), ("QQ(sqrt(5))", -1), ("QQ[s]/(s^3-2)", 3)):
         with pytest.raises(IndefiniteError, match="exactly one real place"):
