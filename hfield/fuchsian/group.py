@@ -10,7 +10,7 @@ from math import sqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import LatticeError, shorten
+from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.factorisation import factorise
 from hfield.fuchsian import presentation
 from hfield.fuchsian.presentation import Word
@@ -27,6 +27,10 @@ class Signature(NamedTuple):
     genus: int
     orders: tuple[int, ...]
     cusps: int
+
+
+CENTERS = 4
+"""So many centres are tried for a domain."""
 
 
 def signature_of(
@@ -163,7 +167,13 @@ class NormOneGroup:
     def _domain(self) -> Domain:
         from hfield.fuchsian import search
 
-        return self._around(search.free_center(self.order))
+        for n, c in enumerate(search.free_centers(self.order)):
+            try:
+                return self._around(c)
+            except TooLargeError:  # some centres see the plane worse than others
+                if n == CENTERS - 1:
+                    raise
+        raise TooLargeError("no centre that units do not fix was found; try center=")
 
     def _around(self, c: Quaternion) -> Domain:
         from hfield.fuchsian import dirichlet

@@ -31,14 +31,16 @@ class Shape:
         a, b = sight.motions(rows)
         dual = np.concatenate([a / b.conj(), SQUARE])
         every = hull(dual)
+        # without lines that only touch the polygon, at a vertex or cusp
+        starts = corners(dual[every])
+        every = [
+            n for n, x in zip(every, abs(starts - np.roll(starts, -1)), strict=True) if x > NEAR
+        ]
         sides = [n for n in every if n < len(rows)]
         self.bounds = np.zeros(len(rows), dtype=bool)
         self.bounds[sides] = True
         self.rows, self.a, self.b, self.dual = rows[sides], a[sides], b[sides], dual[sides]
-        before = np.roll(self.dual, 1)
-        area = (before.conj() * self.dual).imag
-        area[abs(area) < 1e-12] = 1e-12
-        self.corners = 1j * (before - self.dual) / area
+        self.corners = corners(self.dual)
         """Where each side begins, in Klein's model."""
         self.closed = len(sides) == len(every) and bool((abs(self.corners) < 1 + NEAR).all())
         self._back = sight.left(self.rows @ sight.bar)
@@ -64,7 +66,8 @@ class Shape:
         angle, half = np.angle(self.dual), np.arccos(1 / abs(self.dual))
         start, end = angle + half, np.roll(angle - half, -1)
         width = (end - start + 1) % (2 * np.pi) - 1
-        return start[width > NEAR], width[width > NEAR]
+        wide = width > 100 * NEAR  # else it is a cusp, rounded
+        return start[wide], width[wide]
 
     def inside(self, points: Any) -> Any:
         """Return images of points of Klein's model in the polygon."""
@@ -122,6 +125,14 @@ def grown(sight: Sight, rows: Rows, new: Rows) -> Shape:
             tried.update(map(tuple, new.tolist()))
         if not len(new):
             return shape
+
+
+def corners(dual: Any) -> Any:
+    """Return where each of the lines with these dual points meets the one before, in Klein's model."""
+    before = np.roll(dual, 1)
+    area = (before.conj() * dual).imag
+    area[abs(area) < 1e-12] = 1e-12
+    return 1j * (before - dual) / area
 
 
 def moved(a: Any, b: Any, z: Any) -> Any:

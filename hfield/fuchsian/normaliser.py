@@ -23,7 +23,7 @@ from hfield.fuchsian import dirichlet
 from hfield.fuchsian.growing import grown
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.polygon import Polygon
-from hfield.fuchsian.search import Rows, Sight, free_center
+from hfield.fuchsian.search import Rows, Sight, free_centers
 from hfield.fuchsian.split_order import RationalOrder
 from hfield.lattices import z_lattice
 from hfield.lattices.ideals_of_norm import two_sided_prime
@@ -48,7 +48,7 @@ def involution(order: RationalOrder, m: int) -> Quaternion:
     ideal: Any = lattice
     for other in ideals:
         ideal = z_lattice.meet(ideal, other)
-    found = Sight(Plane(order, free_center(order)), ideal.basis).of_norm(m)
+    found = Sight(Plane(order, next(free_centers(order))), ideal.basis).of_norm(m)
     if found is None:
         raise TooLargeError(f"no element of norm {m} that normalises the order was found")
     return found
@@ -88,7 +88,7 @@ def domain(
 
     Raises :class:`TooLargeError` where none was found.
     """
-    plane, rng = Plane(order, free_center(order)), random.Random(1)
+    plane, rng = Plane(order, next(free_centers(order))), random.Random(1)
     rows = np.array(order.rows(list(elements.values()))[1:]).reshape(-1, 4)
     for n in range(CENTERS):
         center = plane.nearby(0.4 * rng.random() * np.exp(6.28j * rng.random()), 5 + n // 4)

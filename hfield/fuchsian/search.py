@@ -143,8 +143,8 @@ def is_fixed(order: SplitOrder, center: Quaternion) -> bool:
     return bool((abs(found) < NEAR).any())
 
 
-def free_center(order: SplitOrder) -> Quaternion:
-    """Return an element of trace 0, of positive norm at the place, that no unit but ±1 seems to fix."""
+def free_centers(order: SplitOrder) -> Iterator[Quaternion]:
+    """Yield elements of trace 0, of positive norm at the place, that no unit but ±1 seems to fix."""
     _, i, j, _ = order.algebra.basis
     u = i - i.trace() / 2
     first = next(c for c in (u, j, u * j) if order.sign(order.scalar(c.norm())) > 0)
@@ -155,7 +155,7 @@ def free_center(order: SplitOrder) -> Quaternion:
         rng = random.Random(1)
         turns = (2 * cmath.pi * rng.random() for _ in range(1000))
         candidates = (plane.nearby(cmath.rect(rng.random() / 2, turn), 5) for turn in turns)
-    return next(c for c in candidates if not is_fixed(order, c))
+    return (c for c in candidates if not is_fixed(order, c))
 
 
 def _small(order: SplitOrder, sight: Sight) -> Iterator[Quaternion]:
