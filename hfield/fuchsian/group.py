@@ -109,9 +109,14 @@ class Domain:
     def draw(self, path: object, *, dark: bool = False, depth: int = 3) -> None:
         """Draw the domain and its images under words of up to ``depth`` sides, to a file .svg, .png or .pdf.
 
-        Sides of a pair have one colour; elliptic points and the centre are marked. Raises
-        :class:`hfield.errors.LatticeError` where the file cannot be written.
+        Sides of a pair have one colour; elliptic points and the centre are marked. To a file .html, a page on
+        which the centre is dragged. Raises :class:`hfield.errors.LatticeError` where the file
+        cannot be written.
         """
+        if str(path).endswith(".html"):
+            from hfield.fuchsian.page import write
+
+            return write(self, path)
         from hfield.fuchsian.picture import draw
 
         draw(self, path, dark=dark, depth=depth)

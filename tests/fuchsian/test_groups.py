@@ -1,6 +1,7 @@
 """Units of norm 1 of indefinite orders: known curves, words against products, domains against brute force."""
 
 import cmath
+import json
 import math
 import random
 from fractions import Fraction
@@ -276,6 +277,13 @@ def test_an_incomplete_domain_is_seen() -> None:
 
 def test_pictures(tmp_path) -> None:
     D = order(6).norm_one_group().domain()
+    D.draw(tmp_path / "c.html")
+    text = (tmp_path / "c.html").read_text(encoding="utf-8")
+    assert "{{" not in text
+    assert "://" not in text  # it asks nobody for anything
+    data = json.loads(text.split("const GROUP = ")[1].split(";\n")[0])
+    assert len(data["units"]) == len(D.sides)
+    assert all(abs(p * p + q * q - r * r - s * s - 1) < 1e-9 for p, q, r, s in data["units"])
     for name in ("a.svg", "b.png"):
         D.draw(tmp_path / name, dark=name == "b.png", depth=2)
         assert (tmp_path / name).stat().st_size > 5000
