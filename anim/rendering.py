@@ -82,10 +82,13 @@ class Scene:
             fractions = self.blur * ((np.arange(self.steps) + 0.5) / self.steps - 0.5)
             instants = instants + fractions * motion.clip.interval
             matrices = np.asarray(to_matrix(motion.at(instants)))
-        words = self.captions
+        words, spin = (
+            self.captions,
+            self._told[number][1] * float(np.ptp(instants)) if self.blur else 0.0,
+        )
         said = caption(words, motion.name, *self._told[number]) if words else ()
         trail = self._trail(number)
-        return Task(self.model, self.look, matrices, trail, motion.tips(instants), said)
+        return Task(self.model, self.look, matrices, trail, motion.tips(instants), said, spin)
 
     @cached_property
     def _told(self) -> list[tuple[float, float]]:
@@ -140,17 +143,17 @@ class Task:
     trail: NDArray[np.float64] | None
     places: NDArray[np.float64]
     said: tuple[str, ...] = ()
+    spin: float = 0.0
+    """How far the top turns about its own axis from the first to the last attitude, in radians."""
 
 
 def draw(task: Task) -> Frame:
     """Draw one frame, uint8 (height, width, 3)."""
-    brush, steps = _own.painter(task.model, task.look), len(task.matrices)
-    picture = brush.draw(task.matrices[0], task.trail, task.places[0])
-    if steps > 1:
-        total = picture.astype(np.uint32)
-        for matrix, place in zip(task.matrices[1:], task.places[1:], strict=True):
-            total += brush.draw(matrix, task.trail, place)
-        picture = ((2 * total + steps) // (2 * steps)).astype(np.uint8)
+    brush = _own.painter(task.model, task.look)
+    if len(task.matrices) == 1:
+        picture = brush.draw(task.matrices[0], task.trail, task.places[0])
+    else:
+        picture = brush.expose(task.matrices, task.trail, task.places, task.spin)
     if task.said:
         write(picture, task.said)
     return picture

@@ -16,6 +16,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 from anim.errors import AnimationError
+from anim.picture.room import room
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -32,7 +33,6 @@ KEYS = """<dt>l, p</dt><dd>launch the live top anew, push it</dd>
 <dt>esc</dt><dd>close this list</dd>
 """
 MODE = '<button id="mode" type="button" title="the live top or the film (m)"></button>\n'
-PAPER = "#eceff1"
 
 
 @dataclass(frozen=True)
@@ -99,6 +99,7 @@ def page(
         "fps": fps,
         "camera": {"azimuth": azimuth, "elevation": elevation, "distance": 9.5 / zoom},
         "model": _shape(model),
+        "room": room(),
         "shows": [
             {"label": show.label, "quaternions": _packed(show.attitudes, 4)}
             | ({} if show.places is None else {"places": _packed(show.places, 3)})
@@ -114,7 +115,7 @@ def page(
     text = _file("page.html")
     if background is None:
         text = text.replace('<html lang="en">', '<html lang="en" class="adaptive">')
-    style = _file("page.css").replace("{{paper}}", background or PAPER)
+    style = _style(background)
     script = "\n".join(
         _file(name) for name in (() if simulation is None else LIVE_SCRIPTS) + SCRIPTS
     )
@@ -140,11 +141,18 @@ def seeing() -> str:
     >>> "600-cell" in seeing()
     True
     """
-    parts = {"style": _file("page.css").replace("{{paper}}", PAPER), "script": _file("seeing.js")}
+    parts = {"style": _style(None), "script": _file("seeing.js")}
     text = _file("seeing.html")
     for name, part in parts.items():
         text = text.replace(f"{{{{{name}}}}}", part.rstrip())
     return text
+
+
+def _style(background: str | None) -> str:
+    """Return the page's style on the room's paper, or on one paper for light and dark."""
+    paper = room()["paper"]
+    style = _file("page.css").replace("{{paper}}", background or paper["light"])
+    return style.replace("{{dark}}", paper["dark"])
 
 
 def _shape(model: Model) -> dict[str, Any]:

@@ -630,8 +630,12 @@ class QuaternionAlgebra(Hinted):
     # --- lattices and orders: their room is imported on use ------------------------------------
 
     @property
-    def _over_integers(self) -> bool:
-        """Whether lattices are over the integers of a number field other than ℚ."""
+    def over_integers(self) -> bool:
+        """Whether lattices and orders are over the integers of a number field other than ℚ.
+
+        >>> H("QQ").over_integers, H("QQ(sqrt(2))").over_integers
+        (False, True)
+        """
         F = self.ring
         over_z = isinstance(F, WithIntegers) and F.degree == 1
         return bool(F.arithmetic and not F.characteristic and not over_z)
@@ -645,7 +649,7 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.lattice import Lattice
         from hfield.lattices.over_integers.orders import spanned
 
-        return spanned(self, elements) if self._over_integers else Lattice.spanned(self, elements)
+        return spanned(self, elements) if self.over_integers else Lattice.spanned(self, elements)
 
     def order(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
         """Return the order that elements generate as a ring, or over the integers of a number field.
@@ -659,7 +663,7 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.lattice import Order
         from hfield.lattices.over_integers.orders import generated
 
-        return generated(self, elements) if self._over_integers else Order.generated(self, elements)
+        return generated(self, elements) if self.over_integers else Order.generated(self, elements)
 
     def order_from_basis(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
         """Return the order with a basis of four elements; over ℤ_K, that elements or a pseudo-basis span.
@@ -669,7 +673,7 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.lattice import Order
         from hfield.lattices.over_integers.orders import order_of_basis
 
-        over = self._over_integers
+        over = self.over_integers
         return order_of_basis(self, elements) if over else Order.from_basis(self, elements)
 
     def maximal_order(self, factors: Factors | None = None) -> Order | IntegersOrder:
@@ -688,7 +692,7 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.over_integers import orders
 
         with known_primes(factors):
-            if self._over_integers:
+            if self.over_integers:
                 return orders.maximal_order(self)
             return Order(named_orders.maximal_order(self))
 
@@ -708,7 +712,7 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.over_integers import orders
 
         with known_primes(factors):
-            if self._over_integers:
+            if self.over_integers:
                 return orders.eichler_order(self, level)
             return Order(named_orders.eichler_order(self, level))
 

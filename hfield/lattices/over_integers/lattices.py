@@ -8,6 +8,7 @@ make one another; what takes an algorithm is a function on frames and rows in a 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -22,16 +23,20 @@ from hfield.fields.number_fields.ideals import Ideal
 from hfield.fuchsian.group import NormOneGroup
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices.checked_arguments import checked_side, listed, natural
+from hfield.lattices.eigensystems import WithForms
 from hfield.lattices.over_integers import (
     class_sets,
     equivalence,
     ideals_of_norm,
     local_orders,
+    quadratic_orders,
     related_orders,
 )
 from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
 from hfield.lattices.over_integers.frames import Frame
+from hfield.lattices.over_integers.hecke_modules import IntegersModule
 from hfield.lattices.over_integers.local_orders import Local, Rows
+from hfield.lattices.over_integers.quadratic_orders import IntegersEmbeddings
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -122,6 +127,18 @@ class IntegersLattice(Hinted):
 
     def __repr__(self) -> str:
         return f"a lattice of rank {self.frame.size} over ZZ in {self.algebra}"
+
+    def latex(self) -> str:
+        """Write the lattice as a sum of ideals times elements, and its algebra, in LaTeX."""
+        K: Any = self.algebra.ring
+        pairs = []
+        for ideal, q in self.pseudo_basis():
+            numbers = (K.text(x, "latex") for x in K.ideal(list(ideal)).generators)
+            pairs.append(rf"\left({', '.join(numbers)}\right)\left({q.text('latex')}\right)")
+        return rf"{' + '.join(pairs)} \subset {self.algebra.latex()}"
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex()}$"
 
     # --- arithmetic --------------------------------------------------------------------------------
 
@@ -305,6 +322,10 @@ class IntegersOrder(IntegersLattice):
         """
         return IntegersOrder(self.frame, local_orders.maximal(self.frame, self.rows, self.level))
 
+    def is_definite(self) -> bool:
+        """Tell whether the algebra is totally definite: units modulo those of the field are finitely many."""
+        return self.frame.is_definite
+
     def conductor(self) -> Ideal:
         """Return the largest ideal f with O = ℤ_K + f·G for an order G; 1 for a Gorenstein order."""
         return related_orders.conductor(self.frame, self.rows)
@@ -343,6 +364,33 @@ class IntegersOrder(IntegersLattice):
         local = Local(self.frame, self.frame.prime(prime))
         found = search(local, self.rows, natural(k, "the exponent of an index is"))
         return [IntegersOrder(self.frame, rows) for rows in found]
+
+    # --- elements ----------------------------------------------------------------------------------
+
+    def represent_integer(self, n: object) -> Quaternion | None:
+        """Return an element of norm n, an integer of the field, or None where there is none.
+
+        Decided by enumeration, or by a prime that forbids it. Raises :class:`IndefiniteError` unless the
+        algebra is totally definite, and :class:`UndecidedError` for large n.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(2))", -1, -1); M, s = A.maximal_order(), A.ring.gen
+        >>> A.order(["i", "j"]).represent_integer(2 + s), M.represent_integer(2 + s).norm()
+        (None, 2+sqrt(2))
+        """
+        return quadratic_orders.represent(self.frame, self.rows, n)
+
+    def embeddings(self, discriminant: object) -> IntegersEmbeddings:
+        """Return the optimal embeddings of the quadratic order of a totally negative discriminant.
+
+        Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); found = O.embeddings(-3)
+        >>> len(found), found.orbits, found.element**3
+        (20, 1, −1)
+        """
+        return quadratic_orders.embeddings(self.frame, self.rows, discriminant)
 
     # --- ideals ------------------------------------------------------------------------------------
 
@@ -395,8 +443,7 @@ class IntegersOrder(IntegersLattice):
         if prime not in self._known:
             local = Local(self.frame, prime)
             exponent = self.discriminant().valuation(prime)
-            ramified = prime in self.frame.ramified
-            found = ideals_of_norm.generators(local, self.rows, exponent, ramified)
+            found = ideals_of_norm.generators(local, self.rows, exponent)
             self._known[prime] = local, found
         return self._known[prime]
 
@@ -629,7 +676,7 @@ class IntegersIdeal(IntegersLattice):
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
 
 
-class IntegersClassSet(class_sets.Classes, Hinted):
+class IntegersClassSet(class_sets.Classes, WithForms, Hinted):
     """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -664,6 +711,23 @@ class IntegersClassSet(class_sets.Classes, Hinted):
     def left_orders(self) -> list[IntegersOrder]:
         """Return the left orders of the representatives, one a class."""
         return [I.left_order() for I in self]
+
+    @cached_property
+    def _forms(self) -> IntegersModule:
+        """The functions on the classes as a module of Hecke operators."""
+        frame = self.frame
+
+        def of_level(level: list[tuple[PrimeIdeal, int]]) -> IntegersClassSet:
+            primes = [frame.integers.prime(P) ** e for P, e in level]
+            ideal = math.prod(primes, start=frame.integers.one)
+            rows = local_orders.eichler(frame, self._maximal.rows, ideal)
+            return IntegersClassSet(IntegersOrder(frame, rows))
+
+        return IntegersModule(self, of_level)
+
+    @cached_property
+    def _maximal(self) -> IntegersOrder:
+        return self.order.maximal_overorder()
 
     def __repr__(self) -> str:
         return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
