@@ -7,6 +7,7 @@ from .model import Model as Model
 from .motion import Motion as Motion
 from .output import Film as Film
 from .physics import Body as Body
+from .physics import Contact as Contact
 from .physics import Launch as Launch
 from .physics import physical as physical
 from .picture.look import Camera as Camera

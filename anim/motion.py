@@ -17,7 +17,8 @@ from rotation.quaternions import inverse, normalised, product
 Floats = NDArray[np.float64]
 
 Sampler = Callable[[Floats], Floats]
-"""From instants (n,) in seconds of the motion to unit quaternions (n, 4) or matrices (n, 3, 3)."""
+"""From instants (n,) in seconds of the motion to unit quaternions (n, 4),
+or matrices (n, 3, 3), or points (n, 3)."""
 
 # Two instants this far apart, in seconds, tell the angular velocity: a top turns less than half a turn
 # between them up to 10⁵ rad/s.
@@ -46,7 +47,7 @@ class Record:
 class Motion:
     """How the top stands in each frame of a film. Immutable; made by :meth:`sample` or :meth:`through`.
 
-    Attitudes turn the model's coordinates into space: the tip stays at the origin, the ground is z = 0.
+    Attitudes turn the model's coordinates into space; the ground is z = 0.
 
     >>> from anim import kinematic
     >>> kinematic("product").attitudes.shape
@@ -61,16 +62,23 @@ class Motion:
     """Rotation matrices (frames, 3, 3), as computed by the motion's own method. Read-only."""
     sampler: Sampler
     record: Record | None = None
+    places: Sampler | None = None
+    """Where the tip is (n, 3) at instants (n,), in the model's unit; None: it stays at the origin."""
 
     @classmethod
     def sample(
-        cls, name: str, clip: Clip, sampler: Sampler, record: Record | None = None
+        cls,
+        name: str,
+        clip: Clip,
+        sampler: Sampler,
+        record: Record | None = None,
+        places: Sampler | None = None,
     ) -> "Motion":
-        """Return the motion whose attitude at each instant ``sampler`` gives."""
+        """Return the motion whose attitude at each instant ``sampler`` gives, and its place ``places``."""
         quaternions, matrices = _both(sampler(clip.times))
         for values in (quaternions, matrices):
             values.flags.writeable = False
-        return cls(name, clip, quaternions, matrices, sampler, record)
+        return cls(name, clip, quaternions, matrices, sampler, record, places)
 
     @classmethod
     def through(cls, name: str, clip: Clip, attitudes: ArrayLike) -> "Motion":
@@ -110,9 +118,16 @@ class Motion:
         """The angles between the top's axis and the vertical, (frames,), in radians."""
         return attitude.tilts(self.matrices[:, :, 2])
 
+    def tips(self, times: ArrayLike) -> Floats:
+        """Return where the tip is (n, 3) at any instants (n,) in seconds of the motion, held at its ends."""
+        instants = np.clip(np.asarray(times, dtype=np.float64), 0.0, self.clip.seconds)
+        if self.places is None:
+            return np.zeros((len(instants), 3))
+        return self.places(instants)
+
     def apex(self, height: float = APEX_HEIGHT) -> Floats:
         """Return the path (frames, 3) of the point at ``height`` on the top's axis, by default the apex."""
-        return np.asarray(height * self.matrices[:, :, 2])
+        return np.asarray(self.tips(self.times) + height * self.matrices[:, :, 2])
 
     def at(self, times: ArrayLike) -> Floats:
         """Return unit quaternions (n, 4) at any instants (n,) in seconds of the motion, held at its ends."""

@@ -15,11 +15,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.checks import real, whole
+from anim.checks import one_of, real, whole
 from anim.errors import AnimationError
 from anim.model import APEX_HEIGHT, Model
 from anim.motion import Motion
 from anim.picture import Look, painter
+from anim.picture.captions import WORDS, caption, write
 from hfield.executors import InProcess, ordered
 
 if TYPE_CHECKING:
@@ -36,9 +37,11 @@ Progress = Callable[[int, int], None]
 
 
 def framed(look: Look, motion: Motion) -> Look:
-    """Return the look, as close as the greatest tilt of a motion allows."""
+    """Return the look, as close as the greatest tilt and the way of a motion allow."""
     steepest = degrees(float(motion.tilts.max()))
-    return replace(look, tilt=min(90, FRAMED * ceil(steepest / FRAMED)))
+    x, y, _ = motion.tips(motion.times).T
+    room = (x.min(), x.max(), y.min(), y.max())
+    return replace(look, tilt=min(180, FRAMED * ceil(steepest / FRAMED)), room=room)
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +49,8 @@ class Scene:
     """All that decides the frames: the model, its motion, the look, and the blur.
 
     ``blur`` is the part of the time between two frames during which the shutter is open, 0 to 1; a
-    blurred frame is the mean of ``steps`` pictures. Raises :class:`~anim.errors.AnimationError`.
+    blurred frame is the mean of ``steps`` pictures. ``captions`` is the language, en or pl, in which formula,
+    tilt and spin are told; None: not at all. Raises :class:`~anim.errors.AnimationError`.
 
     >>> from anim import Look, Model, clip, kinematic
     >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), Look((32, 24)))
@@ -59,29 +63,51 @@ class Scene:
     look: Look
     blur: float = 0.0
     steps: int = 8
+    captions: str | None = None
 
     def __post_init__(self) -> None:
         if real("motion blur", self.blur, least=0) > 1:
             raise AnimationError(f"motion blur is {self.blur:g}; expected a number from 0 to 1")
         whole("the steps of the blur", self.steps, 2, 64)
+        if self.captions is not None:
+            one_of("captions", self.captions, WORDS)
 
     def task(self, number: int) -> Task:
         """Return what it takes to draw one frame; small, so that it travels to another process."""
         from rotation.matrices import to_matrix
 
-        matrices = self.motion.matrices[number][None]
+        motion, instants = self.motion, self.motion.times[number][None]
+        matrices = motion.matrices[number][None]
         if self.blur:
             fractions = self.blur * ((np.arange(self.steps) + 0.5) / self.steps - 0.5)
-            matrices = np.asarray(to_matrix(self.motion.between(number, fractions)))
-        return Task(self.model, self.look, matrices, self._trail(number))
+            instants = instants + fractions * motion.clip.interval
+            matrices = np.asarray(to_matrix(motion.at(instants)))
+        words, spin = (
+            self.captions,
+            self._told[number][1] * float(np.ptp(instants)) if self.blur else 0.0,
+        )
+        said = caption(words, motion.name, *self._told[number]) if words else ()
+        trail = self._trail(number)
+        return Task(self.model, self.look, matrices, trail, motion.tips(instants), said, spin)
+
+    @cached_property
+    def _told(self) -> list[tuple[float, float]]:
+        """Tilt in degrees and spin in rad/s of each frame."""
+        motion = self.motion
+        spins = motion.record.spins if motion.record else motion.spin_rates(motion.times)
+        return list(zip(np.degrees(motion.tilts).tolist(), spins.tolist(), strict=True))
 
     def _trail(self, number: int) -> NDArray[np.float64] | None:
         """Return the apex's path (k, 3) up to a frame, if it is to be drawn."""
         if not self.look.trace:
             return None
         places, points = self._path
-        here = APEX_HEIGHT * self.motion.matrices[number, :, 2]
+        here = self._apexes[number]
         return np.vstack([points[: np.searchsorted(places, number)], here])
+
+    @cached_property
+    def _apexes(self) -> NDArray[np.float64]:
+        return self.motion.apex()
 
     @cached_property
     def _path(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -97,7 +123,7 @@ class Scene:
         between = -(-FINE // clip.frames)
         places = np.linspace(0, clip.frames - 1, (clip.frames - 1) * between + 1)
         turned = np.asarray(to_matrix(self.motion.at(places * clip.interval)))
-        path = APEX_HEIGHT * turned[:, :, 2]
+        path = APEX_HEIGHT * turned[:, :, 2] + self.motion.tips(places * clip.interval)
         # The top is about two units wide at least, and no wider than the picture.
         pixel = 2 / (max(self.look.size) * self.look.camera.zoom)
         kept = thinned(path, pixel * UNSEEN)
@@ -106,23 +132,31 @@ class Scene:
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """One frame: attitudes (steps, 3, 3) to draw and average, and the apex's path so far, (k, 3)."""
+    """One frame: attitudes (steps, 3, 3) and places (steps, 3) of the tip to draw and average.
+
+    ``trail`` is the apex's path so far, (k, 3); ``said`` the lines to be written over the picture.
+    """
 
     model: Model
     look: Look
     matrices: NDArray[np.float64]
     trail: NDArray[np.float64] | None
+    places: NDArray[np.float64]
+    said: tuple[str, ...] = ()
+    spin: float = 0.0
+    """How far the top turns about its own axis from the first to the last attitude, in radians."""
 
 
 def draw(task: Task) -> Frame:
     """Draw one frame, uint8 (height, width, 3)."""
     brush = _own.painter(task.model, task.look)
     if len(task.matrices) == 1:
-        return brush.draw(task.matrices[0], task.trail)
-    total = np.zeros((*task.look.size[::-1], 3), dtype=np.uint32)
-    for matrix in task.matrices:
-        total += brush.draw(matrix, task.trail)
-    return ((2 * total + len(task.matrices)) // (2 * len(task.matrices))).astype(np.uint8)
+        picture = brush.draw(task.matrices[0], task.trail, task.places[0])
+    else:
+        picture = brush.expose(task.matrices, task.trail, task.places, task.spin)
+    if task.said:
+        write(picture, task.said)
+    return picture
 
 
 class _Painters(local):

@@ -33,15 +33,13 @@ class Top:
 
     def page(self) -> str:
         """Return the web page in which the top turns, as HTML; one that obeys physics is live on it."""
-        from anim.physics import HeavyTop
+        from anim.physics import FreeTop, HeavyTop
         from anim.viewer import Show, curves_of, page
 
-        shows = [Show(self.motion.name, self.motion.attitudes)]
-        followed = self.motion.sampler
-        live = followed if isinstance(followed, HeavyTop) else None
-        return page(
-            self.model, shows, self.motion.fps, curves=curves_of(self.motion), simulation=live
-        )
+        followed, curves = self.motion.sampler, curves_of(self.motion)
+        live = followed if isinstance(followed, (HeavyTop, FreeTop)) else None
+        shows = [Show.of(self.motion)]
+        return page(self.model, shows, self.motion.fps, curves=curves, simulation=live)
 
     def save(self, path: str | Path, look: Look | None = None, force: bool = False) -> None:
         """Write a film, in the format of the suffix; without ``look`` shaded, with trace and shadow.

@@ -6,7 +6,7 @@ import pytest
 
 import anim
 import hfield
-from hfield import GF, QQ, H, QuaternionAlgebra, errors, explain, info, prove, ring, verify
+from hfield import CC, GF, QQ, H, QuaternionAlgebra, errors, explain, info, prove, ring, verify
 
 
 @pytest.mark.parametrize(
@@ -19,6 +19,11 @@ def test_algebras(named) -> None:
     assert A.discriminant() == 11
 
 
+def test_indefinite_algebras_by_their_discriminant() -> None:
+    assert QuaternionAlgebra(6).ramified_places() == (2, 3)
+    assert QuaternionAlgebra(1).ramified_places() == ()
+
+
 def test_algebras_over_the_field_of_their_constants() -> None:
     K = ring("QQ[s]/(s^3-2)")
     assert QuaternionAlgebra(K.gen, -1) == QuaternionAlgebra(K, K.gen, -1)
@@ -26,7 +31,7 @@ def test_algebras_over_the_field_of_their_constants() -> None:
 
 
 @pytest.mark.parametrize(
-    "named", [(12,), (6,), (-11,), (GF(9),), (GF(9), 1), (None,), (True,), ("11|",)]
+    "named", [(12,), (0,), (-11,), (GF(9),), (GF(9), 1), (None,), (True,), ("11|",)]
 )
 def test_what_names_no_algebra(named) -> None:
     with pytest.raises(errors.HFieldError):
@@ -106,3 +111,18 @@ def test_public_classes() -> None:
     assert isinstance(QuaternionAlgebra(11).maximal_order().class_set(), hfield.ClassSet)
     assert anim.Scene
     assert anim.Film
+
+
+def test_claims_in_lists() -> None:
+    assert (
+        verify(["theorem-3", "centre"], field="QQ").rows
+        == verify("theorem-3", "centre", field="QQ").rows
+    )
+    with pytest.raises(errors.HFieldError, match="fields are field="):
+        verify("theorem-3", GF(9))
+
+
+def test_complex_floats_are_told_how_to_be_written() -> None:
+    with pytest.raises(errors.CoercionError, match=r"'0 \+ 1\*I'"):
+        H(CC)(1j)
+    assert H(CC)("0 + 1*I") == H(CC)("I")

@@ -30,7 +30,7 @@ NAMES = {
         vee warm_up
     """,
     "anim": """
-        AnimationError Body Camera Clip Film Launch Look Model Motion PIPELINES Scene Timeline Top
+        AnimationError Body Camera Clip Contact Film Launch Look Model Motion PIPELINES Scene Timeline Top
         apparent_spin clip compare errors kinematic physical render
     """,
 }

@@ -8,7 +8,7 @@ from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _
 from anim.picture.styles import STYLES
 from hfield.commands.parser import add_format, processes
 
-MODELS = ("quaternions", "product", "euler", "matrix", "physics")
+MODELS = ("free", "physics", "quaternions", "product", "euler", "matrix")
 PRESETS = (
     "ultrafast",
     "superfast",
@@ -53,7 +53,7 @@ def declare(parser: ArgumentParser) -> None:
     )
     _motion(parser.add_argument_group("the motion"))
     _picture(parser.add_argument_group("the picture"))
-    _physics(parser.add_argument_group("the heavy top (--model physics), in SI units"))
+    _physics(parser.add_argument_group("the heavy top (--model free or physics), in SI units"))
     add_format(parser, "plain", "json")
 
 
@@ -62,7 +62,10 @@ def _motion(group: _ArgumentGroup) -> None:
         "--model",
         choices=MODELS,
         metavar="M",
-        help=f"{', '.join(MODELS)} (default: quaternions; for .html the first four, side by side)",
+        help="free: a heavy top that precesses, nods, falls and rolls out (the default); physics: one whose "
+        "tip is held; the thesis's four ways: "
+        + ", ".join(MODELS[2:])
+        + " (an .html has all four)",
     )
     group.add_argument(
         "--frames", type=int, metavar="N", help="frames of the same motion (default: 500)"
@@ -127,6 +130,13 @@ def _picture(group: _ArgumentGroup) -> None:
         help="azimuth, elevation in degrees, distance, zoom (default: -60,20,12,1); "
         "with parallel at the end, parallel rays",
     )
+    group.add_argument(
+        "--captions",
+        nargs="?",
+        const="en",
+        choices=("en", "pl"),
+        help="write formula, tilt and spin in the corner, in English or Polish",
+    )
     group.add_argument("--background", metavar="COLOUR", help="such as white or '#f5f2ea'")
     for name, text in (("trace", "the path of the apex"), ("shadow", "the shadow on the ground")):
         group.add_argument(
@@ -149,23 +159,29 @@ def _physics(group: _ArgumentGroup) -> None:
     for name, text in (
         (
             "spin-rate",
-            "rad/s about its own axis (default: a tenth above the spin at which it sleeps)",
+            "rad/s about its own axis (default: a tenth above the spin at which it sleeps; free: 36)",
         ),
-        ("tilt", "degrees between its axis and the vertical (default: 5.7)"),
-        ("precession", "rad/s of its axis around the vertical (default: 0)"),
+        ("tilt", "degrees between its axis and the vertical (default: 5.7; free: 20)"),
+        ("precession", "rad/s of its axis around the vertical (default: 0; free: -1.5)"),
         ("gravity", "m/s² (default: 9.80665)"),
         ("mass", "kg (default: 1)"),
         ("density", "kg/m³, in place of the mass"),
         ("scale", "m, the radius of the rim (default: 0.5)"),
-        ("spin-decay", "s in which friction slows the spin to 1/e; inf: none (default: 40)"),
+        (
+            "spin-decay",
+            "s in which friction slows the spin to 1/e; inf: none (default: 40; free: 30)",
+        ),
         ("tilt-decay", "s for the swing of the axis (default: 12)"),
+        ("tip-radius", "m, of the ball on which a free top stands (default: 0.02)"),
+        ("friction", "μ between a free top and the ground (default: 0.5)"),
+        ("rolling", "m, the arm of the ground's resistance to rolling (default: 0.01)"),
     ):
         group.add_argument(f"--{name}", type=float, metavar="X", help=text)
     group.add_argument(
         "--seed",
         type=int,
         metavar="N",
-        help="physics: lean to a random side (default: to the x axis)",
+        help="lean to a random side (default: to the x axis)",
     )
 
 

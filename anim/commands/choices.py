@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import Namespace
 from dataclasses import replace
 from math import pi, radians
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from anim.commands.arguments import MODELS
 from hfield.commands.parser import UsageError
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from anim.film import Clip
     from anim.model import Model
     from anim.motion import Motion
-    from anim.physics import HeavyTop
+    from anim.physics import FreeTop, HeavyTop
     from anim.picture import Camera, Look
     from anim.timeline import Timeline
 
@@ -22,6 +22,8 @@ PHYSICS_ONLY = (
     *("spin_rate", "tilt", "precession", "gravity", "mass", "density", "scale"),
     *("spin_decay", "tilt_decay"),
 )
+FREE_ONLY = ("tip_radius", "friction", "rolling")
+READING = {"spin": "absolute", "order": "spin-first", "angle": "quarter", "euler": "zyx"}
 
 
 def model_of(args: Namespace) -> Model:
@@ -56,30 +58,40 @@ def numbers_of(args: Namespace, clip: Clip) -> list[int]:
 
 
 def motions_of(args: Namespace, model: Model, film: Clip) -> list[Motion]:
-    """Return the motion that the flags describe; for a page without ``--model``, all four of the thesis."""
+    """Return the motion that the flags describe; for a page without ``--model``, all four of the thesis.
+
+    Flags of the thesis's motion, or of the heavy top, choose the model where none is named.
+    """
     from anim.output.writing import PAGE
     from anim.pipelines import PIPELINES, kinematic
 
-    if args.model == "physics":
-        return [_heavy(args, model, film)]
-    for name in PHYSICS_ONLY:
-        if getattr(args, name) is not None:
-            raise UsageError(f"--{name.replace('_', '-')} belongs to --model physics")
-    reading = _reading(args)
-    if args.model is None and args.output.lower().endswith(PAGE):
-        return [kinematic(name, film, reading) for name in PIPELINES]
-    return [kinematic(args.model or MODELS[0], film, reading)]
+    read = any(getattr(args, name) != usual for name, usual in READING.items())
+    heavy = any(getattr(args, name) is not None for name in PHYSICS_ONLY + FREE_ONLY)
+    page = args.output.lower().endswith(PAGE)
+    chosen = args.model or ("quaternions" if read and not heavy else MODELS[0])
+    if args.model is None and page and not heavy:
+        return [kinematic(name, film, _reading(args)) for name in PIPELINES]
+    for names, models in ((PHYSICS_ONLY, MODELS[:2]), (FREE_ONLY, MODELS[:1])):
+        for name in names:
+            if getattr(args, name) is not None and chosen not in models:
+                flag = name.replace("_", "-")
+                raise UsageError(f"--{flag} belongs to --model {' or '.join(models)}")
+    if chosen in MODELS[:2]:
+        return [_heavy(args, model, film, chosen == MODELS[0])]
+    return [kinematic(chosen, film, _reading(args))]
 
 
-def simulated(args: Namespace, model: Model, motion: Motion) -> HeavyTop | None:
+def simulated(args: Namespace, model: Model, motion: Motion) -> HeavyTop | FreeTop | None:
     """Return the top that a page computes live: that of physics, also beside the thesis's four ways."""
-    from anim.physics import Body, HeavyTop, Launch
+    from anim.physics import Body, FreeTop, HeavyTop
+    from anim.physics.simulate import STORY
 
-    if isinstance(motion.sampler, HeavyTop):
+    if isinstance(motion.sampler, (HeavyTop, FreeTop)):
         return motion.sampler
     if args.model is not None:
         return None
-    return HeavyTop(Body.turned(model.profile), Launch(), motion.clip.seconds)
+    launch, contact = STORY
+    return FreeTop(Body.turned(model.profile), launch, motion.clip.seconds, contact)
 
 
 def camera_of(args: Namespace) -> Camera:
@@ -110,9 +122,10 @@ def _reading(args: Namespace) -> Timeline:
     return Timeline(args.spin, args.order, angle, args.euler)
 
 
-def _heavy(args: Namespace, model: Model, film: Clip) -> Motion:
+def _heavy(args: Namespace, model: Model, film: Clip, free: bool) -> Motion:
     """Return the film of the heavy top, with the flags in place of its defaults."""
     from anim.physics import Body, Launch, physical
+    from anim.physics.simulate import STORY
 
     given = {
         "spin": args.spin_rate,
@@ -127,11 +140,19 @@ def _heavy(args: Namespace, model: Model, film: Clip) -> Motion:
 
         given["heading"] = Random(args.seed).uniform(-pi, pi)
     sizes = {"scale": args.scale, "mass": args.mass, "density": args.density}
-    launch = Launch(**{name: value for name, value in given.items() if value is not None})
-    body = Body.turned(
-        model.profile, **{name: value for name, value in sizes.items() if value is not None}
+    touching = {"radius": args.tip_radius, "friction": args.friction, "rolling": args.rolling}
+    launch, contact = STORY if free else (Launch(), None)
+    body = Body.turned(model.profile, **_given(sizes))
+    return physical(
+        film,
+        body,
+        replace(launch, **_given(given)),
+        contact and replace(contact, **_given(touching)),
     )
-    return physical(film, body, launch)
+
+
+def _given(values: dict[str, float | None]) -> dict[str, Any]:
+    return {name: value for name, value in values.items() if value is not None}
 
 
 def _is_number(text: str) -> bool:

@@ -25,12 +25,13 @@ SUMMARY = "draw the spinning top: a film, pictures, or a web page in which it tu
 HELP = (
     f"Draw the spinning top. The suffix of -o FILE says what is made: .{' .'.join(FORMATS)} a film, .html a "
     "web page in which it turns, a name without suffix a folder of pictures; with --sheet a .png of ten "
-    "frames. --model takes one of the thesis's four ways to its motion, or physics: a heavy top that "
-    "precesses, slows and falls."
+    "frames. The film tells what a heavy top does that is free on the ground: it precesses, nods, falls and "
+    "rolls out. --model takes another: physics, a top whose tip is held, or one of the thesis's four ways."
 )
 EXAMPLES = (
     "hfield render -o top.mp4",
-    "hfield render --model physics --sheet -o sheet.png",
+    "hfield render --model quaternions --captions pl -o thesis.mp4",
+    "hfield render --sheet -o sheet.png",
 )
 SHEET_SIZE, FILM_SIZE = (320, 240), (640, 480)
 MOST_FRAMES_OF_A_PAGE = 100_000
@@ -88,7 +89,7 @@ def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
 def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
     from anim.rendering import Scene, framed
 
-    return Scene(model, motion, framed(look, motion), args.motion_blur)
+    return Scene(model, motion, framed(look, motion), args.motion_blur, captions=args.captions)
 
 
 def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
@@ -170,7 +171,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     motions = motions_of(args, model, clip)
     text = page(
         model,
-        [Show(motion.name, motion.attitudes) for motion in motions],
+        [Show.of(motion) for motion in motions],
         clip.fps,
         curves=curves_of(motions[0]),
         camera=(camera.azimuth, camera.elevation),

@@ -6,7 +6,7 @@ Everything is counted by running or inspecting the package; what loads numpy doe
 from collections.abc import Sequence
 from inspect import signature
 
-from hfield.ledger.findings import Computed, Finding
+from hfield.ledger.claim import Computed, Finding
 from rotation import thesis
 
 RING = 1000

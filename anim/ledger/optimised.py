@@ -8,8 +8,8 @@ from dataclasses import replace
 from typing import Any
 
 from anim.ledger.counting import RING, takes
+from hfield.ledger.claim import Computed, Finding
 from hfield.ledger.document import Propositions
-from hfield.ledger.findings import Computed, Finding
 from hfield.ledger.propositions import Statement
 from hfield.syntax import Node, both, conj, equal, inv, names, norm, unequal
 from rotation.ledger.symbolic_runs import Vector, code, coordinates, point, quaternion, scalar

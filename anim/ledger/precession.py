@@ -7,8 +7,8 @@ commutative ring. A rotation is met through the cosine and the sine of its angle
 
 from anim.ledger.counting import SHOWN, film_shows, listed, loop
 from anim.ledger.turning import UP, axis, rotation, turned
+from hfield.ledger.claim import Computed, Finding
 from hfield.ledger.document import Propositions
-from hfield.ledger.findings import Computed, Finding
 from hfield.ledger.propositions import Every, Statement, written
 from hfield.ledger.real_geometry import Angles
 from hfield.ledger.scopes import Over

@@ -5,8 +5,8 @@ from fractions import Fraction
 from inspect import Parameter, signature
 
 from anim.ledger.counting import RING
+from hfield.ledger.claim import Computed, Finding
 from hfield.ledger.document import Propositions
-from hfield.ledger.findings import Computed, Finding
 
 # The calls of sections 3.4 and 3.4.1, as start, stop and num; angles in units of π.
 CALLS = ((0, 2, 1000), (0, 32, 500), (16, Fraction(1, 8), 500), (0, Fraction(1, 4), 500))

@@ -10,9 +10,8 @@ from itertools import pairwise
 
 from anim.ledger.counting import model_has
 from hfield.certificates.glossary import CIRCLE, NO_MEANING
-from hfield.ledger.claim import Proposition
+from hfield.ledger.claim import Computed, Finding, Proposition
 from hfield.ledger.document import Propositions
-from hfield.ledger.findings import Computed, Finding
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real_geometry import REAL
 from hfield.ledger.scopes import Only

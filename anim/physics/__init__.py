@@ -1,6 +1,8 @@
-"""The top that obeys physics: its inertia, its equations of motion and their solution."""
+"""The top that obeys physics: its inertia, its equations of motion, pinned or free, and their solution."""
 
+from anim.physics.free import Contact, FreeTop
 from anim.physics.inertia import Body
-from anim.physics.simulate import HeavyTop, Launch, physical
+from anim.physics.launch import Launch
+from anim.physics.simulate import HeavyTop, physical
 
-__all__ = ["Body", "HeavyTop", "Launch", "physical"]
+__all__ = ["Body", "Contact", "FreeTop", "HeavyTop", "Launch", "physical"]

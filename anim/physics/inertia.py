@@ -37,6 +37,10 @@ class Body:
     """The moment about an axis through the tip perpendicular to it, I₁, in kg·m²."""
     reach: float
     """The tilt at which the surface touches the ground, in radians."""
+    outline: Profile = ()
+    """Pairs (radius, z) from the tip up, in m; only a free top needs to know them."""
+    unit: float = SCALE
+    """The length in m of the unit in which the outline was given."""
 
     @classmethod
     def turned(
@@ -69,7 +73,8 @@ class Body:
                 f"a top of {weight:.3g} kg and {size:.3g} m has moments of inertia that cannot be "
                 "computed with; choose another mass or size"
             )
-        return cls(weight, size * moment / volume, *moments, reach(profile))
+        outline = tuple((size * r, size * z) for r, z in profile)
+        return cls(weight, size * moment / volume, *moments, reach(profile), outline, size)
 
 
 def reach(profile: Profile) -> float:

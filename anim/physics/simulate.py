@@ -1,6 +1,6 @@
 """A film of the heavy top: launched, and followed to the film's end or until its rim touches the ground."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from math import ceil, cos, inf, sin, sqrt
 from typing import TYPE_CHECKING
@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.checks import real
 from anim.errors import AnimationError
 from anim.film import Clip
 from anim.model import Model
 from anim.motion import Motion, Record
+from anim.physics.free import Contact, FreeTop
 from anim.physics.inertia import Body
+from anim.physics.launch import EVERY, Launch, attitude_of, refuse_long
 from rotation.matrices import to_matrix
-from rotation.quaternions import product
 
 if TYPE_CHECKING:
     from anim.physics.integrator import Rates
@@ -24,51 +24,6 @@ Floats = NDArray[np.float64]
 
 ACCURACY = 0.02
 """The step times the greatest rate of the motion: half of what keeps the energy to 1e-9."""
-MOST_STEPS = 20_000_000
-EVERY = 32  # steps from one kept state to the next
-
-
-@dataclass(frozen=True)
-class Launch:
-    """How a top is set going, and what slows it down. SI units.
-
-    Raises :class:`~anim.errors.AnimationError` for what is not a number, for a negative tilt or gravity, and
-    for decay times that are not positive.
-
-    >>> Launch(tilt=0.2).tilt
-    0.2
-    """
-
-    spin: float | None = None
-    """The angular velocity about its own axis, ω₃, in rad/s; None: a tenth above the spin that sleeps."""
-    tilt: float = 0.1
-    """The angle between its axis and the vertical, in radians."""
-    precession: float = 0.0
-    """The angular velocity with which its axis goes round the vertical, in rad/s."""
-    gravity: float = 9.80665
-    """In m/s²."""
-    spin_decay: float = 40.0
-    """I₃/k₃, the time in s in which friction alone brings ω₃ down to 1/e; infinite: no friction."""
-    tilt_decay: float = 12.0
-    """I₁/k₁, the same for the angular velocity of the axis."""
-    heading: float = 0.0
-    """The side to which it leans, an angle from the x axis in radians."""
-
-    def __post_init__(self) -> None:
-        if self.spin is not None:
-            real("spin", self.spin)
-        real("heading", self.heading)
-        real("precession", self.precession)
-        real("tilt", self.tilt, least=0)
-        real("gravity", self.gravity, least=0)
-        for name in ("spin_decay", "tilt_decay"):
-            time = getattr(self, name)
-            if time != inf:
-                real(name, time, above=0)
-
-    def without_friction(self) -> "Launch":
-        """Return the same launch of a top that nothing slows down."""
-        return replace(self, spin_decay=inf, tilt_decay=inf)
 
 
 @dataclass(frozen=True)
@@ -89,12 +44,7 @@ class HeavyTop:
                 f"tilt is {self.launch.tilt:.4g} rad; the rim is on the ground "
                 f"at {self.body.reach:.4g} rad"
             )
-        steps = self.seconds / self.longest_step
-        if not steps <= MOST_STEPS:
-            raise AnimationError(
-                f"{self.seconds:g} s of this motion take {steps:.3g} steps, expected {MOST_STEPS:.0e} "
-                "at most: choose less spin, a larger top or a shorter film"
-            )
+        refuse_long(self.seconds, self.longest_step)
 
     @property
     def torque(self) -> float:
@@ -137,11 +87,8 @@ class HeavyTop:
     @property
     def start(self) -> Floats:
         """The state at the start, (7,): attitude, and the angular velocity in the body's axes."""
-        tilt, heading = self.launch.tilt, self.launch.heading
-        turn = [cos(heading / 2), 0.0, 0.0, sin(heading / 2)]
-        lean = [cos(tilt / 2), 0.0, sin(tilt / 2), 0.0]
-        velocity = [-self.launch.precession * sin(tilt), 0.0, self.spin]
-        return np.concatenate([product(np.array(turn), np.array(lean)), velocity])
+        velocity = [-self.launch.precession * sin(self.launch.tilt), 0.0, self.spin]
+        return np.concatenate([attitude_of(self.launch), velocity])
 
     @cached_property
     def landed(self) -> float | None:
@@ -210,19 +157,38 @@ class HeavyTop:
         return np.asarray(to_matrix(states[:, :4]))[:, 2, :]
 
 
+STORY = (
+    Launch(spin=36.0, tilt=0.35, precession=-1.5, spin_decay=30.0),
+    Contact(radius=0.02, friction=0.5, rolling=0.01),
+)
+"""A launch of the thesis's top, and a ground, that show in ten seconds all that a top does."""
+
+
 def physical(
-    clip: Clip | None = None, body: Body | None = None, launch: Launch | None = None
+    clip: Clip | None = None,
+    body: Body | None = None,
+    launch: Launch | None = None,
+    contact: Contact | None = None,
 ) -> Motion:
     """Return the film of a heavy symmetric top; by default the thesis's model in metres.
 
-    Raises :class:`~anim.errors.AnimationError` where :class:`HeavyTop` does.
+    Its tip stays where it is, unless ``contact`` says how a free top meets the ground. Raises
+    :class:`~anim.errors.AnimationError` where :class:`HeavyTop` and :class:`~anim.physics.FreeTop` do.
 
     >>> from anim import clip
     >>> physical(clip(frames=50)).frames
     50
     """
-    film = clip or Clip()
-    top = HeavyTop(body or Body.turned(Model().profile), launch or Launch(), film.seconds)
+    film, chosen = clip or Clip(), body or Body.turned(Model().profile)
+    start = launch or Launch()
+    if contact is not None:
+        free = FreeTop(chosen, start, film.seconds, contact)
+        states = free.states(film.times)
+        record = Record(
+            free.energies(states), free.momenta(states)[:, 2], states[:, 6].copy(), free.landed
+        )
+        return Motion.sample("free", film, free, record, free.places)
+    top = HeavyTop(chosen, start, film.seconds)
     states = top.states(film.times)
     record = Record(
         top.energies(states), top.vertical_momenta(states), states[:, 6].copy(), top.landed

@@ -1,32 +1,26 @@
-"""Where the light stands, and the shadow that the top throws on the ground."""
-
-from math import cos, radians, sin
+"""The shadow that the top throws on the ground, without any softness: an outline."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from anim.model import Model
-from anim.picture.look import Camera, Look
+from anim.picture.canvas import Canvas
+from anim.picture.look import RGB, Look
 from anim.picture.merge import HIDDEN, Rim, outlines
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, reached
-from anim.picture.solid import Piece
+from anim.picture.room import direction
+from anim.picture.solid import pieces
 
 Floats = NDArray[np.float64]
 
-ASIDE, HEIGHT = -50.0, 58.0
-"""Degrees: how far the light stands to the left of the camera, and how high above the ground."""
-
-
-def direction(camera: Camera) -> Floats:
-    """Return the unit vector (3,) towards the light, which is far away."""
-    a, e = radians(camera.azimuth + ASIDE), radians(HEIGHT)
-    return np.array([cos(e) * cos(a), cos(e) * sin(a), sin(e)])
+SHADE: RGB = (0, 0, 0)
+SHADE_OPACITY = 0.2
 
 
 def places(model: Model, look: Look) -> Floats:
     """Return points (k, 3) spread over all places of the top, and of its shadow if the look has one."""
-    top = reached(model, look.tilt)
+    top = reached(model, look.tilt, look.room)
     if not look.shadow:
         return top
     above = top[top[:, 2] >= 0]
@@ -40,25 +34,29 @@ def _fall(light: Floats) -> Floats:
     return fall
 
 
-def shadow(
-    mesh: Mesh, parts: tuple[Piece, ...], rotation: Floats, light: Floats, view: View
-) -> list[Floats]:
-    """Return the shadow on the plane z = 0 as loops of pixels, to be filled together (nonzero winding).
+class SharpShadow:
+    """Fills the shadow of a mesh under a light far away, as ``view`` sees it."""
 
-    Each convex piece throws the shadow of its faces turned to the light, one loop or two of the same
-    sense, so that the loops of all pieces make up the whole shadow. What has sunk below the ground throws
-    none.
-    """
-    here = mesh.points @ rotation.T
-    source = np.append(light @ rotation, 0.0)
-    on_ground = View(view.matrix @ _fall(light))
-    loops: list[Floats] = []
-    for part in parts:
-        keys = np.where(part.facing(source), 0, HIDDEN)
-        for _, rims in outlines(Rim(here[part.low]), Rim(here[part.high]), keys):
-            above = [_above_ground(rim) for rim in rims]
-            loops += [on_ground.project(rim) for rim in above if len(rim) > 2]
-    return loops
+    def __init__(self, mesh: Mesh, light: Floats, view: View) -> None:
+        self._mesh, self._parts, self._light = mesh, pieces(mesh), light
+        self._on_ground = View(view.matrix @ _fall(light))
+
+    def draw(self, canvas: Canvas, rotation: Floats, tip: Floats) -> None:
+        """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``.
+
+        Each convex piece throws the shadow of its faces turned to the light, one loop or two of the same
+        sense, filled together by the nonzero winding rule. What has sunk below the ground throws none.
+        """
+        here = self._mesh.points @ rotation.T + tip
+        source = np.append(self._light @ rotation, 0.0)
+        loops: list[Floats] = []
+        for part in self._parts:
+            keys = np.where(part.facing(source), 0, HIDDEN)
+            for _, rims in outlines(Rim(here[part.low]), Rim(here[part.high]), keys):
+                above = [_above_ground(rim) for rim in rims]
+                loops += [self._on_ground.project(rim) for rim in above if len(rim) > 2]
+        if loops:
+            canvas.fill(loops, SHADE, SHADE_OPACITY)
 
 
 def _above_ground(loop: Floats) -> Floats:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from anim.errors import AnimationError
 from anim.model import Model
-from anim.picture.look import Camera
+from anim.picture.look import STILL, Camera, Room
 
 Floats = NDArray[np.float64]
 
@@ -46,13 +46,14 @@ class View:
         towards = np.cross(rows[0, :3], rows[1, :3]) * np.sign(rows[2, 3])
         return np.append(towards / np.linalg.norm(towards), 0.0)
 
-    def turned(self, rotation: Floats) -> "View":
-        """Return the view of the turned top's own coordinates: a body at rest, the eye moved instead."""
-        turn = np.eye(4)
-        turn[:3, :3] = rotation
-        view = View(self.matrix @ turn)
-        # The eye need not be found again: it turns the other way.
-        view.__dict__["eye"] = np.append(self.eye[:3] @ rotation, self.eye[3])
+    def moved(self, rotation: Floats, place: Floats) -> "View":
+        """Return the view of the moved top's own coordinates: a body at rest, the eye moved instead."""
+        motion = np.eye(4)
+        motion[:3, :3], motion[:3, 3] = rotation, place
+        view = View(self.matrix @ motion)
+        # The eye need not be found again: it moves the other way.
+        x, w = self.eye[:3], self.eye[3]
+        view.__dict__["eye"] = np.append((x - w * place) @ rotation, w)
         return view
 
     def project(self, points: Floats) -> Floats:
@@ -103,8 +104,11 @@ def fitting(
     return scale, whole / 2 - scale * (low + high) / 2
 
 
-def reached(model: Model, tilt: float) -> Floats:
-    """Return points (k, 3) spread over all places of the top that leans up to ``tilt`` degrees."""
+def reached(model: Model, tilt: float, room: Room = STILL) -> Floats:
+    """Return points (k, 3) spread over all places of the top that leans up to ``tilt`` degrees.
+
+    Its tip goes about in ``room``, least and greatest x and y.
+    """
     around = np.linspace(0, 2 * np.pi, 36, endpoint=False)
     circle = np.column_stack([np.cos(around), np.sin(around)])
     rims = [
@@ -114,7 +118,9 @@ def reached(model: Model, tilt: float) -> Floats:
     body = np.concatenate(rims)
     turns = [_about_z(turn).T for turn in around[::2]]
     leans = [body @ _about_y(lean).T for lean in np.radians(np.linspace(0, tilt, 10))]
-    return np.concatenate([leaning @ turn for leaning in leans for turn in turns])
+    here = np.concatenate([leaning @ turn for leaning in leans for turn in turns])
+    corners = {(x, y, 0.0) for x in room[:2] for y in room[2:]}
+    return np.concatenate([here + corner for corner in sorted(corners)])
 
 
 def frame(camera: Camera) -> Floats:

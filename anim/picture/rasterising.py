@@ -37,56 +37,63 @@ def paint(
 ) -> None:
     """Draw the triangles that face the viewer over ``pixels`` (height, width, 4), inside ``box``.
 
-    ``corners`` (k, 3) are x and y in pixels, y downwards, and a depth growing towards the viewer;
-    ``triangles`` (m, 3) index them, counter-clockwise as seen from outside; ``lit`` (m, 3) index ``light``
-    (l, 2), the share of its own colour and the white that each corner sends; ``paints`` (m, 3) are linear
-    colours. ``linear`` (256,) decodes sRGB, ``encoded`` encodes equal steps of linear light. ``samples``
-    is per pixel and axis.
+    The picture is the mean of some moments. ``corners`` (moments, k, 3) are x and y in pixels, y downwards,
+    and a depth growing towards the viewer; ``triangles`` (m, 3) index them, counter-clockwise as seen from
+    outside; ``lit`` (m, 3) index ``light`` (moments, l, 2), the share of its own colour and the white that
+    each corner sends; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB, ``encoded``
+    encodes equal steps of linear light. ``samples`` is per pixel and axis.
     """
     left, top, right, bottom = box
     s = samples
     wide = (right - left) * s
     depth = np.empty((ROWS * s, wide), np.float32)
     colours = np.empty((ROWS * s, wide, 3), np.float32)
-    front = np.empty(len(triangles), np.int64)
-    spans = np.empty((len(triangles), 2), np.int64)
+    moments = len(corners)
+    sums = np.empty((ROWS, right - left, 4), np.float32)
+    front = np.empty((moments, len(triangles)), np.int64)
+    spans = np.empty((moments, len(triangles), 2), np.int64)
+    found = np.zeros(moments, np.int64)
     xs, ys = np.empty(3), np.empty(3)
-    found = 0
-    for t in range(len(triangles)):
-        a, b, c = triangles[t]
-        ax, ay, bx, by = corners[a, 0], corners[a, 1], corners[b, 0], corners[b, 1]
-        cx, cy = corners[c, 0], corners[c, 1]
-        # With y downwards the triangles that face the viewer turn clockwise.
-        if (bx - ax) * (cy - ay) - (cx - ax) * (by - ay) < -LEAST:
-            front[found] = t
-            spans[found, 0] = math.ceil(min(ay, by, cy) * s - 0.5)
-            spans[found, 1] = math.ceil(max(ay, by, cy) * s - 0.5)
-            found += 1
+    for n in range(moments):
+        for t in range(len(triangles)):
+            a, b, c = triangles[t]
+            ax, ay, bx, by = corners[n, a, 0], corners[n, a, 1], corners[n, b, 0], corners[n, b, 1]
+            cx, cy = corners[n, c, 0], corners[n, c, 1]
+            # With y downwards the triangles that face the viewer turn clockwise.
+            if (bx - ax) * (cy - ay) - (cx - ax) * (by - ay) < -LEAST:
+                f = found[n]
+                front[n, f] = t
+                spans[n, f, 0] = math.ceil(min(ay, by, cy) * s - 0.5)
+                spans[n, f, 1] = math.ceil(max(ay, by, cy) * s - 0.5)
+                found[n] += 1
     for row in range(top, bottom, ROWS):
         rows = min(ROWS, bottom - row)
         first, last = row * s, (row + rows) * s
-        depth[:] = -np.inf
-        for f in range(found):
-            start, stop = max(spans[f, 0], first), min(spans[f, 1], last)
-            if start < stop:
-                t = front[f]
-                scan(
-                    xs,
-                    ys,
-                    depth,
-                    colours,
-                    first,
-                    start,
-                    stop,
-                    left * s,
-                    s,
-                    corners,
-                    triangles[t],
-                    lit[t],
-                    light,
-                    paints[t],
-                )
-        resolve(pixels, depth, colours, row, rows, left, right, s, linear, encoded)
+        sums[:] = 0
+        for n in range(moments):
+            depth[:] = -np.inf
+            for f in range(found[n]):
+                start, stop = max(spans[n, f, 0], first), min(spans[n, f, 1], last)
+                if start < stop:
+                    t = front[n, f]
+                    scan(
+                        xs,
+                        ys,
+                        depth,
+                        colours,
+                        first,
+                        start,
+                        stop,
+                        left * s,
+                        s,
+                        corners[n],
+                        triangles[t],
+                        lit[t],
+                        light[n],
+                        paints[t],
+                    )
+            gather(sums, depth, colours, rows, s)
+        resolve(pixels, sums, row, rows, left, 1.0 / (s * s * moments), linear, encoded)
 
 
 @called
@@ -159,40 +166,37 @@ def slope(xs: Floats, ys: Floats, i: int, j: int) -> float:
 
 
 @called
-def resolve(
-    pixels: Bytes,
-    depth: Samples,
-    colours: Samples,
-    row: int,
-    rows: int,
-    left: int,
-    right: int,
-    s: int,
-    linear: Floats,
-    encoded: Bytes,
-) -> None:
-    """Average the samples of each pixel of a stripe, in linear light, over what is there already."""
-    steps = len(encoded) - 1
-    share = 1.0 / (s * s)
+def gather(sums: Samples, depth: Samples, colours: Samples, rows: int, s: int) -> None:
+    """Add the samples of each pixel of a stripe to ``sums`` (rows, width, 4): three colours and a count."""
     for y in range(rows):
-        for x in range(right - left):
-            covered, red, green, blue = 0, 0.0, 0.0, 0.0
+        for x in range(sums.shape[1]):
             for j in range(y * s, (y + 1) * s):
                 for i in range(x * s, (x + 1) * s):
                     if depth[j, i] > -np.inf:
-                        covered += 1
-                        red += colours[j, i, 0]
-                        green += colours[j, i, 1]
-                        blue += colours[j, i, 2]
-            if covered:
+                        sums[y, x, 0] += colours[j, i, 0]
+                        sums[y, x, 1] += colours[j, i, 1]
+                        sums[y, x, 2] += colours[j, i, 2]
+                        sums[y, x, 3] += 1
+
+
+@called
+def resolve(
+    pixels: Bytes,
+    sums: Samples,
+    row: int,
+    rows: int,
+    left: int,
+    share: float,
+    linear: Floats,
+    encoded: Bytes,
+) -> None:
+    """Write the means of a stripe, in linear light, over what is there; ``share`` is that of one sample."""
+    steps = len(encoded) - 1
+    for y in range(rows):
+        for x in range(sums.shape[1]):
+            if sums[y, x, 3] > 0:
                 pixel = pixels[row + y, left + x]
-                rest = 1.0 - covered * share
-                pixel[0] = encoded[
-                    int(min(1.0, max(0.0, red * share + rest * linear[pixel[0]])) * steps)
-                ]
-                pixel[1] = encoded[
-                    int(min(1.0, max(0.0, green * share + rest * linear[pixel[1]])) * steps)
-                ]
-                pixel[2] = encoded[
-                    int(min(1.0, max(0.0, blue * share + rest * linear[pixel[2]])) * steps)
-                ]
+                rest = 1.0 - sums[y, x, 3] * share
+                for channel in range(3):
+                    value = sums[y, x, channel] * share + rest * linear[pixel[channel]]
+                    pixel[channel] = encoded[int(min(1.0, max(0.0, value)) * steps)]

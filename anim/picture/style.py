@@ -1,14 +1,14 @@
 """What a style is: the room that the top stands in, and what draws the top itself."""
 
 from abc import ABC, abstractmethod
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
 
 from anim.model import Model
 from anim.picture.canvas import Canvas
-from anim.picture.light import places
+from anim.picture.light import SharpShadow, places
 from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, view
@@ -24,6 +24,23 @@ class Body(Protocol):
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
         """Draw the top as ``view`` sees it, a view of the top's own room, which ``rotation`` has turned."""
+
+
+@runtime_checkable
+class Exposing(Protocol):
+    """A body that draws many moments at once, nearly at the price of one."""
+
+    def expose(
+        self, canvas: Canvas, views: list[View], rotations: list[Floats], spin: float
+    ) -> None:
+        """Draw the mean of moments between which the top turns by ``spin`` radians in all."""
+
+
+class Shadow(Protocol):
+    """What draws the top's shadow on the ground."""
+
+    def draw(self, canvas: Canvas, rotation: Floats, tip: Floats) -> None:
+        """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``."""
 
 
 class Style(ABC):
@@ -45,6 +62,10 @@ class Style(ABC):
         """Return the look's background, or the style's own."""
         return self.paper if look.background is None else colour("background", look.background)
 
+    def shadow(self, mesh: Mesh, light: Floats, view: View, look: Look) -> Shadow:
+        """Return what draws the shadow: one with a sharp edge."""
+        return SharpShadow(mesh, light, view)
+
     @abstractmethod
-    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> Body:
+    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> Body:
         """Return what draws the top in two colours; ``light`` (3,) points to where light comes from."""

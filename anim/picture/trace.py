@@ -2,7 +2,8 @@
 
 The apex moves on a sphere about the tip, and the top lies inside that sphere. Nothing inside a ball hides
 a point of the ball's near side, and such a point may hide everything inside; for the far side it is the
-other way round. So a piece of the trace is drawn after the top when it lies on the near side, else before.
+other way round. So a piece of the trace is drawn after the top when it lies on the near side, else before. A
+tip that wanders takes the sphere along; what it left behind is nearly on it.
 """
 
 import numpy as np
@@ -13,13 +14,13 @@ from anim.picture.projection import View
 Floats = NDArray[np.float64]
 
 
-def near_and_far(trail: Floats, view: View) -> tuple[list[Floats], list[Floats]]:
-    """Return the polylines (k, 2) in pixels on the near side of the sphere, and those on the far side."""
+def near_and_far(trail: Floats, view: View, tip: Floats) -> tuple[list[Floats], list[Floats]]:
+    """Return the polylines (k, 2) in pixels on the near side of the sphere about the tip, and the others."""
     if len(trail) < 2:
         return [], []
     seen = view.project(trail)
-    eye = view.eye
-    near = trail @ eye[:3] > eye[3] * np.sum(trail * trail, axis=1)
+    around, eye = trail - tip, view.eye
+    near = around @ (eye[:3] - eye[3] * tip) > eye[3] * np.sum(around * around, axis=1)
     in_front = near[1:] & near[:-1]
     cuts = np.flatnonzero(in_front[1:] != in_front[:-1]) + 1
     starts, stops = [0, *cuts.tolist()], [*cuts.tolist(), len(in_front)]

@@ -10,37 +10,46 @@ import json
 import math
 from base64 import b64encode
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 from anim.errors import AnimationError
+from anim.picture.room import room
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from anim.model import Model
     from anim.motion import Motion
-    from anim.physics import HeavyTop
+    from anim.physics import FreeTop, HeavyTop
 
 SCRIPTS = ("vectors.js", "scene.js", "curves.js", "player.js")
-LIVE_SCRIPTS = ("heavy_top.js", "simulator.js")
+LIVE_SCRIPTS = ("heavy_top.js", "free_top.js", "simulator.js")
 READINGS = '<table id="readings"></table>\n'
 KEYS = """<dt>l, p</dt><dd>launch the live top anew, push it</dd>
 <dt>m</dt><dd>the live top, or the film</dd>
 <dt>esc</dt><dd>close this list</dd>
 """
 MODE = '<button id="mode" type="button" title="the live top or the film (m)"></button>\n'
-PAPER = "#eceff1"
 
 
 @dataclass(frozen=True)
 class Show:
-    """One top on the page: a label, and unit quaternions (frames, 4), scalar first."""
+    """One top on the page: a label, unit quaternions (frames, 4), scalar first, and where its tip is.
+
+    ``places`` (frames, 3) are in the model's unit; without them the tip stays at the origin.
+    """
 
     label: str
     attitudes: ArrayLike
+    places: ArrayLike | None = None
+
+    @classmethod
+    def of(cls, motion: Motion) -> Show:
+        """Return a motion as a show of its name."""
+        return cls(motion.name, motion.attitudes, motion.places and motion.tips(motion.times))
 
 
 @dataclass(frozen=True)
@@ -74,7 +83,7 @@ def page(
     camera: tuple[float, float] = (-60.0, 20.0),
     zoom: float = 1.0,
     background: str | None = None,
-    simulation: HeavyTop | None = None,
+    simulation: HeavyTop | FreeTop | None = None,
 ) -> str:
     """Return the page on which the tops of ``shows`` spin side by side.
 
@@ -90,8 +99,11 @@ def page(
         "fps": fps,
         "camera": {"azimuth": azimuth, "elevation": elevation, "distance": 9.5 / zoom},
         "model": _shape(model),
+        "room": room(),
         "shows": [
-            {"label": show.label, "quaternions": _packed(show.attitudes, 4)} for show in shows
+            {"label": show.label, "quaternions": _packed(show.attitudes, 4)}
+            | ({} if show.places is None else {"places": _packed(show.places, 3)})
+            for show in shows
         ],
         "curves": [
             {"name": curve.name, "unit": curve.unit, "values": _packed(curve.values, None)}
@@ -103,7 +115,7 @@ def page(
     text = _file("page.html")
     if background is None:
         text = text.replace('<html lang="en">', '<html lang="en" class="adaptive">')
-    style = _file("page.css").replace("{{paper}}", background or PAPER)
+    style = _style(background)
     script = "\n".join(
         _file(name) for name in (() if simulation is None else LIVE_SCRIPTS) + SCRIPTS
     )
@@ -129,11 +141,18 @@ def seeing() -> str:
     >>> "600-cell" in seeing()
     True
     """
-    parts = {"style": _file("page.css").replace("{{paper}}", PAPER), "script": _file("seeing.js")}
+    parts = {"style": _style(None), "script": _file("seeing.js")}
     text = _file("seeing.html")
     for name, part in parts.items():
         text = text.replace(f"{{{{{name}}}}}", part.rstrip())
     return text
+
+
+def _style(background: str | None) -> str:
+    """Return the page's style on the room's paper, or on one paper for light and dark."""
+    paper = room()["paper"]
+    style = _file("page.css").replace("{{paper}}", background or paper["light"])
+    return style.replace("{{dark}}", paper["dark"])
 
 
 def _shape(model: Model) -> dict[str, Any]:
@@ -145,9 +164,12 @@ def _shape(model: Model) -> dict[str, Any]:
     }
 
 
-def _live(top: HeavyTop) -> dict[str, Any]:
-    """Describe a heavy top at its launch, in the words of heavy_top.js."""
+def _live(top: HeavyTop | FreeTop) -> dict[str, Any]:
+    """Describe a heavy top at its launch, in the words of heavy_top.js and free_top.js."""
+    from anim.physics import Contact, FreeTop
+
     body, launch = top.body, top.launch
+    contact = asdict(top.contact) if isinstance(top, FreeTop) else asdict(Contact()) | {"radius": 0}
     return {
         "body": {
             name: getattr(body, name) for name in ("mass", "height", "axial", "transverse", "reach")
@@ -157,6 +179,7 @@ def _live(top: HeavyTop) -> dict[str, Any]:
         "precession": launch.precession,
         "heading": launch.heading,
         "gravity": launch.gravity,
+        "contact": contact,
         "losses": [1 / launch.tilt_decay, 1 / launch.spin_decay],
     }
 

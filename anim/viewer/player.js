@@ -1,7 +1,7 @@
 const $ = (id) => document.getElementById(id);
 const data = JSON.parse($("data").textContent);
 const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;
-for (const show of data.shows) show.quaternions = new Float32Array(bytes(show.quaternions));
+for (const show of data.shows) for (const name of ["quaternions", "places"]) if (show[name]) show[name] = new Float32Array(bytes(show[name]));
 for (const curve of data.curves) curve.values = Array.from(new Float32Array(bytes(curve.values)));
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 

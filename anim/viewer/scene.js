@@ -16,7 +16,11 @@ function surface(profile, sectors, colours) {
   return new Float32Array(out);
 }
 
-// What light does is said here once, for every shader; noise of one step of 8 bits keeps gradients free of bands.
+// What light does is said here once, for every shader, in the numbers of room.toml that come with the page; noise
+// of one step of 8 bits keeps gradients free of bands.
+const number = (table, name) => data.room[table][name].toFixed(5);
+const byPaper = (name) => `mix(${number("light", name)}, ${number("dark", name)}, dark)`;
+const colourOf = (text) => [1, 3, 5].map((n) => parseInt(text.slice(n, n + 2), 16) / 255);
 const DITHER = `
 precision highp float; uniform vec3 paper;
 vec4 dithered(vec3 c) {
@@ -24,44 +28,49 @@ vec4 dithered(vec3 c) {
   return vec4(c + (noise - .5) / 255., 1.);
 }`;
 const TOP_VERTEX = `
-attribute vec3 position, normal, colour; uniform vec4 q; uniform vec3 size; uniform mat4 matrix;
+attribute vec3 position, normal, colour; uniform vec4 q; uniform vec3 size, place; uniform mat4 matrix;
 varying vec3 n, at, tint;
 vec3 turn(vec3 v) { return v + 2. * cross(q.yzw, cross(q.yzw, v) + q.x * v); }
-void main() { n = turn(normal / size); at = turn(position * size); tint = colour; gl_Position = matrix * vec4(at, 1.); }`;
+void main() { n = turn(normal / size); at = turn(position * size) + place; tint = colour; gl_Position = matrix * vec4(at, 1.); }`;
 // On dark paper a rim of light and a lift of the blacks show where the top ends.
-const TOP_FRAGMENT = `${DITHER}
+const topFragment = () => `${DITHER}
 varying vec3 n, at, tint; uniform vec3 light, eye;
+vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + .055) / 1.055, vec3(2.4)), step(.04045, c)); }
+vec3 encoded(vec3 c) { return mix(12.92 * c, 1.055 * pow(c, vec3(1. / 2.4)) - .055, step(.0031308, c)); }
 void main() {
   vec3 m = normalize(n), view = normalize(eye - at), h = normalize(light + view);
-  float dark = 1. - smoothstep(.2, .6, paper.g), rim = pow(1. - max(dot(m, view), 0.), 3.);
-  float bounce = .10 * max(-m.z, 0.) * exp(-.8 * max(at.z, 0.)) * (1. - dark);
-  float lit = .30 + .12 * m.z + bounce + .62 * max(dot(m, light), 0.);
-  vec3 base = mix(tint * tint, max(tint * tint, vec3(.022, .024, .03)), dark);
-  gl_FragColor = dithered(sqrt(base * lit + .10 * pow(max(dot(m, h), 0.), 40.) + rim * mix(.015, .16, dark)));
+  float dark = 1. - smoothstep(.2, .6, paper.g);
+  float lit = ${number("light", "sky")} + ${number("light", "rise")} * m.z + ${number("light", "bounce")} * max(-m.z, 0.) + ${number("light", "sun")} * max(dot(m, light), 0.);
+  float white = ${number("light", "gloss")} * pow(max(dot(m, h), 0.), ${number("light", "sharpness")}) + ${byPaper("rim")} * pow(1. - max(dot(m, view), 0.), 3.);
+  gl_FragColor = dithered(encoded(min(max(linear(tint), vec3(${byPaper("darkest")})) * lit + white, 1.)));
 }`;
 const FLAT_VERTEX = `
-attribute vec3 position; uniform mat4 matrix; varying vec3 at;
-void main() { at = position; gl_Position = matrix * vec4(position, 1.); }`;
-// The top as discs along its axis: how much of each a ray to the light meets, softer the farther away it is, so that
-// the shadow is sharp where the tip stands. Dark paper is lit by a pool of light instead.
-const DISCS = 40;
-const GROUND_FRAGMENT = `${DITHER}
-varying vec3 at; uniform vec3 light, axis; uniform float radii[${DISCS}]; uniform vec2 reach;
+attribute vec3 position; uniform mat4 matrix; uniform vec2 shift; varying vec3 at;
+void main() { at = position + vec3(shift, 0.); gl_Position = matrix * vec4(at, 1.); }`;
+// The top as slices along its axis, discs or, where it is thin, balls: how much of each a ray to the light meets, softer
+// the farther away it is; and darker near the top, as anim/picture/ground has it. Dark paper is lit by a pool of light.
+const SLICES = 44;
+const groundFragment = () => `${DITHER}
+varying vec3 at; uniform vec3 light, axis, place; uniform vec3 slices[${SLICES}]; uniform vec2 focus; uniform float above;
 void main() {
-  float r = length(at.xy), shade = 0., along = dot(light, axis);
+  float r = length(at.xy - focus), far = length(at.xy), along = dot(light, axis), shade = 0., nearest = 1e9;
   along = along < 0. ? min(along, -.05) : max(along, .05);
-  for (int k = 0; k < ${DISCS}; k++) {
-    vec3 centre = axis * (reach.x * (float(k) + .5) / ${DISCS}.);
-    float s = dot(centre - at, axis) / along;
-    float soft = .015 + .11 * abs(s), d = length(at + s * light - centre);
-    if (s > 0.) shade = max(shade, smoothstep(radii[k] + soft, radii[k] - soft, d) * min(1., radii[k] / soft));
+  for (int k = 0; k < ${SLICES}; k++) {
+    float radius = slices[k].y;
+    vec3 v = place + axis * slices[k].x - at;
+    float high = dot(v, axis), s = slices[k].z > 0. ? dot(v, light) : high / along;
+    float out_ = max(sqrt(max(0., dot(v, v) - high * high)) - radius, 0.);
+    nearest = min(nearest, high * high + out_ * out_);
+    float wide = ${number("shadow", "sharp")} + ${number("shadow", "soft")} * abs(s), d = length(s * light - v);
+    if (s > 0.) shade = max(shade, smoothstep(radius + wide, radius - wide, d) * min(1., radius / wide));
   }
-  float contact = exp(-9. * r * r), near = smoothstep(5., 1., r), dark = 1. - smoothstep(.2, .6, paper.g);
-  float ring = smoothstep(.03, .0, abs(fract(r + .5) - .5)) * .05;
-  vec3 lit = mix(paper * (1. - (.07 + ring) * near), paper + (.10 - ring * .5) * near, dark);
-  gl_FragColor = dithered(reach.y > 0. ? lit * (1. - .42 * shade) * (1. - .35 * contact) : lit);
+  float near = smoothstep(${number("ground", "far")}, ${number("ground", "near")}, r), dark = 1. - smoothstep(.2, .6, paper.g);
+  float ring = far > .5 ? smoothstep(.03, .0, abs(fract(far + .5) - .5)) * ${number("ground", "ring")} : 0.;
+  vec3 lit = mix(paper * (1. - (${number("ground", "shade")} + ring) * near), paper + (${number("ground", "pool")} - ring * .5) * near, dark);
+  float contact = ${number("shadow", "contact")} * exp(-nearest / ${(data.room.shadow.reach ** 2).toFixed(5)});
+  gl_FragColor = dithered(above > 0. ? lit * (1. - ${number("shadow", "depth")} * shade) * (1. - contact) : lit);
 }`;
-const TRAIL_FRAGMENT = `precision highp float; varying vec3 at; uniform vec3 paper; void main() { gl_FragColor = vec4(.84, .37, 0., 1.); }`;
+const TRAIL_FRAGMENT = `precision highp float; varying vec3 at; uniform vec3 paper, ink; void main() { gl_FragColor = vec4(ink, 1.); }`;
 const ARROWS = { momentum: [0.2, 0.55, 0.9], velocity: [0, 0.62, 0.45], pull: [0.85, 0.35, 0.6] };
 
 // All that WebGL knows. `draw` paints one top in one part of the canvas.
@@ -69,7 +78,8 @@ class Scene {
   constructor(gl, model, shows, paper) {
     this.gl = gl;
     this.paper = paper;
-    this.light = unit([0.45, -0.35, 0.85]);
+    const { aside, height } = data.room.light, turn = data.camera.azimuth + (aside * Math.PI) / 180, rise = (height * Math.PI) / 180;
+    this.light = [Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise)];
     this.model = model;
     this.shape(model.profile);
     this.arrows = Object.entries(ARROWS).map(([name, colour]) => {
@@ -78,10 +88,10 @@ class Scene {
     });
     this.ground = this.buffer(new Float32Array([-5, -5, 0, 5, -5, 0, 5, 5, 0, -5, -5, 0, 5, 5, 0, -5, 5, 0]));
     const apex = [0, 0, model.profile[model.profile.length - 1][1]];
-    this.trails = shows.map((show) => this.buffer(this.trail(show.quaternions, apex)));
+    this.trails = shows.map((show) => this.buffer(this.trail(show, apex)));
     this.programs = {
-      top: this.program(TOP_VERTEX, TOP_FRAGMENT),
-      ground: this.program(FLAT_VERTEX, GROUND_FRAGMENT),
+      top: this.program(TOP_VERTEX, topFragment()),
+      ground: this.program(FLAT_VERTEX, groundFragment()),
       trail: this.program(FLAT_VERTEX, TRAIL_FRAGMENT),
     };
     gl.enable(gl.CULL_FACE);
@@ -89,21 +99,23 @@ class Scene {
     gl.depthFunc(gl.LEQUAL);
   }
 
-  // The top's outline, which may change: its surface, and its radii at equal heights for the shadow.
+  // The top's outline, which may change: its surface, and for the shadow its slices: height, radius, whether a ball.
   shape(profile) {
     if (this.top) this.gl.deleteBuffer(this.top);
     this.top = this.buffer(surface(profile, [...this.model.sectors].map(Number), this.model.colours));
     this.height = profile[profile.length - 1][1];
-    this.radii = Array.from({ length: DISCS }, (_, k) => {
-      const z = (this.height * (k + 0.5)) / DISCS, n = profile.findIndex((corner) => corner[1] >= z);
-      const [[r0, z0], [r1, z1]] = [profile[n - 1], profile[n]];
-      return r0 + ((r1 - r0) * (z - z0)) / (z1 - z0);
+    const tall = profile.slice(1).map(([r, z], n) => z - profile[n][1]), parts = profile.length - 1;
+    const counts = tall.map((rise) => 1 + Math.floor(((SLICES - parts) * rise) / this.height));
+    counts[parts - 1] += SLICES - counts.reduce((sum, count) => sum + count, 0);
+    this.slices = counts.flatMap((count, n) => {
+      const [[r0, z0], [r1, z1]] = [profile[n], profile[n + 1]], ball = z1 - z0 > 2 * Math.abs(r1 - r0) ? 1 : 0;
+      return Array.from({ length: count }, (_, k) => (k + 0.5) / count).flatMap((t) => [z0 + t * (z1 - z0), r0 + t * (r1 - r0), ball]);
     });
   }
 
-  trail(quaternions, apex) {
+  trail({ quaternions, places }, apex) {
     const out = new Float32Array((3 * quaternions.length) / 4);
-    for (let k = 0; 4 * k < quaternions.length; k++) out.set(rotate(quaternions.subarray(4 * k, 4 * k + 4), apex), 3 * k);
+    for (let k = 0; 4 * k < quaternions.length; k++) out.set(rotate(quaternions.subarray(4 * k, 4 * k + 4), apex).map((x, n) => x + (places?.[3 * k + n] ?? 0)), 3 * k);
     return out;
   }
 
@@ -142,7 +154,7 @@ class Scene {
     for (const [key, value] of Object.entries({ paper: this.paper, ...uniforms })) {
       const at = gl.getUniformLocation(program, key);
       if (value.length === 16) gl.uniformMatrix4fv(at, false, value);
-      else gl[`uniform${value.length > 4 ? 1 : value.length}fv`](at, value);
+      else gl[`uniform${value.length > 4 ? 3 : value.length}fv`](at, value);
     }
   }
 
@@ -155,34 +167,36 @@ class Scene {
 
   // `box` is x, y, width, height in pixels; `frame` may lie between two frames.
   draw(n, show, frame, camera, box) {
-    this.paint(attitude(show.quaternions, frame), this.trails[n], Math.floor(frame) + 1, {}, camera, box);
+    const k = Math.floor(frame), t = frame - k, { places } = show;
+    const place = places ? [0, 1, 2].map((n) => places[3 * k + n] + t * ((places[3 * k + 3 + n] ?? places[3 * k + n]) - places[3 * k + n])) : [0, 0, 0];
+    this.paint(attitude(show.quaternions, frame), this.trails[n], k + 1, {}, camera, box, place);
   }
 
-  // The top as `q` says, the first `seen` points of a trail, and vectors from the tip (or from `from`); returns the matrix of the view.
-  paint(q, trail, seen, vectors, camera, box) {
+  // The top as `q` says at its `place`, the view on its `focus`; the first `seen` points of a trail, and vectors from the tip (or from `from`); returns the matrix of the view.
+  paint(q, trail, seen, vectors, camera, box, place = [0, 0, 0], focus = [0, 0]) {
     const { gl } = this, [x, y, width, height] = box, aspect = width / height;
-    const { view, eye } = lookAt(camera.azimuth, camera.elevation, camera.distance, 1.35);
+    const { view, eye } = lookAt(camera.azimuth, camera.elevation, camera.distance, [...focus, 1.35]);
     const matrix = times(perspective(0.27 / Math.min(1, aspect), aspect, 0.5, 60), view);
-    const fields = ["position", "normal", "colour"], { light, radii } = this, size = [1, 1, 1];
+    const fields = ["position", "normal", "colour"], { light, slices } = this, size = [1, 1, 1];
     gl.viewport(x, y, width, height);
     gl.scissor(x, y, width, height);
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.CULL_FACE); // the ground is seen from below too
     const axis = rotate(q, [0, 0, 1]);
-    this.use("ground", this.ground, ["position"], { matrix, light, axis, radii, reach: [this.height, eye[2]] });
+    this.use("ground", this.ground, ["position"], { matrix, light, axis, place, slices, focus, shift: focus, above: [eye[2]] });
     gl.drawArrays(gl.TRIANGLES, 0, 6);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
-    this.use("top", this.top, fields, { matrix, q, size, eye, light });
+    this.use("top", this.top, fields, { matrix, q, size, place, eye, light });
     gl.drawArrays(gl.TRIANGLES, 0, this.top.count / 9);
-    this.use("trail", trail, ["position"], { matrix });
+    this.use("trail", trail, ["position"], { matrix, shift: [0, 0], ink: colourOf(data.room.trace[this.paper[1] < 0.4 ? "dark" : "light"]) });
     gl.drawArrays(gl.LINE_STRIP, 0, seen);
     gl.clear(gl.DEPTH_BUFFER_BIT); // arrows are seen through the top
     for (const [name, mesh] of this.arrows) {
       const { vector, from = [0, 0, 0] } = vectors[name] ?? {}, length = vector ? Math.hypot(...vector) : 0;
       if (length < 0.05) continue;
       const moved = times(matrix, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...from, 1]);
-      this.use("top", mesh, fields, { matrix: moved, q: towards(vector), size: [2, 2, length], eye, light });
+      this.use("top", mesh, fields, { matrix: moved, q: towards(vector), size: [2, 2, length], place: [0, 0, 0], eye, light });
       gl.drawArrays(gl.TRIANGLES, 0, mesh.count / 9);
     }
     return matrix;

@@ -3,7 +3,9 @@ const SLIDERS = [
   // name, label, least, most, step, unit, whether it starts anew
   ["spin", "spin", -60, 60, 0.1, "rad/s", true],
   ["tilt", "tilt", 0, 40, 0.5, "°", true],
-  ["friction", "friction", 0, 5, 0.05, "×", false],
+  ["tip", "tip radius", 0, 12, 0.5, "cm", true], // 0: the tip is held where it is
+  ["grip", "friction μ", 0, 1, 0.01, "", false],
+  ["friction", "damping", 0, 5, 0.05, "×", false],
   ["gravity", "gravity", 0, 25, 0.05, "m/s²", false],
   ["width", "width", 0.6, 1.4, 0.01, "×", false],
 ];
@@ -14,12 +16,12 @@ class Simulator {
     Object.assign(this, { player, start });
     const slow = start.losses.every((loss) => loss === 0);
     this.losses = slow ? [1 / 12, 1 / 40] : start.losses; // what friction 1 stands for
-    this.first = { spin: start.spin, tilt: start.tilt / DEGREE, friction: slow ? 0 : 1, gravity: start.gravity, width: 1 };
+    this.first = { spin: start.spin, tilt: start.tilt / DEGREE, tip: 100 * start.contact.radius, grip: start.contact.friction, friction: slow ? 0 : 1, gravity: start.gravity, width: 1 };
     this.set = { ...this.first };
     this.trace = new Float32Array(3 * TRACE);
     this.pulled = null; // where the hand holds the apex, in space
     this.fields = Object.fromEntries(SLIDERS.map((slider) => [slider[0], this.slider(slider)]));
-    this.readings = ["tilt", "spin", "energy", "L about the vertical", "time"].map((name) => {
+    this.readings = ["tilt", "spin", "energy", "lost", "L about the vertical", "time"].map((name) => {
       const row = $("readings").appendChild(document.createElement("tr"));
       Object.assign(row.appendChild(document.createElement("th")), { textContent: name, scope: "row" });
       return row.appendChild(document.createElement("td"));
@@ -57,20 +59,25 @@ class Simulator {
       show();
       this.change(anew);
     });
-    return { show, low: Number(input.min), high: widest };
+    return { show, input, low: Number(input.min), high: widest };
   }
 
   // Takes over what the sliders say; launch conditions start the top anew.
   change(anew) {
     const { friction, gravity, width } = this.set, { profile } = data.model;
     this.body = widenedBody(this.start.body, profile, width);
-    this.rates = ratesOf(this.body, gravity, this.losses.map((loss) => friction * loss));
+    const losses = this.losses.map((loss) => friction * loss);
+    this.rates = ratesOf(this.body, gravity, losses);
+    this.ball = this.set.tip / 100;
+    this.edges = edgesOf(this.body, widened(profile, width).map((corner) => scale(this.body.unit, corner)), this.ball);
+    this.ground = groundOf(this.body, gravity, losses, { friction: this.set.grip, rolling: this.start.contact.rolling });
+    this.fields.grip.input.disabled = !this.ball;
     if (this.width !== width) {
       this.width = width;
       this.player.scene?.shape(widened(profile, width));
     }
     if (anew) this.launch(false);
-    else if (vertical(this.state.q)[2] < this.rates.floor) this.land();
+    else if (!this.state.y && vertical(this.state.q)[2] < this.rates.floor) this.land();
     this.player.stale = true;
     this.link(false);
   }
@@ -78,15 +85,16 @@ class Simulator {
   launch(play) {
     this.width = NaN;
     this.state = launched({ ...this.start, spin: this.set.spin, tilt: this.set.tilt * DEGREE });
-    Object.assign(this, { time: 0, owed: 0, landed: null, traced: 0 });
+    Object.assign(this, { time: 0, owed: 0, landed: null, traced: 0, focus: [0, 0] });
     this.change(false);
     const limit = this.body.reach - 1e-3;
     if (this.set.tilt * DEGREE > limit && this.landed !== null) {
       this.set.tilt = limit / DEGREE;
       return this.launch(play);
     }
+    if (this.ball) this.state = letGo(this.state, this.body, this.ball, this.set.gravity);
     for (const { show } of Object.values(this.fields)) show();
-    const { momentum, velocity } = quantities(this.state, this.body, this.set.gravity);
+    const { momentum, velocity } = this.quantities();
     this.scales = { momentum: 3.9 / Math.max(Math.hypot(...momentum), 1e-9), velocity: 3.5 / Math.max(Math.hypot(...velocity), 1e-9) };
     if (play && !this.player.playing) this.player.toggle();
   }
@@ -95,17 +103,24 @@ class Simulator {
     [this.landed, this.state] = [this.time, { q: this.state.q, w: [0, 0, 0] }];
   }
 
+  quantities() {
+    if (this.state.y) return freeQuantities(this.state, this.body, this.edges, this.ground);
+    return quantities(this.state, this.body, this.set.gravity);
+  }
+
   // Whole steps only, so that what happens does not hang on how often the screen is drawn.
   advance(seconds) {
     this.owed += seconds;
-    for (let n = 0; n < MOST_STEPS && this.landed === null; n++) {
-      const h = Math.min(longestStep(this.state, this.rates), 0.01);
+    const { y } = this.state, fixed = y && freeStep(this.body, this.state, this.set.gravity);
+    for (let n = 0; n < MOST_STEPS && (y || this.landed === null); n++) {
+      const h = fixed ?? Math.min(longestStep(this.state, this.rates), 0.01);
       if (this.owed < h) break;
       if (this.pulled) this.kick(h / 2);
-      const { q, w, rest } = stepToGround(this.state, h, this.rates);
-      this.state = { q, w };
+      const { rest = null, ...state } = y ? stepOnGround(this.state, h, this.edges, this.ground) : stepToGround(this.state, h, this.rates);
+      this.state = state;
       this.time += rest ?? h;
       this.owed -= h;
+      if (y && this.landed === null && isDown(state, this.edges)) this.landed = this.time;
       if (rest !== null) this.land();
       else if (this.pulled) this.kick(h / 2);
       this.mark();
@@ -113,22 +128,35 @@ class Simulator {
     this.owed = Math.min(this.owed, 0.05);
   }
 
+  height() {
+    return this.player.scene?.height ?? 3;
+  }
+
   apex() {
-    return rotate(this.state.q, [0, 0, this.player.scene?.height ?? 3]);
+    const tip = tipOf(this.state, this.body);
+    return rotate(this.state.q, [0, 0, this.height()]).map((x, n) => x + tip[n]);
   }
 
   // The hand holds the apex by an elastic: a twelfth of the top's weight for each unit that it is stretched.
   kick(h) {
     const apex = this.apex(), gap = this.pulled.map((x, n) => x - apex[n]);
     const force = seenFromBody(this.state.q, scale(this.body.mass * 9.80665 / 12, gap));
-    const arm = (this.body.unit * (this.player.scene?.height ?? 3) * h) / this.body.transverse, { w } = this.state;
-    this.state.w = [w[0] - arm * force[1], w[1] + arm * force[0], w[2]];
+    const { w, y, q } = this.state, reach = this.body.unit * this.height();
+    const arm = (y ? (reach - this.body.height) / (this.ground.transverse * this.body.mass) : reach / this.body.transverse) * h;
+    this.spins([w[0] - arm * force[1], w[1] + arm * force[0], w[2]]);
+    if (y) seenFromSpace(q, force).forEach((x, n) => (y[10 + n] += (x * h) / this.body.mass));
+  }
+
+  spins(w) {
+    this.state.w = w;
+    this.state.y?.set(w, 4);
   }
 
   // A blow against the apex, square to the top's lean.
   push() {
     if (this.landed !== null) return;
-    this.state.w = this.state.w.map((rate, n) => (n ? rate : rate + 0.3 * Math.sqrt(torqueOf(this.body, 9.80665) / this.body.transverse)));
+    const { w } = this.state;
+    this.spins([w[0] + 0.3 * Math.sqrt(torqueOf(this.body, 9.80665) / this.body.transverse), w[1], w[2]]);
     this.player.stale = true;
   }
 
@@ -141,33 +169,37 @@ class Simulator {
   }
 
   paint(box, ratio) {
-    const { scene, camera } = this.player, found = quantities(this.state, this.body, this.set.gravity), shown = {};
-    if ($("vectors").checked) for (const [name] of this.labels) shown[name] = { vector: scale(this.scales[name], found[name]) };
+    const { scene, camera } = this.player, found = this.quantities(), tip = tipOf(this.state, this.body), shown = {};
+    if ($("vectors").checked) for (const [name] of this.labels) shown[name] = { vector: scale(this.scales[name], found[name]), from: tip };
     if (this.pulled) {
       const from = this.apex();
       shown.pull = { vector: this.pulled.map((x, n) => x - from[n]), from };
     }
     this.buffer = scene.buffer(this.trace.subarray(0, 3 * this.traced), this.buffer && scene.gl.isBuffer(this.buffer) ? this.buffer : undefined);
-    this.matrix = scene.paint(this.state.q, this.buffer, this.traced, shown, camera, box);
+    this.focus = this.focus.map((x, n) => x + 0.06 * (tip[n] - x)); // the view follows a top that wanders
+    this.matrix = scene.paint(this.state.q, this.buffer, this.traced, shown, camera, box, tip, this.focus);
     for (const [name, label] of this.labels) {
       const vector = shown[name]?.vector;
       label.hidden = !vector || Math.hypot(...vector) < 0.05;
       if (label.hidden) continue;
-      const [x, y] = projected(this.matrix, vector);
+      const [x, y] = projected(this.matrix, vector.map((part, n) => part + tip[n]));
       Object.assign(label.style, { left: `${((x + 1) / 2) * (box[2] / ratio) + 8}px`, top: `${((1 - y) / 2) * (box[3] / ratio) - 12}px` });
     }
   }
 
   tell() {
-    const { energy, about, tilt } = quantities(this.state, this.body, this.set.gravity);
-    const said = [`${(tilt / DEGREE).toFixed(1)}°`, `${this.state.w[2].toFixed(2)} rad/s`, `${energy.toPrecision(5)} J`, `${about.toPrecision(5)} kg m²/s`,
+    const { energy, lost, about, tilt } = this.quantities();
+    const said = [`${(tilt / DEGREE).toFixed(1)}°`, `${this.state.w[2].toFixed(2)} rad/s`, `${energy.toPrecision(5)} J`, lost === undefined ? "" : `${lost.toPrecision(4)} J`, `${about.toPrecision(5)} kg m²/s`,
       this.landed === null ? `${this.time.toFixed(2)} s` : `${this.time.toFixed(2)} s, fallen`];
-    this.readings.forEach((cell, n) => (cell.textContent = said[n]));
+    this.readings.forEach((cell, n) => {
+      cell.textContent = said[n];
+      cell.parentNode.hidden = !said[n];
+    });
   }
 
   // Whether a point of the view, x and y from −1 to 1, is on the top: near its axis as it is seen.
   holds([x, y], aspect) {
-    const [x0, y0] = projected(this.matrix, [0, 0, 0]), [x1, y1] = projected(this.matrix, this.apex());
+    const [x0, y0] = projected(this.matrix, tipOf(this.state, this.body)), [x1, y1] = projected(this.matrix, this.apex());
     const [u, v, p, q] = [(x1 - x0) * aspect, y1 - y0, (x - x0) * aspect, y - y0], length = Math.hypot(u, v);
     const along = (p * u + q * v) / (length * length || 1);
     return along > -0.05 && along < 1.15 && Math.hypot(p - along * u, q - along * v) < 0.3 * Math.max(length, 0.3);
@@ -180,7 +212,7 @@ class Simulator {
     const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];
     const stretch = Math.min(1, 4 / Math.hypot(right, up));
     this.pulled = [-sa * right - se * ca * up, ca * right - se * sa * up, ce * up].map((part, n) => apex[n] + stretch * part);
-    if (this.landed !== null) this.launch(true);
+    if (this.landed !== null && !this.state.y) this.launch(true);
     this.player.stale = true;
   }
 
@@ -195,6 +227,7 @@ class Simulator {
     const words = Object.entries(this.set).filter(([name, value]) => value !== this.first[name]).map(([name, value]) => [name, +value.toPrecision(6)]);
     const { azimuth, elevation, distance } = this.player.camera;
     if (exact) words.push(["q", this.state.q.join()], ["w", this.state.w.join()], ["t", this.time], ["view", [azimuth, elevation, distance].map((x) => x.toFixed(4)).join()]);
+    if (exact && this.state.y) words.push(["x", this.state.y.slice(7, 13).join()]);
     if (this.reading || (!exact && !words.length && !location.hash)) return;
     try {
       history.replaceState(null, "", `#${new URLSearchParams(words).toString().replaceAll("%2C", ",")}`);
@@ -215,8 +248,11 @@ class Simulator {
     const q = numbers("q", 4), w = numbers("w", 3), size = q && Math.hypot(...q), view = numbers("view", 3);
     if (q && w && size > 1e-9 && Math.max(...w.map(Math.abs)) < 1e4) {
       this.state = { q: scale(1 / size, q), w };
+      const moved = numbers("x", 6);
+      if (this.ball) this.state = letGo(this.state, this.body, this.ball, this.set.gravity);
+      if (this.ball && moved && Math.max(...moved.map(Math.abs)) < 1e4) this.state.y.set(moved, 7);
       this.time = numbers("t", 1)?.[0] ?? 0;
-      if (vertical(this.state.q)[2] < this.rates.floor + 1e-12) this.land();
+      if (!this.ball && vertical(this.state.q)[2] < this.rates.floor + 1e-12) this.land();
       this.still = true; // the moment that was sent, until it is played on
       if (this.player.playing) this.player.toggle();
     }

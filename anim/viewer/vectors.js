@@ -16,11 +16,11 @@ function perspective(height, aspect, near, far) {
   return [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / d, -1, 0, 0, (2 * far * near) / d, 0];
 }
 
-// The camera at angles azimuth and elevation around a point of the z axis, z upwards.
-function lookAt(azimuth, elevation, distance, height) {
+// The camera at angles azimuth and elevation around a point, z upwards.
+function lookAt(azimuth, elevation, distance, target) {
   const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];
   const right = [-sa, ca, 0], up = [-se * ca, -se * sa, ce], back = [ce * ca, ce * sa, se];
-  const eye = [distance * back[0], distance * back[1], distance * back[2] + height];
+  const eye = back.map((x, n) => distance * x + target[n]);
   const rows = [right, up, back];
   return {
     eye,

@@ -1,4 +1,7 @@
-"""Writes one page of reference for each package: every public name, with what its docstring says."""
+"""Writes one page of reference for each package: every public name, with what its docstring says.
+
+A last page has the names of other systems, so that the search finds ours by them.
+"""
 
 from dataclasses import fields, is_dataclass
 from importlib import import_module
@@ -18,9 +21,12 @@ def write(app: Any) -> None:
     """Write ``reference/PACKAGE.md`` for each package, where it changed."""
     folder = Path(app.srcdir) / "reference"
     folder.mkdir(exist_ok=True)
-    for package, text in PACKAGES.items():
-        path = folder / f"{package}.md"
-        page = f"# {package}\n\n{text}\n\n" + "\n\n".join(_sections(package)) + "\n"
+    pages = {
+        package: f"# {package}\n\n{text}\n\n" + "\n\n".join(_sections(package)) + "\n"
+        for package, text in PACKAGES.items()
+    }
+    for name, page in (pages | {"other-names": "\n".join(_other_names())}).items():
+        path = folder / f"{name}.md"
         if not path.exists() or path.read_text(encoding="utf-8") != page:
             path.write_text(page, encoding="utf-8")
 
@@ -44,6 +50,21 @@ def _sections(package: str) -> list[str]:
         members = "\n   :members:\n   :inherited-members: tuple, Enum" if kind == "Classes" else ""
         found[kind].append(f"```{{eval-rst}}\n.. {directive}:: {package}.{name}{members}\n```")
     return [f"## {kind}\n\n" + "\n\n".join(entries) for kind, entries in found.items() if entries]
+
+
+def _other_names() -> list[str]:
+    """Return the lines of a page that says, class by class, what to write for the names of other systems."""
+    lines = ["# What others call it", ""]
+    lines += ["Names of Sage, Magma, PARI, GAP, scipy and their like, and what to write here."]
+    for package in PACKAGES:
+        module = import_module(package)
+        for name in dir(module):
+            hints = getattr(getattr(module, name), "elsewhere", {})
+            if hints:
+                lines += ["", f"## {package}.{name}", "", "| there | here |", "|---|---|"]
+            for there, here in sorted(hints.items()):
+                lines.append(f"| `{there}` | `{here.replace('|', chr(92) + '|')}` |")
+    return [*lines, ""]
 
 
 def _answer(app: Any, what: str, name: str, value: Any, *signature: Any) -> tuple[str, None] | None:

@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from hfield.algebra.brauer import Embedding, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.lattices.hurwitz_order import HurwitzOrder
-    from hfield.lattices.lattice import Lattice, Order
-    from hfield.lattices.over_integers.orders import IntegersOrder
+    from hfield.lattices.lattice import Order
+    from hfield.lattices.over_integers.lattices import IntegersOrder
     from hfield.modules.equations import LinearSolutions
     from hfield.modules.matrix import Matrix
     from hfield.modules.polynomials import Polynomials
@@ -61,7 +61,7 @@ class QuaternionAlgebra(Hinted):
 
     ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Without a ring a and b
     are rational numbers, or elements of one number field; a text names the algebra, and an int alone is the
-    discriminant of a definite algebra over ℚ. Raises :class:`RingError` for what is none of these.
+    reduced discriminant of the algebra, over ℚ. Raises :class:`RingError` for what is none of these.
 
     Calling the algebra makes elements: ``A(1, 2, 0, 1)``, ``A("1 + 2*i + k")``, ``A(3)``; four coordinates
     may be arrays of one shape. Any a and b are allowed, 0 too (a degenerate algebra).
@@ -629,32 +629,52 @@ class QuaternionAlgebra(Hinted):
 
     # --- lattices and orders: their room is imported on use ------------------------------------
 
-    def lattice(self, elements: Iterable[object]) -> Lattice:
-        """Return the lattice that elements (or 4-tuples of rationals) span over ℤ, in an algebra over ℚ.
+    @property
+    def over_integers(self) -> bool:
+        """Whether lattices and orders are over the integers of a number field other than ℚ.
 
-        Raises :class:`LatticeError` when its rank is below 4, :class:`RingError` over another field.
+        >>> H("QQ").over_integers, H("QQ(sqrt(2))").over_integers
+        (False, True)
+        """
+        F = self.ring
+        over_z = isinstance(F, WithIntegers) and F.degree == 1
+        return bool(F.arithmetic and not F.characteristic and not over_z)
+
+    def lattice(self, elements: Iterable[object]) -> Any:  # Lattice, or IntegersLattice
+        """Return the lattice that elements span over ℤ, or over the integers of a number field.
+
+        There pairs (ideal, element), as of a pseudo-basis, are read too. Raises :class:`LatticeError` when
+        its rank is below 4, :class:`RingError` over another field.
         """
         from hfield.lattices.lattice import Lattice
+        from hfield.lattices.over_integers.orders import spanned
 
-        return Lattice.spanned(self, elements)
+        return spanned(self, elements) if self.over_integers else Lattice.spanned(self, elements)
 
-    def order(self, elements: Iterable[object]) -> Order:
-        """Return the order that elements generate as a ring.
+    def order(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
+        """Return the order that elements generate as a ring, or over the integers of a number field.
 
         Raises :class:`LatticeError` when they generate a ring of lower rank, or one that is no lattice.
+
+        >>> O = QuaternionAlgebra("QQ(sqrt(10))", -1, -1).order(["i", "j"])
+        >>> O.discriminant(), O.maximal_overorder().index(O)
+        (ideal(4), ideal(4))
         """
         from hfield.lattices.lattice import Order
+        from hfield.lattices.over_integers.orders import generated
 
-        return Order.generated(self, elements)
+        return generated(self, elements) if self.over_integers else Order.generated(self, elements)
 
-    def order_from_basis(self, elements: Iterable[object]) -> Order:
-        """Return the order with a basis of four elements.
+    def order_from_basis(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
+        """Return the order with a basis of four elements; over ℤ_K, that elements or a pseudo-basis span.
 
         Raises :class:`LatticeError` unless they span a ring with 1.
         """
         from hfield.lattices.lattice import Order
+        from hfield.lattices.over_integers.orders import order_of_basis
 
-        return Order.from_basis(self, elements)
+        over = self.over_integers
+        return order_of_basis(self, elements) if over else Order.from_basis(self, elements)
 
     def maximal_order(self, factors: Factors | None = None) -> Order | IntegersOrder:
         """Return a maximal order, of an algebra that is not degenerate: always the same.
@@ -667,27 +687,34 @@ class QuaternionAlgebra(Hinted):
         >>> O.discriminant(), len(O.basis)
         (ideal(1), 8)
         """
+        from hfield.lattices import named_orders
         from hfield.lattices.lattice import Order
-        from hfield.lattices.named_orders import maximal_order
-        from hfield.lattices.over_integers.orders import maximal_order_over_integers
+        from hfield.lattices.over_integers import orders
 
         with known_primes(factors):
-            F = self.ring
-            over_z = isinstance(F, WithIntegers) and F.degree == 1
-            if F.arithmetic and not F.characteristic and not over_z:
-                return maximal_order_over_integers(self)
-            return Order(maximal_order(self))
+            if self.over_integers:
+                return orders.maximal_order(self)
+            return Order(named_orders.maximal_order(self))
 
-    def eichler_order(self, level: int, factors: Factors | None = None) -> Order:
+    def eichler_order(self, level: object, factors: Factors | None = None) -> Any:
         """Return an Eichler order of the given level, the same for the same algebra and level.
 
+        Over a number field the level is a number, an ideal, or pairs (prime ideal, exponent).
         Raises :class:`LatticeError` for a level that is not prime to the discriminant.
+
+        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); P, Q = A.ring.primes_above(31)
+        >>> O = A.eichler_order([(P, 2), (Q, 1)])
+        >>> O.norm_of_discriminant() == 31**3, O.local_index(P)
+        (True, 2)
         """
+        from hfield.lattices import named_orders
         from hfield.lattices.lattice import Order
-        from hfield.lattices.named_orders import eichler_order
+        from hfield.lattices.over_integers import orders
 
         with known_primes(factors):
-            return Order(eichler_order(self, level))
+            if self.over_integers:
+                return orders.eichler_order(self, level)
+            return Order(named_orders.eichler_order(self, level))
 
     def extremal_order(self) -> Order:
         """Return a p-extremal maximal order, from which KLPT starts, for a prime discriminant p.
@@ -784,13 +811,13 @@ def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, o
         F, c = notation.parse_algebra(a)
         return F, c.a, c.b, c.t
     if b is None and isinstance(a, int) and not isinstance(a, bool):
-        primes = factorise(a) if a > 1 else {}
-        if len(primes) % 2 == 0 or max(primes.values()) > 1:
+        primes = factorise(a) if a > 0 else {2: a}
+        if primes and max(primes.values()) != 1:
             raise RingError(
-                f"{shorten(a)} is not the discriminant of a definite algebra over QQ: expected a product of "
-                "an odd number of different primes, or an algebra such as '(-1,-11|QQ)'"
+                f"{shorten(a)} is not the discriminant of an algebra over QQ: expected a product of "
+                "different primes, or an algebra such as '(-1,-11|QQ)'"
             )
-        return QQ, *known_field(QQ).with_ramification(list(primes), True), 0
+        return QQ, *known_field(QQ).with_ramification(list(primes), len(primes) % 2 == 1), 0
     raise RingError(
         f"an algebra is named by a ring and two constants, as in QuaternionAlgebra('QQ', -1, -11), by a text "
         f"such as '(-1,-11|QQ)', or by a discriminant such as 11; found {shorten(repr(a))}"

@@ -37,9 +37,8 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Compute the domain, draw it, and print what it is."""
     center = None if args.center is None else _complex(args.center)
-    domain = (
-        algebra_of(args.algebra).eichler_order(level_of(args.level)).norm_one_group().domain(center)
-    )
+    A = algebra_of(args.algebra)
+    domain = A.eichler_order(level_of(args.level, A)).norm_one_group().domain(center)
     if args.output is not None:
         domain.draw(args.output, dark=args.dark)
     args.output = None  # what is printed goes to the terminal
@@ -63,7 +62,9 @@ def to_json(domain: Domain) -> dict[str, Any]:
     return {
         "schema": "hfield-domain/1",
         "algebra": str(group.order.algebra),
-        "level": group.order.level,
+        "level": group.order.level
+        if isinstance(group.order.level, int)
+        else str(group.order.level),
         "area": str(group.area),
         "signature": {"genus": genus, "orders": list(orders), "cusps": cusps},
         "center": [text(x) for x in domain.center_element.coordinates],

@@ -87,8 +87,7 @@ def _write_page(
     out: Sink, rows: list[Row], language: str, wanted: list[str], title: str | None
 ) -> None:
     from hfield.report.chapters import chapters
-    from hfield.report.packed_certificates import Certificates
-    from hfield.report.page import page
+    from hfield.report.page import Certificates, page
 
     with Progress("rows") as progress:
         certificates = Certificates(rows, progress)

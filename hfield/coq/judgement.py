@@ -3,25 +3,45 @@
 The theorem is read from the statement, the algebra and the field alone. The evidence becomes data
 for computations that Coq has proved to be right (evidence.v, soundness.v): where it does not show the
 statement, Coq rejects the proof.
+
+Coq proofs from evidence about all values: identities, implications, all cases, tuples of basis vectors.
 """
 
-from collections.abc import Mapping
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import product
 from typing import Any
 
 from hfield.certificates.glossary import PROVED, REFUTED, VACUOUS
-from hfield.coq.base_rings import FIELDS, BaseRing, base_ring_of
-from hfield.coq.existence import by_cases, by_terms, none_exists
-from hfield.coq.sentences import Proved, Sentence
+from hfield.coq.base_rings import (
+    FIELDS,
+    INTEGERS,
+    MAX_MODULUS,
+    MAX_PRIME,
+    RATIONALS,
+    RINGS,
+    BaseRing,
+    base_ring_of,
+    of_characteristic,
+)
+from hfield.coq.cofactors import MismatchError
+from hfield.coq.consequences import Directly, Items, facts_used, has_cases, is_positive
+from hfield.coq.existence import by_cases, by_terms, counterexample, example, none_exists
+from hfield.coq.formulas import Junction
+from hfield.coq.sentences import Proved, Sentence, computed
 from hfield.coq.terms import NotCoveredError
-from hfield.coq.universal import conjunction, exhausted, implied, multilinear
-from hfield.coq.witnesses import counterexample, example
-from hfield.evidence import Kind
-from hfield.proving.statements.language import Statement, read_statement
+from hfield.errors import TooLargeError
+from hfield.evidence import Evidence, Kind
+from hfield.proving.polynomials.vanishing import prime_factors
+from hfield.proving.statements.language import Sort, Statement, read_statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import Setting
-from hfield.proving.statements.trees import walk
+from hfield.proving.statements.trees import substitute, walk
 from hfield.rings import QQ, ZZ
-from hfield.syntax import Name, Node, Not
+from hfield.syntax import Binary, Compare, Logic, Name, Node, Not, parse
 
 FEW = 4_096  # cases
 
@@ -37,7 +57,7 @@ class Judgement:
         """Read a statement as the field and the algebra make its names mean."""
         return read_statement(text, setting.field, (), setting.letters, setting.constants)
 
-    def about(self, node: Node, setting: Setting | None = None) -> "Judgement":
+    def about(self, node: Node, setting: Setting | None = None) -> Judgement:
         """Return the same for another statement."""
         out = object.__new__(Judgement)
         out.name, out.setting = self.name, setting or self.setting
@@ -140,3 +160,188 @@ class Judgement:
 
 def _names(node: Node) -> set[str]:
     return {n.name for n in walk(node) if isinstance(n, Name)}
+
+
+MAX_CASES = 300_000
+MAX_WORDS = 64  # of a list of tuples of basis vectors
+
+
+def implied(
+    j: Judgement, items: Sequence[Mapping[str, Any]], facts: Sequence[Mapping[str, Any]] = ()
+) -> Proved:
+    """Prove a statement by its items, an identity by none."""
+    field = j.setting.field
+    room = FIELDS if field is None else base_ring_of(field)
+    _check_facts(j, facts_used(items), facts, room)
+    if field is None:
+        return _everywhere(j, items)
+    p = room.characteristic
+    if room.is_field and p > MAX_PRIME:
+        room = of_characteristic(p)
+    sentence = Sentence(j.statement, j.setting, room)
+    read = Items(sentence.terms, items)
+    if any(i.characteristic not in (0, p) for i in read.items):
+        raise MismatchError("an item is about another characteristic")
+    divides = j.statement.divides or bool(sentence.defined)
+    if not room.is_field and divides:
+        raise NotCoveredError(f"division over {field.name}, except by all cases")
+    evidence = read.hints(sentence.formulas, read.items, p if p <= MAX_PRIME else 0)
+    if room is RATIONALS:
+        evidence = replace(evidence, numbers=_divisors(j.setting))
+        return computed(sentence, f"over_rationals\n  ({evidence})%text\n  {sentence.data} _")
+    if room is INTEGERS:
+        if _directly(j, sentence, read):
+            judge = f"over_the_integers_directly\n  ({evidence})%text\n  {sentence.data} _"
+        else:
+            judge = f"integers\n  ({evidence})%text\n  {sentence.data} _ _"
+        return computed(sentence, judge)
+    if not room.is_field:
+        if not is_positive(sentence.conclusion) or not all(map(has_cases, sentence.hypotheses)):
+            raise NotCoveredError(f"'not' or '!=' over {field.name}, except by all cases")
+        return computed(sentence, f"residue_ring {p}\n  ({evidence})%text\n  {sentence.data} _")
+    if room.is_one_ring:
+        width = len(sentence.terms.numerators.atoms) if evidence.vanishing else 0
+        return computed(
+            sentence, f"prime_field {p} {width}\n  ({evidence})%text\n  {sentence.data} _ _ _"
+        )
+    return computed(
+        sentence, f"characteristic_fields {p}\n  ({evidence})%text\n  {sentence.data} _"
+    )
+
+
+def _check_facts(
+    j: Judgement, used: set[str], facts: Sequence[Mapping[str, Any]], room: BaseRing
+) -> None:
+    """Raise NotCoveredError for what Coq does not know, MismatchError for what is wrong."""
+    for form in used & {"norm", "squares"}:
+        fact = next((f for f in facts if f["form"] == form), None)
+        if fact is None:
+            raise MismatchError(f"a step uses the fact {form!r}, which is not there")
+        if "algebra" in fact:
+            raise NotCoveredError("the norm form of another algebra than the statement's")
+        known = room in (RATIONALS, INTEGERS)
+        if known and (form == "squares" or _is_definite(j.setting)):
+            continue
+        by = fact["by"]
+        if room is FIELDS or by == "ordering" or (form == "norm" and not known):
+            raise MismatchError(f"the fact {form!r} by {by!r} does not hold there")
+        raise NotCoveredError(f"the fact {form!r} by {by!r} over {room.type}")
+
+
+def _directly(j: Judgement, sentence: Sentence, read: Items) -> bool:
+    """Tell whether the items show the statement without dividing by anything."""
+    usable = [i for i in read.items if not i.characteristic and i.denominators <= {1, -1}]
+    goal = sentence.conclusion
+    for h in reversed(sentence.hypotheses):
+        goal = Junction("=>", h, goal)
+    return Directly(usable).derives([], goal)
+
+
+def _everywhere(j: Judgement, items: Sequence[Mapping[str, Any]]) -> Proved:
+    general = not (j.statement.divides or j.statement.compares_unequal)
+    if general:
+        sentence = Sentence(j.statement, j.setting, RINGS)
+        read = Items(sentence.terms, items)
+        if not sentence.defined and _directly(j, sentence, read):
+            usable = [i for i in read.items if i.is_direct and i.denominators <= {1, -1}]
+            usable = [i for i in usable if not i.characteristic]
+            evidence = read.hints(sentence.formulas, usable, 0)
+            judge = f"commutative_rings\n  ({evidence})%text\n  {sentence.data} _"
+            return computed(sentence, judge)
+    sentence = Sentence(j.statement, j.setting, FIELDS)
+    read = Items(sentence.terms, items)
+    general_items = [i for i in read.items if not i.characteristic]
+    divided = {abs(d) for i in general_items for d in i.denominators}
+    if 0 in divided:
+        raise MismatchError("a denominator is 0")
+    primes = {i.characteristic for i in read.items} - {0}
+    for d in divided:
+        primes |= set(_primes(d))
+    special = []
+    for p in sorted(primes):
+        own = [
+            i
+            for i in read.items
+            if i.characteristic == p
+            or (not i.characteristic and all(d % p for d in i.denominators))
+        ]
+        special.append(f"({p}%Z, ({read.hints(sentence.formulas, own, 0)})%text)")
+    evidence = read.hints(sentence.formulas, general_items, 0)
+    listed = "[" + ";\n   ".join(special) + "]"
+    return computed(sentence, f"fields\n  ({evidence})%text\n  {listed}\n  {sentence.data} _ _")
+
+
+def exhausted(j: Judgement) -> Proved:
+    """Prove a statement over a finite ring by all cases."""
+    room, sentence = j.one_ring()
+    n = room.characteristic
+    width = sum(4 if s is Sort.QUATERNION else 1 for _, s in j.statement.unknowns)
+    if not n or n > MAX_MODULUS or n**width > MAX_CASES:
+        raise NotCoveredError(f"exhaustion of more than {MAX_CASES} cases")
+    return computed(sentence, f"residues_all_cases {n} {sentence.data} _ _")
+
+
+def multilinear(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
+    """Prove an equation by expanding it, and that the list of its values at basis vectors is right."""
+    whole = implied(j, [])
+    names = [n for n, s in j.statement.unknowns if s is Sort.QUATERNION]
+    tree = j.statement.conclusion
+    words = dict(evidence["tuples"])
+    if (
+        not isinstance(tree, Compare)
+        or evidence["unknowns"] != names
+        or set(words) != set(map("".join, product("eijk", repeat=len(names))))
+        or len(words) != len(evidence["tuples"])
+    ):
+        raise MismatchError("the list of tuples is not one for the statement")
+    if len(words) > MAX_WORDS:
+        raise NotCoveredError(f"a list of more than {MAX_WORDS} tuples of basis vectors")
+    parts: list[Node] = []
+    for word, value in words.items():
+        put = {n: Name(x) for n, x in zip(names, word, strict=True)}
+        shown = " + ".join(f"({int(c)})*{u}" for c, u in zip(value, "eijk", strict=True))
+        for side in (tree.left, tree.right):
+            parts.append(Compare("==", substitute(side, put), parse(shown)))
+    values = j.about(conjunction(parts)).proved(Evidence(Kind.IDENTITY).to_json())
+    tuples = f"{j.name}_tuples"
+    return replace(whole, before=(values.lemma(tuples), *whole.before))
+
+
+def conjunction(parts: Sequence[Node]) -> Node:
+    """Join statements by "and"."""
+    out = parts[-1]
+    for part in reversed(parts[:-1]):
+        out = Logic("and", part, out)
+    return out
+
+
+def _divisors(setting: Setting) -> tuple[int, ...]:
+    """Return the numbers that the structure constants divide by."""
+    found: set[int] = set()
+
+    def visit(node: Node) -> None:
+        if isinstance(node, Binary):
+            visit(node.left)
+            visit(node.right)
+            if node.op == "/" and hasattr(node.right, "value"):
+                found.add(int(node.right.value))
+
+    for text in setting.constants:
+        visit(parse(text))
+    return tuple(sorted(found - {0, 1}))
+
+
+def _is_definite(setting: Setting) -> bool:
+    """Tell whether t*t + 4*a and b are negative rationals."""
+    try:
+        a, t, b = (Fraction(text) for text in setting.constants)
+    except ValueError:
+        return False
+    return t * t + 4 * a < 0 and b < 0
+
+
+def _primes(n: int) -> list[int]:
+    primes = prime_factors(n)
+    if primes is None:
+        raise TooLargeError("a denominator is too large to factor")
+    return primes

@@ -8,8 +8,7 @@ from hfield.coq.theorem import Theorem, theorem
 from hfield.errors import HFieldError
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import UNIVERSAL, Claim, Proposition
-from hfield.ledger.presented import Presented
-from hfield.ledger.propositions import Equivalence, Every, Implication, Statement
+from hfield.ledger.propositions import Equivalence, Every, Implication, Presented, Statement
 from hfield.ledger.real_geometry import Analysis, Angles
 from hfield.ledger.registry import claims
 from hfield.ledger.scopes import Only, Over

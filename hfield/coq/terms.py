@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from hfield.coq.numerators import Numerators
+from hfield.coq.cofactors import Numerators
 from hfield.errors import HFieldError, TooLargeError
 from hfield.product import Constants, conjugate, multiply, norm, trace
 from hfield.proving.statements.language import Sort

@@ -15,7 +15,7 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
 from hfield.lattices.lattice import Order
-from hfield.lattices.over_integers.orders import IntegersOrder
+from hfield.lattices.over_integers.lattices import IntegersOrder
 from hfield.notation import element_text
 from hfield.rings.base import INFINITY, Ring, WithIntegers
 from hfield.structure.global_field import global_field
@@ -148,7 +148,7 @@ def place_json(place: object) -> object:
 def info(A: QuaternionAlgebra | Ring | int | str, factors: Factors | None = None) -> Description:
     """Return all that is known of an algebra: what ``hfield info`` prints, as an object that shows itself.
 
-    ``A`` is an algebra or its text, such as ``"(-1,-3|QQ)"``, the discriminant of a definite algebra over ℚ,
+    ``A`` is an algebra or its text, such as ``"(-1,-3|QQ)"``, the discriminant of an algebra over ℚ,
     or a ring or its text for H(F). ``factors`` may name primes of a and b, which
     spares their factorisation where it is too hard. Nothing raises where something is merely undecided: see
     ``undecided``. Raises :class:`NotationError` for a text that names no algebra.

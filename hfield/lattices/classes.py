@@ -20,9 +20,9 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError
+from hfield.evidence import Certified, Claim
 from hfield.factorisation import factorise
 from hfield.lattices import brandt, certificates, enumeration, hermite
-from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.checked_arguments import positive, prime
 from hfield.lattices.class_number import mass
 from hfield.lattices.ideals_of_norm import (
@@ -176,9 +176,18 @@ class Classes(Certified):
         order = self.ring
         for p, e in sorted(factorise(order.discriminant).items()):
             if is_maximal_or_eichler(order, p, e):
-                ideal = two_sided_prime(order, p)
-                return [self._index(product(lattice, ideal)) for lattice in self._lattices]
+                return self.exchanged_at(p)
         return list(range(len(self)))
+
+    def exchanged_at(self, p: int) -> list[int]:
+        """Return which class each becomes by the two-sided ideal at a prime. Raises :class:`LatticeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(11).eichler_order(3).class_set().exchanged_at(3)
+        [1, 0, 2, 3]
+        """
+        ideal = two_sided_prime(self.ring, p)
+        return [self._index(product(lattice, ideal)) for lattice in self._lattices]
 
     @property
     def type_number(self) -> int:

@@ -24,8 +24,8 @@ from flint import fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, UndecidedError, shorten
+from hfield.evidence import Certified, Claim
 from hfield.lattices import certificates, enumeration, hermite
-from hfield.lattices.certificates import Certified, Claim
 from hfield.lattices.short_elements import expect_affordable, expect_definite, of_norm
 from hfield.lattices.z_order import ZOrder
 from hfield.primality import is_probable_prime, primes

@@ -1,18 +1,31 @@
-"""One decision in lines of text: verdict, steps, witness, what is assumed; without the ledger's claims."""
+"""One decision in lines of text: verdict, steps, witness, what is assumed; without the ledger's claims.
+
+A counterexample, worked out: both sides of what fails, at the values that refute it.
+"""
 
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from hfield.errors import shorten
+from hfield.errors import HFieldError, shorten
 from hfield.fields.names import ring
-from hfield.ledger.claim import UNIVERSAL
+from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 from hfield.ledger.matrix import Style
-from hfield.ledger.wording import over, pretty, witness_text
+from hfield.ledger.wording import STATED_FIELD, over, pretty, witness_text
+from hfield.notation import element_text
 from hfield.presenting import hanging
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision, in_characteristics
+from hfield.proving.evaluation.evaluator import Evaluator
+from hfield.proving.evaluation.scalars import RingScalars
+from hfield.proving.evaluation.searcher import read_back
+from hfield.proving.statements.language import Statement, read_statement
+from hfield.proving.statements.printing import to_unicode
+from hfield.proving.statements.setting import Setting, read_setting
+from hfield.proving.statements.trees import walk
+from hfield.rings.base import Ring
+from hfield.syntax import Compare, Node, weight
 
 _MOST = (
     600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
@@ -49,8 +62,6 @@ def decision_lines(
     if witness:
         yield from wrapped("witness", witness, style)
     if decision.verdict == REFUTED:
-        from hfield.ledger.worked_counterexamples import worked_out
-
         for n, line in enumerate(worked_out(text, decision.witness, field, algebra)):
             yield from wrapped("" if n else "there", line, style)
     for theorem in decision.assumes:
@@ -72,3 +83,75 @@ def scope_text(decision: Decision) -> str:
 def wrapped(label: str, text: str, style: Style, indent: int = 0) -> list[str]:
     """Return the label and the text beside it, wrapped to the width of the terminal."""
     return hanging(f"  {label:<{_LABEL}}" + " " * indent, text, style.width)
+
+
+MOST_LINES = 3
+MOST_WEIGHT = 2_000
+
+
+def worked_out(
+    text: str,
+    witness: Mapping[str, Sequence[str]] | None,
+    field: str,
+    algebra: str | None = None,
+) -> list[str]:
+    """Work out the comparisons of a statement that fail at a witness: ``p·q = k ≠ −k = q·p``.
+
+    ``algebra`` is H if None. Returns nothing for a claim in words, or one with ``exists``.
+    """
+    witness = witness or {}
+    name = witness[STATED_FIELD][0] if STATED_FIELD in witness else field
+    if name in (UNIVERSAL, NO_FIELD):
+        return []
+    try:
+        F = ring(name)
+        setting = read_setting(F, algebra)
+        read = read_statement(text, F, (), setting.letters, setting.constants)
+        if read.exists or weight(read.node) > MOST_WEIGHT:
+            return []
+        return list(_failures(_world(read, setting, F, witness), read, F))[:MOST_LINES]
+    except (HFieldError, KeyError):  # in words, or with other unknowns than the witness has
+        return []
+
+
+def _world(
+    statement: Statement,
+    setting: Setting,
+    F: Ring,
+    witness: Mapping[str, Sequence[str]],
+) -> Evaluator:
+    """Give the unknowns the values of the witness. Raises KeyError for one without a value."""
+    fixed = {text: F(text) for text in statement.constants}
+    values = read_back(F, {unknown: witness[unknown] for unknown, _ in statement.unknowns})
+    world = Evaluator(RingScalars(F), setting.trees, statement.sorts, fixed)
+    world.bind(values)
+    return world
+
+
+def _failures(world: Evaluator, statement: Statement, F: Ring) -> Iterator[str]:
+    """Write the comparisons of the conclusion that are false."""
+    for node in walk(statement.conclusion):
+        if isinstance(node, Compare) and not world.truth(node):
+            sides = [_side(world, x, F) for x in (node.left, node.right)]
+            if not all(value for _, value in sides):
+                shown = next(text for text, value in sides if not value)
+                yield f"{shown} is not defined"
+            else:
+                (left, x), (right, y) = sides
+                yield _chain(left, x, node.op == "!=", y, right)
+
+
+def _side(world: Evaluator, node: Node, F: Ring) -> tuple[str, str]:
+    """Return the text of a term and of its value, '' where it has none."""
+    value, defined = world.term(node)
+    if not defined:
+        return to_unicode(node), ""
+    return to_unicode(node), element_text(F, world.embed(value), "unicode")
+
+
+def _chain(left: str, x: str, equal: bool, y: str, right: str) -> str:
+    """Join two terms and their values, each text once: ``p·q = k ≠ −k = q·p``."""
+    if equal:
+        return " = ".join(dict.fromkeys((left, x, right)))
+    right = y if right == "e" else right
+    return " ≠ ".join(" = ".join(dict.fromkeys(side)) for side in ((left, x), (y, right)))

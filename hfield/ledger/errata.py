@@ -8,8 +8,8 @@ from functools import cached_property
 
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, by_claim
 from hfield.ledger.columns import panel_order
+from hfield.ledger.decision_lines import worked_out
 from hfield.ledger.wording import STATED_FIELD, name_fields, pretty, witness_text
-from hfield.ledger.worked_counterexamples import worked_out
 from hfield.proving.decision import REFUTED
 
 

@@ -43,18 +43,19 @@ class Report:
         return f"${self.latex()}$"
 
 
-def verify(*names: str, field: Ring | str | Iterable[Ring | str] = ()) -> Report:
+def verify(*names: str | Iterable[str], field: Ring | str | Iterable[Ring | str] = ()) -> Report:
     """Decide claims of the thesis and show what came out, with the errata.
 
-    ``names`` are ids, names or numbers (all claims without any), ``field`` is a field, its name, names with
-    commas between them, or several of these (the whole panel without any).
+    ``names`` are ids, names or numbers, or lists of them (all claims without any), ``field`` is a field, its
+    name, names with commas between them, or several of these (the whole panel without any).
 
     >>> [row.as_printed.verdict for row in verify("centre", field="GF4,QQ").rows]
     ['proved', 'proved']
 
     Raises :class:`hfield.errors.HFieldError` for claims or fields that do not exist.
     """
-    chosen = [claim for name in names for claim in find_all(name)]
+    told = [name for one in names for name in ([one] if isinstance(one, str | Ring) else one)]
+    chosen = [claim for name in told for claim in find_all(name)]
     fields = split_columns(field)
     pieces = rows_to_decide(chosen or claims(), fields, strict=bool(chosen))
     return Report(tuple(decide_rows(pieces, InProcess())), bool(chosen))

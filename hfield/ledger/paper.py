@@ -11,12 +11,11 @@ from collections.abc import Iterable, Sequence
 from hfield.errors import NotationError, shorten
 from hfield.latex import enumeration, long_table, words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
-from hfield.ledger.decision_lines import scope_text
+from hfield.ledger.decision_lines import scope_text, worked_out
 from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import LATEX_MARKS, marked
 from hfield.ledger.report import totals
 from hfield.ledger.wording import witness_text
-from hfield.ledger.worked_counterexamples import worked_out
 from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
 from hfield.proving.statements.printing import to_latex
 from hfield.proving.statements.trees import conjuncts

@@ -1,16 +1,14 @@
-"""Propositions and how they combine: statements of the language, and logic between closed ones."""
+"""Propositions and how they combine: statements of the language, and logic between closed ones.
+
+Propositions about algebras given by i² = j² = k² = ijk = −e: what follows from the relations.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from hfield.certificates.glossary import (
-    NO_MEANING,
-    NOT_APPLICABLE,
-    PROVED,
-    VACUOUS,
-)
+from hfield.certificates.glossary import NO_MEANING, NOT_APPLICABLE, PROVED, VACUOUS
 from hfield.errors import NotationError
 from hfield.evidence import Evidence, Kind
 from hfield.ledger.claim import Proposition
@@ -18,6 +16,7 @@ from hfield.ledger.scopes import TRUE, by_lemmas, search_panel
 from hfield.ledger.transfer import carried
 from hfield.proving.decide import decide
 from hfield.proving.decision import Decision
+from hfield.proving.methods.presentations import decide_presentation, presentation_text
 from hfield.proving.statements.printing import to_text
 from hfield.proving.steps import indented, say
 from hfield.rings.base import Ring
@@ -207,3 +206,33 @@ class Equivalence:
         return Decision(
             verdict, method, witness=witness, steps=steps, assumes=cited(a, b), evidence=evidence
         )
+
+
+RELATIONS = ("i*i == -e", "j*j == -e", "k*k == -e", "i*j*k == -e")
+
+
+@dataclass(frozen=True)
+class Presented:
+    """Each of ``goals`` holds in every associative algebra in which the relations hold.
+
+    With ``identity`` e is the identity of the algebra, else just another letter.
+    """
+
+    goals: tuple[str, ...]
+    identity: bool = True
+
+    @property
+    def text(self) -> str:
+        """The relations and the goals as one writes them."""
+        unit = "with identity e" if self.identity else "with basis (e,i,j,k)"
+        goals = ", ".join(self.goals).replace("*", "").replace("==", "=").replace("-", "−")
+        return f"in an associative algebra {unit}, i² = j² = k² = ijk = −e ⇒ {goals}"
+
+    @property
+    def statement(self) -> str:
+        """The same as certificates state it."""
+        return presentation_text(RELATIONS, self.goals, self.identity)
+
+    def decide(self, field: Ring | None) -> Decision:
+        """Rewrite each goal by the relations in ℤ⟨e,i,j,k⟩, or find an algebra where one fails."""
+        return decide_presentation(RELATIONS, self.goals, field=field, identity=self.identity)

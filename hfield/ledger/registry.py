@@ -64,6 +64,10 @@ def find_all(name: str) -> list[Claim]:
 
 def _in_english(name: str) -> str:
     """Return a name as the ledger spells it: small letters, hyphens, the thesis's words in English."""
+    if not isinstance(name, str):
+        raise UnknownClaimError(
+            f"a claim is named by a text such as 'theorem-3', not {name!s}; fields are field=…"
+        )
     words = name.strip().lower().replace(" ", "-").split("-")
     return "-".join([_POLISH.get(words[0], words[0]), *words[1:]])
 

@@ -1,10 +1,20 @@
-"""The way from a text to a verdict: read, choose, try, answer."""
+"""The way from a text to a verdict: read, choose, try, answer.
 
+Deciding in a process of its own, which is ended when its time is over or its memory full.
+
+Nearly everything is decided where it is asked, since the procedures estimate before they begin. Some
+things cannot be estimated: factoring structure constants of many digits, or comparing nested roots.
+
+What is asked: the words of whoever asks, and the problem that they are.
+"""
+
+import sys
 from collections.abc import Callable, Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from hfield.certificates.glossary import LINEAR_ALGEBRA, NONE
-from hfield.errors import TooLargeError, UndecidedError
+from hfield.errors import HFieldError, TooLargeError, UndecidedError
+from hfield.fields.names import ring
 from hfield.proving.clock import Clock
 from hfield.proving.decision import (
     FIELD,
@@ -21,11 +31,40 @@ from hfield.proving.existence.closed_equations import closed_solutions
 from hfield.proving.methods import universal
 from hfield.proving.methods.subfields import decide_in_subfields
 from hfield.proving.problem import Problem, remembered
-from hfield.proving.question import TIMEOUT, Question, read_question
+from hfield.proving.statements.language import read_statement
+from hfield.proving.statements.setting import read_setting
 from hfield.proving.steps import say
-from hfield.proving.subprocess_limits import decide_apart, is_risky
 from hfield.rings.base import Ring
 from hfield.syntax import Not
+
+TIMEOUT = 30.0
+
+
+@dataclass(frozen=True)
+class Question:
+    """A ``problem``, whose clock does not run yet, and the texts from which it was read.
+
+    ``given`` are the hypotheses that were named apart, ``algebra`` is None for H, ``timeout`` in seconds.
+    """
+
+    text: str
+    given: tuple[str, ...]
+    algebra: str | None
+    timeout: float
+    problem: Problem
+
+
+def read_question(
+    statement: str,
+    field: Ring | str | None = None,
+    given: Iterable[str] = (),
+    algebra: str | None = None,
+    timeout: float = TIMEOUT,
+) -> Question:
+    """Read a question. Raises :class:`NotationError` or :class:`RingError` for what cannot be read."""
+    hypotheses, setting = tuple(given), read_setting(field, algebra)
+    read = read_statement(statement, setting.field, hypotheses, setting.letters, setting.constants)
+    return Question(statement, hypotheses, algebra, timeout, Problem(read, setting))
 
 
 def decide(
@@ -119,3 +158,70 @@ def _no_algebra(problem: Problem) -> Decision:
     named = "no-algebra-for" if setting.letters else "no-algebra"
     why = say(named, A=setting.algebra, F=where, letters=", ".join(setting.letters))
     return Decision(NOT_APPLICABLE, NONE, steps=(why,), tried=(why,))
+
+
+MEMORY = 1 << 30
+GRACE = 1.0  # seconds beyond the time limit for starting and answering
+MAX_DIGITS = 12
+MAX_WEIGHT = 300
+SLOW_WEIGHT = 60  # where roots of numbers are compared
+MAX_NAME, MAX_NAME_DIGITS = 60, 20  # of a field: long names and long numbers make slow arithmetic
+
+
+def is_risky(problem: Problem) -> bool:
+    """Tell whether deciding may take long in a single step, which no time limit could end."""
+    statement, field = problem.statement, problem.field
+    digits = sum(map(_digits, problem.setting.constants))
+    if digits > MAX_DIGITS or statement.weight > MAX_WEIGHT:
+        return True
+    if field is None:
+        return False
+    slow = field.closure is not None and statement.weight > SLOW_WEIGHT
+    return slow or len(field.name) > MAX_NAME or _digits(field.name) > MAX_NAME_DIGITS
+
+
+def _digits(text: str) -> int:
+    return sum(c.isdigit() for c in text)
+
+
+def decide_apart(question: Question) -> Decision | None:
+    """Decide in another process; None when the field is a user's own, which has no name there."""
+    import json
+    import pickle
+    import subprocess
+
+    field = question.problem.field
+    if field is not None and not _is_ours(field):
+        return None
+    request = {
+        "statement": question.text,
+        "field": None if field is None else field.name,
+        "given": question.given,
+        "algebra": question.algebra,
+        "timeout": question.timeout,
+    }
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", "hfield.proving.subprocess_worker", str(MEMORY)],
+            input=json.dumps(request).encode(),
+            capture_output=True,
+            timeout=question.timeout + GRACE,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return _given_up(f"the time of {question.timeout:g} s was over")
+    if done.returncode:
+        return _given_up(f"the work needed more than {MEMORY >> 20} MiB of memory, or failed")
+    answer: Decision = pickle.loads(done.stdout)
+    return answer
+
+
+def _is_ours(field: Ring) -> bool:
+    try:
+        return type(ring(field.name)) is type(field)
+    except HFieldError:
+        return False
+
+
+def _given_up(why: str) -> Decision:
+    return undecided(f"{why}, in a process of its own")

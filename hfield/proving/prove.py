@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from hfield.errors import NotationError
 from hfield.evidence import is_complete, why_rejected
-from hfield.proving.decide import answer
+from hfield.proving.decide import TIMEOUT, answer, read_question
 from hfield.proving.decision import (
     NOT_APPLICABLE,
     PROVED,
@@ -19,7 +19,6 @@ from hfield.proving.decision import (
     VACUOUS,
     Decision,
 )
-from hfield.proving.question import TIMEOUT, read_question
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_latex, to_unicode
 from hfield.proving.statements.setting import Setting

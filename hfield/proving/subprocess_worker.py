@@ -1,11 +1,10 @@
-"""The process that ``subprocess_limits`` starts: a request on stdin, the decision on stdout."""
+"""The process that ``decide`` starts: a request on stdin, the decision on stdout."""
 
 import json
 import pickle
 import sys
 
-from hfield.proving.decide import answer_here
-from hfield.proving.question import read_question
+from hfield.proving.decide import answer_here, read_question
 
 
 def main(memory: int) -> None:

@@ -279,6 +279,16 @@ class WithSquares(Core[E]):
         """
         raise UndecidedError(f"roots of polynomials over {self.name} are not computed")
 
+    def irreducible_factors(self, coefficients: Sequence[E]) -> list[list[E]]:
+        """Return the monic irreducible factors of a polynomial over a field, not 0, each once.
+
+        Coefficients go from low to high. By default those of degree 2, and of degree 4 in x², are found, by
+        square roots. Raises :class:`UndecidedError` for others.
+        """
+        from hfield.rings.factoring import by_square_roots
+
+        return by_square_roots(self, coefficients)
+
     def is_rootless(self, coefficients: Sequence[E]) -> bool:
         """Tell whether Σ cₙ·xⁿ certainly has no root; by default of quadratics, by their discriminants."""
         if len(coefficients) != 3 or self.characteristic == 2 or self.is_zero(coefficients[2]):

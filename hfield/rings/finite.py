@@ -14,6 +14,7 @@ import flint
 from hfield.errors import NotInvertibleError, shorten
 from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring, shared
+from hfield.rings.factoring import of_flint
 from hfield.rings.held import tables
 from hfield.rings.held.quotients import Polynomials
 from hfield.rings.holding import Batch, Holding
@@ -230,6 +231,12 @@ class ExtensionField(FiniteField):
         """Return the roots of a polynomial that is not 0."""
         polynomial = flint.fq_default_poly_ctx(self.context)(list(coefficients))
         return [root for root, _ in polynomial.roots()]
+
+    def irreducible_factors(
+        self, coefficients: Sequence[flint.fq_default]
+    ) -> list[list[flint.fq_default]]:
+        """Return the monic irreducible factors of a polynomial that is not 0, each once."""
+        return of_flint(self, flint.fq_default_poly_ctx(self.context)(list(coefficients)), self)
 
     @property
     def level(self) -> Known:

@@ -13,6 +13,7 @@ from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.primality import is_prime, primes
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.factoring import of_flint
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
@@ -200,6 +201,10 @@ class Rationals(_Ordered):
     def roots(self, coefficients: Sequence[flint.fmpq]) -> list[flint.fmpq]:
         """Return the rational roots of a polynomial that is not 0."""
         return rational_roots(coefficients)
+
+    def irreducible_factors(self, coefficients: Sequence[flint.fmpq]) -> list[list[flint.fmpq]]:
+        """Return the monic irreducible factors of a polynomial that is not 0, each once."""
+        return of_flint(self, flint.fmpq_poly(list(coefficients)), self)
 
     def is_rootless(self, coefficients: Sequence[flint.fmpq]) -> bool:
         """Tell whether a polynomial has no rational root: no linear factor."""

@@ -18,6 +18,7 @@ from hfield.errors import (
 from hfield.primality import WORD
 from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
+from hfield.rings.factoring import of_flint
 from hfield.rings.holding import Holding
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import residue_roots
@@ -150,6 +151,15 @@ class Modular(Ring):
         return [
             self.residue(n) for n in residue_roots([int(c) for c in coefficients], self.modulus)
         ]
+
+    def irreducible_factors(
+        self, coefficients: Sequence[flint.nmod | flint.fmpz_mod]
+    ) -> list[list[flint.nmod | flint.fmpz_mod]]:
+        """Return the monic irreducible factors of a polynomial modulo a prime, not 0, each once."""
+        if not self.is_field:
+            return super().irreducible_factors(coefficients)
+        over = flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(self.modulus))
+        return of_flint(self, over([int(c) for c in coefficients]), lambda c: self.residue(int(c)))
 
     @property
     def level(self) -> Known:

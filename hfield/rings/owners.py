@@ -41,7 +41,10 @@ def describe(x: object, ring: str, is_exact: bool, characteristic: int) -> tuple
         )
     called = f"{x!r} ({type(x).__name__})"
     if is_exact and isinstance(x, numbers.Complex):
-        example = "'3' or '1/2'" if characteristic else f"{str(x)!r}"
+        if isinstance(x, complex):
+            example = f"'{x.real:g} + {x.imag:g}*I'"
+        else:
+            example = "'3' or '1/2'" if characteristic else f"{str(x)!r}"
         number = (
             f"write a text such as {example}, or a Fraction" if x == x else "and this is no number"
         )

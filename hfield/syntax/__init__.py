@@ -30,8 +30,7 @@ from hfield.syntax.building import (
     unequal,
     vector,
 )
-from hfield.syntax.parser import MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, parse
-from hfield.syntax.reader import Reader, weight
+from hfield.syntax.reader import MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, Reader, parse, weight
 from hfield.syntax.spelling import plain, plain_element
 from hfield.syntax.tree import (
     Binary,

@@ -9,7 +9,7 @@ come from the extreme words. These words are the state of the generator after a 
 from collections.abc import Callable
 from random import Random
 
-from hfield.ledger.findings import Computed, Finding
+from hfield.ledger.claim import Computed, Finding
 
 WORDS = 624  # of the state
 SAMPLES = 100

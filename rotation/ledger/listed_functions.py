@@ -1,6 +1,6 @@
 """What the rows about programs have in common: they are about no field, and count functions."""
 
-from hfield.ledger.findings import Computed, Finding
+from hfield.ledger.claim import Computed, Finding
 from rotation import thesis
 
 

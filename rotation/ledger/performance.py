@@ -4,8 +4,8 @@ Numbers are recomputed from the printed times over ℚ. Of the second test, what
 a point is found by running them on symbols.
 """
 
+from hfield.ledger.claim import Computed, Finding
 from hfield.ledger.document import Propositions
-from hfield.ledger.findings import Computed, Finding
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import Over
 from rotation.ledger import generator, printed_times, second_test

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from anim.model import Model
-from anim.physics import Body, HeavyTop, Launch
+from anim.physics import Body, Contact, FreeTop, HeavyTop, Launch
 from anim.viewer import Show, page
 from tests.anim.chromium import Browser
 from tests.anim.test_viewer import SPIN, needs_chromium, settle, yellow
@@ -139,6 +139,38 @@ def test_a_pull_moves_the_top_and_beside_it_the_view(live: Browser) -> None:
     assert live.evaluate("player.camera.azimuth") != looked
 
 
+def test_with_a_tip_of_some_radius_it_slips_and_goes_on_after_its_fall(live: Browser) -> None:
+    assert live.evaluate("document.querySelector('[name=grip]').disabled") is True
+    slide(live, "spin", 30)
+    slide(live, "tip", 5)
+    slide(live, "grip", 0.2)
+    live.evaluate("player.simulator.advance(0.6)")
+    contact = Contact(0.05, 0.2, live.evaluate("player.simulator.ground.rolling"))
+    top = FreeTop(TOP.body, Launch(spin=30.0), 1.0, contact)
+    found = live.evaluate("[...player.simulator.state.y]")
+    time = live.evaluate("player.simulator.time")
+    np.testing.assert_allclose(found, top.states(np.array([time]))[0], atol=1e-9)
+    click(live, "push")
+    assert state(live)[4] > found[4] + 0.5
+    click(live, "share")
+    link, place = live.evaluate("location.href"), live.evaluate("[...player.simulator.state.y]")
+    live.send("Page.navigate", url="about:blank")
+    live.send("Page.navigate", url=link)
+    live.wait("document.readyState === 'complete' && location.protocol === 'file:'")
+    settle(live)
+    assert live.evaluate("[...player.simulator.state.y]")[:13] == pytest.approx(place[:13])
+    slide(live, "spin", 8)
+    for _ in range(8):
+        live.evaluate("player.simulator.advance(0.4)")
+    fell = live.evaluate("player.simulator.landed")
+    assert 0.2 < fell < live.evaluate("player.simulator.time") - 0.5
+    settle(live)
+    live.evaluate("player.draw()")
+    assert "lost" in live.evaluate("document.getElementById('readings').textContent")
+    assert yellow(live.picture()).sum() > 2000
+    assert live.complaints == []
+
+
 def test_a_push_turns_the_momentum(live: Browser) -> None:
     before = state(live)
     click(live, "push")
@@ -211,7 +243,7 @@ def test_keys_alone_and_names_for_a_reader_of_screens(live: Browser) -> None:
     ]
     assert len(found) >= 13
     assert all(name.strip() for _, name in found)
-    assert {"spin", "tilt", "friction", "gravity", "width"} <= {
+    assert {"spin", "tilt", "tip", "friction", "damping", "gravity", "width"} <= {
         name.split(" ")[0].rstrip("0123456789.-") for role, name in found if role == "slider"
     }
 

@@ -177,7 +177,7 @@ class Still(Scene):
     def task(self, number: int):
         from anim.rendering import Task
 
-        return Task(self.model, self.look, self.matrix[None], self.trail)
+        return Task(self.model, self.look, self.matrix[None], self.trail, np.zeros((1, 3)))
 
 
 def test_the_samples_of_the_palette_span_the_film() -> None:

@@ -11,12 +11,13 @@ import pytest
 
 import anim.viewer
 from anim.model import Model
-from anim.physics import Body, HeavyTop, Launch
+from anim.physics import Body, Contact, FreeTop, HeavyTop, Launch
+from anim.physics.contact import follow_compiled
 from anim.physics.integrator import run_compiled
 from tests.anim.test_physics_motion import LAUNCHES
 
 NODE = shutil.which("node")
-SOURCE = Path(anim.viewer.__file__).parent / "heavy_top.js"
+SOURCES = [Path(anim.viewer.__file__).parent / name for name in ("heavy_top.js", "free_top.js")]
 PROFILE = Model().profile
 BODY = Body.turned(PROFILE)
 TEN = [
@@ -34,7 +35,8 @@ pytestmark = pytest.mark.skipif(NODE is None, reason="needs node (Debian: nodejs
 def javascript(program: str, **data):
     """Run a program after the page's integrator, with ``data`` at hand; return what its last line gives."""
     assert NODE
-    text = f"{SOURCE.read_text()}\nconst data = {json.dumps(data)};\n{program}"
+    source = "\n".join(file.read_text() for file in SOURCES)
+    text = f"{source}\nconst data = {json.dumps(data)};\n{program}"
     done = subprocess.run([NODE, "-"], input=text, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
@@ -135,3 +137,60 @@ def test_energy_and_momentum_are_those_of_python():
     assert found["momentum"][2] == pytest.approx(found["about"], rel=1e-13)
     assert np.linalg.norm(found["velocity"]) == pytest.approx(np.linalg.norm(states[0, 4:]))
     assert sin(found["tilt"] / 2) ** 2 == pytest.approx(states[0, 1] ** 2 + states[0, 2] ** 2)
+
+
+FREE = [
+    (Launch(spin=45.0, tilt=0.35, spin_decay=inf, tilt_decay=inf), Contact(0.05, 0.3)),
+    (Launch(spin=60.0, tilt=0.5, spin_decay=inf, tilt_decay=inf), Contact(0.1, 0.03)),
+    (Launch(spin=-40.0, tilt=0.3, precession=2.0, heading=1.0), Contact(0.03, 0.1, 0.002)),
+    (Launch(spin=30.0, tilt=0.3, gravity=1.62), Contact(0.04, 0.0)),
+    (Launch(spin=36.0, tilt=0.2, spin_decay=20.0), Contact(0.04, 0.4, 0.01)),
+]
+FOLLOW = """
+const { launch, body, losses, gravity, outline, contact, h, steps, every } = data;
+const edges = edgesOf(body, outline, contact.radius), ground = groundOf(body, gravity, losses, contact);
+let state = letGo(launched(launch), body, contact.radius, gravity), landed = -1;
+const rows = [];
+for (let n = 0; n <= steps; n++) {
+  if (n % every === 0) rows.push([...state.y]);
+  if (landed < 0 && isDown(state, edges)) landed = n * h;
+  state = stepOnGround(state, h, edges, ground);
+}
+const last = free(Float64Array.from(rows.at(-1)));
+const found = freeQuantities(last, body, edges, ground);
+console.log(JSON.stringify({ rows, landed, tip: tipOf(last, body), ...found }));
+"""
+
+
+@pytest.mark.parametrize(("launch", "contact"), FREE)
+def test_a_free_top_goes_as_in_python_for_ten_seconds(launch, contact):
+    top = FreeTop(BODY, launch, 10.0, contact)
+    every = 64
+    states, landed = follow_compiled(top.start, top.step, top.steps, every, top.edges, top.ground)
+    found = javascript(
+        FOLLOW,
+        launch={
+            "spin": top.spin,
+            **{n: getattr(launch, n) for n in ("tilt", "precession", "heading")},
+        },
+        body={**body_of(BODY), "unit": BODY.unit},
+        outline=BODY.outline,
+        losses=losses_of(launch),
+        gravity=launch.gravity,
+        contact=vars(contact),
+        h=top.step,
+        steps=top.steps,
+        every=every,
+    )
+    rows = np.array(found["rows"])
+    assert found["landed"] == pytest.approx(landed, abs=top.step * 1.01)
+    assert abs(rows - states).max() < 1e-9
+    last = rows[-1:]
+    assert found["energy"] == pytest.approx(top.energies(last)[0], rel=1e-12)
+    assert found["lost"] == pytest.approx(top.losses(last)[0], rel=1e-12)
+    assert found["jellett"] == pytest.approx(top.jellett(last)[0], rel=1e-12)
+    assert found["momentum"] == pytest.approx(top.momenta(last)[0], abs=1e-12)
+    axis = np.array([2 * (last[0, 1] * last[0, 3] + last[0, 0] * last[0, 2])])
+    assert found["tip"][0] == pytest.approx(
+        (last[0, 7] - BODY.height * axis[0]) / BODY.unit, abs=1e-12
+    )

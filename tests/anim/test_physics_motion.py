@@ -10,7 +10,7 @@ from anim.film import Clip
 from anim.model import Model
 from anim.physics import Body, HeavyTop, Launch, physical
 from anim.physics.integrator import run, run_compiled, visit, visit_compiled
-from anim.physics.simulate import EVERY
+from anim.physics.launch import EVERY
 from rotation.matrices import R_y, R_z, to_matrix
 
 BODY = Body.turned(Model().profile)

@@ -31,7 +31,7 @@ def coloured(model: Model, look: Look):
     brush = painter(model, look)
     if look.style == "shaded":
         mesh = brush.mesh
-        body = shaded.ShadedBody(mesh, model.palette, np.array([0, 0, 1.0]), look.quality)
+        body = shaded.ShadedBody(mesh, model.palette, np.array([0, 0, 1.0]), look.quality, 0.0)
         pieces = np.repeat([0, 1, 1, 2], mesh.ring)
         bands = np.tile(mesh.keys, 4)
         body.paints = shaded.LINEAR[np.array(COLOURS)][pieces, bands]

@@ -8,12 +8,13 @@ import pytest
 from anim.errors import AnimationError
 from anim.model import Model
 from anim.picture import STYLES, Camera, Look, painter
-from anim.picture.painting import TRACE
+from anim.picture.styles.shaded import LINEAR
 from anim.rendering import Task, draw
 from tests.anim.cones import cone_hits, interior, random_rotation, rays
 from tests.anim.test_picture_projection import about_y, about_z
 
 MODEL = Model(ring=200)
+TRACE = (214, 57, 72)
 SIZE = (240, 180)
 APEX = np.array([0, 0, 3.0])
 
@@ -47,7 +48,9 @@ def test_pictures_depend_on_the_arguments_only(style):
     with ThreadPoolExecutor(4) as pool:
         own = pool.map(lambda job: painter(MODEL, look).draw(*job).tobytes(), jobs)
         assert first == list(own)
-        tasks = [Task(MODEL, look, matrix[None], trail) for matrix, trail in jobs] * 8
+        tasks = [
+            Task(MODEL, look, matrix[None], trail, np.zeros((1, 3))) for matrix, trail in jobs
+        ] * 8
         drawn = [picture.tobytes() for picture in pool.map(draw, tasks)]
         assert drawn == first * 8
 
@@ -223,3 +226,61 @@ def test_figures_of_the_thesis(tmp_path):
     assert red.sum() > 5 * 40
     yellow = pictures["figure-3.1"]
     assert ((yellow[..., 0] > 200) & (yellow[..., 2] < 60)).sum() > 2000
+
+
+def test_the_soft_shadow_is_the_sharp_one_with_a_soft_edge_and_dark_where_the_top_stands():
+    camera, size = Camera(40, 12), (320, 240)
+    lit, flat = (
+        painter(Model(), Look(size, s, camera, shadow=True, tilt=45)) for s in ("shaded", "flat")
+    )
+    for rotation in (about_y(0.3), about_z(4.0) @ about_y(0.7)):
+        without = without_shadow(lit).draw(rotation)
+        bare = (without == lit.canvas._background).all(axis=-1)
+        left = (lit.draw(rotation).astype(float) / without)[..., 1]
+        change = without_shadow(flat).draw(rotation).astype(int) - flat.draw(rotation)
+        umbra = (change.sum(axis=-1) > 60).astype(int)
+        inner = interior(interior(umbra).astype(int)) & (umbra > 0) & bare
+        assert left[inner].mean() < 0.7
+        assert left[bare].max() < 1.02
+        assert (left[bare] > 0.995).mean() > 0.5
+        u, v = lit.view.project(np.zeros((1, 3)))[0]
+        x, y = np.meshgrid(np.arange(size[0]), size[1] - np.arange(size[1]))
+        assert left[bare & (np.hypot(x - u, y - v) < 9)].min() < 0.9 * np.median(left[inner])
+
+
+def test_the_ground_has_no_bands_and_far_off_is_paper():
+    empty = painter(Model(), Look((640, 480), "shaded")).canvas.rgb()
+    assert len(np.unique(empty[0], axis=0)) == 1
+    row = empty[400, 200:440, 1].astype(int)
+    runs = np.diff(np.flatnonzero(np.diff(row)))
+    assert len(runs) > 30
+    assert runs.max() < 30
+
+
+def test_on_dark_paper_the_black_of_the_top_is_seen():
+    light, dark = (
+        painter(Model(), Look((320, 240), "shaded", background=paper, tilt=20))
+        .draw(about_y(0.3))
+        .astype(int)
+        for paper in (None, "#17181b")
+    )
+    black = light.max(axis=-1) < 40
+    assert black.sum() > 500
+    assert dark[black].max(axis=-1).mean() > light[black].max(axis=-1).mean() + 8
+
+
+def test_an_open_shutter_shows_the_mean_of_many_moments_without_steps():
+    """Eight moments, one sample a pixel each, are nearer to eighty than the mean of eight pictures."""
+    brush = painter(Model(), Look((640, 480), "shaded", tilt=30))
+    eight, eighty = (
+        [about_y(0.3) @ about_z(turn) for turn in np.linspace(-half, half, count)]
+        for half, count in ((0.4, 8), (0.4 * 80 / 79 * 8 / 7, 80))
+    )
+    many, few = (np.mean([LINEAR[brush.draw(m)] for m in some], axis=0) for some in (eighty, eight))
+    blurred = LINEAR[brush.expose(eight, None, np.zeros((8, 3)), 0.8)]
+    empty = painter(Model(), brush.look).canvas.rgb()
+    top = (brush.draw(eight[0]) != empty).any(axis=-1)
+    inside = interior(top.astype(int)) & top
+    rough, smooth = (abs(found - many)[inside].mean() for found in (few, blurred))
+    assert smooth < 0.5 * rough
+    assert smooth < 0.01

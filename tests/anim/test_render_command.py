@@ -33,7 +33,7 @@ def test_every_suffix(capsys, tmp_path: Path, name: str) -> None:
     assert os.listdir(tmp_path) == [name]
 
 
-@pytest.mark.parametrize("model", ["quaternions", "product", "euler", "matrix", "physics"])
+@pytest.mark.parametrize("model", ["quaternions", "product", "euler", "matrix", "physics", "free"])
 @pytest.mark.parametrize("style", STYLES)
 def test_every_model_in_every_style(capsys, tmp_path: Path, model: str, style: str) -> None:
     path = tmp_path / "t"
@@ -185,7 +185,16 @@ def test_a_seed_turns_the_top_to_another_side(capsys, tmp_path: Path) -> None:
         (("-o", "t.mp4", "--motion-blur", "2"), "from 0 to 1"),
         (("-o", "t.mp4", "--crf", "99"), "crf is 99"),
         (("-o", "t.mp4", "--quality", "9"), "quality is 9"),
-        (("-o", "t.mp4", "--mass", "1"), "--mass belongs to --model physics"),
+        (("-o", "t.mp4", "--friction", "1e9"), "at most 5"),
+        (("-o", "t.mp4", "--gravity", "1e300"), "choose less spin"),
+        (("-o", "t.mp4", "--precession", "1e200"), "choose less spin"),
+        (("-o", "t.mp4", "--spin-decay", "1e-300"), "choose less spin"),
+        (("-o", "t.mp4", "--tip-radius", "1e9"), "out of all proportion"),
+        (("-o", "t.mp4", "--rolling", "1e9"), "out of all proportion"),
+        (
+            ("-o", "t.mp4", "--model", "product", "--mass", "1"),
+            "--mass belongs to --model free or physics",
+        ),
         (("-o", "t.mp4", "--model", "physics", "--mass", "-1"), "mass is -1"),
         (("-o", "t.mp4", "--model", "physics", "--tilt", "80"), "the rim is on the ground"),
         (("-o", "t.mp4", "--model", "physik"), "physics"),
@@ -286,3 +295,30 @@ def test_seeing_quaternions_is_a_page_of_its_own(capsys, tmp_path: Path) -> None
     status, _, err = run(capsys, "--quaternions", "-o", tmp_path / "s3.mp4")
     assert status == 2
     assert "expected a name such as s3.html" in err
+
+
+def test_the_default_film_tells_how_a_top_falls(capsys, tmp_path: Path) -> None:
+    words = (*SMALL, "-o", tmp_path / "t", "--format", "json", "--force")
+    made = json.loads(run(capsys, *words)[1])
+    assert (made["model"], made["duration"]) == ("free", 0.12)
+    assert 5 < made["landed"] < 8
+    made = json.loads(run(capsys, *words, "--spin-rate", "0", "--tip-radius", "0.05")[1])
+    assert (made["model"], made["landed"] < 2) == ("free", True)
+    assert json.loads(run(capsys, *words, "--order", "tilt-first")[1])["model"] == "quaternions"
+    status, _, err = run(capsys, *words, "--model", "physics", "--friction", "0.1")
+    assert (status, "--friction belongs to --model free" in err) == (2, True)
+
+
+def test_captions_on_request(capsys, tmp_path: Path) -> None:
+    path = tmp_path / "x.png"
+    words = ("--frame", "3", "--model", "product", "--size", "320x240")
+    plain, english, polish = (
+        picture(capsys, path, *words, *more)[1].astype(int)
+        for more in ((), ("--captions",), ("--captions", "pl"))
+    )
+    for told in (english, polish):
+        changed = (told != plain).any(axis=-1)
+        assert 200 < changed.sum() < 4000
+        assert not changed[80:].any()
+        assert told[changed].mean() < plain[changed].mean()  # dark on a bright wall
+    assert (english != polish).any()

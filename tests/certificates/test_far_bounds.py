@@ -9,8 +9,7 @@ from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import inverse
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars import names, rationals, real_roots, surds
-from hfield.certificates.scalars.irreducible import root_discs
-from hfield.certificates.scalars.number_fields import without_common_factors
+from hfield.certificates.scalars.number_fields import root_discs, without_common_factors
 from hfield.certificates.scalars.quotients import MAX_DEGREE
 from hfield.certificates.scalars.quotients import Quotient as Residues
 from hfield.certificates.scalars.real_roots import RealRoot

@@ -11,8 +11,13 @@ from flint import fmpz_poly
 from hfield.certificates.anisotropy import is_certified
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
-from hfield.certificates.scalars.irreducible import BITS, check_irreducible, root_discs
-from hfield.certificates.scalars.number_fields import cyclotomic, twice_cosine
+from hfield.certificates.scalars.number_fields import (
+    BITS,
+    check_irreducible,
+    cyclotomic,
+    root_discs,
+    twice_cosine,
+)
 from hfield.certificates.scalars.real_roots import real_roots
 from hfield.certificates.work import bounded
 from tests.certificates import ring_data

@@ -12,8 +12,7 @@ from hfield.certificates.anisotropy import is_certified as certifies
 from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
-from hfield.certificates.scalars.irreducible import check_irreducible
-from hfield.certificates.scalars.number_fields import cyclotomic, twice_cosine
+from hfield.certificates.scalars.number_fields import check_irreducible, cyclotomic, twice_cosine
 from hfield.certificates.scalars.real_roots import real_roots
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.structure.global_field import known_field

@@ -244,7 +244,7 @@ def test_terms_must_be_defined() -> None:
 
 
 def test_presentations() -> None:
-    from hfield.ledger.presented import Presented
+    from hfield.ledger.propositions import Presented
 
     found = Presented(("i*j == k", "j*k == i"))
     decision = found.decide(None)

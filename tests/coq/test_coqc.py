@@ -9,7 +9,7 @@ from itertools import zip_longest
 
 import pytest
 
-from hfield.commands import check, second_judge
+from hfield.commands import check
 from hfield.commands.parser import Parser
 from hfield.coq.cofactors import MismatchError
 from hfield.coq.coqc import Coqc, NotJudgedError
@@ -155,12 +155,12 @@ def test_check_says_what_is_not_covered(run):
     level = next(c for c in claims() if c.id == "C1.3.1-y").corrected
     data = certificate(level, level.decide(None), UNIVERSAL)
     status, out = run(data)
-    assert status == second_judge.NOT_CONFIRMED
+    assert status == check.NOT_CONFIRMED
     assert "Coq: not covered: " in out
 
 
 def test_check_says_that_coq_is_missing(run, monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda _: None)
     status, out = run(true_certificates()["commute"])
-    assert status == second_judge.NOT_CONFIRMED
+    assert status == check.NOT_CONFIRMED
     assert "Coq: not judged: coqc is not installed" in out

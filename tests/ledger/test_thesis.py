@@ -9,8 +9,7 @@ import pytest
 from hfield.certificates.check import Pin, check_text
 from hfield.certificates.glossary import METHODS, THEOREMS, UNCERTIFIED
 from hfield.ledger.certificate import certificate
-from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, decide
-from hfield.ledger.findings import Computed
+from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Computed, decide
 from hfield.ledger.registry import claims, find
 from hfield.rings import ring
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from hfield.ledger.worked_counterexamples import worked_out
+from hfield.ledger.decision_lines import worked_out
 
 I, J = ["0", "1", "0", "0"], ["0", "0", "1", "0"]  # noqa: E741
 ZERO = ["0", "0", "0", "0"]

@@ -13,11 +13,11 @@ from hfield.certificates.statement import read_statement as statement_of_checker
 from hfield.certificates.values import read_values
 from hfield.errors import UndecidedError
 from hfield.proving.counterexamples.candidates import prime_scalars, small_scalars, witness_texts
+from hfield.proving.decide import read_question
 from hfield.proving.evaluation.all_cases import counterexample
 from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
 from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.problem import Memory, Problem
-from hfield.proving.question import read_question
 from hfield.proving.statements.language import Sort
 from tests.adversary.statement_generator import plain_statements
 

@@ -10,8 +10,8 @@ from hfield import prove
 from hfield.certificates.check import check
 from hfield.errors import HFieldError
 from hfield.proving.decide import decide
-from hfield.proving.existence.case_distinction import by_linear_algebra
 from hfield.proving.existence.linear_systems import linear_cases
+from hfield.proving.existence.quantifiers import by_linear_algebra
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import read_statement
 from hfield.proving.statements.setting import read_setting

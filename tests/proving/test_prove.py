@@ -187,8 +187,7 @@ def test_names_of_other_systems_are_answered_with_ours(name, ours):
 
 def test_a_short_statement_over_a_field_with_a_longer_name_is_decided_here():
     """A process for each statement made a sheet over such a field five times slower."""
-    from hfield.proving.question import read_question
-    from hfield.proving.subprocess_limits import is_risky
+    from hfield.proving.decide import is_risky, read_question
 
     def risky(field):
         return is_risky(read_question("p*q == q*p", field).problem)

@@ -7,8 +7,7 @@ from hfield.ledger.document import read_ledger
 from hfield.ledger.run import decide_rows
 from hfield.ledger.selection import rows_to_decide
 from hfield.report import Chapter
-from hfield.report.packed_certificates import Certificates
-from hfield.report.page import page
+from hfield.report.page import Certificates, page
 
 LEDGER = """
 schema = "hfield-ledger/1"

@@ -14,8 +14,7 @@ from hfield.ledger.selection import rows_to_decide
 from hfield.ledger.translated import Translation, is_formula
 from hfield.ledger.wording import witness_text
 from hfield.report.markup import formula
-from hfield.report.packed_certificates import Certificates
-from hfield.report.page import page
+from hfield.report.page import Certificates, page
 from hfield.report.words import Language
 from rotation.figures import FIGURES
 from rotation.report import LETTERING

@@ -9,8 +9,10 @@ from structure_cases import constants
 
 from hfield.errors import UndecidedError
 from hfield.factorisation import known_primes, remove
+from hfield.fields.number_fields.arithmetic import common_slot, is_local_square
 from hfield.fields.number_fields.conics import good_module, solve_conic_number_field
 from hfield.fields.number_fields.integral_basis import coordinate_rows
+from hfield.fields.number_fields.quadratic.arithmetic import hilbert_symbol_quadratic, pair
 from hfield.fields.number_fields.quadratic.as_number_field import (
     as_number_field,
     from_number_field,
@@ -19,8 +21,6 @@ from hfield.fields.number_fields.quadratic.as_number_field import (
 )
 from hfield.fields.number_fields.quadratic.places import places_above
 from hfield.fields.number_fields.quadratic.residues import Inert, prime_at
-from hfield.fields.number_fields.quadratic.symbols import hilbert_symbol_quadratic, pair
-from hfield.fields.number_fields.slots import common_slot, is_local_square
 from hfield.fields.number_fields.symbols import candidates
 from hfield.primality import is_prime
 from hfield.product import Constants, multiply

@@ -108,7 +108,7 @@ class Classic(Style):
         """Return the axes' own projection, and the axes."""
         return axes_and_view(model, look, self.paper_of(look))
 
-    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> FlatBody:
+    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> FlatBody:
         """Return the body in the colours given."""
         return FlatBody(mesh, [colours] * 3)
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.picture.canvas import Canvas
-from anim.picture.look import RGB
+from anim.picture.look import RGB, Look
 from anim.picture.merge import HIDDEN, Rim, outlines, reach_under
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View
@@ -70,7 +70,7 @@ class FlatBody:
 class Flat(Style):
     """Even colours, the three pieces told apart by their lightness."""
 
-    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> FlatBody:
+    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> FlatBody:
         """Return the body in tinted colours."""
         return FlatBody(mesh, tinted(colours))
 

@@ -1,4 +1,4 @@
-"""Smooth cones in the light, before a wall.
+"""Smooth cones in the light, on a ground with a soft shadow.
 
 A z-buffer, and averaging in linear light.
 """
@@ -6,23 +6,19 @@ A z-buffer, and averaging in linear light.
 import numpy as np
 from numpy.typing import NDArray
 
+from anim.model import Model
 from anim.picture.canvas import Canvas
-from anim.picture.look import RGB, Look
+from anim.picture.light import places
+from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
-from anim.picture.projection import View
+from anim.picture.projection import View, view
+from anim.picture.room import darkness, ground, of_darkness, room
+from anim.picture.soft_shadow import SoftShadow
 from anim.picture.style import Style
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Pixels = NDArray[np.uint8]
-
-SKY, SUN = 0.30, 0.60
-"""Light from all around and from the light, as shares of a face's own colour."""
-WALL_TOP: RGB = (244, 243, 240)
-WALL_FOOT: RGB = (206, 205, 202)
-GLOSS, SHARPNESS = 0.30, 36
-DARKEST = 0.012
-"""The least linear light a face sends back: nothing real is blacker."""
 
 _levels = np.arange(256) / 255
 LINEAR: Floats = np.where(_levels <= 0.04045, _levels / 12.92, ((_levels + 0.055) / 1.055) ** 2.4)
@@ -32,41 +28,84 @@ LINEAR: Floats = np.where(_levels <= 0.04045, _levels / 12.92, ((_levels + 0.055
 class ShadedBody:
     """The top under a light that is far away in the direction ``light`` (3,), a unit vector of the room."""
 
-    def __init__(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> None:
+    def __init__(
+        self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int, dark: float
+    ) -> None:
         self._points, self._samples, self.light = mesh.points, quality, light
+        self._rim = of_darkness("light", "rim", dark)
         self._triangles = np.ascontiguousarray(mesh.triangles)
         self._lit, self._normals = _normals(mesh)
-        palette = np.maximum(LINEAR[np.array(colours)], DARKEST)
-        self.paints = palette[np.tile(mesh.keys, 4)]
+        self._mesh = mesh
+        self._palette = np.maximum(LINEAR[np.array(colours)], of_darkness("light", "darkest", dark))
+        self.paints = self._palette[np.tile(mesh.keys, 4)]
         self._encoded = _encoding()
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
         """Draw the top as ``view`` sees it, a view of the top's own room, which ``rotation`` has turned."""
+        self._paint(canvas, [view], [rotation], self._samples, self.paints)
+
+    def expose(
+        self, canvas: Canvas, views: list[View], rotations: list[Floats], spin: float
+    ) -> None:
+        """Draw the mean of moments between which the top turns by ``spin`` radians in all, one sample each.
+
+        What the bands turn from one moment to the next is spread over their colours: no steps are seen.
+        """
+        paints = self._spread(spin / max(1, len(views) - 1))
+        self._paint(canvas, views, rotations, 1, paints, apart=True)
+
+    def _spread(self, window: float) -> Floats:
+        """Return the paints of the faces, each the mean over its own width and ``window`` radians more."""
+        angles, keys = self._mesh.angles, self._mesh.keys
+        dark = np.append(0.0, np.cumsum(np.diff(angles) * keys))
+        half = (np.diff(angles) + abs(window)) / 2
+        middles = (angles[:-1] + angles[1:]) / 2
+        ends = np.stack([middles - half, middles + half])
+        turns = np.floor(ends / (2 * np.pi))
+        before = turns * dark[-1] + np.interp(ends - turns * 2 * np.pi, angles, dark)
+        share = ((before[1] - before[0]) / (2 * half))[:, None]
+        mixed = self._palette[0] * (1 - share) + self._palette[1] * share
+        return np.tile(mixed, (4, 1))
+
+    def _paint(
+        self,
+        canvas: Canvas,
+        views: list[View],
+        rotations: list[Floats],
+        samples: int,
+        paints: Floats,
+        apart: bool = False,
+    ) -> None:
         from anim.picture.rasterising import paint
 
-        seen = view.project_with_depth(self._points)
-        box = canvas.touch(seen[:, :2], 0)
-        seen[:, 1] = canvas.height - seen[:, 1]
+        seen = np.stack([view.project_with_depth(self._points) for view in views])
+        box = canvas.touch(seen[..., :2].reshape(-1, 2), 0)
+        seen[..., 1] = canvas.height - seen[..., 1]
+        if apart:  # the samples lie apart in the pixel as well as in time
+            seen[..., :2] += _within_a_pixel(len(views))[:, None]
         paint(
             canvas.pixels,
             box,
-            self._samples,
+            samples,
             seen,
             self._triangles,
             self._lit,
-            self.lighting(view, rotation),
-            self.paints,
+            np.stack([self.lighting(*moment) for moment in zip(views, rotations, strict=True)]),
+            paints,
             LINEAR,
             self._encoded,
         )
 
     def lighting(self, view: View, rotation: Floats) -> Floats:
         """Return, for each normal, the share of its own colour and the white that it sends to the eye."""
-        light, up = self.light @ rotation, rotation[2]
-        half = light + view.eye[:3] / np.linalg.norm(view.eye[:3])
+        light, numbers = self.light @ rotation, room()["light"]
+        up, towards = self._normals @ rotation[2], view.eye[:3] / np.linalg.norm(view.eye[:3])
+        half = light + towards
         half /= np.linalg.norm(half)
-        own = SKY * (1 + self._normals @ up / 3) + SUN * np.maximum(self._normals @ light, 0)
-        white = GLOSS * np.maximum(self._normals @ half, 0) ** SHARPNESS
+        own = numbers["sky"] + numbers["rise"] * up - numbers["bounce"] * np.minimum(up, 0)
+        own += numbers["sun"] * np.maximum(self._normals @ light, 0)
+        white = numbers["gloss"] * np.maximum(self._normals @ half, 0) ** numbers["sharpness"]
+        white += self._rim * (1 - np.clip(self._normals @ towards, 0, 1)) ** 3
         return np.column_stack([own, white])
 
 
@@ -101,6 +140,15 @@ def _of_cone(mesh: Mesh, piece: int, angle: Floats) -> Floats:
     return np.asarray(normal / np.hypot(rise, out))
 
 
+def _within_a_pixel(count: int) -> Floats:
+    """Return shifts (count, 2) that spread evenly over a pixel, in any part of their sequence.
+
+    M. Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018): the plastic number's.
+    """
+    steps = np.arange(1, count + 1)[:, None] * [0.7548776662466927, 0.5698402909980532]
+    return np.asarray(steps % 1.0 - 0.5)
+
+
 def _encoding() -> Pixels:
     """Return sRGB for equal steps of linear light from 0 to 1."""
     v = np.linspace(0, 1, 1 << 14)
@@ -109,20 +157,29 @@ def _encoding() -> Pixels:
 
 
 class Shaded(Style):
-    """Lit cones before a wall."""
+    """Lit cones on a lit ground; on dark paper a pool of light, and a rim that shows where they end."""
 
-    def background(self, look: Look) -> Pixels:
-        """Return a wall a little brighter at its top; even paper where the look asks for it."""
-        if look.background is not None:
-            return super().background(look)
-        width, height = look.size
-        down = np.linspace(0, 1, height)[:, None, None]
-        rows = np.array(WALL_TOP) + down * np.subtract(WALL_FOOT, WALL_TOP)
-        return np.repeat(np.round(rows).astype(np.uint8), width, axis=1)
+    def paper_of(self, look: Look) -> RGB:
+        """Return the look's background, or the room's own paper."""
+        return colour("background", look.background or room()["paper"]["light"])
 
-    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int) -> ShadedBody:
-        """Return the body under the light; ``quality``² samples a pixel."""
-        return ShadedBody(mesh, colours, light, quality)
+    def scene(self, model: Model, look: Look) -> tuple[View, Pixels]:
+        """Return the projection and the ground."""
+        from anim.picture.ground import grained
+
+        seen = view(look.camera, look.size, places(model, look))
+        floor = ground(seen, look, self.paper_of(look))
+        pixels = np.empty(floor.shape, np.uint8)
+        grained(floor, pixels)
+        return seen, pixels
+
+    def shadow(self, mesh: Mesh, light: Floats, view: View, look: Look) -> SoftShadow:
+        """Return a shadow that is soft away from what throws it."""
+        return SoftShadow(mesh.model.profile, light, view, ground(view, look, self.paper_of(look)))
+
+    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> ShadedBody:
+        """Return the body under the light; ``look.quality``² samples a pixel."""
+        return ShadedBody(mesh, colours, light, look.quality, darkness(self.paper_of(look)))
 
 
 STYLE = Shaded()

@@ -7,11 +7,10 @@ from typing import Any
 from hfield.certificates.clauses import Clause, Expansion, freeze, without_factors
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS, IMPLICATION
-from hfield.certificates.ideal_membership import Item
 from hfield.certificates.over_field import Place, place_of, reach
 from hfield.certificates.polynomials import is_constant
 from hfield.certificates.rejection import a_list, an_object, reject
-from hfield.certificates.rules import Rules
+from hfield.certificates.rules import Item, Rules
 from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.statement import Setting, Statement
 from hfield.certificates.work import charge, charge_products

@@ -6,7 +6,10 @@ The vocabulary, with P, Q for statements of any kind:
 ``angles{P}`` · ``angles{P; Q}`` · ``citing{T; P}`` · ``division`` · ``formally-real`` ·
 ``level-above{2}`` · ``norm-criterion{>}`` · ``modulus-exists`` · ``modulus-law{*}`` · ``centre{2}`` ·
 ``basis{4; 1,0,0,0; …}`` · ``determined-by{all; 1,2,3}`` · ``curried-linear{1}`` ·
-``last-argument{4; 1,2,3}`` · and those of :mod:`hfield.certificates.orders.words` about lattices.
+``last-argument{4; 1,2,3}`` · ``class-group{2,4}`` · ``unit-group{2; 1+s}`` · and those of
+:mod:`hfield.certificates.orders.words` about lattices.
+
+Lemmas that show relations between closed statements over all fields at once.
 """
 
 import re
@@ -27,23 +30,16 @@ from hfield.certificates.glossary import (
 )
 from hfield.certificates.kinds import establish
 from hfield.certificates.language import BLANKS, Tree, parse, split, walk
+from hfield.certificates.number_fields import classes
 from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.words import PARTS as LATTICES
 from hfield.certificates.orders.words import establish_lattices, meaning_of_lattices
-from hfield.certificates.rejection import (
-    a_list,
-    an_integer,
-    an_object,
-    kind_of,
-    reject,
-    shown,
-)
+from hfield.certificates.rejection import a_list, an_integer, an_object, kind_of, reject, shown
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.scalars.surds import Reals
 from hfield.certificates.statement import HAMILTON, QUATERNIONS, SCALARS, Setting, read_statement
 from hfield.certificates.vocabulary import linear_algebra, of_fields
-from hfield.certificates.vocabulary.lemmas import LEMMAS
 from hfield.certificates.vocabulary.presentation import establish_presentation, read_presentation
 
 # How many parts each word has: from, to.
@@ -65,8 +61,8 @@ class Proposition:
 
 
 Check = Callable[[tuple[str, ...], Setting, str, Any], Finding]
-SPECIAL: dict[str, Check] = {**of_fields.CHECKS, **linear_algebra.CHECKS}
-FORMS = {**of_fields.FORMS, **linear_algebra.FORMS}
+SPECIAL: dict[str, Check] = {**of_fields.CHECKS, **linear_algebra.CHECKS, **classes.CHECKS}
+FORMS = {**of_fields.FORMS, **linear_algebra.FORMS, **classes.FORMS}
 
 
 def read_proposition(text: str, depth: int = 0) -> Proposition | None:
@@ -377,3 +373,39 @@ def _judged(raw: object, allowed: tuple[str, ...]) -> tuple[str, object]:
     if data["verdict"] not in allowed:
         reject(f"a part must be {' or '.join(allowed)}")
     return data["verdict"], data["evidence"]
+
+
+# H(F) is a division algebra when F is formally real: an element of norm 0 with a coordinate that is
+# not 0 makes −1 a sum of three squares.
+THREE_SQUARES = tuple(
+    f"norm(q) == 0 and q[{n}] != 0 => "
+    + " + ".join(f"(q[{m}]/q[{n}])**2" for m in range(4) if m != n)
+    + " == -1"
+    for n in range(4)
+)
+# … and exactly when −1 is not a sum of two squares: if s² + y² = −1 (y = 0 included), e + s·i + y·j is
+# a nonzero element of norm 0. Let N(q) = 0 with q ≠ 0. If q₂² + q₃² ≠ 0, the third line writes −1 as
+# a sum of two squares; if not, and q₂ or q₃ is not 0, the fourth or fifth does; if both are 0, then q₀
+# or q₁ is not 0, and the last two do.
+TWO_SQUARES = (
+    "s**2 + y**2 == -1 => norm(e + s*i + y*j) == 0",
+    "s**2 == -1 => norm(e + s*i) == 0",
+    "norm(q) == 0 and q[2]**2 + q[3]**2 != 0 => "
+    "((q[0]*q[2] + q[1]*q[3])/(q[2]**2 + q[3]**2))**2"
+    " + ((q[0]*q[3] - q[1]*q[2])/(q[2]**2 + q[3]**2))**2 == -1",
+    "q[2]**2 + q[3]**2 == 0 and q[3] != 0 => (q[2]/q[3])**2 == -1",
+    "q[2]**2 + q[3]**2 == 0 and q[2] != 0 => (q[3]/q[2])**2 == -1",
+    "norm(q) == 0 and q[2] == 0 and q[3] == 0 and q[1] != 0 => (q[0]/q[1])**2 == -1",
+    "norm(q) == 0 and q[2] == 0 and q[3] == 0 and q[0] != 0 => (q[1]/q[0])**2 == -1",
+)
+LEMMAS = {
+    "implies{formally-real; division}": THREE_SQUARES,
+    "implies{division; level-above{2}}": TWO_SQUARES,
+    "iff{division; level-above{2}}": TWO_SQUARES,
+    # The product commutes in characteristic 2; and if it does, i and j do, which takes 2 = 0.
+    "iff{p*q == q*p; 2 == 0}": ("2 == 0 => p*q == q*p", "i*j == j*i => 2 == 0"),
+    "implies{2 == 0; exists q: q != 0 and norm(q) == 0}": (
+        "2 == 0 => norm(e + i) == 0",
+        "e + i != 0",
+    ),
+}

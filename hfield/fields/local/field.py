@@ -1,24 +1,101 @@
-"""Local fields as rings: ℚ_p, GF(q)((t)), and every completion of a global field at a finite place."""
+"""Local fields as rings: ℚ_p, GF(q)((t)), and every completion of a global field at a finite place.
+
+What the completions of a global field share: their elements are elements of that field, first of all.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Sequence
+from abc import abstractmethod
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from functools import cached_property
+from random import Random
 from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.errors import CoercionError, UndecidedError
-from hfield.fields.local.completion import Completion
 from hfield.fields.local.element import LocalElement
 from hfield.fields.local.roots import minus_one, square_root
 from hfield.product import Scalar
-from hfield.rings.base import Known, Ring
+from hfield.rings.base import E, Known, Ring, shared
+from hfield.rings.operators import Overfield
 from hfield.rings.printing import is_sum, parentheses, power_text
 from hfield.rings.roots import integral, irreducible_factors, near_root
 
 if TYPE_CHECKING:
     from collections.abc import Hashable
+
+
+class Completion(Overfield[E]):
+    """The completion of a global field at a place; ``global_field`` and ``place`` say of what and where.
+
+    Elements are :class:`~hfield.rings.operators.Element` with a ``value`` in the global field, and texts mean
+    what they mean there.
+    """
+
+    def __init__(self, name: str, words: str, global_field: Ring, place: Hashable) -> None:
+        self.name, self._words = name, words
+        self.global_field, self.place = global_field, place
+        self.characteristic = global_field.characteristic
+        self.gen_name = global_field.gen_name
+        self.parse_limit = global_field.parse_limit
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (self.global_field.completion, "".join(str(self.place).split()))
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by the one that is completed, and the place."""
+        at = self.place_data(self.place)
+        return {"kind": "completion", "of": self.global_field.data, "place": at}
+
+    def place_data(self, place: Any) -> dict[str, Any]:
+        """Return the place of the global field as JSON data."""
+        return self.global_field.place_data(place)
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return self._words
+
+    def from_below(self, x: object) -> E:
+        """Turn a number or an element of the global field into an exact element.
+
+        Raises :class:`CoercionError`.
+        """
+        return self.exact(self.global_field(x))
+
+    def embed_from(self, source: Ring) -> Callable[[Any], E] | None:
+        """Return the inclusion of the global field."""
+        return self if source == self.global_field else None
+
+    @abstractmethod
+    def exact(self, value: Scalar) -> E:
+        """Return an element of the global field as one of this field."""
+
+    @property
+    def gen(self) -> E:
+        """The generator of the global field."""
+        return self.exact(self.global_field.gen) if self.gen_name else super().gen
+
+    def names(self) -> dict[str, E]:
+        """What names mean in the global field."""
+        return {name: self.exact(x) for name, x in self.global_field.names().items()}
+
+    def functions(self) -> dict[str, Callable[..., E]]:
+        """What functions mean in the global field."""
+        return {name: self._lifted(f) for name, f in self.global_field.functions().items()}
+
+    def _lifted(self, f: Callable[..., Scalar]) -> Callable[..., E]:
+        """Return a function of the global field as one of exact elements."""
+        return lambda *xs: self(f(*(x.value for x in xs)))
+
+    def places(self) -> Iterator[Hashable]:
+        """Run through the places: there is one."""
+        yield self.place
+
+    def random(self, rng: Random) -> E:
+        """Return a small random exact element; the same for the same seed."""
+        return self.exact(self.global_field.random(rng))
 
 
 DIGITS = 20  # to so many digits roots are found that no element of the global field is

@@ -1,6 +1,6 @@
 """Isometries of the pure quaternions of two isomorphic algebras over a number field, by lattice reduction.
 
-As over ℚ (:mod:`hfield.fields.rationals.unimodular_lattice`) an isometry is the graph of a totally
+As over ℚ (:mod:`hfield.fields.rationals.embedding`) an isometry is the graph of a totally
 isotropic subspace of A₀ ⊥ −B₀, where the difference of the norms is hyperbolic at every place. On some
 module it is even and unimodular: at a prime ideal the standard lattice is enlarged by vectors v/π with Q(v/π)
 integral, v in the radical modulo the prime, and ends at a maximal lattice, which is unimodular, above 2 as
@@ -18,13 +18,12 @@ from typing import Any
 
 import flint
 
-from hfield.fields.number_fields.conics import module_basis
+from hfield.fields.number_fields.conics import Walk, expect_small_degree, module_basis, not_met
 from hfield.fields.number_fields.integral_basis import coefficients, integral_multiple
 from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates
-from hfield.fields.number_fields.walk import Walk, expect_small_degree, not_met
 from hfield.product import Constants, Coordinates
 from hfield.structure.lattice_reduction import combination
 from hfield.structure.linear_algebra.kernels import kernel

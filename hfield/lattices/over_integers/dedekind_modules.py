@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.errors import LatticeError
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.ring import NumberField
 
@@ -28,6 +29,24 @@ def rational_hermite(rows: list[list[flint.fmpq]], size: int) -> list[list[flint
     whole, below = flint.fmpq_mat(rows).numer_denom()
     found: list[list[flint.fmpq]] = (flint.fmpq_mat(hermite(whole.tolist(), size)) / below).tolist()
     return found
+
+
+def unique_rows(rows: flint.fmpq_mat) -> flint.fmpq_mat:
+    """Return the Hermite normal form of a basis of what rows span over ℤ, of full rank."""
+    whole, den = rows.numer_denom()
+    n = rows.ncols()
+    table = whole.hnf().tolist()[:n]
+    if len(table) < n or not table[-1][-1]:
+        raise LatticeError(
+            f"expected generators of a lattice of full rank {n} over ZZ; got {whole.rank()}"
+        )
+    return flint.fmpq_mat(flint.fmpz_mat(table)) * flint.fmpq(1, int(den))
+
+
+def meet(first: flint.fmpq_mat, second: flint.fmpq_mat) -> flint.fmpq_mat:
+    """Return the intersection, the dual of the sum of the duals in the plain pairing of coordinates."""
+    both = [*first.inv().transpose().tolist(), *second.inv().transpose().tolist()]
+    return unique_rows(flint.fmpq_mat(both)).inv().transpose()
 
 
 def multiplication(field: NumberField, x: Any, m: int = 1) -> flint.fmpq_mat:

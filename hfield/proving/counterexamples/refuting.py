@@ -1,19 +1,40 @@
-"""Places where a statement fails: looked for, solved for, or all tried."""
+"""Places where a statement fails: looked for, solved for, or all tried.
+
+Solving polynomial conditions for a counterexample: small values, and what follows from them.
+
+Variables get small values one after the other; whenever a condition is left with a single variable,
+its value follows (a linear equation, a square root, or one of a few values). This finds what
+looking at small places alone does not: hypotheses such as ``3*p == inv(q)``.
+
+A place where given polynomials are not 0: always found, one variable after the other.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain, count, islice
+from typing import TYPE_CHECKING, Any
 
-from hfield.errors import UndecidedError
-from hfield.proving.counterexamples.candidates import prime_search, ring_search
-from hfield.proving.counterexamples.solving import solve
+from flint import fmpq
+
+from hfield.errors import HFieldError, TooLargeError, UndecidedError
+from hfield.product import Scalar
+from hfield.proving.counterexamples.candidates import (
+    nonzero_first,
+    prime_search,
+    ring_search,
+    small_scalars,
+)
 from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.evaluation.searcher import Assignment, Searcher, lifted
+from hfield.proving.evaluation.searcher import Assignment, Searcher, assigned, lifted
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.proving.polynomials.normal_form import Clause
 from hfield.proving.polynomials.starting_relations import quaternions_of
+from hfield.proving.polynomials.vanishing import Monomial, coefficients
 from hfield.proving.problem import Problem
+from hfield.rings.base import Ring
+from hfield.rings.powers import power
+from hfield.rings.roots import rational_roots
 
 if TYPE_CHECKING:
     import flint
@@ -79,3 +100,274 @@ def narrowed(
     if bent:
         slopes = [z.derivative(n) for z in bent for n in range(z.context().nvars())]
         yield Clause((*clause.zeros, *(f for f in slopes if f != 0)), clause.goals)
+
+
+MAX_NODES = 1_500
+MAX_TERMS = 400
+BRANCHES = 5
+
+Polynomial = dict[Monomial, Any]
+
+
+def solve(problem: Problem, x: Expanded, clause: Clause) -> Assignment | None:
+    """Return values at which the clause fails: its zeros vanish, and no goal does entirely.
+
+    0 is the last value that letters are given.
+    """
+    field = problem.ring
+    zeros = [dict(coefficients(z, x, field)) for z in clause.zeros]
+    goals = [[dict(coefficients(g, x, field)) for g in goal] for goal in clause.goals]
+    if any(len(f) > MAX_TERMS for f in (*zeros, *(f for goal in goals for f in goal))):
+        return None
+    solver = _Solver(problem, x)
+    solver.eliminate(zeros, goals)
+    values = solver.run(zeros, goals, {})
+    if values is None:
+        return None
+    return assigned(problem.statement, (values[n] for n in range(x.unknowns)))
+
+
+class _Solver:
+    def __init__(self, problem: Problem, x: Expanded) -> None:
+        self.problem, self.field, self.unknowns = problem, problem.ring, x.unknowns
+        self.letters = {n for n, name in enumerate(x.variables) if name in problem.letters}
+        self.nodes = 0
+        self.eliminated: list[tuple[int, Polynomial]] = []  # variable, what it is equal to
+
+    def eliminate(self, zeros: list[Polynomial], goals: list[list[Polynomial]]) -> None:
+        """Use each condition ``c·v + rest = 0`` to express v, in place, while polynomials stay small."""
+        while True:
+            found = next((hit for z in zeros for hit in self.expressions(z)), None)
+            if found is None:
+                return
+            n, expression = found
+            try:
+                conditions = [f for z in zeros if (f := self.compose(z, n, expression))]
+                wanted = [[self.compose(g, n, expression) for g in goal] for goal in goals]
+            except TooLargeError:
+                return
+            zeros[:], goals[:] = conditions, wanted
+            self.eliminated.append((n, expression))
+
+    def expressions(self, z: Polynomial) -> Iterator[tuple[int, Polynomial]]:
+        """Run through the variables that a condition expresses by the others."""
+        field = self.field
+        for m, c in z.items():
+            if sum(m) == 1:
+                n = m.index(1)
+                if all(not other[n] for other in z if other != m):
+                    factor = field.zero - field.inverse(c)
+                    yield n, {other: d * factor for other, d in z.items() if other != m}
+
+    def compose(self, f: Polynomial, n: int, g: Polynomial) -> Polynomial:
+        """Put the polynomial g in for variable n. Raises TooLargeError."""
+        field = self.field
+        out: Polynomial = {}
+        for m, c in f.items():
+            terms = {(*m[:n], 0, *m[n + 1 :]): c}
+            for _ in range(m[n]):
+                if len(terms) * len(g) > MAX_TERMS:
+                    raise TooLargeError("an elimination grows too large")
+                terms = self.product(terms, g)
+            for monomial, d in terms.items():
+                out[monomial] = out[monomial] + d if monomial in out else d
+        return {m: c for m, c in out.items() if not field.is_zero(c)}
+
+    def product(self, f: Polynomial, g: Polynomial) -> Polynomial:
+        """Return f·g."""
+        out: Polynomial = {}
+        for m, c in f.items():
+            for k, d in g.items():
+                monomial = tuple(a + b for a, b in zip(m, k, strict=True))
+                out[monomial] = out[monomial] + c * d if monomial in out else c * d
+        return out
+
+    def run(
+        self, zeros: list[Polynomial], goals: list[list[Polynomial]], values: dict[int, Scalar]
+    ) -> dict[int, Scalar] | None:
+        """Extend ``values`` to a solution, or return None."""
+        self.nodes += 1
+        if self.nodes > MAX_NODES or self.problem.is_late:
+            return None
+        zeros = [z for z in zeros if z]
+        if any(_is_constant(z) for z in zeros) or any(not any(goal) for goal in goals):
+            return None
+        if not zeros:
+            return self.finish(goals, values)
+        n, candidates = self.next(zeros)
+        for value in candidates:
+            found = self.run(
+                [self.put(z, n, value) for z in zeros],
+                [[self.put(g, n, value) for g in goal] for goal in goals],
+                {**values, n: value},
+            )
+            if found is not None or self.nodes > MAX_NODES:
+                return found
+        return None
+
+    def next(self, zeros: Sequence[Polynomial]) -> tuple[int, Iterator[Scalar]]:
+        """Return a variable and the values to try: one that is determined, or the most tangled."""
+        weights: dict[int, list[int]] = {}
+        for z in zeros:
+            variables = _variables(z)
+            if len(variables) == 1:
+                return variables[0], self.roots(z, variables[0])
+            for n in variables:
+                highest = max(m[n] for m in z)
+                entry = weights.setdefault(n, [0, 0])
+                entry[0], entry[1] = max(entry[0], highest), entry[1] + 1
+        tangled = max(weights, key=lambda n: (weights[n], -n))
+        values = small_scalars(self.field)[:BRANCHES]
+        return tangled, iter(nonzero_first(values) if tangled in self.letters else values)
+
+    def roots(self, z: Polynomial, n: int) -> Iterator[Scalar]:
+        """Run through zeros of a polynomial in one variable, all of them up to degree 2."""
+        field, degree = self.field, max(m[n] for m in z)
+        c = [field.zero] * (degree + 1)
+        for m, value in z.items():
+            c[m[n]] = c[m[n]] + value
+        if degree == 1:
+            yield field.divide(field.zero - c[0], c[1])
+            return
+        if degree == 2 and field.characteristic != 2:
+            try:
+                root = field.sqrt(c[1] * c[1] - field(4) * c[0] * c[2])
+            except HFieldError:
+                root = None
+            if root is not None:
+                half = field.inverse(c[2] + c[2])
+                yield (field.zero - c[1] + root) * half
+                yield (field.zero - c[1] - root) * half
+                return
+        yield from _roots(field, c)
+        for value in small_scalars(field):
+            total = field.zero
+            for coefficient in reversed(c):
+                total = total * value + coefficient
+            if field.is_zero(total):
+                yield value
+
+    def put(self, f: Polynomial, n: int, value: Scalar) -> Polynomial:
+        """Put a value in for variable n."""
+        field = self.field
+        out: Polynomial = {}
+        for m, c in f.items():
+            if m[n]:
+                c = c * power(field.one, value, m[n])
+                m = (*m[:n], 0, *m[n + 1 :])
+            out[m] = out[m] + c if m in out else c
+        return {m: c for m, c in out.items() if not field.is_zero(c)}
+
+    def finish(
+        self, goals: list[list[Polynomial]], values: dict[int, Scalar]
+    ) -> dict[int, Scalar] | None:
+        """Choose the variables that are left so that no goal vanishes entirely."""
+        left = [next(f for f in goal if f) for goal in goals]
+        out = dict(values)
+        expressed = {n for n, _ in self.eliminated}
+        for n in range(self.unknowns):
+            if n in out or n in expressed:
+                continue
+            for value in values_of(self.field, n in self.letters):
+                tried = [self.put(f, n, value) for f in left]
+                if all(tried):
+                    left, out[n] = tried, value
+                    break
+            else:
+                return None
+        for n, expression in reversed(self.eliminated):
+            out[n] = self.value(expression, out)
+        return out
+
+    def value(self, f: Polynomial, values: Mapping[int, Scalar]) -> Scalar:
+        """Evaluate f."""
+        total: Scalar = self.field.zero
+        for m, c in f.items():
+            for n, e in enumerate(m):
+                if e:
+                    c = c * power(self.field.one, values[n], e)
+            total = total + c
+        return total
+
+
+def _roots(field: Ring, coefficients: Sequence[Scalar]) -> list[Scalar]:
+    """Return the roots in the field, or rational ones, as far as they are known."""
+    try:
+        return field.roots(coefficients)
+    except UndecidedError:
+        if field.characteristic:
+            return []
+    try:
+        rational = [fmpq(*map(int, field.text(c).split("/"))) for c in coefficients]
+        return list(map(field, rational_roots(rational)))
+    except (ValueError, TypeError, UndecidedError):
+        return []
+
+
+def _is_constant(f: Polynomial) -> bool:
+    return len(f) == 1 and not any(next(iter(f)))
+
+
+def _variables(f: Polynomial) -> list[int]:
+    return [n for n, used in enumerate(map(any, zip(*f, strict=True))) if used]
+
+
+MAX_VALUES = 1_000
+
+
+def nonzero_place(
+    problem: Problem, x: Expanded, polynomials: Sequence[flint.fmpz_mpoly]
+) -> Assignment | None:
+    """Return values of the unknowns at which none of the polynomials is 0.
+
+    Over an infinite field there is such a place for polynomials that are not 0; over a finite one
+    for a single polynomial that is not 0 as a function. 0 is the last value for letters.
+    """
+    field = problem.ring
+    left = [dict(coefficients(p, x, field, field.order)) for p in polynomials]
+    if not all(left):
+        return None
+    values: list[Any] = []
+    for name in x.variables[: x.unknowns]:
+        for value in values_of(field, name in problem.letters):
+            tried = [_substitute(f, value, field) for f in left]
+            if all(tried):
+                left, values = tried, [*values, value]
+                break
+        else:
+            return None
+    return assigned(problem.statement, values)
+
+
+def _substitute(f: dict[Monomial, Scalar], value: Scalar, field: Ring) -> dict[Monomial, Scalar]:
+    """Put a value in for the first variable."""
+    out: dict[Monomial, Any] = {}
+    for monomial, c in f.items():
+        term = c * power(field.one, value, monomial[0]) if monomial[0] else c
+        rest = monomial[1:]
+        out[rest] = out[rest] + term if rest in out else term
+    return {m: c for m, c in out.items() if not field.is_zero(c)}
+
+
+def values_of(field: Ring, nonzero: bool = False) -> Iterator[Scalar]:
+    """Run through distinct elements of a field, small ones first: all, or a thousand of them.
+
+    With ``nonzero``, 0 comes last.
+    """
+    values = islice(_values(field), MAX_VALUES)
+    return chain(islice(values, 1, None), [field.zero]) if nonzero else values
+
+
+def _values(field: Ring) -> Iterator[Scalar]:
+    if field.order is not None:
+        yield from field.elements()
+        return
+    yield from small_scalars(field)
+    try:
+        g = field.gen if field.characteristic else field(3)
+    except HFieldError:
+        return
+    x = g * g if field.characteristic else g
+    for _ in count():
+        yield x
+        x = x * g if field.characteristic else x + field.one

@@ -1,9 +1,23 @@
-"""Something exists, or nothing does, where nothing is given: a witness, or a proof that there is none."""
+"""Something exists, or nothing does, where nothing is given: a witness, or a proof that there is none.
+
+Roots that exist in ℝ, ℂ and H(ℝ) by a theorem, though no term in what is given names them.
+"""
+
+from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
-from hfield.certificates.glossary import LINEAR_ALGEBRA, WITNESS
+from hfield.certificates.glossary import (
+    COMPLEX_ROOT,
+    LINEAR_ALGEBRA,
+    ODD_DEGREE,
+    QUATERNION_ROOT,
+    REAL_ROOTS,
+    SIGN_CHANGE,
+    WITNESS,
+)
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import true_place, witness_texts
@@ -12,12 +26,18 @@ from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.evaluation.searcher import Assignment, Searcher, lifted
 from hfield.proving.existence.closed_equations import closed_solutions
 from hfield.proving.existence.linear_systems import linear_cases
-from hfield.proving.existence.roots_by_theorem import by_roots
 from hfield.proving.methods import universal
+from hfield.proving.polynomials.expansion import Symbolic
+from hfield.proving.polynomials.recognition import polynomial_text
 from hfield.proving.problem import Problem
-from hfield.proving.statements.language import Sort
-from hfield.proving.steps import say
-from hfield.syntax import Not, parse
+from hfield.proving.statements.language import BASIS, Sort
+from hfield.proving.statements.trees import occurrences
+from hfield.proving.steps import Step, say
+from hfield.syntax import Binary, Compare, Name, Negate, Node, Not, Number, Power, parse
+
+if TYPE_CHECKING:
+    import flint
+
 
 FEW = 400
 
@@ -106,3 +126,189 @@ def _witnessed(problem: Problem, found: Assignment) -> Decision:
 def shown(witness: Mapping[str, Sequence[str]]) -> str:
     """Write the values of a witness in a line."""
     return ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
+
+
+MAX_DEGREE = 200
+FARTHEST = 2**40
+
+
+def by_roots(problem: Problem) -> Decision | None:
+    """Prove by a theorem that there is a root, for every value given."""
+    return _by_real_or_complex_root(problem) or _by_quaternion_root(problem)
+
+
+def _by_real_or_complex_root(problem: Problem) -> Decision | None:
+    """Prove ``exists s: f(s) == g(s)`` over RR and CC where a root exists for every value given."""
+    field, statement = problem.field, problem.statement
+    node = statement.conclusion
+    if field is None or field.closure is None or len(statement.exists) != 1:
+        return None
+    name = statement.exists[0]
+    if statement.sorts[name] is not Sort.SCALAR or statement.divides or problem.is_late:
+        return None
+    if not (isinstance(node, Compare) and node.op == "=="):
+        return None
+    try:
+        world = Symbolic(problem)
+        sides = [world.embed(world.term(side)[0]) for side in (node.left, node.right)]
+        differences = [u - v for u, v in zip(*sides, strict=True)]
+    except TooLargeError:
+        return None
+    left = [f for f in differences if f != 0]
+    if len(left) != 1 or not 1 <= left[0].degrees()[world.variables.index(name)] <= MAX_DEGREE:
+        return None
+    f, at = left[0], world.variables.index(name)
+    shown = polynomial_text(f, world.variables)
+    by = _complex(f, at) if field.closure == "algebraically closed" else _real(f, at)
+    if by is None:
+        return None
+    evidence, theorem, why = by
+    return Decision(
+        PROVED,
+        WITNESS,
+        steps=(say("as-polynomial", f=shown, x=name, why=why), say("so-root", theorem=theorem)),
+        scope=FIELD,
+        assumes=(theorem,),
+        evidence=evidence,
+    )
+
+
+Reason = tuple[Evidence, str, Step]  # evidence, theorem, words
+
+
+def _complex(f: flint.fmpz_mpoly, at: int) -> Reason | None:
+    lead = _coefficients(f, at)[-1]
+    if not lead.is_constant():
+        return None
+    return Evidence(Kind.COMPLEX_ROOT), COMPLEX_ROOT, say("number-in-front")
+
+
+def _real(f: flint.fmpz_mpoly, at: int) -> Reason | None:
+    c = _coefficients(f, at)
+    degree = len(c) - 1
+    if degree % 2 and c[-1].is_constant():
+        return Evidence(Kind.REAL_ROOT, by="odd degree"), ODD_DEGREE, say("odd-degree", n=degree)
+    if degree == 2 and c[1] == 0 and c[2].is_constant():
+        rest = -c[0] if int(c[2].leading_coefficient()) > 0 else c[0]
+        if all(
+            coefficient > 0 and not any(int(e) % 2 for e in m) for m, coefficient in rest.terms()
+        ):
+            words = say("square-minus-squares")
+            return Evidence(Kind.REAL_ROOT, by="square"), REAL_ROOTS, words
+    if all(x.is_constant() for x in c):
+        ends = _sign_change([int(x.leading_coefficient()) if x != 0 else 0 for x in c])
+        if ends is not None:
+            words = say("both-signs", a=ends[0], b=ends[1])
+            between = [str(n) for n in ends]
+            evidence = Evidence(Kind.REAL_ROOT, by="sign change", between=between)
+            return evidence, SIGN_CHANGE, words
+    return None
+
+
+def _coefficients(f: flint.fmpz_mpoly, at: int) -> list[flint.fmpz_mpoly]:
+    """Return the coefficients of f as a polynomial in one of its variables."""
+    parts: list[dict[tuple[int, ...], int]] = [{} for _ in range(int(f.degrees()[at]) + 1)]
+    for exponents, c in f.terms():
+        m = list(map(int, exponents))
+        n, m[at] = m[at], 0
+        parts[n][tuple(m)] = int(c)
+    return [f.context().from_dict(part) for part in parts]
+
+
+def _sign_change(c: list[int]) -> tuple[int, int] | None:
+    """Return two integers at which Σ cₙ·xⁿ has values of different signs, or one of them 0."""
+    places = [0]
+    while places[-1] < FARTHEST:
+        places.append(2 * places[-1] or 1)
+    signs: dict[int, int] = {}
+    for n in sorted({*places, *(-n for n in places), *range(-20, 21)}, key=abs):
+        value = sum(a * n**k for k, a in enumerate(c))
+        for m, sign in signs.items():
+            if sign * value <= 0:
+                return min(m, n), max(m, n)
+        signs = {n: 1 if value > 0 else -1, **signs}
+    return None
+
+
+MAX_QUATERNION_DEGREE = 1_000
+
+
+@dataclass(frozen=True)
+class Top:
+    """What a polynomial has at the top: its degree at most, and whether that is one monomial, not 0."""
+
+    degree: int
+    single: bool
+
+    def __add__(self, other: Top) -> Top:
+        if self.degree == other.degree:
+            return Top(self.degree, False)
+        return self if self.degree > other.degree else other
+
+    def __mul__(self, other: Top) -> Top:
+        return Top(self.degree + other.degree, self.single and other.single)
+
+
+def _by_quaternion_root(problem: Problem) -> Decision | None:
+    """Prove ``exists q: f(q) == g(q)`` in H(ℝ), where a single monomial has the highest degree."""
+    field, statement = problem.field, problem.statement
+    node = statement.conclusion
+    if field is None or field.closure != "real closed" or not problem.setting.is_hamilton:
+        return None
+    if statement.divides:
+        return None
+    if len(statement.exists) != 1 or not (isinstance(node, Compare) and node.op == "=="):
+        return None
+    name = statement.exists[0]
+    sides = [_top(side, name) for side in (node.left, node.right)]
+    if statement.sorts[name] is not Sort.QUATERNION or None in sides:
+        return None
+    top = sum((side for side in sides if side is not None), Top(-1, False))
+    if not (1 <= top.degree <= MAX_QUATERNION_DEGREE and top.single):
+        return None
+    steps = (
+        say("single-top", q=name, n=top.degree),
+        say("so-root", theorem=QUATERNION_ROOT),
+    )
+    return Decision(
+        PROVED,
+        WITNESS,
+        steps=steps,
+        scope=FIELD,
+        assumes=(QUATERNION_ROOT,),
+        evidence=Evidence(Kind.QUATERNION_ROOT),
+    )
+
+
+def _top(node: Node, name: str) -> Top | None:
+    """Return what a term has at the top as a polynomial in the name, None where it is none."""
+    if not occurrences(node, name):
+        return Top(0, _is_not_zero(node))
+    match node:
+        case Name():
+            return Top(1, True)
+        case Negate(x):
+            return _top(x, name)
+        case Binary("+" | "-" | "*" as op, x, y):
+            left, right = _top(x, name), _top(y, name)
+            if left is None or right is None:
+                return None
+            return left * right if op == "*" else left + right
+        case Power(x, n) if n >= 0:
+            base = _top(x, name)
+            return None if base is None else Top(n * base.degree, base.single)
+    return None
+
+
+def _is_not_zero(node: Node) -> bool:
+    """Tell whether a term is certainly not 0: a product of numbers and of basis vectors."""
+    match node:
+        case Number(value):
+            return value != 0
+        case Name(name):
+            return name in BASIS
+        case Negate(x):
+            return _is_not_zero(x)
+        case Binary("*", x, y):
+            return _is_not_zero(x) and _is_not_zero(y)
+    return False

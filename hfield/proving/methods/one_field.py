@@ -1,27 +1,32 @@
-"""Deciding a statement without quantifiers over one exact field."""
+"""Deciding a statement without quantifiers over one exact field.
+
+Deciding over a finite ring by all cases.
+"""
 
 from collections.abc import Sequence
 
-from hfield.certificates.glossary import IDENTITY
-from hfield.errors import TooLargeError
-from hfield.proving.counterexamples.nonzero_place import nonzero_place
+from hfield.certificates.glossary import EXHAUSTION, IDENTITY
+from hfield.errors import TooLargeError, UndecidedError
+from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.refuting import (
     FEW,
     MANY,
     SHORT,
     look,
     look_quickly,
+    nonzero_place,
     solve_clauses,
 )
-from hfield.proving.decision import Decision, undecided
+from hfield.proving.decision import FIELD, PROVED, Decision, undecided
+from hfield.proving.evaluation.all_cases import counterexample
 from hfield.proving.methods.decisions import identity, implied, refuted, scope_of_identity
-from hfield.proving.methods.exhaustion import exhaust
 from hfield.proving.methods.implications import prove_clauses
 from hfield.proving.polynomials.expansion import Expanded, expand
 from hfield.proving.polynomials.field_rules import unused_norm
 from hfield.proving.polynomials.normal_form import Clause
 from hfield.proving.polynomials.vanishing import is_nonzero_constant, vanishes, vanishes_as_function
 from hfield.proving.problem import Problem
+from hfield.proving.steps import say
 from hfield.rings.base import Ring
 
 
@@ -106,3 +111,29 @@ def _unexpanded(problem: Problem, why: str) -> Decision:
     if problem.ring.order is not None:
         return exhaust(problem, None)
     return undecided(why, f"{FEW} small places")
+
+
+def exhaust(problem: Problem, x: Expanded | None) -> Decision:
+    """Decide over a finite ring by all cases; when they are too many, look at small places."""
+    used = None if x is None else used_variables(x)
+    try:
+        found, cases = counterexample(problem, used)
+    except (TooLargeError, UndecidedError) as error:
+        found = look(problem, MANY)
+        if found is not None:
+            return refuted(problem, found)
+        return undecided(str(error), f"{MANY} small places")
+    if found is not None:
+        return refuted(problem, found)
+    steps = (say("each-case" if cases > 1 else "only-case", n=cases, R=problem.ring.name),)
+    evidence = Evidence(Kind.EXHAUSTION, cases=cases)
+    return Decision(PROVED, EXHAUSTION, steps=steps, scope=FIELD, evidence=evidence)
+
+
+def used_variables(x: Expanded) -> frozenset[str]:
+    """Return the coordinates that the clauses depend on."""
+    polynomials = [p for c in x.clauses for p in (*c.zeros, *(g for goal in c.goals for g in goal))]
+    degrees: list[int] = [0] * len(x.variables)
+    for p in polynomials:
+        degrees = [a + int(b) for a, b in zip(degrees, p.degrees(), strict=True)]
+    return frozenset(name for name, d in zip(x.variables, degrees, strict=True) if d)

@@ -20,8 +20,8 @@ from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.methods import one_field
 from hfield.proving.methods.decisions import identity, implied, refuted, scope_of_identity
-from hfield.proving.methods.exhaustion import exhaust, used_variables
 from hfield.proving.methods.implications import prove_clauses
+from hfield.proving.methods.one_field import exhaust, used_variables
 from hfield.proving.polynomials.expansion import Expanded, expand
 from hfield.proving.polynomials.vanishing import prime_factors, vanishes
 from hfield.proving.problem import Problem

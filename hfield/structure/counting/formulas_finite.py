@@ -4,18 +4,29 @@ Everything follows from how many elements have a given norm, alone or with trace
 element satisfies ``x² = tr(x)·x − N(x)``: it is nilpotent when both are 0, idempotent when it is 0, 1 or has
 trace 1 and norm 0, and squares to s when it is a scalar root of s or has trace 0 and norm −s.
 The formulas cover every (a, t, b), degenerate ones and characteristic 2 included. Over ℤ/n they are put
-together from those over its residue fields and prime powers, by ``formulas_residue_rings``.
+together from those over its residue fields and prime powers, as below.
+
+How many elements of an algebra over ℤ/n have norm v, square to s, are units, nilpotent, idempotent.
+
+By the Chinese remainder theorem these are products over the prime powers of n. Modulo pᵏ, units and
+nilpotents are those of the algebra over GF(p) times ``p⁴⁽ᵏ⁻¹⁾``; an idempotent other than 0 and 1 has
+``p²⁽ᵏ⁻¹⁾`` lifts, all conjugate, for its centraliser has rank 2; and solutions of quadratic equations are
+counted by Hensel's lemma where the form has a coordinate that is a unit with a unit in front, and by dividing
+by p where it has none. Nothing is enumerated but residues modulo 8.
 """
 
+from collections.abc import Callable, Sequence
 from math import prod
 from typing import Any, NamedTuple
 
-from hfield.errors import CoercionError, NotFiniteError
+import flint
+
+from hfield.errors import CoercionError, NotFiniteError, TooLargeError
+from hfield.factorisation import factorise
 from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import PrimeField
 from hfield.rings.modular import Modular
-from hfield.structure.counting.formulas_residue_rings import count_residues
 from hfield.structure.forms import discriminant, normal_form
 
 KINDS = ("elements", "norm", "nilpotent", "idempotent", "square roots", "units")
@@ -148,3 +159,192 @@ def _square_roots(ring: Ring, shape: _Shape, q: int, s: Scalar) -> Count:
     if ring.characteristic == 2 or ring.is_zero(s) or ring.sqrt(s) is None:
         return traceless
     return Count(traceless.value + 2, "2" if not traceless.value else f"{traceless.formula}+2")
+
+
+LARGEST_EXPONENT = 64
+"""The greatest k for which square roots modulo pᵏ are counted: the work grows like k²."""
+
+Field = Callable[[int, str], int]  # how many of a kind there are over GF(p)
+
+
+class Form(NamedTuple):
+    """``Σ d·x² + Σ c·(y² + t·yz − a·z²)`` modulo p^k; the second kind only where p = 2 and t is odd."""
+
+    p: int
+    unary: tuple[int, ...]
+    binary: tuple[int, ...] = ()
+    t: int = 0
+    a: int = 0
+
+    @property
+    def variables(self) -> int:
+        """How many variables there are."""
+        return len(self.unary) + 2 * len(self.binary)
+
+    def over(self, unary: Sequence[int], binary: Sequence[int]) -> "Form":
+        """Return the form with other coefficients."""
+        return Form(self.p, tuple(unary), tuple(binary), self.t, self.a)
+
+
+def solutions(form: Form, k: int, v: int) -> int:
+    """Return in how many ways the form is v modulo pᵏ.
+
+    A solution in which a variable with a unit in front is a unit lifts from p to pᵏ (from 8 to 2ᵏ)
+    in ``p^((k−1)(r−1))`` ways for r variables. In the others all these variables are multiples of p, and so
+    is v: then everything is divided by p.
+    """
+    p, r = form.p, form.variables
+    start = 3 if p == 2 else 1
+    total: int = 0
+    scale: int = 1
+    while k > 0:
+        modulus = p**k
+        v %= modulus
+        form = form.over([d % modulus for d in form.unary], [c % modulus for c in form.binary])
+        if k < start:
+            return total + scale * _values(form, modulus)[v]
+        total += scale * _smooth(form, v % p**start) * p ** ((k - start) * (r - 1))
+        if v % p:
+            return total
+        free = sum(d % p == 0 for d in form.unary) + 2 * sum(c % p == 0 for c in form.binary)
+        scale *= p**free
+        divided = [[d * p if d % p else d // p for d in part] for part in (form.unary, form.binary)]
+        form, v, k = form.over(*divided), v // p, k - 1
+    return total + scale
+
+
+def _smooth(form: Form, v: int) -> int:
+    """Count the solutions modulo p, or 8, in which a variable with a unit in front is a unit."""
+    p = form.p
+    if p == 2:
+        even = form.over(
+            [4 * d if d % 2 else d for d in form.unary],
+            [4 * c if c % 2 else c for c in form.binary],
+        )
+        # of 8 values of a variable 4 are even, and 4·d·y² takes each of its values for two y modulo 4
+        odd = sum(d % 2 for d in form.unary) + 2 * sum(c % 2 for c in form.binary)
+        return _values(form, 8)[v] - (_values(even, 8)[v] >> odd)
+    units = [d for d in form.unary if d % p]
+    found = _field_solutions(p, units, v) - (v % p == 0)
+    return found * int(p ** (len(form.unary) - len(units)))
+
+
+def _field_solutions(p: int, units: list[int], v: int) -> int:
+    """Count the solutions of ``Σ d·x² = v`` over GF(p), p odd (Lidl, Niederreiter, 6.26 and 6.27)."""
+    r, half = len(units), len(units) // 2
+    if r == 0:
+        return int(v % p == 0)
+    sign = prod(units) * (-1) ** half
+    if r % 2:
+        return int(p ** (r - 1) + p**half * _legendre(sign * v, p))
+    excess = p**half - p ** (half - 1) if v % p == 0 else -(p ** (half - 1))
+    return int(p ** (r - 1) + excess * _legendre(sign, p))
+
+
+def _legendre(x: int, p: int) -> int:
+    return int(flint.fmpz(x % p).jacobi(p))
+
+
+def _values(form: Form, modulus: int) -> list[int]:
+    """Return how often each residue is a value of the form, modulo 2, 4 or 8."""
+    parts = []
+    for d in form.unary:
+        parts.append([d * x * x for x in range(modulus)])
+    for c in form.binary:
+        t, a = form.t, form.a
+        parts.append(
+            [c * (y * y + t * y * z - a * z * z) for y in range(modulus) for z in range(modulus)]
+        )
+    total = [1] + [0] * (modulus - 1)
+    for values in parts:
+        counts = [0] * modulus
+        for value in values:
+            counts[value % modulus] += 1
+        total = [
+            sum(total[u] * counts[(w - u) % modulus] for u in range(modulus))
+            for w in range(modulus)
+        ]
+    return total
+
+
+def count_residues(ring: Ring, c: Constants, kind: str, value: Any, field: Field) -> list[int]:
+    """Return the counts modulo the prime powers of n, whose product is the count over ℤ/n.
+
+    ``field(p, kind)`` counts over GF(p). Raises :class:`UndecidedError` where n cannot be factored, and
+    :class:`TooLargeError` for square roots modulo pᵏ with k beyond :data:`LARGEST_EXPONENT`.
+    """
+    n, v = ring.characteristic, 0 if value is None else int(value)
+    a, t, b = (int(x) for x in c)
+    parts = []
+    for p, k in factorise(n).items():
+        if kind == "norm":
+            parts.append(solutions(_norm_form(p, k, a, t, b), k, v))
+        elif kind == "square roots":
+            if k > LARGEST_EXPONENT:
+                raise TooLargeError(
+                    f"square roots modulo {p}^{k} are not counted: exponents up to {LARGEST_EXPONENT} are"
+                )
+            roots = _roots_odd_trace if p == 2 and t % 2 else _roots
+            parts.append(roots(p, k, a, t, b, v))
+        elif kind == "idempotent":
+            parts.append(2 + (field(p, kind) - 2) * p ** (2 * (k - 1)))
+        else:
+            parts.append(field(p, kind) * p ** (4 * (k - 1)))
+    return parts
+
+
+def _norm_form(p: int, k: int, a: int, t: int, b: int) -> Form:
+    """Return the norm form, diagonal where the square of i − t/2 can be completed."""
+    if p == 2 and t % 2:
+        return Form(p, (), (1, -b), t, a)
+    a = _completed(p, k, a, t)
+    return Form(p, (1, -a, -b, a * b))
+
+
+def _completed(p: int, k: int, a: int, t: int) -> int:
+    """Return the square of ``i − t/2``, for t even or p odd."""
+    half = t // 2 if p == 2 else t * pow(2, -1, p**k)
+    return a + half * half
+
+
+def _roots(p: int, k: int, a: int, t: int, b: int, s: int) -> int:
+    """Count the square roots of s modulo pᵏ, for t even or p odd, when t = 0 may be assumed.
+
+    ``(w + v)² = w² + v² + 2w·v`` for a vector v of trace 0. If v is pᵐ times a primitive one, pʰ divides w
+    with ``h = k − m``, or one less for p = 2; vectors that are not primitive are pᵐ⁺¹ times any.
+    """
+    a = _completed(p, k, a, t)
+    total = 0
+    for m in range(k + 1):
+        h = max(k - m - (p == 2), 0)
+        for n, sign in ((m, 1), (m + 1, -1)):
+            if n <= k:
+                q = p ** (2 * n)
+                form = Form(p, (p ** (2 * h), q * a, q * b, -q * a * b))
+                total += sign * (solutions(form, k, s) // p ** (h + 3 * n))
+    return total
+
+
+def _roots_odd_trace(p: int, k: int, a: int, t: int, b: int, s: int) -> int:
+    """Count the square roots of s modulo 2ᵏ for odd t.
+
+    For ``q = w + xi + β·j`` with trace ``T = 2w + tx``, q² = s says ``Tβ = 0``, ``T(T − 2w) = 0`` and
+    ``D·w² − a·T² + t²b·N(β) = t²s`` with ``D = t² + 4a``. With T = 2ʲτ, τ odd, it is ``β = 2ᵏ⁻ʲγ`` and
+    ``w = 2ʲ⁻¹τ + 2ᵏ⁻ʲ⁻¹u``, and the last equation has no mixed terms but ``2ᵏ⁻¹u``.
+    """
+    d, u, goal = t * t + 4 * a, t * t, t * t * s
+    total = solutions(Form(p, (d,), (u * b,), t, a), k, goal)  # T = 0
+    for j in range(1, k):
+        rest = k - j
+        taus = ((u * 4 ** (j - 1), j, 1), (u * 4**j, j + 1, -1))  # all τ less the even ones
+        some = (
+            (d * 4**rest, rest, 1, 0),  # u even
+            (d * 4 ** (rest - 1), rest - 1, 1, 2 ** (k - 1)),  # u odd: all u less the even ones
+            (d * 4**rest, rest, -1, 2 ** (k - 1)),
+        )
+        for x, m, sign in taus:
+            for y, n, other, shift in some:
+                form = Form(p, (x, y), (4**rest * u * b,), t, a)
+                found = solutions(form, k, goal - shift)
+                total += sign * other * (found // 2 ** (m + n + 2 * rest))
+    return total

@@ -19,7 +19,7 @@ from hfield.structure.counting.formulas_finite import Count, count
 if TYPE_CHECKING:
     import numpy as np
 
-    from hfield.rings.array_held.labels import LabelArrays
+    from hfield.rings.array_held.finite import LabelArrays
 
 Rows = tuple["np.ndarray", ...]
 
@@ -172,7 +172,7 @@ class _ByLoops:
 
 def _loops(ring: Ring, c: Constants) -> _ByLoops | None:
     """Return the compiled loops of a ring that lists its elements by labels, if it has some."""
-    from hfield.rings.array_held.labels import LabelArrays
+    from hfield.rings.array_held.finite import LabelArrays
 
     how = ring.array_holding(c)
     return _ByLoops(how) if isinstance(how, LabelArrays) and how.compiles else None

@@ -32,12 +32,12 @@ from hfield.primality import is_prime, primes
 from hfield.rings.balls import precision
 
 MAX_BOUND = 20_000  # of the norms of primes that generate the class group
+LEAST_BOUND = 5
 MAX_SATURATED = 20_000  # primes at which a group of units is shown to be saturated
 MAX_ROOTS = 50_000  # choices of conjugates of a root
 TRIES = 400
 SHIFT = 40  # binary digits of conjugates in lattices to be reduced
 
-MINKOWSKI = "H. Minkowski: each class contains an ideal of norm at most (4/π)^r₂·n!/nⁿ·√|D|"
 FRIEDMAN = "E. Friedman, Invent. Math. 98 (1989): a regulator is at least 0.2052"
 ARTIN = "E. Artin: a unit ε > 1 of a cubic field with one real place has 4ε³ + 24 > |D|"
 CUSICK = "T. W. Cusick, 1984: the regulator of a totally real cubic field is at least log²(D/4)/16"
@@ -52,7 +52,8 @@ class SUnits:
         self.rng = Random(1)
         real, complex_ = self.field.signature
         self.rank = real + complex_ - 1
-        self.bound = minkowski(frame)
+        # at least some primes, so that elements of one norm give units where few short ones are units
+        self.bound = max(minkowski(frame), LEAST_BOUND if self.rank else 1)
         if self.bound > MAX_BOUND:
             raise TooLargeError(
                 f"the class group of {shorten(frame.ring.name)} asks for all prime ideals of norm up to "
@@ -158,7 +159,7 @@ class SUnits:
         ideal = self.frame.prime(self.base[k])
         for turn in range(8):
             helper = ideal
-            if turn:
+            if turn and self.primes:
                 helper = ideal * self.frame.prime(self.base[self.rng.choice(self.primes)])
             for x in self.short(helper, TRIES // 8):
                 found = self.smooth(x)
@@ -290,6 +291,10 @@ class SUnits:
                 .floor()
                 .unique_fmpz()
             )
+
+    def index_bound(self) -> int:
+        """Return the bound of the index below which all primes were looked at."""
+        return self._index_bound(self.generators, self.rows)
 
     def least_regulator(self) -> tuple[Any, str]:
         """Return a proved lower bound for the regulator, and by whom."""

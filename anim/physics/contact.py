@@ -1,0 +1,164 @@
+"""The top that is free: it stands on the ground by what presses it, slips, rises, falls and rolls on its rim.
+
+Nothing is held. Where the outline's corners, each a circle rounded by a radius, sink below z = 0 by δ, the
+ground presses with N = κδ^(3/2)(1 + cδ̇) (H. Hertz 1882; K. H. Hunt and F. R. E. Crossley, "Coefficient of
+restitution interpreted as damping in vibroimpact", Journal of Applied Mechanics 42, 1975), rubs with
+μN·v/√(v² + ε²) against the slip v, and resists turning by a couple of the arm `rolling`. All is divided by
+the mass. A state (14,) is the attitude q, ω in the body's axes, the centre of mass and its velocity in
+space, and the energy that was lost so far. Steps are Kutta's classical ones of fourth order.
+"""
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.compiling import kernel
+from anim.physics.integrator import callable_from_kernels
+
+Floats = NDArray[np.float64]
+
+SIZE = 14
+HEIGHT, LOST = 9, 13
+"""Where in a state the height of the centre of mass is, and the energy lost, over the mass."""
+
+
+class Ground(NamedTuple):
+    """The constants of the motion; moments, stiffness and energies are over the mass."""
+
+    transverse: float
+    """I₁ about the centre of mass, in m²."""
+    axial: float
+    gravity: float
+    tumbling: float
+    """How fast ω₁ and ω₂ decay without any ground, in s⁻¹."""
+    spinning: float
+    stiffness: float
+    """κ in m^(−1/2)·s⁻²."""
+    damping: float
+    """c in s/m."""
+    friction: float
+    """μ, the coefficient of sliding friction."""
+    creep: float
+    """ε in m/s: friction is whole where the slip is much faster, and sticks to a creep below."""
+    rolling: float
+    """The arm in m of the couple with which the ground resists turning."""
+
+
+@callable_from_kernels
+def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> None:
+    """Write into ``out`` how the state ``y`` changes; ``edges`` (k, 3) are radius, height, rounding."""
+    i1, i3, gravity, tumbling, spinning, stiffness, damping, friction, creep, rolling = ground
+    a, b, c, d = y[0], y[1], y[2], y[3]
+    w1, w2, w3 = y[4], y[5], y[6]
+    # The axes of space seen from the body are the rows of the rotation.
+    r11, r12, r13 = a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)
+    r21, r22, r23 = 2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)
+    g1, g2, g3 = 2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d
+    v1 = r11 * y[10] + r21 * y[11] + g1 * y[12]
+    v2 = r12 * y[10] + r22 * y[11] + g2 * y[12]
+    v3 = r13 * y[10] + r23 * y[11] + g3 * y[12]
+    side = sqrt(g1 * g1 + g2 * g2)
+    f1 = f2 = f3 = t1 = t2 = t3 = 0.0
+    lost = tumbling * i1 * (w1 * w1 + w2 * w2) + spinning * i3 * w3 * w3
+    for k in range(len(edges)):
+        radius, height, rounding = edges[k, 0], edges[k, 1], edges[k, 2]
+        if radius > 0 and side < 1e-9:
+            continue  # level: the whole circle is equally low, and none of it is on the ground
+        out_of_axis = radius / side if radius > 0 else 0.0
+        s1, s2 = -(out_of_axis + rounding) * g1, -(out_of_axis + rounding) * g2
+        s3 = height - rounding * g3
+        depth = -(y[HEIGHT] + s1 * g1 + s2 * g2 + s3 * g3)
+        if depth <= 0:
+            continue
+        u1, u2, u3 = v1 + w2 * s3 - w3 * s2, v2 + w3 * s1 - w1 * s3, v3 + w1 * s2 - w2 * s1
+        sinking = -(u1 * g1 + u2 * g2 + u3 * g3)
+        elastic = stiffness * depth * sqrt(depth)
+        press = max(0.0, elastic * (1 + damping * sinking))
+        p1, p2, p3 = u1 + sinking * g1, u2 + sinking * g2, u3 + sinking * g3
+        slip = p1 * p1 + p2 * p2 + p3 * p3
+        grip = friction * press / sqrt(slip + creep * creep)
+        turning = w1 * w1 + w2 * w2 + w3 * w3
+        stay = rolling * press / sqrt(turning + 1.0)
+        n1, n2, n3 = press * g1 - grip * p1, press * g2 - grip * p2, press * g3 - grip * p3
+        f1, f2, f3 = f1 + n1, f2 + n2, f3 + n3
+        t1 += s2 * n3 - s3 * n2 - stay * w1
+        t2 += s3 * n1 - s1 * n3 - stay * w2
+        t3 += s1 * n2 - s2 * n1 - stay * w3
+        lost += (press - elastic) * sinking + grip * slip + stay * turning
+    out[0] = -(b * w1 + c * w2 + d * w3) / 2
+    out[1] = (a * w1 + c * w3 - d * w2) / 2
+    out[2] = (a * w2 + d * w1 - b * w3) / 2
+    out[3] = (a * w3 + b * w2 - c * w1) / 2
+    out[4] = ((i1 - i3) * w2 * w3 + t1) / i1 - tumbling * w1
+    out[5] = ((i3 - i1) * w3 * w1 + t2) / i1 - tumbling * w2
+    out[6] = t3 / i3 - spinning * w3
+    out[7], out[8], out[9] = y[10], y[11], y[12]
+    out[10] = r11 * f1 + r12 * f2 + r13 * f3
+    out[11] = r21 * f1 + r22 * f2 + r23 * f3
+    out[12] = g1 * f1 + g2 * f2 + g3 * f3 - gravity
+    out[LOST] = lost
+
+
+@callable_from_kernels
+def advance(y: Floats, h: float, room: Floats, edges: Floats, ground: Ground) -> None:
+    """Take the state ``y`` (14,) on by ``h`` seconds, in place; ``room`` (5, 14) is overwritten."""
+    slope(y, room[0], edges, ground)
+    for k in range(1, 4):
+        part = h if k == 3 else h / 2
+        for n in range(SIZE):
+            room[4, n] = y[n] + part * room[k - 1, n]
+        slope(room[4], room[k], edges, ground)
+    for n in range(SIZE):
+        y[n] += h / 6 * (room[0, n] + 2 * room[1, n] + 2 * room[2, n] + room[3, n])
+    size = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] + y[3] * y[3])
+    for n in range(4):
+        y[n] /= size
+
+
+@callable_from_kernels
+def down(y: Floats, edges: Floats) -> bool:
+    """Tell whether the ground is touched by anything but the tip, the first of ``edges``."""
+    g3 = 1 - 2 * (y[1] * y[1] + y[2] * y[2])
+    side = sqrt(max(0.0, 1 - g3 * g3))
+    for k in range(1, len(edges)):
+        if y[HEIGHT] + edges[k, 1] * g3 - edges[k, 0] * side - edges[k, 2] < 0:
+            return True
+    return False
+
+
+def follow(
+    start: Floats, h: float, steps: int, every: int, edges: Floats, ground: Ground
+) -> tuple[Floats, float]:
+    """Return the states (steps // every + 1, 14) from ``start`` on, and when the rim touched first, or −1."""
+    y, room = start.copy(), np.empty((5, SIZE))
+    states = np.empty((steps // every + 1, SIZE))
+    landed = -1.0
+    for step in range(steps + 1):
+        if step % every == 0:
+            states[step // every] = y
+        if landed < 0 and down(y, edges):
+            landed = step * h
+        advance(y, h, room, edges, ground)
+    return states, landed
+
+
+def meet(
+    states: Floats, spacing: float, times: Floats, h: float, edges: Floats, ground: Ground
+) -> Floats:
+    """Return the states (n, 14) at ``times`` (n,), each from the last of ``states``, ``spacing`` apart."""
+    found, room = np.empty((len(times), SIZE)), np.empty((5, SIZE))
+    for n in range(len(times)):
+        last = min(int(times[n] / spacing), len(states) - 1)
+        y = states[last].copy()
+        whole = int((times[n] - last * spacing) / h)
+        for _ in range(whole):
+            advance(y, h, room, edges, ground)
+        advance(y, times[n] - last * spacing - whole * h, room, edges, ground)
+        found[n] = y
+    return found
+
+
+follow_compiled = kernel(follow)
+meet_compiled = kernel(meet)

@@ -1,0 +1,260 @@
+"""A top free on the ground, launched and followed: it slips, rises, sleeps, falls, rolls out."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import ceil, cos, hypot, inf, sin, sqrt
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.checks import real
+from anim.errors import AnimationError
+from anim.physics.inertia import Body
+from anim.physics.launch import EVERY, Launch, attitude_of, refuse_long
+from rotation.matrices import to_matrix
+
+if TYPE_CHECKING:
+    from anim.physics.contact import Ground
+
+Floats = NDArray[np.float64]
+
+STANDARD = 9.80665
+STEP, SINK, CREEP = 1e-3, 1 / 400, 0.025
+"""A step over √(l/g), how deep the weight presses the tip in over l, the creep over √(gl)."""
+TURN = 0.02
+"""The step times the spin, at most."""
+MOST_FRICTION = 5.0
+RESTING = 1.0
+"""c·√(gl), by which an impact of √(gl) loses most of its energy."""
+
+
+@dataclass(frozen=True)
+class Contact:
+    """How a free top meets the ground. SI units.
+
+    Raises :class:`~anim.errors.AnimationError` for a radius that is not positive, and for negative
+    friction or rolling resistance.
+
+    >>> Contact(radius=0.05).friction
+    0.3
+    """
+
+    radius: float = 0.04
+    """The tip's: it is a ball whose lowest point is where the outline begins."""
+    friction: float = 0.3
+    """μ, the coefficient of sliding friction, of tip and rim."""
+    rolling: float = 0.0
+    """The arm in m of the couple with which the ground resists rolling and drilling."""
+
+    def __post_init__(self) -> None:
+        real("the tip's radius", self.radius, above=0)
+        if real("friction", self.friction, least=0) > MOST_FRICTION:
+            raise AnimationError(
+                f"friction is {self.friction:g}; expected at most {MOST_FRICTION:g}"
+            )
+        real("rolling", self.rolling, least=0)
+
+
+@dataclass(frozen=True)
+class FreeTop:
+    """A body on the ground, launched, and followed for ``seconds``: the sampler of its motion.
+
+    It starts upon its tip, whose ball is at rest in the middle; the launch's decay times are those of the air
+    alone. Raises :class:`~anim.errors.AnimationError` for a body without outline, a tilt at which the rim is
+    in the ground, and a motion of more than 20 million steps.
+    """
+
+    body: Body
+    launch: Launch
+    seconds: float
+    contact: Contact = Contact()
+
+    def __post_init__(self) -> None:
+        if not self.body.outline:
+            raise AnimationError(
+                "a free top needs the outline of its body: expected Body.turned(…)"
+            )
+        tilt, ball = self.launch.tilt, self.contact.radius
+        lowest = min(z * cos(tilt) - r * sin(tilt) for r, z in self.body.outline[1:])
+        if lowest - ball * (cos(tilt) - 1) < 0 or tilt > np.pi / 2:
+            raise AnimationError(f"tilt is {tilt:.4g} rad; the rim is in the ground there")
+        refuse_long(self.seconds, self.longest_step)
+        arm = self.contact.rolling * self.pull * self.longest_step
+        if ball > 100 * self.body.height or arm * self.body.mass > self.body.axial:
+            raise AnimationError(
+                f"a tip of {ball:g} m with a rolling arm of {self.contact.rolling:g} m is out of all "
+                f"proportion to a top whose centre is at {self.body.height:.3g} m"
+            )
+
+    @property
+    def pull(self) -> float:
+        """The gravity in m/s² after which ground and steps are made: that of Earth, or more."""
+        return max(STANDARD, self.launch.gravity)
+
+    @property
+    def central(self) -> float:
+        """The moment of inertia about an axis through the centre of mass, perpendicular to the top's."""
+        return self.body.transverse - self.body.mass * self.body.height**2
+
+    @property
+    def lever(self) -> float:
+        """From the middle of the tip's ball to the centre of mass, in m."""
+        return self.body.height - self.contact.radius
+
+    @property
+    def sleeping_spin(self) -> float:
+        """The spin in rad/s above which the upright top is stable; infinite if there is none.
+
+        With friction it rests where energy is least for its Jellett invariant, if
+        n² > mg(l − ρ)l²/ρ(I₃l − I₁ρ), I₁ about the centre of mass (N. Bou-Rabee, J. Marsden and L. Romero,
+        "Tippe top inversion as a dissipation-induced instability", SIAM Journal on Applied Dynamical
+        Systems 3, 2004). Without friction it slides about its centre: n² > 4mg(l − ρ)I₁/I₃².
+        """
+        body, ball = self.body, self.contact.radius
+        weight = body.mass * self.launch.gravity * self.lever
+        if weight <= 0:
+            return 0.0
+        if not self.contact.friction:
+            return 2 * sqrt(weight * self.central) / body.axial
+        excess = body.axial * body.height - self.central * ball
+        return body.height * sqrt(weight / (ball * excess)) if excess > 0 else inf
+
+    @property
+    def spin(self) -> float:
+        """The angular velocity about its own axis at the start, in rad/s."""
+        if self.launch.spin is not None:
+            return self.launch.spin
+        threshold = self.sleeping_spin
+        if threshold == inf:
+            raise AnimationError("no spin lets this top sleep; expected a spin of your own")
+        return 1.1 * threshold
+
+    @property
+    def longest_step(self) -> float:
+        """The longest step in s that follows contact, turning and decay."""
+        launch = self.launch
+        turning = hypot(self.spin, launch.precession * sin(launch.tilt))
+        rates = (turning, 1 / launch.spin_decay, 1 / launch.tilt_decay, 1e-9)
+        return min(STEP * sqrt(self.body.height / self.pull), TURN / max(rates))
+
+    @property
+    def steps(self) -> int:
+        """The number of equal steps that are taken."""
+        return max(1, ceil(self.seconds / self.longest_step))
+
+    @property
+    def step(self) -> float:
+        """Their length in s."""
+        return self.seconds / self.steps
+
+    @property
+    def edges(self) -> Floats:
+        """What can touch the ground, the tip first, (k, 3): radius, height above the centre, rounding."""
+        ball, height = self.contact.radius, self.body.height
+        rest = [(r, z - height, 0.0) for r, z in self.body.outline[1:]]
+        return np.array([(0.0, ball - height, ball), *rest])
+
+    @property
+    def ground(self) -> "Ground":
+        """The constants that the integrator takes."""
+        from anim.physics.contact import Ground
+
+        body, launch, contact = self.body, self.launch, self.contact
+        pace, sink = sqrt(self.pull * body.height), SINK * body.height
+        return Ground(
+            self.central / body.mass,
+            body.axial / body.mass,
+            launch.gravity,
+            1 / launch.tilt_decay,
+            1 / launch.spin_decay,
+            self.pull / sink**1.5,
+            RESTING / pace,
+            contact.friction,
+            CREEP * pace,
+            contact.rolling,
+        )
+
+    @property
+    def start(self) -> Floats:
+        """The state at the start, (14,), as :mod:`anim.physics.contact` has them."""
+        tilt, rate = self.launch.tilt, self.launch.precession
+        attitude = attitude_of(self.launch)
+        velocity = np.array([-rate * sin(tilt), 0.0, self.spin])
+        turn = np.asarray(to_matrix(attitude))
+        arm = turn @ [0.0, 0.0, self.lever]
+        sink = SINK * self.body.height * (self.launch.gravity / self.pull) ** (2 / 3)
+        place = arm + np.array([0.0, 0.0, self.contact.radius - sink])
+        return np.concatenate(
+            [attitude, velocity, place, np.cross(turn @ velocity, arm), np.zeros(1)]
+        )
+
+    @cached_property
+    def landed(self) -> float | None:
+        """When the rim first touches the ground, in s; None if it does not while the film lasts."""
+        landed = self._followed[1]
+        return landed if landed >= 0 else None
+
+    def states(self, times: Floats) -> Floats:
+        """Return the states (n, 14) at instants (n,)."""
+        from anim.physics.contact import meet_compiled
+
+        instants = np.asarray(times, dtype=np.float64)
+        kept, spacing = self._followed[0], EVERY * self.step
+        return np.asarray(
+            meet_compiled(kept, spacing, instants, self.step, self.edges, self.ground)
+        )
+
+    def __call__(self, times: Floats) -> Floats:
+        """Return the attitudes (n, 4) at instants (n,)."""
+        return self.states(times)[:, :4]
+
+    def places(self, times: Floats) -> Floats:
+        """Return where the outline's first point is (n, 3) at instants (n,), in the outline's unit."""
+        states = self.states(times)
+        axes = np.asarray(to_matrix(states[:, :4]))[:, :, 2]
+        return np.asarray((states[:, 7:10] - self.body.height * axes) / self.body.unit)
+
+    def energies(self, states: Floats) -> Floats:
+        """Return kinetic, potential and elastic energies together (n,) of states (n, 14), in J."""
+        turning = states[:, 4:7] ** 2 @ [self.central, self.central, self.body.axial]
+        moving = np.sum(states[:, 10:13] ** 2, axis=1)
+        pressed = 0.4 * self.ground.stiffness * np.sum(self._depths(states) ** 2.5, axis=1)
+        per_mass = moving / 2 + self.launch.gravity * states[:, 9] + pressed
+        return np.asarray(turning / 2 + self.body.mass * per_mass)
+
+    def losses(self, states: Floats) -> Floats:
+        """Return the energy that friction, air and impacts have taken (n,) up to states (n, 14), in J."""
+        return np.asarray(self.body.mass * states[:, 13])
+
+    def momenta(self, states: Floats) -> Floats:
+        """Return the angular momenta about the centre of mass as vectors of space (n, 3), in kg·m²/s."""
+        own = states[:, 4:7] * [self.central, self.central, self.body.axial]
+        return np.asarray(np.einsum("nij,nj->ni", to_matrix(states[:, :4]), own))
+
+    def jellett(self, states: Floats) -> Floats:
+        """Return Jellett's invariant (n,) of states (n, 14), in kg·m³/s.
+
+        It is −L·s, with s from the centre of mass to the contact, and stays whatever the friction, as long as
+        the tip alone is on the ground, without air and rolling resistance (J. H. Jellett, A Treatise on the
+        Theory of Friction, 1872).
+        """
+        axes = np.asarray(to_matrix(states[:, :4]))[:, :, 2]
+        arms = self.lever * axes + [0.0, 0.0, self.contact.radius]
+        return np.asarray(np.sum(self.momenta(states) * arms, axis=1))
+
+    @cached_property
+    def _followed(self) -> tuple[Floats, float]:
+        from anim.physics.contact import follow_compiled
+
+        kept, landed = follow_compiled(
+            self.start, self.step, self.steps, EVERY, self.edges, self.ground
+        )
+        return kept, float(landed)
+
+    def _depths(self, states: Floats) -> Floats:
+        """Return how deep each of the edges is in the ground, (n, k)."""
+        up = np.asarray(to_matrix(states[:, :4]))[:, 2, 2][:, None]
+        radius, height, rounding = self.edges.T
+        low = height * up - radius * np.sqrt(np.maximum(0, 1 - up * up)) - rounding
+        return np.asarray(np.maximum(0, -(states[:, 9][:, None] + low)))

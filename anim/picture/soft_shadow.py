@@ -1,0 +1,69 @@
+"""The shadow of a lit room: soft, and sharp and dark where the top touches the ground."""
+
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.picture.canvas import Canvas
+from anim.picture.projection import View
+from anim.picture.room import room, to_ground
+
+Floats = NDArray[np.float64]
+Light = NDArray[np.float32]
+
+SPACING = 0.075
+"""How far apart slices are, at most."""
+STEP = 0.035
+"""How far apart on the ground the light is reckoned."""
+AROUND = 0.45
+"""How far beyond the sharp shadow the soft one reaches."""
+
+
+def slices(profile: tuple[tuple[float, float], ...]) -> Floats:
+    """Return an outline as slices (k, 3): height, radius, and 1 for a ball where it is thin, 0 for a disc.
+
+    >>> slices(((0.0, 0.0), (1.0, 1.0)))[-1].round(3).tolist()
+    [0.964, 0.964, 0.0]
+    """
+    found = []
+    for (r0, z0), (r1, z1) in pairwise(profile):
+        count = max(1, round(abs(z1 - z0) / SPACING) + 1)
+        thin = float(z1 - z0 > 2 * abs(r1 - r0))
+        for k in range(count):
+            t = (k + 0.5) / count
+            found.append((z0 + t * (z1 - z0), r0 + t * (r1 - r0), thin))
+    return np.array(found)
+
+
+class SoftShadow:
+    """Lays the shadow of the top with an outline on the ground ``background`` (height, width, 3)."""
+
+    def __init__(
+        self, profile: tuple[tuple[float, float], ...], light: Floats, view: View, background: Light
+    ) -> None:
+        self._slices, self._light, self._view = slices(profile), light, view
+        self._background, self._to_ground = background, to_ground(view, len(background))
+        self._numbers = np.array(
+            [room()["shadow"][n] for n in ("depth", "sharp", "soft", "contact", "reach")]
+        )
+
+    def draw(self, canvas: Canvas, rotation: Floats, tip: Floats) -> None:
+        """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``."""
+        from anim.picture.ground import lay, shade
+
+        if self._view.eye[2] <= 0:
+            return
+        axis = np.ascontiguousarray(rotation[:, 2])
+        height, radius, _ = self._slices.T
+        centres = tip + height[:, None] * axis
+        falls = centres[:, :2] - centres[:, 2:] / self._light[2] * self._light[:2]
+        wide = radius[:, None] / self._light[2]
+        low = np.minimum(falls - wide, centres[:, :2] - radius[:, None]).min(axis=0) - AROUND
+        high = np.maximum(falls + wide, centres[:, :2] + radius[:, None]).max(axis=0) + AROUND
+        columns, rows = np.ceil((high - low) / STEP).astype(int) + 1
+        grid = np.empty((rows, columns), np.float32)
+        shade(grid, low, STEP, self._slices, tip, axis, self._light, self._numbers)
+        corners = np.array([(x, y, 0.0) for x in (low[0], high[0]) for y in (low[1], high[1])])
+        box = canvas.touch(self._view.project(corners), 0)
+        lay(canvas.pixels, box, self._background, self._to_ground, grid, low, STEP)

@@ -1,0 +1,165 @@
+"""Ideal classes of definite orders over totally real fields: known values, identities, other formulas."""
+
+from fractions import Fraction
+from itertools import product
+
+import flint
+import pytest
+
+from hfield import LatticeError, QuaternionAlgebra, ring
+from hfield.errors import IndefiniteError
+
+# discriminant of K: polynomial, classes and types of the maximal order of discriminant 1, mass
+KNOWN = {
+    5: ("s^2-s-1", 1, 1, "1/60"), 8: ("s^2-2", 1, 1, "1/24"), 12: ("s^2-3", 2, 2, "1/12"),
+    13: ("s^2-s-3", 1, 1, "1/12"), 17: ("s^2-s-4", 1, 1, "1/6"), 21: ("s^2-s-5", 2, 2, "1/6"),
+    24: ("s^2-6", 3, 3, "1/4"), 28: ("s^2-7", 3, 3, "1/3"), 33: ("s^2-s-8", 3, 3, "1/2"),
+    60: ("s^2-15", 8, 8, "2"), 69: ("s^2-s-17", 5, 5, "1"),
+    725: ("s^4-s^3-3*s^2+s+1", 1, 1, "1/60"), 1125: ("s^4-s^3-4*s^2+4*s+1", 2, 2, "1/30"),
+    1957: ("s^4-4*s^2-s+1", 1, 1, "1/12"), 2000: ("s^4-5*s^2+5", 3, 3, "1/12"),
+    2304: ("s^4-4*s^2+1", 3, 3, "1/8"), 2777: ("s^4-s^3-4*s^2+s+2", 1, 1, "1/6"),
+    4352: ("s^4-6*s^2-4*s+2", 4, 4, "1/3"),
+}  # fmt: skip
+
+
+def unramified(polynomial: str) -> QuaternionAlgebra:
+    K = ring(f"QQ[s]/({polynomial})")
+    return QuaternionAlgebra.from_ramification(K, K.real_places())
+
+
+@pytest.mark.parametrize("discriminant", KNOWN)
+def test_known_class_numbers(discriminant: int) -> None:
+    polynomial, classes, types, mass = KNOWN[discriminant]
+    A = unramified(polynomial)
+    assert A.ring.discriminant() == discriminant
+    O = A.maximal_order()
+    assert O.discriminant() == 1
+    C = O.class_set()
+    assert (len(C), C.type_number, C.mass) == (classes, types, Fraction(mass))
+    assert sum(Fraction(1, I.left_order().unit_index()) for I in C) == C.mass
+
+
+def icosians() -> QuaternionAlgebra:
+    return QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+
+
+def test_levels_over_the_golden_field() -> None:
+    A = icosians()
+    K = A.ring
+    P = K.primes_above(31)[0]
+    (root,), elevens = K.primes_above(5), K.primes_above(11)
+    C = A.eichler_order([(P, 1)]).class_set()
+    assert len(C) == 2
+    assert C.hecke_polynomial(root) == [-12, -4, 1]  # (x − 6)(x + 2)
+    assert C.hecke_polynomial(K.gen) == [-12, -4, 1]
+    inert = C.hecke_polynomial(7)  # (x − 50)(x − 2)
+    assert inert == [100, -52, 1]
+    assert [48, -16, 1] in [C.hecke_polynomial(Q) for Q in elevens]  # (x − 12)(x − 4)
+    assert len(A.eichler_order(3).class_set()) == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "level"),
+    [("QQ[s]/(s^2-15)", 7), ("QQ[s]/(s^2-3)", 11), ("QQ[s]/(s^3-s^2-2*s+1)", 13)],
+)
+def test_brandt_matrices(name: str, level: int) -> None:
+    """They commute; rows sum to the numbers of ideals; the adjoint of T_P is T_P divided by P."""
+    K = ring(name)
+    finite = K.primes_above(2)[:1] if K.degree % 2 else []
+    A = QuaternionAlgebra.from_ramification(K, [*K.real_places(), *finite])
+    N = K.primes_above(level)[0]
+    C = A.eichler_order([(N, 1)]).class_set()
+    h = range(len(C))
+    assert sum(Fraction(1, units) for units in C.units) == C.mass == C.order.mass()
+    matrices = []
+    for P in (P for p in (2, 3, 5, 7, 13) for P in K.primes_above(p) if K.ideal(P).norm() < 14):
+        B, q = C.brandt_matrix(P), int(K.ideal(P).norm())
+        ideals = 1 if P in finite else 2 * q + 1 if P == N else q + 1
+        assert [sum(row) for row in B] == [ideals for _ in h]
+        matrices.append(flint.fmpz_mat(B))
+        if ideals == q + 1:
+            times = [C.index(I * K.ideal(P)) for I in C]
+            assert all(B[i][j] * C.units[j] == B[j][times[i]] * C.units[i] for i in h for j in h)
+    assert all(S * T == T * S for S, T in product(matrices, repeat=2))
+
+
+def test_equivalence_and_index() -> None:
+    A = unramified("s^2-15")  # class number 2, narrow class number 4
+    K, O = A.ring, A.maximal_order()
+    C = O.class_set()
+    x = A(1, K.gen, 2, 1 - K.gen)
+    for n, I in enumerate(C):
+        assert C.index(x * I) == n
+        answer = I.equivalence(x * I)
+        assert answer
+        assert answer.element * I == x * I
+        for m, J in enumerate(C):
+            assert bool(I.equivalence(J)) == (n == m)
+        assert bool(I.is_principal()) == (n == 0)
+    P = K.primes_above(2)[0]
+    ideal = next(I for I in O.ideals_of_norm(P, "right"))
+    assert "totally positive generator" in ideal.is_principal().reason  # P is not principal
+    assert bool((C[0] * K.ideal(P)).is_principal()) == (C.index(C[0] * K.ideal(P)) == 0)
+
+
+def test_left_ideals() -> None:
+    O = unramified("s^2-7").maximal_order()
+    ideals = O.ideals_of_norm(O.algebra.ring.primes_above(3)[0])
+    assert [I.side for I in ideals] == ["left"] * 4
+    for I in ideals:
+        answer = ideals[0].equivalence(I)
+        if answer:
+            assert ideals[0] * answer.element == I
+        else:
+            assert answer.reason
+    with pytest.raises(LatticeError, match="left ideals of one order"):
+        ideals[0].equivalence(ideals[0].conjugate())
+
+
+def test_isomorphisms_of_orders() -> None:
+    A = unramified("s^2-6")
+    C = A.maximal_order().class_set()
+    orders = C.left_orders()
+    x = A(2, A.ring.gen, -1, 3)
+    for n, O in enumerate(orders):
+        moved = (x * O) * x.inverse()
+        answer = O.isomorphism(moved)
+        assert answer
+        assert (answer.element * O) * answer.element.inverse() == moved
+        for m, other in enumerate(orders):
+            assert bool(O.isomorphism(other)) == (C.types[n] == C.types[m])
+
+
+@pytest.mark.parametrize(
+    ("polynomial", "group"),
+    [("s^2-s-1", "A5"), ("s^2-2", "S4"), ("s^2-s-3", "A4"), ("s^2-s-4", "D3")],
+)
+def test_unit_groups(polynomial: str, group: str) -> None:
+    assert unramified(polynomial).maximal_order().unit_group() == group
+
+
+def test_other_orders() -> None:
+    """An order that is neither maximal nor Eichler: masses and types against left orders in pairs."""
+    A = icosians()
+    O = A.order(["i", "j"])
+    C = O.class_set()
+    assert sum(Fraction(1, units) for units in C.units) == C.mass
+    orders = C.left_orders()
+    assert [order.unit_index() for order in orders] == C.units
+    different = []
+    for order in orders:
+        if not any(order.isomorphism(other) for other in different):
+            different.append(order)
+    assert len(different) == C.type_number
+
+
+def test_refusals() -> None:
+    with pytest.raises(IndefiniteError, match="not totally real"):
+        QuaternionAlgebra("QQ(sqrt(-5))", -1, -1).maximal_order().class_set()
+    with pytest.raises(IndefiniteError, match="split at a real place"):
+        QuaternionAlgebra("QQ(sqrt(5))", 2, 3).maximal_order().class_set()
+    C = icosians().maximal_order().class_set()
+    with pytest.raises(LatticeError, match="no prime ideal"):
+        C.brandt_matrix(11)
+    with pytest.raises(LatticeError, match="right ideal"):
+        C.index(C.order.left_ideal([2]))
