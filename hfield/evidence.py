@@ -4,9 +4,11 @@ What each kind shows is written in docs/certificates.md. The checker imports non
 in its own way.
 """
 
+from abc import abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cached_property
 from typing import Any
 
 from hfield.certificates.glossary import SCHEMA
@@ -60,12 +62,16 @@ class Kind(StrEnum):
     SQUARES = "squares"
     UNIQUE_ROOTS = "unique roots"
     ZERO_NORM = "zero norm"
+    # about a number field
+    S_UNITS = "S-units"
     # about lattices
     CLASS_SET = "class-set"
+    DIRICHLET_DOMAIN = "dirichlet-domain"
     EMBEDDING = "embedding"
     EQUIVALENT = "equivalent"
     IDEAL = "ideal"
     ISOMORPHIC_ORDERS = "isomorphic-orders"
+    NORM_ONE_GROUP = "norm-one-group"
     ORDER = "order"
 
 
@@ -147,3 +153,52 @@ def why_rejected(data: dict[str, object]) -> str | None:
     except Rejected as error:
         return f"the checker does not follow: {error}"
     return None
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A statement with its evidence; ``algebra`` is one, or a text with ``ring`` beside it."""
+
+    algebra: Any
+    statement: str
+    evidence: dict[str, Any]
+    method: str
+    verdict: str = "proved"
+    assumes: tuple[str, ...] = ()
+    ring: Any = None
+    refusal: str | None = None
+    """Why the checker is not asked, where it cannot know what this is about."""
+
+    @property
+    def certificate(self) -> dict[str, object] | None:
+        """The certificate as JSON data, or None where the checker does not follow."""
+        return self._data if self.why_no_certificate is None else None
+
+    @cached_property
+    def why_no_certificate(self) -> str | None:
+        """Why there is no certificate, in a line; None where there is one."""
+        return self.refusal or why_rejected(self._data)
+
+    @property
+    def _data(self) -> dict[str, object]:
+        ring = self.ring or self.algebra.ring
+        shown = (self.verdict, self.method, self.assumes, Evidence(**self.evidence))
+        return certificate(self.statement, str(self.algebra), ring.name, ring.data, *shown)
+
+
+class Certified:
+    """What makes a claim that can be certified."""
+
+    @property
+    @abstractmethod
+    def claim(self) -> Claim:
+        """What there is to certify, as a statement with its evidence."""
+
+    @property
+    def certificate(self) -> dict[str, object] | None:
+        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None.
+
+        There is none where the checker would have to do too much, nor for an ideal that is not invertible;
+        ``claim.why_no_certificate`` tells.
+        """
+        return self.claim.certificate

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from rotation.compensated import Pair, product, sine_and_cosine, two_sum
+from rotation.compensated import product, sine_and_cosine
 from rotation.namespaces import Array, namespace
+from rotation.native.pairs import Pair, two_sum
 from rotation.rowwise import Formula, rarely
 
 # π/180 and 180/π: as many bits as float32 holds, and the rest.
@@ -20,6 +21,9 @@ _DEGREES = (float.fromhex("0x1.ca5dc2p+5"), float.fromhex("-0x1.670f8211e7ab4p-2
 def waves(xp: Any, angle: Array, degrees: bool) -> tuple[Array, Array]:
     """Return sine and cosine of angles of any size, in degrees or radians."""
     if not degrees:
+        if hasattr(xp, "waves"):
+            (sine, _), (cosine, _) = xp.waves(angle)
+            return sine, cosine
         return xp.sin(angle), xp.cos(angle)
     if type(angle) is np.ndarray:
         both = _BOTH(angle[..., None])

@@ -1,7 +1,6 @@
-"""Sums and products of floats with what rounding cut off: pairs (high, low) worth twice the digits.
+"""Sums, products, quotients, roots, sines and angles as pairs of floats (high, low), worth twice the digits.
 
-T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18
-(1971). Only + − × are used, so it runs on every array library; no fused multiply-add is needed.
+They run on every array library; on symbols the angle of a point is that of `rotation.native.elementary`.
 """
 
 import math
@@ -10,8 +9,7 @@ from typing import Any
 
 from rotation.coordinates import polynomial, root
 from rotation.namespaces import Array
-
-Pair = tuple[Array, Array]
+from rotation.native.pairs import Pair, two_product, two_sum
 
 # Taylor: sin x = x + x³·Σ SINE[k]·x²ᵏ and 1 − cos x = x²/2 + x⁴·Σ VERSINE[k]·x²ᵏ, without their first terms,
 # which are carried in twice the precision. They reach below 2⁻⁶⁰ up to π/8.
@@ -19,29 +17,10 @@ SINE = tuple((-1.0) ** k / math.factorial(2 * k + 1) for k in range(1, 9))
 VERSINE = tuple((-1.0) ** (k + 1) / math.factorial(2 * k) for k in range(2, 10))
 
 
-def two_sum(a: Array, b: Array) -> Pair:
-    """Return ``a + b`` rounded, and the error."""
-    s = a + b
-    t = s - a
-    return s, (a - (s - t)) + (b - t)
-
-
-def two_product(xp: Any, a: Array, b: Array) -> Pair:
-    """Return ``a·b`` rounded, and the error; for factors far from overflow and underflow."""
-    p = a * b
-    fma = getattr(xp, "fma", None)  # the error is a float: either way it is found exactly
-    if fma is not None:
-        return p, fma(a, b, -p)
-    a1, a2 = _halves(xp, a)
-    b1, b2 = _halves(xp, b)
-    return p, ((a1 * b1 - p) + (a1 * b2 + a2 * b1)) + a2 * b2
-
-
 def total(pairs: Iterable[Pair]) -> Pair:
     """Return the sum of pairs as a pair."""
-    high: Array = 0.0
-    low: Array = 0.0
-    for p, e in pairs:
+    (high, low), *others = pairs
+    for p, e in others:
         high, f = two_sum(high, p)
         low = low + (e + f)
     return high, low
@@ -53,14 +32,23 @@ def norm(xp: Any, coordinates: Iterable[Array]) -> Pair:
     n = root(xp, high)
     square, e = two_product(xp, n, n)
     safe = xp.where(n > 0.0, n, xp.ones_like(n))
-    return n, (((high - square) - e) + low) / (2.0 * safe)
+    return n, (((high - square) - e) + low) * (0.5 * (1.0 / safe))
 
 
-def quotient(xp: Any, a: Array, b: Pair) -> Pair:
+def quotient(xp: Any, a: Pair, b: Pair) -> Pair:
     """Return ``a / b`` as a pair."""
-    q = a / b[0]
+    inverse = 1.0 / b[0]
+    q = a[0] * inverse
     p, e = two_product(xp, q, b[0])
-    return q, (((a - p) - e) - q * b[1]) / b[0]
+    return q, ((((a[0] - p) - e) + a[1]) - q * b[1]) * inverse
+
+
+def times(xp: Any, a: Pair, b: Array) -> Array:
+    """Return ``a·b``, rounded nearly once."""
+    if hasattr(xp, "fma"):
+        return xp.fma(a[0], b, a[1] * b)
+    p, e = two_product(xp, a[0], b)
+    return p + (e + a[1] * b)
 
 
 def product(xp: Any, a: Pair, b: Pair) -> Pair:
@@ -91,16 +79,11 @@ def sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
 
 def angle(xp: Any, sine: Pair, cosine: Array) -> Pair:
     """Return as a pair the angle in [0, π/2] of ``(cosine, sine)``, a point near the unit circle."""
+    if hasattr(xp, "angle_of"):
+        a, b = xp.angle_of(sine[0], cosine)
+        return a, b + sine[1] * cosine
     a = xp.atan2(sine[0], cosine)
     s, c = sine_and_cosine(xp, (a, xp.zeros_like(a)))
     p, e = two_product(xp, sine[0], c[0])
     q, f = two_product(xp, cosine, s[0])
     return a, (p - q) + (((e - f) + (sine[0] * c[1] + sine[1] * c[0])) - cosine * s[1])
-
-
-def _halves(xp: Any, a: Array) -> Pair:
-    """Two halves of the digits of each float."""
-    single = hasattr(a, "dtype") and xp.finfo(a.dtype).bits == 32
-    t = (4097.0 if single else 134217729.0) * a  # 2¹² + 1, 2²⁷ + 1
-    high = t - (t - a)
-    return high, a - high

@@ -105,7 +105,7 @@ def _making(axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Formula:
 def _from_euler(a: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Array:
     xp = namespace(a)
     halves = [waves(xp, 0.5 * x, degrees) for x in split(a)]
-    zero = xp.zeros_like(halves[0][0])
+    zero = 0 if len(axes) > 1 else xp.zeros_like(halves[0][0])
     turns = [
         (c, *(s if axis == m else zero for m in range(3)))
         for (s, c), axis in zip(halves, axes, strict=True)

@@ -8,14 +8,14 @@ rotation with quaternion curves", SIGGRAPH 1985.
 from typing import Any
 
 from hfield import product as formula
-from rotation.angles import to_degrees
+from rotation.angles import to_degrees, waves
 from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unit
 from rotation.namespaces import Array, expect_last, floats, namespace, number, quiet, refuse_zeros
 from rotation.optimum import derived, held
 from rotation.rowwise import Formula, rarely, tell
 
-HAMILTON = formula.Constants(-1.0, 0.0, -1.0)
+HAMILTON = formula.Constants(-1.0, 0, -1.0)  # whole zeros leave no trace in compiled programs
 
 
 def normalised(q: Any) -> Array:
@@ -197,8 +197,9 @@ def _power(q: Array, exponent: Array, shorter: bool) -> Array:
     turning = n > 0.0
     # Without an axis, at ±1, nothing turns; of the power near 1 the ratio is the exponent.
     near = xp.where(xp.isfinite(exponent) & (w > 0.0), exponent, xp.zeros_like(half))
-    ratio = xp.where(turning, xp.sin(half) / xp.where(turning, n, xp.ones_like(n)), near + 0.0 * n)
-    cosine = xp.where(n == 0.0, xp.ones_like(half), xp.cos(half))
+    sine, cosine = waves(xp, half, False)
+    ratio = xp.where(turning, sine / xp.where(turning, n, xp.ones_like(n)), near + 0.0 * n)
+    cosine = xp.where(n == 0.0, xp.ones_like(half), cosine)
     return join(xp, (cosine, *(ratio * c for c in u)))
 
 

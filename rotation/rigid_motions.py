@@ -77,13 +77,15 @@ def cross(a: Coordinates, b: Coordinates) -> Coordinates:
 
 
 def _swept(rotvec: Array, along: Array) -> Array:
-    """``J(v)·u``: the translation of the motion whose twist is (v, u)."""
-    xp = namespace(rotvec)
-    v, u = split(rotvec), split(along)
+    return join(namespace(rotvec), swept(namespace(rotvec), split(rotvec), split(along)))
+
+
+def swept(xp: Any, v: Coordinates, u: Coordinates) -> Coordinates:
+    """Return ``J(v)·u``: the translation of the motion whose twist is (v, u)."""
     axis, a, b = exponential_factors(xp, v)
     first = cross(axis, u)
     rows = zip(u, first, cross(axis, first), strict=True)
-    return join(xp, tuple(x + (a * y + b * z) for x, y, z in rows))
+    return tuple(x + (a * y + b * z) for x, y, z in rows)
 
 
 def _unswept(rotvec: Array, translation: Array) -> Array:

@@ -9,7 +9,7 @@ from typing import Any
 
 from rotation.angles import in_degrees, to_degrees, waves, waves_of_degrees
 from rotation.arrays import common_batch
-from rotation.compensated import Pair, angle, norm, quotient, sine_and_cosine, two_product
+from rotation.compensated import angle, norm, quotient, sine_and_cosine, times
 from rotation.coordinates import (
     Coordinates,
     factor,
@@ -28,6 +28,7 @@ from rotation.namespaces import (
     quiet,
     refuse_zeros,
 )
+from rotation.native.pairs import Pair
 from rotation.quaternions import multiplied, upright
 from rotation.rowwise import Formula, rarely
 
@@ -50,17 +51,15 @@ def _from_rotvec(v: Array, degrees: bool) -> Array:
     n = norm(xp, c)
     turning = n[0] > 0.0
     n = (xp.where(turning, n[0], xp.ones_like(f)), n[1])
-    half = (0.5 * n[0] / f, 0.5 * n[1] / f)
+    back = 1.0 / f
+    half = (0.5 * n[0] * back, 0.5 * n[1] * back)
     sine, cosine = waves_of_degrees(xp, half) if degrees else _sine_and_cosine(xp, half)
-    ratio, rest = quotient(xp, sine[0], n)
-    rest = rest + sine[1] / n[0]
-    products = (two_product(xp, ratio, a) for a in c)
+    ratio = quotient(xp, sine, n)
     spoilt = poison(c)
-    tangent = 0.5 * (math.radians(1.0) if degrees else 1.0) / f  # only the derivative at 0 needs it
-    u = (
-        xp.where(turning, p + (e + rest * a), tangent * a + spoilt)
-        for (p, e), a in zip(products, c, strict=True)
-    )
+    tangent = (
+        0.5 * (math.radians(1.0) if degrees else 1.0) * back
+    )  # only the derivative at 0 needs it
+    u = (xp.where(turning, times(xp, ratio, a), tangent * a + spoilt) for a in c)
     return join(xp, (xp.where(turning, cosine[0] + cosine[1], xp.ones_like(f)) + spoilt, *u))
 
 
@@ -69,6 +68,9 @@ _FROM_ROTVEC = [Formula(_from_rotvec, (3,), parameters=(degrees,)) for degrees i
 
 def _sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
     """As pairs in the first quadrant, beyond it rounded."""
+    if hasattr(xp, "waves"):
+        both: tuple[Pair, Pair] = xp.waves(*angle)
+        return both
     a, b = angle
     near = a < 0.5 * math.pi
     zero = xp.zeros_like(a)
@@ -97,18 +99,14 @@ def _to_rotvec(q: Array, degrees: bool) -> Array:
     n = norm(xp, c)
     turning = n[0] > 0.0
     n = (xp.where(turning, n[0], xp.ones_like(f)), n[1])
-    half = angle(xp, (n[0] / f, n[1] / f), w)
+    back = 1.0 / f
+    half = angle(xp, (n[0] * back, n[1] * back), w)
     whole = (2.0 * half[0], 2.0 * half[1])
     if degrees:
         whole = in_degrees(xp, whole)
-    ratio, rest = quotient(xp, whole[0], n)
-    rest = rest + whole[1] / n[0]
-    products = (two_product(xp, ratio, a) for a in c)
+    ratio = quotient(xp, whole, n)
     tangent = 2.0 * (math.degrees(1.0) if degrees else 1.0)  # only the derivative at 0 needs it
-    v = (
-        xp.where(turning, p + (e + rest * a), tangent * b)
-        for (p, e), a, b in zip(products, c, u, strict=True)
-    )
+    v = (xp.where(turning, times(xp, ratio, a), tangent * b) for a, b in zip(c, u, strict=True))
     return join(xp, tuple(v))
 
 

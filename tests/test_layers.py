@@ -44,7 +44,7 @@ FLOORS = [
         "hfield.element_text",
     },
     {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
-    {"hfield.lattices.lattice"},
+    {"hfield.lattices.lattice", "hfield.lattices.over_integers"},
     {"hfield.lattices.hurwitz_order"},
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},
@@ -97,7 +97,7 @@ FLOOR = {room: n for n, floor in enumerate(FLOORS) for room in floor}
 FACES = {"hfield", "hfield.rings", "rotation", "anim"}
 # Who asks for a kind of field by its name: lattices, which are over ℤ or the integers of a number field, so
 # that their places, ideals and integral bases are those of these fields.
-KNOW_KINDS = {"hfield.lattices"}
+KNOW_KINDS = {"hfield.lattices", "hfield.lattices.over_integers"}
 # Rooms in which no module looks into what another keeps to itself.
 DISCREET = {"hfield.lattices"}
 

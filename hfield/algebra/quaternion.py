@@ -166,6 +166,8 @@ class Quaternion(Hinted):
             add = how.sum
             result._held = add(self._held, other._held)
             return result
+        if hasattr(other, "added_to_elements"):  # a polynomial: it adds
+            return NotImplemented
         how, p, q = self._join(other, "add")
         return held_by(self._algebra, how, how.sum(p, q))
 
@@ -175,6 +177,8 @@ class Quaternion(Hinted):
         how = self._how
         if type(other) is Quaternion and other._how is how:
             return held_by(self._algebra, how, how.difference(self._held, other._held))
+        if hasattr(other, "added_to_elements"):
+            return NotImplemented
         how, p, q = self._join(other, "subtract")
         return held_by(self._algebra, how, how.difference(p, q))
 

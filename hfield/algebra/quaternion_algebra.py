@@ -27,6 +27,7 @@ from hfield.rings.base import Ring, WithIntegers
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.integers import QQ
 from hfield.structure.global_field import field_named_by, global_field, known_field, no_flag
+from hfield.syntax.other_systems import written
 
 if TYPE_CHECKING:
     from hfield.algebra.brauer import Embedding, TensorProduct
@@ -630,11 +631,13 @@ class QuaternionAlgebra(Hinted):
     # --- lattices and orders: their room is imported on use ------------------------------------
 
     @property
-    def _over_integers(self) -> bool:
-        """Whether lattices are over the integers of a number field other than ℚ."""
-        F = self.ring
-        over_z = isinstance(F, WithIntegers) and F.degree == 1
-        return bool(F.arithmetic and not F.characteristic and not over_z)
+    def over_integers(self) -> bool:
+        """Whether lattices and orders are over the integers of a number field other than ℚ.
+
+        >>> H("QQ").over_integers, H("QQ(sqrt(2))").over_integers
+        (False, True)
+        """
+        return isinstance(self.ring, WithIntegers) and self.ring.degree > 1
 
     def lattice(self, elements: Iterable[object]) -> Any:  # Lattice, or IntegersLattice
         """Return the lattice that elements span over ℤ, or over the integers of a number field.
@@ -645,7 +648,7 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.lattice import Lattice
         from hfield.lattices.over_integers.orders import spanned
 
-        return spanned(self, elements) if self._over_integers else Lattice.spanned(self, elements)
+        return spanned(self, elements) if self.over_integers else Lattice.spanned(self, elements)
 
     def order(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
         """Return the order that elements generate as a ring, or over the integers of a number field.
@@ -659,7 +662,7 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.lattice import Order
         from hfield.lattices.over_integers.orders import generated
 
-        return generated(self, elements) if self._over_integers else Order.generated(self, elements)
+        return generated(self, elements) if self.over_integers else Order.generated(self, elements)
 
     def order_from_basis(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
         """Return the order with a basis of four elements; over ℤ_K, that elements or a pseudo-basis span.
@@ -669,7 +672,7 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.lattice import Order
         from hfield.lattices.over_integers.orders import order_of_basis
 
-        over = self._over_integers
+        over = self.over_integers
         return order_of_basis(self, elements) if over else Order.from_basis(self, elements)
 
     def maximal_order(self, factors: Factors | None = None) -> Order | IntegersOrder:
@@ -688,7 +691,7 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.over_integers import orders
 
         with known_primes(factors):
-            if self._over_integers:
+            if self.over_integers:
                 return orders.maximal_order(self)
             return Order(named_orders.maximal_order(self))
 
@@ -708,7 +711,7 @@ class QuaternionAlgebra(Hinted):
         from hfield.lattices.over_integers import orders
 
         with known_primes(factors):
-            if self._over_integers:
+            if self.over_integers:
                 return orders.eichler_order(self, level)
             return Order(named_orders.eichler_order(self, level))
 
@@ -782,6 +785,18 @@ class QuaternionAlgebra(Hinted):
             for row in self.multiplication_table()
         ]
         return notation.table_text(BASIS, rows, style)
+
+    def text_for(self, system: str) -> str:
+        """Write the algebra for ``"magma"``, ``"sage"`` or ``"pari"``; what they write is read as any text.
+
+        Over ℚ, prime fields, and number fields with one generator. Raises :class:`RingError` for others.
+
+        >>> H("QQ").text_for("magma"), QuaternionAlgebra("QQ[s]/(s^3-2)", "s", -1).text_for("pari")
+        ('QuaternionAlgebra<Rationals() | -1, -1>', 'alginit(nfinit((-2)*y^0+(1)*y^3), [y, -1])')
+        >>> QuaternionAlgebra("QuaternionAlgebra< RationalField() | -1, -3 >")
+        (-1,-3|QQ)
+        """
+        return written(self.ring, self.constants, system)
 
     def latex(self) -> str:
         """Write the symbol of the algebra, its constants over its field, in LaTeX."""

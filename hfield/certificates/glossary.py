@@ -46,6 +46,7 @@ CHOICE_OF_ROOTS = "choice of roots"
 ALL_CHOICES_OF_ROOTS = "all choices of roots"
 ORDER, IDEAL, ELEMENT, NORM = "order", "ideal", "element", "norm"
 ENUMERATION, DISCRIMINANT, BY_MASS = "enumeration", "discriminant", "mass"
+BY_S_UNITS, BY_AREA = "S-units", "area"
 
 # What a certificate may call its method; several are joined by "; ".
 METHODS = {
@@ -79,6 +80,8 @@ METHODS = {
     ENUMERATION: "all elements of a trace and a norm were listed",
     DISCRIMINANT: "two orders have different discriminants",
     BY_MASS: "classes that are different have the mass of all",
+    BY_AREA: "a polygon that contains the Dirichlet domain has its area",
+    BY_S_UNITS: "all products of prime ideals that generate the class group and are principal",
 }
 
 NONE = "none"
@@ -120,7 +123,18 @@ QUATERNION_ROOT = (
 )
 REAL_ROOTS = "every number that is not negative is a square in RR"
 MASS = "the ideal classes of an order have the mass that its Eichler symbols give (Eichler's mass formula)"
+SHIMIZU = "the units of norm 1 of an order have the area that its Eichler symbols give (Shimizu's formula)"
+POINCARE = "what pairs the sides of a domain generates its group, its corners give all relations (Poincaré)"
 COMPLEX_ROOTS = "every number is a square in CC"
+MINKOWSKI = (
+    "each class of a number field has an ideal of norm at most (4/π)^r₂·n!/nⁿ·√|D| (Minkowski)"
+)
+REDUCED_FORMS = (
+    "each class of a quadratic field has an ideal of norm at most √(|D|/3), or √(D/5) for D > 0"
+)
+FRIEDMAN = "the regulator of a number field of positive unit rank is at least 0.2052 (Friedman)"
+ARTIN = "a unit ε > 1 of a cubic field with one real place has 4ε³ + 24 > |D| (Artin)"
+CUSICK = "the regulator of a totally real cubic field is at least log²(D/4)/16 (Cusick)"
 
 # The theorems that evidence may cite, by the texts that stand in ``assumes``, and where they are proved. They
 # are general and say nothing about the algebra at hand; everything else in ``assumes`` is an assumption.
@@ -135,6 +149,13 @@ THEOREMS = {
     INDUCTION: "Peano's axioms; the passage is that of an f with its last argument fixed",
     REAL_ROOTS: "Rudin, Principles of Mathematical Analysis, theorem 1.21",
     MASS: "Voight, Quaternion Algebras, theorem 26.1.5, for every order of a definite algebra over QQ",
+    SHIMIZU: "Voight, Quaternion Algebras, theorem 39.1.8 and lemma 26.6.7, for every order over ZZ",
+    POINCARE: "Voight, Quaternion Algebras, theorem 37.5.3; Maskit, Adv. Math. 7 (1971), 219-230",
+    MINKOWSKI: "Neukirch, Algebraic Number Theory, chapter I, section 5 and exercise 3 of section 6",
+    REDUCED_FORMS: "Cassels, An Introduction to the Geometry of Numbers, chapter II, theorems II and IV",
+    FRIEDMAN: "Friedman, Inventiones mathematicae 98 (1989), 599-622",
+    ARTIN: "Artin, Theory of Algebraic Numbers (1959), chapter 13",
+    CUSICK: "Cusick, Lower bounds for regulators, Springer Lecture Notes in Mathematics 1068 (1984), 63-73",
     COMPLEX_ROOTS: "(a + b·i)² = c + d·i is solved by real square roots of (√(c² + d²) ± c)/2",
 }
 # Those that a statement may be read with (``citing{odd-degree; …}``), by the names it gives them.

@@ -9,7 +9,13 @@ from math import cos, pi, sin
 from typing import TYPE_CHECKING, Any
 
 from hfield.commands.answers import Answer, answer_one
-from hfield.commands.orders import SECONDS_A_CLASS, algebra_of, announce, level_of
+from hfield.commands.orders import (
+    SECONDS_A_CLASS,
+    algebra_of,
+    announce,
+    ideal_json,
+    level_of,
+)
 from hfield.commands.output import OutputError, gone_on
 from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
 from hfield.errors import shorten
@@ -24,7 +30,10 @@ HELP = (
     "level 1 that is the supersingular isogeny graph."
 )
 DOING = "enumerating classes"
-EXAMPLES = ("hfield brandt 11 --prime 2",)
+EXAMPLES = (
+    "hfield brandt 11 --prime 2",
+    "hfield brandt '(-1,-1|QQ(sqrt(5)))' '6 + sqrt(5)' --prime 'sqrt(5)'",
+)
 LARGEST = 10_000
 """Matrices of more rows are not computed: they take six gigabytes, and their polynomials days."""
 
@@ -37,7 +46,7 @@ def configure(parser: ArgumentParser) -> None:
         "--prime",
         metavar="N",
         default="2",
-        help="which matrix: of a prime, or of any N (default: 2)",
+        help="which matrix: of a prime, or of any N; over a number field of a prime ideal (default: 2)",
     )
     parser.add_argument("--plot", metavar="FILE", help="draw the graph to FILE (.svg, .png, .pdf)")
     add_factors(parser)
@@ -47,35 +56,37 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Compute the matrix, and print it."""
-    if not (args.prime.isascii() and args.prime.isdecimal() and int(args.prime) > 0):
-        raise UsageError(
-            f"--prime {shorten(args.prime)!r}: expected a positive number, a prime such as 2 or any other"
-        )
     with given_factors(args):
-        return answer_one(args, partial(_answer, args, int(args.prime)))
+        return answer_one(args, partial(_answer, args))
 
 
-def _answer(args: Namespace, n: int) -> Answer:
+def _answer(args: Namespace) -> Answer:
     from hfield.primality import is_prime
 
-    A, level = algebra_of(args.algebra), level_of(args.level)
+    A = algebra_of(args.algebra)
+    over_integers = A.over_integers
+    n = level_of(args.prime, A) if over_integers else _index(args.prime)
+    level = level_of(args.level, A)
     O = A.eichler_order(level)
-    sparse = args.format == "edges" and is_prime(n) and not args.plot
-    _announce(A.class_number(level), sparse, args.format in ("plain", "json"))
+    sparse = args.format == "edges" and not args.plot and (over_integers or is_prime(n))
+    if not over_integers:
+        _announce(A.class_number(level), sparse, args.format in ("plain", "json"))
     C = O.class_set()
     matrix = [] if sparse else C.brandt_matrix(n)
     if args.plot:
         _plot(matrix, args.plot)
 
     def data() -> dict[str, object]:
+        shown = ideal_json if over_integers else int
+        whole = ideal_json(O.discriminant()) if over_integers else A.discriminant()
         return {
             "schema": "hfield-brandt/1",
-            "algebra": A.name,
-            "discriminant": A.discriminant(),
-            "level": level,
-            "n": n,
+            "algebra": str(A) if over_integers else A.name,
+            "discriminant": whole,
+            "level": shown(level),
+            "n": shown(n),
             "classes": len(C),
-            "units": C.unit_counts,
+            "units": C.units if over_integers else C.unit_counts,
             "matrix": matrix,
             "characteristic_polynomial": C.hecke_polynomial(n),
         }
@@ -92,6 +103,15 @@ def _answer(args: Namespace, n: int) -> Answer:
         return "\n".join(_plain(C, matrix, n, style.width))
 
     return Answer(data, page, {"latex": latex, "edges": edges})
+
+
+def _index(text: str) -> int:
+    """Read a positive number. Raises :class:`UsageError`."""
+    if not (text.isascii() and text.isdecimal() and int(text) > 0):
+        raise UsageError(
+            f"--prime {shorten(text)!r}: expected a positive number, a prime such as 2 or any other"
+        )
+    return int(text)
 
 
 def _announce(number: int, sparse: bool, polynomial: bool) -> None:
@@ -112,7 +132,7 @@ def _edges(rows: Sequence[Mapping[int, int]]) -> Iterator[str]:
     return (f"{i} {j} {row[j]}" for i, row in enumerate(rows) for j in sorted(row) if row[j])
 
 
-def _plain(C: ClassSet, matrix: list[list[int]], n: int, width: int) -> list[str]:
+def _plain(C: ClassSet, matrix: list[list[int]], n: Any, width: int) -> list[str]:
     from hfield.presenting import hanging
 
     wide = max(len(str(x)) for row in matrix for x in row)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from itertools import islice
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from hfield.commands.answers import Answer, of_parts
 from hfield.commands.orders import (
@@ -15,33 +15,48 @@ from hfield.commands.orders import (
     algebra_of,
     announce,
     answer_certified,
+    ideal_json,
     level_of,
+    no_certificate,
+    summands,
 )
 from hfield.commands.parser import UsageError
 
 if TYPE_CHECKING:
-    from hfield.lattices.certificates import Claim
+    from hfield.evidence import Claim
     from hfield.lattices.lattice import ClassSet
+    from hfield.lattices.over_integers.lattices import IntegersOrder
     from hfield.presenting import Part
 
 HELP = (
-    "Enumerate the right ideal classes of an Eichler order of a definite algebra over QQ, compare with "
-    "Eichler's class number formula and with the mass, and tell the types and the units."
+    "Enumerate the right ideal classes of an Eichler order of a definite algebra over QQ or a totally real "
+    "field, compare with the mass and, over QQ, with Eichler's class number formula; tell types and units. "
+    "--newforms tells the cusp forms of weight 2 with rational eigenvalues."
 )
 DOING = "enumerating classes"
-EXAMPLES = ("hfield classes '(-1,-11|QQ)' --level 3",)
+EXAMPLES = (
+    "hfield classes '(-1,-11|QQ)' --level 3",
+    "hfield classes '(-1,-1|QQ(sqrt(5)))' --level '6 + sqrt(5)' --newforms",
+)
 SHOWN = 40
+PRIMES = 8
+"""So many eigenvalues of a newform are told."""
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_where(parser)
     parser.add_argument("--formula", action="store_true", help="enumerate nothing")
+    parser.add_argument(
+        "--newforms", action="store_true", help="tell the newforms with rational eigenvalues"
+    )
     add_answers(parser)
 
 
 def run(args: Namespace) -> int:
     """Count, enumerate unless told not to, and print."""
+    if args.formula and args.newforms:
+        raise UsageError("--newforms asks for the classes, and --formula enumerates none")
     if args.formula and args.certificate is not None:
         raise UsageError(
             "--certificate asks for the classes, and --formula enumerates none: leave one of them out"
@@ -50,8 +65,11 @@ def run(args: Namespace) -> int:
 
 
 def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
-    A, level = algebra_of(args.algebra), level_of(args.level)
+    A = algebra_of(args.algebra)
+    level = level_of(args.level, A)
     O = A.eichler_order(level)
+    if A.over_integers:
+        return _over_integers(args, O)
     number, mass = A.class_number(level), O.mass()
     if args.formula:
         C = None
@@ -69,7 +87,7 @@ def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
             "mass": str(mass),
         }
         tail = {} if C is None else {"type_number": C.type_number, **C.evidence}
-        return {**tail, **head}
+        return {**tail, **head, **(_forms_data(C) if args.newforms else {})}
 
     def parts() -> list[Part]:
         from hfield.presenting import Facts
@@ -82,7 +100,8 @@ def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
         ]
         if C is None:
             return [Facts(facts, 14)]
-        return [Facts([*facts, ("type number", str(C.type_number))], 14), _table(C)]
+        told = Facts([*facts, ("type number", str(C.type_number))], 14)
+        return [told, _table(C), *(_forms(C) if args.newforms else [])]
 
     return of_parts(data, parts), lambda: O.claim if C is None else C.claim
 
@@ -107,3 +126,82 @@ def _table(C: ClassSet) -> Part:
         below=f"… and {more} more; --format json lists all" if more > 0 else "",
         cells={3: lambda group: rf"$\mathrm{{{group}}}$"},
     )
+
+
+def _over_integers(args: Namespace, O: IntegersOrder) -> tuple[Answer, Callable[[], Claim]]:
+    """Answer for an order over the integers of a number field."""
+    if args.formula:
+        raise UsageError(
+            "--formula is for algebras over QQ; over number fields the classes are enumerated, up to the mass"
+        )
+    C = O.class_set()
+
+    def data() -> dict[str, object]:
+        classes = [
+            {
+                "norm": ideal_json(I.norm()),
+                "units": units,
+                "group": I.left_order().unit_group(),
+                "type": kind,
+                "pseudo_basis": summands(I),
+            }
+            for I, units, kind in zip(C, C.units, C.types, strict=True)
+        ]
+        return {
+            "schema": "hfield-classes/1",
+            "algebra": str(O.algebra),
+            "discriminant": ideal_json(O.discriminant()),
+            "level": ideal_json(O.level),
+            "class_number": len(C),
+            "mass": str(C.mass),
+            "type_number": C.type_number,
+            "classes": classes,
+            **(_forms_data(C) if args.newforms else {}),
+        }
+
+    def parts() -> list[Part]:
+        from hfield.presenting import Facts, Table
+
+        facts = [
+            ("algebra", f"{O.algebra}, discriminant of the order {O.discriminant()}"),
+            ("class number", f"{len(C)}, by enumeration up to the mass"),
+            ("mass", f"{C.mass}, the sum of 1/[units : units of the field]"),
+            ("type number", str(C.type_number)),
+        ]
+        rows = [
+            [str(n), str(I.norm()), str(C.units[n]), I.left_order().unit_group(), str(C.types[n])]
+            for n, I in enumerate(islice(C, SHOWN))
+        ]
+        more = len(C) - SHOWN
+        head = ("class", "norm", "units", "group", "type")
+        below = f"… and {more} more; --format json lists all" if more > 0 else ""
+        table = Table(rows, "><><", "rlrlr", head=head, below=below)
+        return [Facts(facts, 14), table, *(_forms(C) if args.newforms else [])]
+
+    return of_parts(data, parts), no_certificate
+
+
+def _forms_data(C: Any) -> dict[str, object]:
+    """Return dimensions and newforms, as JSON data."""
+    forms = [
+        {
+            "eigenvalues": {str(P): a for P, a in f.eigenvalues(PRIMES).items()},
+            "signs": {str(P): sign for P, sign in f.signs.items()},
+        }
+        for f in C.newforms()
+    ]
+    sizes = {"cusp_dimension": C.cusp_dimension(), "new_dimension": C.new_dimension()}
+    return {**sizes, "newforms": forms}
+
+
+def _forms(C: Any) -> list[Part]:
+    """Return dimensions and newforms, as parts."""
+    from hfield.presenting import Facts
+
+    told = f"{C.cusp_dimension()}, newforms among them {C.new_dimension()}, rational ones below"
+    facts = [("cusp forms", told)]
+    for f in C.newforms():
+        values = ", ".join(f"{P}: {a}" for P, a in f.eigenvalues(PRIMES).items())
+        signs = ", ".join(f"{P}: {'+-'[w < 0]}" for P, w in f.signs.items())
+        facts.append(("newform", f"{values}, …; signs of Atkin and Lehner {signs or 'none'}"))
+    return [Facts(facts, 14)]

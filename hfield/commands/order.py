@@ -13,20 +13,29 @@ from hfield.commands.orders import (
     algebra_of,
     answer_certified,
     elements_of,
+    ideal_json,
     level_of,
+    no_certificate,
+    sum_text,
+    summands,
 )
 
 if TYPE_CHECKING:
-    from hfield.lattices.certificates import Claim
+    from hfield.evidence import Claim
     from hfield.lattices.lattice import Order
+    from hfield.lattices.over_integers.lattices import IntegersOrder
     from hfield.presenting import Part
 
 HELP = (
-    "Show an order over ZZ in an algebra over QQ: its basis, discriminant, units, conductor, class number. "
-    "By default a maximal order; --level gives an Eichler order, --generators the ring that they generate."
+    "Show an order over ZZ in an algebra over QQ, or over the integers of another number field: its basis, "
+    "discriminant, units, conductor, class number. By default a maximal order; --level gives an Eichler one, "
+    "--generators the ring that they generate."
 )
 DOING = "computing the order"
-EXAMPLES = ("hfield order '(-1,-11|QQ)' --level 3",)
+EXAMPLES = (
+    "hfield order '(-1,-11|QQ)' --level 3",
+    "hfield order '(-1,-1|QQ(sqrt(5)))' --level '11, 4 + sqrt(5)'",
+)
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -48,21 +57,21 @@ def run(args: Namespace) -> int:
 
 def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
     O = _made(args)
+    if O.algebra.over_integers:
+        return of_parts(
+            lambda: data_over_integers(O), lambda: parts_over_integers(O)
+        ), no_certificate
     return of_parts(lambda: to_json(O), lambda: parts(O)), lambda: O.claim
 
 
-def _made(args: Namespace) -> Order:
-    """Return the order that is asked for."""
+def _made(args: Namespace) -> Any:
+    """Return the order that is asked for: an Order, or an IntegersOrder over other number fields."""
     A = algebra_of(args.algebra)
     if args.extremal:
         return A.extremal_order()
-    given = args.generators
-    order: Order = (
-        A.eichler_order(level_of(args.level or "1"))
-        if given is None
-        else A.order(elements_of(A, given, "--generators"))
-    )
-    return order
+    if args.generators is not None:
+        return A.order(elements_of(A, args.generators, "--generators"))
+    return A.eichler_order(level_of(args.level or "1", A))
 
 
 def to_json(O: Order) -> dict[str, Any]:
@@ -127,3 +136,54 @@ def parts(O: Order) -> list[Part]:
         facts.append(("class number", f"{data['class_number']}, by {data['class_number_by']}"))
     formulas = {"algebra": f"${O.algebra.latex()}$", "basis": f"${O.latex()}$"}
     return [Facts(facts, 22, formulas=formulas)]
+
+
+def data_over_integers(O: IntegersOrder) -> dict[str, Any]:
+    """Return what programs read of an order over the integers of a number field."""
+    maximal = O.is_maximal()
+    return {
+        "schema": "hfield-order/1",
+        "kind": "order",
+        "algebra": str(O.algebra),
+        "basis": [[O.algebra.ring.text(x) for x in q.coordinates] for q in O.basis],
+        "pseudo_basis": summands(O),
+        "discriminant": ideal_json(O.discriminant()),
+        "level": ideal_json(O.level),
+        "maximal": bool(maximal),
+        "reason": maximal.reason,
+        "eichler": O.is_eichler(),
+        "conductor": ideal_json(O.conductor()),
+        "bass": O.is_bass(),
+        "hereditary": O.is_hereditary(),
+        "unit_index": O.unit_index() if O.is_definite() else None,
+    }
+
+
+def parts_over_integers(O: IntegersOrder) -> list[Part]:
+    """Return what people read of it."""
+    from hfield.presenting import Facts
+
+    maximal = O.is_maximal()
+    kind = "maximal" if maximal else "an Eichler order" if O.is_eichler() else "no Eichler order"
+    words = [
+        word
+        for word, holds in (
+            ("hereditary", O.is_hereditary()),
+            ("Bass", O.is_bass()),
+            ("Gorenstein", O.is_gorenstein()),
+        )
+        if holds
+    ]
+    units = O.unit_index() if O.is_definite() else "infinitely many"
+    facts = [
+        ("algebra", str(O.algebra)),
+        ("sum of", sum_text(O)),
+        ("reduced discriminant", f"{O.discriminant()}, of level {O.level}: {kind}"),
+        ("conductor", f"{O.conductor()}{': ' * bool(words)}{', '.join(words)}"),
+        ("units", f"{units} modulo those of the field"),
+    ]
+    if not maximal:
+        facts.append(("not maximal", maximal.reason))
+    return [
+        Facts(facts, 22, formulas={"algebra": f"${O.algebra.latex()}$", "sum of": f"${O.latex()}$"})
+    ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from hfield.commands.answers import Answer, answer_one
 from hfield.commands.output import note, open_output
@@ -21,8 +21,9 @@ from hfield.errors import shorten
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.algebra.quaternion import Quaternion
+    from hfield.evidence import Claim
     from hfield.lattices.certificates import Answer as Verdict
-    from hfield.lattices.certificates import Claim
+    from hfield.lattices.over_integers.lattices import IntegersLattice
 
 PATIENCE = 10
 """Seconds: for what takes longer, one is told before how long it will be."""
@@ -64,7 +65,7 @@ def add_algebra(parser: ArgumentParser) -> None:
     parser.add_argument(
         "algebra",
         metavar="ALGEBRA",
-        help="such as '(-1,-11|QQ)', or a discriminant such as 11 or 30",
+        help="such as '(-1,-11|QQ)' or '(-1,-1|QQ(sqrt(5)))', or a discriminant such as 11 or 30",
     )
 
 
@@ -72,7 +73,10 @@ def add_where(parser: ArgumentParser) -> None:
     """Declare the algebra and the level."""
     add_algebra(parser)
     parser.add_argument(
-        "--level", metavar="N", default="1", help="the level, prime to the discriminant"
+        "--level",
+        metavar="N",
+        default="1",
+        help="the level, prime to the discriminant: a number, or generators such as '11, 4 + sqrt(5)'",
     )
 
 
@@ -105,8 +109,46 @@ def elements_of(A: QuaternionAlgebra, text: str, what: str) -> list[Quaternion]:
     return [A(word) for word in words]
 
 
-def level_of(text: str) -> int:
-    """Read a level. Raises :class:`UsageError`."""
+def level_of(text: str, A: QuaternionAlgebra) -> Any:
+    """Read a level: a positive integer over ℚ, or generators of an ideal over another field, with commas.
+
+    ``ideal(31, 5 + gen)``, as ideals are printed, is read too. Raises :class:`UsageError`.
+    """
+    if A.over_integers:
+        inner = text.strip().removeprefix("ideal(").removesuffix(")") if "ideal(" in text else text
+        words = [word for word in inner.split(",") if word.strip()]
+        if not words:
+            raise UsageError(f"the level {shorten(text)!r} names no ideal; expected generators")
+        return A.ring.ideal([A.ring(word) for word in words])  # type: ignore[attr-defined]
     if not (text.isascii() and text.isdecimal() and int(text) > 0):
         raise UsageError(f"the level {shorten(text)!r} is no positive integer")
     return int(text)
+
+
+def summands(L: IntegersLattice) -> list[tuple[str, str]]:
+    """Return the pairs of a pseudo-basis, an ideal and an element, as texts."""
+    K: Any = L.algebra.ring
+    return [(str(K.ideal(list(ideal))), str(q)) for ideal, q in L.pseudo_basis()]
+
+
+def sum_text(L: IntegersLattice) -> str:
+    """Return a lattice as the sum of ideals times elements."""
+    return " + ".join(
+        f"({q})" if ideal == "ideal(1)" else f"{ideal}·({q})" for ideal, q in summands(L)
+    )
+
+
+def ideal_json(ideal: Any) -> dict[str, object]:
+    """Return generators, the absolute norm and the prime factors of an ideal of a number field."""
+    return {
+        "generators": [ideal.ring.text(x) for x in ideal.generators],
+        "norm": str(ideal.norm()),
+        "factorisation": [[str(P), e] for P, e in ideal.factorisation()],
+    }
+
+
+def no_certificate() -> NoReturn:
+    """Raise :class:`UsageError`: what is over the integers of a number field has no certificate here."""
+    raise UsageError(
+        "certificates of this are written over QQ only; leave --certificate out, or take an algebra over QQ"
+    )

@@ -121,13 +121,15 @@ class Code:
         self.lines.append(f"{label}:")
         self._label = label
 
-    def when(self, condition: str, then: Callable[[], Any]) -> list[str]:
+    def when(self, condition: str, then: Callable[[], Any], rarely: bool = False) -> list[str]:
         """Write what is done where a condition holds, and return what comes of it or is in its place.
 
-        ``then`` returns that: types, values, and the values where the condition does not hold.
+        ``then`` returns that: types, values, and the values where the condition does not hold. What is done
+        ``rarely`` is to take no registers from what is done always.
         """
         n, before = self._number(), self._label
-        self.do(f"br i1 {condition}, label %then{n}, label %join{n}")
+        seldom = ', !prof !{!"branch_weights", i32 1, i32 100000}' if rarely else ""
+        self.do(f"br i1 {condition}, label %then{n}, label %join{n}{seldom}")
         self._begin(f"then{n}")
         found = list(then() or ())
         after = self._label

@@ -20,7 +20,7 @@ Array = np.ndarray[Any, np.dtype[Any]]
 Rows = tuple[Array, ...]
 
 LARGE = 24_000_000  # bytes; below that Python's allocator keeps what it is given back
-KEPT = 1 << 26
+KEPT = 5 << 24
 _kept: deque[Array] = deque()  # the last given back at the end
 
 

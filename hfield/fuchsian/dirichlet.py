@@ -1,32 +1,33 @@
 """Dirichlet domains of the units of norm 1 of an order, found by search and then proved to be complete.
 
-Elements are looked for, and reduced by one another, until the points nearer to the centre than to its images
-under them make a polygon of finite area whose sides are paired (Voight, *J. Théor. Nombres
-Bordeaux* 21, 2009;
-Page; Rickards). The polygon contains the true domain. By Poincaré's theorem its area is the sum of its exact
-angles, and the formula says what that of the true domain is: where they agree, it is the true one.
+Elements are looked for, and reduced by one another, in floats (``search``, ``growing``), until they seem to
+bound a polygon of finite area whose sides are paired. Then all is decided exactly. The points
+nearer to the centre
+than to its images under these units are a polygon that contains the true domain. By Poincaré's theorem its
+area is the sum of its exact angles, and the formula says what that of the true domain is: where
+they agree, it is the true one (Voight, *J. Théor. Nombres Bordeaux* 21, 2009; Page; Rickards).
 """
 
 from __future__ import annotations
 
-import cmath
-import math
-import random
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
-from flint import fmpq
+import numpy as np
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import TooLargeError
-from hfield.fuchsian import polygon, search
-from hfield.fuchsian.plane import Motion, Plane, Vector, apply, dot, rational
-from hfield.lattices.z_order import ZOrder
+from hfield.fuchsian.growing import Shape, grown
+from hfield.fuchsian.plane import Plane, apply, same_point
+from hfield.fuchsian.polygon import Polygon
+from hfield.fuchsian.search import Sight
+from hfield.fuchsian.split_order import SplitOrder
 
-CENTER = (fmpq(1), fmpq(0), fmpq(0))
-ROUNDS = 2000
-"""More points than this are not looked from for units."""
+ROUNDS = 400
+"""So often at most units are looked for from more points."""
+DEEPEST = 1e6
+"""So far from the centre points are looked from at most, by the hyperbolic cosine: floats do not go farther."""
 
 
 @dataclass(frozen=True)
@@ -41,153 +42,70 @@ class Cycle:
     order: int
 
 
-class Polygon:
-    """The sides of a polygon around the centre of a plane, each halfway to ``g·c`` for a unit g.
-
-    ``units[n]`` is that g, and its inverse maps the side onto side ``partners[n]``.
-    """
-
-    def __init__(self, plane: Plane, units: dict[Vector, Quaternion]) -> None:
-        self.plane = plane
-        # a square around the circle, so that there is always a polygon; no image of the centre has x = −1
-        a, b = (fmpq(round(900 * s), 1000) for s in plane.stretch)
-        square = [(a, fmpq(0)), (-a, fmpq(0)), (fmpq(0), b), (fmpq(0), -b)]
-        lines: dict[Vector, Vector] = {(fmpq(-1), *f): (fmpq(1), *f) for f in square}
-        lines |= {x: plane.halfway(x) for x in units}
-        every = polygon.bounding(lines)
-        sides = [n for n, x in enumerate(every) if x in units]
-        corners = polygon.corners([lines[x] for x in every])
-        self.images = [every[n] for n in sides]
-        self.units = [units[x] for x in self.images]
-        self.forms = [lines[x] for x in self.images]
-        self.starts = [corners[n] for n in sides]
-        self.ends = [corners[(n + 1) % len(corners)] for n in sides]
-        self.closed = len(sides) == len(every) and all(plane.norm(x) >= 0 for x in corners)
-        self._motions: dict[int, Motion] = {}
-
-    def back(self, n: int) -> Motion:
-        """Return what the inverse of a unit does."""
-        if n not in self._motions:
-            self._motions[n] = self.plane.motion(self.units[n].conjugate())
-        return self._motions[n]
-
-    def beyond(self, x: Vector) -> int | None:
-        """Return the side beyond which a point lies, nearest to its image of the centre; None inside."""
-        least, found = fmpq(0), None
-        for n, form in enumerate(self.forms):
-            value = dot(form, x)
-            if value < least:
-                least, found = value, n
-        return found
-
-    def reduced(self, x: Vector) -> tuple[Vector, list[int]]:
-        """Move a point into the polygon by inverses of units; return it, and by which, in order."""
-        path: list[int] = []
-        while (n := self.beyond(x)) is not None:
-            path.append(n)
-            x = apply(self.back(n), x)
-        return x, path
-
-
 def domain(
-    order: ZOrder, center: Quaternion, area: Fraction
+    order: SplitOrder, center: Quaternion, area: Fraction
 ) -> tuple[Polygon, list[int], list[Cycle]]:
     """Return the domain around a point of trivial stabiliser, the partners of sides, cycles of vertices.
 
     Raises :class:`TooLargeError` where the search does not find enough units.
     """
-    plane = Plane(center)
-    units: dict[Vector, Quaternion] = {}
-    rng = random.Random(1)
-    cosh = 2 + 1.5 * math.sqrt(order.discriminant)
-    first = search.carrying(order, center, center, cosh)
-    wide = 2 + 2 * float(area)
-    for tried in range(ROUNDS):
-        _add(plane, units, first)
-        found = normalised(plane, units)
-        units = dict(zip(found.images, found.units, strict=True))
-        if found.closed:
-            partners = paired(found)
-            cycles = cycles_of(found, partners)
-            if area_of(partners, cycles) == area:
-                return found, partners, cycles
-        batch: list[Quaternion] = []
-        for _ in range(4 + tried):
-            # evenly by area in a disc with cosh of the radius up to 1 + wide
-            height = rng.random() * wide + 1
-            radius = math.sqrt((height - 1) / (height + 1))
-            target = plane.nearby(cmath.rect(radius, 2 * math.pi * rng.random()))
-            batch.extend(search.carrying(order, center, target, cosh))
-        first = iter(batch)
-        wide = min(1.1 * wide, 100 + 2 * float(area))
+    plane = Plane(order, center)
+    sight = Sight(plane)
+    rng = np.random.default_rng(1)
+    shape = grown(sight, sight.empty, sight.carrying(np.zeros(1)))
+    for _ in range(ROUNDS):
+        shape = grown(sight, shape.rows, sight.carrying(places(shape, float(area), rng)))
+        if shape.closed and abs(shape.area() - float(area)) < 1e-3:
+            sides = Polygon(plane, [order.element(row) for row in shape.rows.tolist()])
+            proved = proof(sides.without_points(), area)
+            if proved is not None:
+                return proved
     raise TooLargeError(
-        f"the domain, of area 2π·{area}, was not completed from {ROUNDS} points; try another center="
+        f"the domain, of area 2π·{area}, was not completed in {ROUNDS} searches; try another center="
     )
 
 
-def _add(plane: Plane, units: dict[Vector, Quaternion], found: Iterable[Quaternion]) -> None:
-    """Add units and their inverses, each by its image of the centre."""
-    for g in found:
-        for h in (g, g.conjugate()):
-            x = plane.vector(h * plane.center * h.conjugate())
-            if x != CENTER:
-                units.setdefault(x, h)
+def places(shape: Shape, area: float, rng: np.random.Generator) -> Any:
+    """Return points in a polygon, in Poincaré's disc, near which to look for units that are not known.
 
-
-def normalised(plane: Plane, units: dict[Vector, Quaternion]) -> Polygon:
-    """Return the polygon of the group that units generate, or of as much of it as bounds it so far.
-
-    What bounds nothing is reduced by the rest; where a vertex is not mapped into the polygon, a
-    unit that cuts
-    it off is added.
+    Where it reaches the circle, so deep that there are such units, and a few evenly in it; what lies outside
+    the polygon tells nothing new.
     """
-    while True:
-        found = Polygon(plane, units)
-        sides = set(found.images)
-        new: list[Quaternion] = []
-        for x, g in units.items():
-            if x not in sides:
-                rest, path = found.reduced(x)
-                if rest != CENTER:
-                    for n in path:
-                        g = found.units[n].conjugate() * g
-                    new.append(g)
-        if not new:
-            new = list(_cutting(found))
-        if not new:
-            return found
-        units = {}
-        _add(plane, units, [*found.units, *new])
+    start, width = np.tile(shape.gaps(), 2)
+    # a line between the ends of a gap is at a distance with the cosine 1/sin(width/2)
+    deep = 1 + 4 * area * rng.random(len(width)) / np.sin(np.minimum(width, np.pi) / 2)
+    deep = np.minimum(deep, DEEPEST)
+    gaps = np.sqrt(1 - deep**-2) * np.exp(1j * (start + width * rng.random(len(width))))
+    high = 1 + 4 * area * rng.random(6 if len(width) else 6 + int(area))
+    klein = np.sqrt(1 - high**-2) * np.exp(2j * np.pi * rng.random(len(high)))
+    points = np.concatenate([shape.inside(klein), gaps])
+    return points / (1 + np.sqrt(1 - abs(points) ** 2))
 
 
-def _cutting(found: Polygon) -> Iterator[Quaternion]:
-    """Yield units that cut off vertices which the inverse of a side's unit maps outside."""
-    for n, unit in enumerate(found.units):
-        for corner in (found.starts[n], found.ends[n]):
-            if found.plane.norm(corner) >= 0:
-                beyond = found.beyond(apply(found.back(n), corner))
-                if beyond is not None:
-                    yield unit * found.units[beyond]
+def proof(found: Polygon, area: Fraction) -> tuple[Polygon, list[int], list[Cycle]] | None:
+    """Return a polygon, the partners of sides and the cycles of vertices, where it is the whole domain."""
+    if any(g.norm() != 1 for g in found.units) or not found.is_closed():
+        return None
+    partners = paired(found)
+    if partners is None:
+        return None
+    cycles = cycles_of(found, partners)
+    return (found, partners, cycles) if area_of(partners, cycles) == area else None
 
 
-def paired(found: Polygon) -> list[int]:
-    """Return the partner of each side of a closed polygon, having checked that sides are mapped to sides."""
+def paired(found: Polygon) -> list[int] | None:
+    """Return the partner of each side of a closed polygon, or None where a side is not mapped to a side."""
     place = {x: n for n, x in enumerate(found.images)}
     partners = []
     for n, unit in enumerate(found.units):
-        g = unit.conjugate()
-        partner = place.get(found.plane.vector(g * found.plane.center * unit))
+        partner = place.get(found.plane.image(unit.conjugate()))
         if partner is None or not (
-            _same_point(apply(found.back(n), found.starts[n]), found.ends[partner])
-            and _same_point(apply(found.back(n), found.ends[n]), found.starts[partner])
+            same_point(apply(found.back(n), found.starts[n]), found.ends[partner])
+            and same_point(apply(found.back(n), found.ends[n]), found.starts[partner])
         ):
-            raise ArithmeticError("a side of a normalised polygon has no partner")
+            return None
         partners.append(partner)
     return partners
-
-
-def _same_point(x: Vector, y: Vector) -> bool:
-    return bool(x[0] * y[1] == x[1] * y[0] and x[0] * y[2] == x[2] * y[0])
 
 
 def cycles_of(found: Polygon, partners: list[int]) -> list[Cycle]:
@@ -201,30 +119,42 @@ def cycles_of(found: Polygon, partners: list[int]) -> list[Cycle]:
     while left:
         start = n = min(left)
         path: list[int] = []
-        angles = []
         around = found.plane.center.algebra(1)
         while not path or n != start:
             left.discard(n)
             path.append(n)
-            angles.append((found.forms[n - 1], found.forms[n]))
             around = found.units[n].conjugate() * around
             n = (partners[n] + 1) % len(partners)
-        order = _rotation_order(around)
+        order = rotation_order(found.plane.order, around)
         cusp = found.plane.norm(found.starts[start]) == 0
         if cusp != (order == 0):
             raise ArithmeticError("what goes around a vertex of the domain does not fix it")
-        if not cusp and polygon.turns(found.plane, angles, order) != 1:
+        if not cusp and found.turns(path, order) != 1:
             raise ArithmeticError("the angles around a vertex of the domain are more than a turn")
         cycles.append(Cycle(start, tuple(path), order))
     return cycles
 
 
-def _rotation_order(g: Quaternion) -> int:
-    """Return the order, up to the sign, of a unit of norm 1 over ℤ; 0 for a parabolic one."""
-    trace = abs(int(rational(g.trace())))
-    if g == g.conjugate():
+def rotation_order(order: SplitOrder, g: Quaternion) -> int:
+    """Return the order, up to the sign, of a unit of norm 1 that fixes a point; 0 for a parabolic one.
+
+    Raises :class:`ArithmeticError` for a hyperbolic one. The trace of g is 2·cos, and lies in the
+    field, which bounds the
+    order m: the cosine of 2π/m generates a field of degree φ(m)/2.
+    """
+    one = g.algebra(1)
+    if g in (one, -one):
         return 1
-    return {0: 2, 1: 3, 2: 0}[trace]
+    excess = order.sign(order.scalar(g.trace() * g.trace() - 4))
+    if excess == 0:
+        return 0
+    power, m = g, 1
+    # φ(2m)/2 ≤ n for the degree n, and φ(k) ≥ √(k/2)
+    while excess < 0 and m <= 4 * (len(order.basis) // 4) ** 2:
+        power, m = power * g, m + 1
+        if power in (one, -one):
+            return m
+    raise ArithmeticError("a unit that ought to fix a point is of infinite order")
 
 
 def area_of(partners: list[int], cycles: list[Cycle]) -> Fraction:

@@ -6,15 +6,18 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from math import sqrt
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import IndefiniteError, LatticeError, shorten
-from hfield.fuchsian import area, dirichlet, presentation, search
-from hfield.fuchsian.plane import float_of, rational
+from hfield.errors import LatticeError, shorten
+from hfield.evidence import Certified, Claim
+from hfield.fuchsian import presentation
 from hfield.fuchsian.presentation import Word
-from hfield.lattices.z_lattice import contains
-from hfield.lattices.z_order import ZOrder
+from hfield.fuchsian.split_order import SplitOrder
+
+if TYPE_CHECKING:
+    from hfield.fuchsian import dirichlet
+    from hfield.fuchsian.polygon import Polygon
 
 
 class Signature(NamedTuple):
@@ -34,16 +37,23 @@ class Side:
 
 
 @dataclass(frozen=True)
-class Domain:
+class Domain(Certified):
     """The points nearer to a centre than to its images: a Dirichlet domain, proved to be complete.
 
     Sides and vertices go counterclockwise; side n goes from vertex n to the next.
     """
 
     group: NormOneGroup = field(repr=False)
-    polygon: dirichlet.Polygon = field(repr=False)
+    polygon: Polygon = field(repr=False)
     partners: tuple[int, ...] = field(repr=False)
     cycles: tuple[dirichlet.Cycle, ...] = field(repr=False)
+
+    @property
+    def claim(self) -> Claim:
+        """What the sides are, as a statement with its evidence."""
+        from hfield.fuchsian import certificates
+
+        return certificates.of_domain(self)
 
     @cached_property
     def sides(self) -> tuple[Side, ...]:
@@ -64,11 +74,13 @@ class Domain:
     @property
     def center(self) -> complex:
         """About where the centre lies in the upper half plane; :attr:`center_element` tells it exactly."""
-        return fixed_point(self.center_element)
+        return fixed_point(self.group.order, self.center_element)
 
     @property
     def area(self) -> Fraction:
         """The area by Gauss and Bonnet from the exact angles, in units of 2π."""
+        from hfield.fuchsian import dirichlet
+
         return dirichlet.area_of(list(self.partners), list(self.cycles))
 
     def draw(self, path: object, *, dark: bool = False, depth: int = 3) -> None:
@@ -82,7 +94,7 @@ class Domain:
         draw(self, path, dark=dark, depth=depth)
 
 
-class NormOneGroup:
+class NormOneGroup(Certified):
     """The units of norm 1 of an order, modulo ±1: discrete motions of the hyperbolic plane.
 
     >>> from hfield import QuaternionAlgebra
@@ -91,44 +103,43 @@ class NormOneGroup:
     (Fraction(1, 3), Signature(genus=0, orders=(2, 2, 3, 3), cusps=0))
     """
 
-    def __init__(self, order: ZOrder) -> None:
-        if order.regular.definite:
-            raise IndefiniteError(
-                f"the units of an order in {order.algebra}, which is definite, are finitely many: "
-                "norm_one_group() asks for an algebra that splits at the real place, units() lists these"
-            )
+    def __init__(self, order: SplitOrder) -> None:
         self.order = order
 
     def __repr__(self) -> str:
-        level = self.order.level
-        return (
-            f"the units of norm 1, modulo ±1, of an order of level {level} in {self.order.algebra}"
-        )
+        return f"the units of norm 1, modulo ±1, of {self.order}"
 
     @cached_property
     def area(self) -> Fraction:
         """The area of the plane modulo the group in units of 2π, by Shimizu's formula."""
-        return area.area(self.order)
+        return self.order.area()
 
     @cached_property
     def signature(self) -> Signature:
         """Genus, orders of the elliptic points, and cusps, counted at the domain.
 
-        For Eichler orders they are counted by optimal embeddings too; both agree, or this raises.
+        For Eichler orders over ℤ they are counted by optimal embeddings too; both agree, or this raises.
         """
         domain = self._domain
         orders = [c.order for c in domain.cycles if c.order > 1]
         orders += [2 for n, partner in enumerate(domain.partners) if n == partner]
         cusps = sum(c.order == 0 for c in domain.cycles)
         twice = self.area + 2 - cusps - sum(1 - Fraction(1, m) for m in orders)
-        counted = (area.elliptic_points(self.order, 2), area.elliptic_points(self.order, 3))
+        counted = (self.order.elliptic_points(2), self.order.elliptic_points(3))
         if (
             twice % 2
-            or area.cusps(self.order) not in (None, cusps)
+            or self.order.cusps() not in (None, cusps)
             or any(n not in (None, orders.count(m)) for m, n in zip((2, 3), counted, strict=True))
         ):
             raise ArithmeticError("the domain and the formulas for the signature do not agree")
         return Signature(int(twice / 2), tuple(sorted(orders)), cusps)
+
+    @property
+    def claim(self) -> Claim:
+        """Signature and presentation, as a statement with its evidence: the domain."""
+        from hfield.fuchsian import certificates
+
+        return certificates.of_group(self, self._domain)
 
     # --- the domain --------------------------------------------------------------------------------
 
@@ -144,26 +155,30 @@ class NormOneGroup:
 
     @cached_property
     def _domain(self) -> Domain:
-        return self._around(next(c for c in search.centers(self.order) if self._is_free(c)))
+        from hfield.fuchsian import search
+
+        return self._around(search.free_center(self.order))
 
     def _around(self, c: Quaternion) -> Domain:
+        from hfield.fuchsian import dirichlet
+
         found, partners, cycles = dirichlet.domain(self.order, c, self.area)
         return Domain(self, found, tuple(partners), tuple(cycles))
 
-    def _is_free(self, c: Quaternion) -> bool:
-        """Tell whether no unit but ±1 fixes a point."""
-        fixing = search.carrying(self.order, c, c, 1 + 1e-9)
-        return all(g * c != c * g or g == g.conjugate() for g in fixing)
-
     def _nearby(self, z: complex) -> Quaternion:
+        from hfield.fuchsian import search
+
         if z.imag <= 0:
             raise LatticeError(f"a centre is a point of the upper half plane, and {z} is not in it")
-        for n in range(
-            20
-        ):  # beside it where units fix the point itself, or all that is near and simple
+        # beside it where units fix the point itself, or all that is near and simple
+        for n in range(20):
             aside = z.imag * n * complex(0.005, 0.003)
-            c = fixing(self.order.algebra, z + aside, 2 ** (5 + n))
-            if c is not None and abs(fixed_point(c) - z) < z.imag / 8 and self._is_free(c):
+            c = fixing(self.order, z + aside, 2 ** (5 + n))
+            if (
+                c is not None
+                and abs(fixed_point(self.order, c) - z) < z.imag / 8
+                and not search.is_fixed(self.order, c)
+            ):
                 return c
         raise LatticeError(f"no point near {z} that units do not fix was found")
 
@@ -220,14 +235,13 @@ class NormOneGroup:
         Raises :class:`LatticeError` for what is not in the group.
         """
         q: Any = self.order.algebra(x)
-        if not contains(self.order, q) or q.norm() != 1:
+        if q not in self.order or q.norm() != 1:
             raise LatticeError(
                 f"{shorten(q)} is no unit of norm 1 of the order: it has norm {q.norm()}"
-                + ("" if contains(self.order, q) else " and is not in the order")
+                + ("" if q in self.order else " and is not in the order")
             )
         polygon, of_sides = self._domain.polygon, self._presentation[2]
-        c = polygon.plane.center
-        _, path = polygon.reduced(polygon.plane.vector(q * c * q.conjugate()))
+        _, path = polygon.reduced(polygon.plane.image(q))
         return presentation.freely_reduced(letter for n in path for letter in of_sides[n])
 
     def evaluate(self, word: Word) -> Quaternion:
@@ -242,19 +256,16 @@ class NormOneGroup:
 # --- the upper half plane ----------------------------------------------------------------------------
 
 
-def _squares(algebra: Any) -> tuple[float, float, float]:
+def _squares(order: SplitOrder) -> tuple[float, float, float]:
     """Return the squares of i − t/2 and of j, and t, as floats."""
-    a, b, t = (
-        float_of(rational(x))
-        for x in (algebra.constants.a, algebra.constants.b, algebra.constants.t)
-    )
+    a, t, b = (order.real(order.scalar(x)) for x in order.algebra.constants)
     return a + t * t / 4, b, t
 
 
-def fixed_point(c: Quaternion) -> complex:
+def fixed_point(order: SplitOrder, c: Quaternion) -> complex:
     """Return about where the point that an element of trace 0 fixes lies in the upper half plane."""
-    alpha, b, t = _squares(c.algebra)
-    _, x, y, z = (float_of(rational(q)) for q in c.coordinates)
+    alpha, b, t = _squares(order)
+    _, x, y, z = (order.real(order.scalar(q)) for q in c.coordinates)
     y += t * z / 2
     # with u = i − t/2 and c = x·u + y·j + z·u·j
     if alpha > 0:  # u is diagonal, j = [0 b; 1 0]
@@ -266,9 +277,9 @@ def fixed_point(c: Quaternion) -> complex:
     return complex(p / r, sqrt(max(0.0, -p * p - q * r)) / abs(r))
 
 
-def fixing(algebra: Any, z: complex, scale: int) -> Quaternion | None:
+def fixing(order: SplitOrder, z: complex, scale: int) -> Quaternion | None:
     """Return an element of trace 0 that fixes about z, of about that size; None if too coarse."""
-    alpha, b, _ = _squares(algebra)
+    alpha, b, _ = _squares(order)
     p, q, r = z.real, -(abs(z) ** 2), 1.0
     if alpha > 0:
         s = sqrt(alpha)
@@ -276,8 +287,8 @@ def fixing(algebra: Any, z: complex, scale: int) -> Quaternion | None:
     else:
         s = sqrt(b)
         x, y, w = (q / alpha + r) / 2, p / s, (r - q / alpha) / (2 * s)
-    _, i, j, _ = algebra.basis
+    _, i, j, _ = order.algebra.basis
     u = i - i.trace() / 2
     size = scale / max(abs(x), abs(y), abs(w))
     c: Quaternion = u * round(size * x) + j * round(size * y) + u * j * round(size * w)
-    return c if c.norm() > 0 else None
+    return c if order.sign(order.scalar(c.norm())) > 0 else None

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hfield.errors import LatticeError, shorten
-from hfield.fuchsian.plane import Motion, Plane, Vector, float_of
+from hfield.fuchsian.plane import Motion, Plane, Vector
 
 if TYPE_CHECKING:
     from hfield.fuchsian.group import Domain
@@ -86,11 +86,10 @@ def _write(figure: Any, domain: Domain, look: dict[str, str]) -> None:
     group = domain.group
     signature = group.signature
     order = group.order
-    what = "maximal order" if order.level == 1 else f"order of level {order.level}"
     orders = ", ".join(map(str, signature.orders))
     elliptic = f"elliptic points of order {orders}" if orders else "no elliptic points"
     cusps = f" · {signature.cusps} cusp{'s' * (signature.cusps > 1)}" if signature.cusps else ""
-    figure.text(0.5, 0.966, f"Units of norm 1, {what} in {order.algebra}", ha="center", va="center",
+    figure.text(0.5, 0.966, f"Units of norm 1, {order.title} in {order.algebra}", ha="center", va="center",
                 color=look["ink"], fontsize=14)  # fmt: skip
     figure.text(0.5, 0.932, f"genus {signature.genus} · {elliptic}{cusps} · "
                 f"area 2π·{group.area} · {len(domain.partners)} sides",
@@ -140,13 +139,14 @@ def _shade(hue: float, length: int, dark: bool) -> tuple[float, float, float]:
 
 
 def _column(plane: Plane, x: Vector) -> list[float]:
-    a, b = plane.stretch
-    return [1.0, float_of(x[1] / x[0]) * a, float_of(x[2] / x[0]) * b]
+    return list(plane.floats((x[0] / x[0], x[1] / x[0], x[2] / x[0])))
 
 
 def _matrix(plane: Plane, motion: Motion) -> Any:
     stretch = np.array([1.0, *plane.stretch])
-    return np.array([[float_of(x) for x in row] for row in motion]) * stretch[:, None] / stretch
+    return (
+        np.array([list(map(plane.order.real, row)) for row in motion]) * stretch[:, None] / stretch
+    )
 
 
 def _disc(points: Any) -> Any:

@@ -1,12 +1,12 @@
-"""The hyperbolic plane inside an algebra over ℚ that is indefinite, without a single irrational number.
+"""The hyperbolic plane inside an algebra that splits at one real place, without a single irrational number.
 
-The elements of trace 0 with positive norm form, up to positive factors, one sheet of a
-hyperboloid: an element
-c of it stands for the point of the plane that c fixes, and a unit g of norm 1 carries it to ``g·c·g⁻¹``. So a
-rational c, its images, the lines halfway between them and the points where these lines meet all have rational
-coordinates, and every question about them is decided by the sign of a rational number; a point with norm 0 is
-a cusp. See Voight, *Quaternion Algebras*, sections 33.8 and 37.5 for the domains, section 36.2 for
-the hyperboloid.
+The elements of trace 0 whose norm is positive at that place form, up to positive factors, one
+sheet of a
+hyperboloid: an element c of it stands for the point of the plane that c fixes, and a unit g of norm 1 carries
+it to ``g·c·g⁻¹``. So c, its images, the lines halfway between them and the points where these lines meet all
+have coordinates in the field, and every question about them is decided by the sign of a number of it; a point
+with norm 0 is a cusp. See Voight, *Quaternion Algebras*, sections 33.8 and 37.5 for the domains,
+section 36.2 for the hyperboloid.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from __future__ import annotations
 from math import ceil, sqrt
 from typing import Any
 
-from flint import fmpq
-
 from hfield.algebra.quaternion import Quaternion
+from hfield.fuchsian.split_order import SplitOrder
 
-Vector = tuple[fmpq, fmpq, fmpq]
+Vector = tuple[Any, Any, Any]
+"""Exact numbers of the field."""
 Motion = tuple[Vector, Vector, Vector]
 
 
@@ -29,28 +29,31 @@ class Plane:
     and the centre is (1, 0, 0). The sheet is that of c: its points have x > 0.
     """
 
-    def __init__(self, center: Quaternion) -> None:
-        self.center = center
-        algebra: Any = center.algebra
-        u = next(u for v in algebra.basis[1:] if (u := center * v - v * center).norm() != 0)
+    def __init__(self, order: SplitOrder, center: Quaternion) -> None:
+        self.order, self.center = order, center
+        basis = order.algebra.basis
+        u = next(u for v in basis[1:] if (u := center * v - v * center).norm() != 0)
         self.axes = (center, u, center * u)
-        self.norms = tuple(rational(v.norm()) for v in self.axes)
+        self.norms = tuple(order.scalar(v.norm()) for v in self.axes)
         # the coordinate on an axis v is tr(x·conj(v)) / 2·N(v), linear in the four coordinates of x
         self._forms = [
-            [rational((e * v.conjugate()).trace()) / (2 * norm) for e in algebra.basis]
+            [order.scalar((e * v.conjugate()).trace()) / (2 * norm) for e in basis]
             for v, norm in zip(self.axes, self.norms, strict=True)
         ]
-        n, m = float_of(self.norms[0]), -float_of(self.norms[1])
+        n, m = order.real(self.norms[0]), -order.real(self.norms[1])
         self.stretch = (sqrt(m / n), sqrt(m))
 
     def vector(self, x: Quaternion) -> Vector:
         """Return the coordinates of an element of trace 0."""
-        q = [rational(c) for c in x.coordinates]
-        return _triple(
-            [sum((a * b for a, b in zip(f, q, strict=True)), fmpq(0)) for f in self._forms]
-        )
+        q = [self.order.scalar(c) for c in x.coordinates]
+        a, b, c = (f[0] * q[0] + f[1] * q[1] + f[2] * q[2] + f[3] * q[3] for f in self._forms)
+        return (a, b, c)
 
-    def norm(self, x: Vector) -> fmpq:
+    def image(self, g: Quaternion) -> Vector:
+        """Return where g of norm 1 moves the centre."""
+        return self.vector(g * self.center * g.conjugate())
+
+    def norm(self, x: Vector) -> Any:
         """Return the norm: positive in the plane, 0 on its circle at infinity."""
         n, m, k = self.norms
         return n * x[0] * x[0] + m * x[1] * x[1] + k * x[2] * x[2]
@@ -58,28 +61,31 @@ class Plane:
     def motion(self, g: Quaternion) -> Motion:
         """Return the matrix of ``x ↦ g·x·g⁻¹`` for g of norm 1, acting on columns."""
         bar = g.conjugate()
-        columns = [self.vector(g * v * bar) for v in self.axes]
-        x, y, z = zip(*columns, strict=True)
-        return (_triple(x), _triple(y), _triple(z))
+        (a, b, c), (d, e, f), (p, q, r) = (self.vector(g * v * bar) for v in self.axes)
+        return ((a, d, p), (b, e, q), (c, f, r))
 
     def halfway(self, image: Vector) -> Vector:
         """Return the form that is ≥ 0 where the centre is at least as near as its image."""
         n, m, k = self.norms
         return (n * (image[0] - 1), m * image[1], k * image[2])
 
+    def floats(self, x: Vector) -> tuple[float, float, float]:
+        """Return about the coordinates of a point, so stretched that the circle is round."""
+        real, (a, b) = self.order.real, self.stretch
+        return real(x[0]), real(x[1]) * a, real(x[2]) * b
+
     def disc(self, x: Vector) -> complex:
         """Return about where a point lies in Poincaré's disc around the centre."""
-        a, b = self.stretch
-        x0 = float_of(x[0])
-        p = complex(float_of(x[1]) * a / x0, float_of(x[2]) * b / x0)
+        t, y, z = self.floats(x)
+        p = complex(y / t, z / t)
         return p / (1 + sqrt(max(0.0, 1 - abs(p) ** 2)))
 
-    def nearby(self, p: complex) -> Quaternion:
-        """Return an element of trace 0 whose point lies about at p in Poincaré's disc."""
+    def nearby(self, p: complex, bits: int) -> Quaternion:
+        """Return an element of trace 0 whose point lies about at p in Poincaré's disc, with so many bits."""
         q = 2 * p / (1 + abs(p) ** 2)
         a, b = self.stretch
         c, u, w = self.axes
-        scale = 2**16 * ceil(max(a, b, 1.0))
+        scale = 2**bits * ceil(max(a, b, 1.0))
         y, z = round(scale * q.real / a), round(scale * q.imag / b)
         found: Quaternion = c * scale + u * y + w * z
         return found
@@ -91,7 +97,7 @@ def apply(motion: Motion, x: Vector) -> Vector:
     return (dot(a, x), dot(b, x), dot(c, x))
 
 
-def dot(f: Vector, x: Vector) -> fmpq:
+def dot(f: Vector, x: Vector) -> Any:
     """Return the value of a form."""
     return f[0] * x[0] + f[1] * x[1] + f[2] * x[2]
 
@@ -101,16 +107,6 @@ def meeting(f: Vector, g: Vector) -> Vector:
     return (f[1] * g[2] - f[2] * g[1], f[2] * g[0] - f[0] * g[2], f[0] * g[1] - f[1] * g[0])
 
 
-def rational(x: Any) -> fmpq:
-    """Return a number of the base field as a flint fraction."""
-    return x if isinstance(x, fmpq) else fmpq(int(x.numerator), int(x.denominator))
-
-
-def float_of(x: fmpq) -> float:
-    """Return about a rational number."""
-    return int(x.p) / int(x.q)
-
-
-def _triple(x: Any) -> Vector:
-    a, b, c = x
-    return (a, b, c)
+def same_point(x: Vector, y: Vector) -> bool:
+    """Tell whether coordinates are multiples of one another."""
+    return bool(x[0] * y[1] == x[1] * y[0] and x[0] * y[2] == x[2] * y[0])

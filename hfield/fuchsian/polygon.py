@@ -1,69 +1,118 @@
-"""Convex polygons in the hyperbolic plane, as the points where some forms are ≥ 0, exactly.
-
-In Klein's model lines are straight. Since every form is positive at the centre, the forms ``1 +
-y·u + z·v`` are
-points (y, z) of a dual plane, and those that bound the polygon are the corners of their convex hull.
-"""
+"""Polygons around the centre of a plane, exactly: sides halfway to images of the centre, corners, angles."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any
 
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import UndecidedError
-from hfield.fuchsian.plane import Plane, Vector, meeting
+from hfield.fuchsian.plane import Motion, Plane, Vector, apply, dot, meeting
 
 
-def bounding(forms: Mapping[Vector, Vector]) -> list[Vector]:
-    """Return the keys of the forms that bound the polygon, counterclockwise; three or more forms."""
-    points = {key: (f[1] / f[0], f[2] / f[0]) for key, f in forms.items()}
-    order = sorted(points, key=points.__getitem__)
-    hull: list[Vector] = []
-    for sweep in (order, order[::-1]):
-        start = len(hull)
-        for key in sweep:
-            while len(hull) >= start + 2 and not _left(*(points[k] for k in (*hull[-2:], key))):
-                hull.pop()
-            hull.append(key)
-        hull.pop()
-    return hull
+class Polygon:
+    """What lies nearer to the centre c than to ``g·c`` for some units g of norm 1, given counterclockwise.
 
-
-def _left(a: tuple[fmpq, fmpq], b: tuple[fmpq, fmpq], c: tuple[fmpq, fmpq]) -> bool:
-    return bool((b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]))
-
-
-def corners(sides: list[Vector]) -> list[Vector]:
-    """Return where each side begins, counterclockwise; sides are forms."""
-    return [meeting(sides[n - 1], side) for n, side in enumerate(sides)]
-
-
-def turns(plane: Plane, angles: list[tuple[Vector, Vector]], order: int) -> int:
-    """Return k where the angles between pairs of lines, multiples of 2π/order in sum, are 2πk/order.
-
-    The sum is computed in balls, with as many digits as single out k.
+    ``images[n]`` is ``g·c`` for ``units[n]``, ``forms[n]`` is 0 on the side halfway there, which
+    goes from ``starts[n]`` to
+    ``ends[n]``.
     """
-    before = ctx.prec
-    try:
-        for ctx.prec in (64, 128, 256, 512, 1024, 4096):
-            total = sum((_angle(plane, f, g) for f, g in angles), arb(0))
-            k = (order * total / (2 * arb.pi())).unique_fmpz()
-            if k is not None:
-                return int(k)
-    finally:
-        ctx.prec = before
-    raise UndecidedError("4096 bits do not tell the angle at a vertex of the domain")
 
+    def __init__(self, plane: Plane, units: Sequence[Quaternion]) -> None:
+        self.plane, self.units = plane, list(units)
+        self.images = [plane.image(g) for g in units]
+        self.forms = [plane.halfway(x) for x in self.images]
+        self.starts = [meeting(self.forms[n - 1], form) for n, form in enumerate(self.forms)]
+        self.ends = [*self.starts[1:], *self.starts[:1]]
+        self._motions: dict[int, Motion] = {}
 
-def _angle(plane: Plane, f: Vector, g: Vector) -> arb:
-    """Return the angle inside the polygon between two sides that meet."""
+    def without_points(self) -> Polygon:
+        """Return the polygon without the sides that only touch it, where the neighbours meet."""
+        count = len(self.forms)
+        ends = [self.units[n] for n in range(count) if dot(self.forms[n - 1], self.ends[n]) != 0]
+        return self if len(ends) == count else Polygon(self.plane, ends)
 
-    def product(x: Vector, y: Vector) -> fmpq:  # of forms: that of their normals, positive on lines
-        return -sum((a * b / n for a, b, n in zip(x, y, plane.norms, strict=True)), fmpq(0))
+    def is_closed(self) -> bool:
+        """Tell whether the sides bound the polygon, in order, once around, and corners are points or cusps.
 
-    cosine = -product(f, g)
-    # from the sine as well, since an arc cosine near 1 is uncertain
-    square = product(f, f) * product(g, g)
-    sine = arb(square - cosine * cosine).sqrt()
-    return arb.atan2(sine, arb(cosine))
+        The forms f, positive at the centre, are the points (f₁/f₀, f₂/f₀) of a dual plane; they
+        are the corners
+        of a convex polygon around 0 where they turn left at each corner, seen from it and from 0, and go once
+        around.
+        """
+        sign, count = self.plane.order.sign, len(self.forms)
+        lower = [sign(form[2]) < 0 for form in self.forms]
+        return (
+            count > 2
+            and sum(lower[n - 1] and not lower[n] for n in range(count)) == 1
+            and all(sign(x[0]) > 0 and sign(self.plane.norm(x)) >= 0 for x in self.starts)
+            and all(sign(dot(self.forms[n - 2], x)) > 0 for n, x in enumerate(self.starts))
+        )
+
+    def back(self, n: int) -> Motion:
+        """Return what the inverse of a unit does."""
+        if n not in self._motions:
+            self._motions[n] = self.plane.motion(self.units[n].conjugate())
+        return self._motions[n]
+
+    @cached_property
+    def _floats(self) -> list[tuple[float, float, float]]:
+        real = self.plane.order.real
+        return [(real(a), real(b), real(c)) for a, b, c in self.forms]
+
+    def beyond(self, x: Vector) -> int | None:
+        """Return a side beyond which a point lies, about the best one; None inside."""
+        sign, real = self.plane.order.sign, self.plane.order.real
+        a, b, c = map(real, x)
+        likely = [f[0] * a + f[1] * b + f[2] * c for f in self._floats]
+        # floats say where to look first; the sign is exact
+        for n in sorted(range(len(likely)), key=likely.__getitem__):
+            if sign(dot(self.forms[n], x)) < 0:
+                return n
+        return None
+
+    def reduced(self, x: Vector) -> tuple[Vector, list[int]]:
+        """Move a point into the polygon by inverses of units; return it, and by which, in order."""
+        path: list[int] = []
+        while x != (1, 0, 0) and (n := self.beyond(x)) is not None:
+            path.append(n)
+            x = apply(self.back(n), x)
+        return x, path
+
+    def turns(self, corners: Sequence[int], order: int) -> int:
+        """Return k where the angles at corners, multiples of 2π/order in sum, are 2πk/order.
+
+        The sum is computed in balls, with as many digits as single out k.
+        """
+        before = ctx.prec
+        try:
+            for ctx.prec in (64, 128, 256, 512, 1024, 4096):
+                total = sum((self._angle(n) for n in corners), arb(0))
+                k = (order * total / (2 * arb.pi())).unique_fmpz()
+                if k is not None:
+                    return int(k)
+        finally:
+            ctx.prec = before
+        raise UndecidedError("4096 bits do not tell the angle at a vertex of the domain")
+
+    def _angle(self, n: int) -> arb:
+        """Return the angle inside the polygon where a side begins."""
+        f, g, norms, ball = (
+            self.forms[n - 1],
+            self.forms[n],
+            self.plane.norms,
+            self.plane.order.ball,
+        )
+
+        def product(
+            x: Vector, y: Vector
+        ) -> Any:  # of forms: that of their normals, positive on lines
+            return -(x[0] * y[0] / norms[0] + x[1] * y[1] / norms[1] + x[2] * y[2] / norms[2])
+
+        cosine = product(f, g)
+        # from the sine as well, since an arc cosine near 1 is uncertain
+        sine = ball(product(f, f) * product(g, g) - cosine * cosine).sqrt()
+        return arb.atan2(sine, -ball(cosine))

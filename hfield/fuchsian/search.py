@@ -1,59 +1,187 @@
-"""Units of norm 1 that carry a point near another one: short vectors of a definite form, exactly.
+"""Units of norm 1 that carry a point near others: short vectors of many definite forms at once, in arrays.
 
-For g of norm 1, ``cosh d(g·c, w)`` is ``tr(g·c·conj(g)·conj(w))/2`` over the root of
-``N(c)·N(w)``, and this form
-in g is positive definite. Seen from the centre alone the units that are needed are long; seen from
-one random point
-w after the other they are short (Page, *Math. Comp.* 84, 2015, section 5; Rickards, *Math. Comp.* 91, 2022).
+For g of norm 1, the cosine ``cosh d(g·c, w)`` and the norms at the other real places are definite
+forms in g.
+Seen from the centre alone the units that are needed are long; seen from one random point w after
+the other they
+are short (Page, *Math. Comp.* 84, 2015, section 5; Rickards, *Math. Comp.* 91, 2022). The forms
+are computed in floats, which lose a unit now and then; whether enough were found is decided exactly, later.
 """
 
 from __future__ import annotations
 
+import cmath
 import math
+import random
 from collections.abc import Iterator
+from itertools import pairwise
+from typing import Any
 
+import numpy as np
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.fuchsian.plane import float_of, rational
-from hfield.lattices import hermite
-from hfield.lattices.enumeration import short_vectors
-from hfield.lattices.z_order import ZOrder
+from hfield.fuchsian.plane import Plane
+from hfield.fuchsian.split_order import SplitOrder
+
+Rows = Any
+"""An array of integers: coordinates with respect to the basis of the order, one element a row."""
+MANY = 200
+"""About so many vectors are looked at for each point."""
+NEAR = 1e-6
+FAR = 1e9
+"""Units that move the centre so far, by the hyperbolic cosine, are left out."""
 
 
-def carrying(
-    order: ZOrder, center: Quaternion, target: Quaternion, cosh: float
-) -> Iterator[Quaternion]:
-    """Yield one of ±g for every g of norm 1 with ``cosh d(g·center, target)`` at most about ``cosh``."""
-    basis, bar = order.basis, target.conjugate()
-    moved = [[b * center * d.conjugate() * bar for d in basis] for b in basis]
-    traces = [[rational(x.trace()) for x in row] for row in moved]
-    gram = [[traces[m][n] + traces[n][m] for n in range(4)] for m in range(4)]  # 4·tr/2·g
-    den = math.lcm(*(int(x.q) for row in gram for x in row))
-    whole = fmpz_mat([[int(x * den) for x in row] for row in gram])
-    reduced, steps = whole.lll(transform=True, rep="gram")
-    size = math.sqrt(float_of(rational(center.norm())) * float_of(rational(target.norm())))
-    bound = math.ceil(4 * den * size * cosh)
-    for x, _ in short_vectors(hermite.tuples(reduced), bound):
-        y = hermite.combination(x, steps)
-        if order.trace_and_norm(y)[1] == 1:
-            yield order.element(order.row(y))
+class Sight:
+    """An order as it looks from the centre of a plane, in floats.
+
+    At the place that splits, x is the matrix ``[[a, b], [conj(b), conj(a)]]`` that moves 0 in the disc
+    to b/conj(a).
+    """
+
+    def __init__(self, plane: Plane) -> None:
+        self.plane, order = plane, plane.order
+        basis, real = order.basis, order.real
+        n, m = real(plane.norms[0]), -real(plane.norms[1])
+        w, p, q, r = (
+            np.array([real(x) for x in column])
+            for column in zip(
+                *((order.scalar(x.scalar_part), *plane.vector(x)) for x in basis), strict=True
+            )
+        )
+        self.a = w + 1j * math.sqrt(n) * p
+        self.b = math.sqrt(m) * (math.sqrt(n) * r - 1j * q)
+        self.rank = len(basis)
+        self.empty = np.empty((0, self.rank), dtype=np.int64)
+        # the norms at the other places, one form each
+        traces = np.array(order.traces_elsewhere, dtype=float)
+        self.elsewhere = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
+        self.products = np.array(order.products).reshape(self.rank, self.rank, self.rank)
+        self.bar = np.array(order.bars)
+        values, vectors = np.linalg.eigh(self.elsewhere.sum(axis=0))
+        self._others = (vectors * np.sqrt(np.maximum(values, 0)))[:, 4:]
+        covolume = abs(np.linalg.det(self.forms(np.zeros(1), 1.0)[0]))
+        size = len(self.elsewhere) + 1
+        ball = math.pi ** (2 * size) / math.gamma(2 * size + 1) * size ** (2 * size)
+        self.cosh = max(2.0, math.sqrt(MANY * covolume / ball))
+        """Units within this distance of a point are found, by the hyperbolic cosine."""
+
+    def motions(self, rows: Rows) -> tuple[Any, Any]:
+        """Return a and b of elements."""
+        return rows @ self.a, rows @ self.b
+
+    def left(self, rows: Rows) -> Any:
+        """Return the matrices by which these elements multiply rows from the left."""
+        return np.einsum("ni,ijk->njk", rows, self.products)
+
+    def forms(self, points: Any, cosh: float) -> Any:
+        """Return linear forms, columns, whose squares sum to cosh d(g·0, w)/cosh plus the norms elsewhere."""
+        alpha = 1 / np.sqrt((1 - abs(points) ** 2) * cosh)[:, None]
+        beta = alpha * points[:, None]
+        a = alpha * self.a - beta * self.b.conj()
+        b = alpha * self.b - beta * self.a.conj()
+        others = np.broadcast_to(self._others, (len(points), *self._others.shape))
+        return np.concatenate([np.stack([a.real, a.imag, b.real, b.imag], axis=2), others], axis=2)
+
+    def carrying(self, points: Any, cosh: float | None = None) -> Rows:
+        """Return units of norm 1, other than ±1 and up to the sign, that move the centre near some point."""
+        forms = self.forms(points, self.cosh if cosh is None else cosh)
+        steps = np.array([reduction(form) for form in forms])
+        which, vectors = short_vectors(steps @ forms, len(self.elsewhere) + 1 + 1e-9)
+        # in the order of the forms
+        starts = np.searchsorted(which, np.arange(len(steps) + 1))
+        rows = [vectors[s:e] @ steps[n] for n, (s, e) in enumerate(pairwise(starts))]
+        return distinct(self.units(np.concatenate(rows)))
+
+    def units(self, rows: Rows) -> Rows:
+        """Return those of norm 1 that are not ±1 and do not go too far."""
+        a, b = self.motions(rows)
+        size = abs(a) ** 2
+        good = (abs(size - abs(b) ** 2 - 1) < 0.2) & (size < FAR)
+        good &= (abs(b) > NEAR) | (abs(a.imag) > NEAR)
+        for form in self.elsewhere:
+            good &= abs(np.einsum("ni,ij,nj->n", rows, form, rows) - 1) < 0.2
+        return rows[good]
 
 
-def centers(order: ZOrder) -> Iterator[Quaternion]:
-    """Yield elements of trace 0 and positive norm, small ones first: points far from all cusps."""
-    den, rows, gram = order.ternary
-    _, steps = (rows * order.regular.majorant * rows.transpose()).lll(transform=True, rep="gram")
-    basis = hermite.tuples(steps * rows)
-    gram = steps * gram * steps.transpose()
-    values = [[int(x) for x in row] for row in gram.tolist()]
+def is_fixed(order: SplitOrder, center: Quaternion) -> bool:
+    """Tell whether some unit other than ±1 seems to fix the centre."""
+    sight = Sight(Plane(order, center))
+    found = sight.motions(sight.carrying(np.zeros(1), 1.01))[1]
+    return bool((abs(found) < NEAR).any())
+
+
+def free_center(order: SplitOrder) -> Quaternion:
+    """Return an element of trace 0, of positive norm at the place, that no unit but ±1 seems to fix."""
+    _, i, j, _ = order.algebra.basis
+    u = i - i.trace() / 2
+    first = next(c for c in (u, j, u * j) if order.sign(order.scalar(c.norm())) > 0)
+    plane = Plane(order, first)
+    if len(order.basis) == 4:
+        candidates = _small(order, Sight(plane))
+    else:  # small elements are mostly fixed by units
+        rng = random.Random(1)
+        turns = (2 * cmath.pi * rng.random() for _ in range(1000))
+        candidates = (plane.nearby(cmath.rect(rng.random() / 2, turn), 5) for turn in turns)
+    return next(c for c in candidates if not is_fixed(order, c))
+
+
+def _small(order: SplitOrder, sight: Sight) -> Iterator[Quaternion]:
+    """Yield elements of trace 0 and positive norm in an order over ℤ, one of each norm, by the norm."""
+    twice = fmpz_mat(order.rows([2 * x - x.trace() for x in order.basis])).hnf().tolist()
+    rows = np.array([[int(c) for c in row] for row in twice[:3]])
+    rows = reduction(rows @ sight.forms(np.zeros(1), 1.0)[0]) @ rows
     for reach in (3, 8, 20):
-        near = range(-reach, reach + 1)
-        found = []
-        for x in ((p, q, r) for p in range(reach + 1) for q in near for r in near):
-            norm = sum(x[m] * x[n] * values[m][n] for m in range(3) for n in range(3))
-            if norm > 0 and math.gcd(*x) == 1:
-                found.append((norm, x))
-        for _, x in sorted(found):
-            row = [sum(c * b[n] for c, b in zip(x, basis, strict=True)) for n in range(4)]
-            yield order.element(row, den)
+        cube = np.indices((reach + 1, 2 * reach + 1, 2 * reach + 1)).reshape(3, -1).T
+        cube -= [0, reach, reach]
+        some = cube[np.gcd.reduce(cube, axis=1) == 1] @ rows
+        a, b = sight.motions(some)
+        norms, first = np.unique((abs(a) ** 2 - abs(b) ** 2).round(6), return_index=True)
+        for n in first[norms > NEAR].tolist():
+            yield order.element(some[n].tolist())
+
+
+def reduction(vectors: Any) -> Any:
+    """Return the change to a reduced basis of the lattice that rows span."""
+    whole = np.rint(vectors * 2.0**30).astype(np.int64).tolist()
+    _, steps = fmpz_mat(whole).lll(transform=True)
+    return np.array([int(x) for x in steps.entries()]).reshape(len(whole), -1)
+
+
+def distinct(rows: Rows) -> Rows:
+    """Return rows that differ by more than the sign."""
+    found: dict[tuple[int, ...], None] = {}
+    for row in map(tuple, rows.tolist()):
+        other = tuple(-x for x in row)
+        found[max(row, other)] = None
+    return np.array(list(found), dtype=np.int64).reshape(len(found), rows.shape[1])
+
+
+def short_vectors(bases: Any, bound: float) -> tuple[Any, Any]:
+    """Return the combinations of vectors, up to the sign, whose squares are at most a bound, in many lattices.
+
+    The number of each one's lattice, ascending, and the coefficients. After Fincke and Pohst, breadth
+    first: the last coefficient that is left is chosen for all at once.
+    """
+    count, rank, _ = bases.shape
+    lower = np.linalg.cholesky(bases @ bases.transpose(0, 2, 1))
+    scale = np.einsum("nii->ni", lower)
+    mu = lower / scale[:, None, :]  # q(x) = Σ scaleₖ²·(xₖ + Σ_{j>k} mu[j, k]·xⱼ)²
+    which = np.arange(count)
+    chosen = np.zeros((count, rank), dtype=np.int64)
+    left = np.full(count, bound)
+    for k in range(rank - 1, -1, -1):
+        shift = np.einsum("nj,nj->n", chosen[:, k + 1 :], mu[which, k + 1 :, k])
+        radius = np.sqrt(np.maximum(left, 0)) / scale[which, k]
+        low = np.ceil(-shift - radius).astype(np.int64)
+        if k == rank - 1:
+            low = np.maximum(low, 0)
+        number = np.maximum(np.floor(radius - shift).astype(np.int64) - low + 1, 0)
+        parent = np.repeat(np.arange(len(which)), number)
+        first = np.repeat(np.cumsum(number) - number, number)
+        value = low[parent] + np.arange(len(parent)) - first
+        which, chosen = which[parent], chosen[parent]
+        chosen[:, k] = value
+        left = left[parent] - ((value + shift[parent]) * scale[which, k]) ** 2
+    return which, chosen

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.algebra.quaternion import Quaternion
 from hfield.certificates.glossary import MASS
-from hfield.evidence import Evidence, certificate, why_rejected
+from hfield.evidence import Claim
 from hfield.lattices import enumeration
 from hfield.lattices.hermite import tuples
 from hfield.lattices.z_lattice import ZLattice
@@ -19,52 +18,6 @@ from hfield.lattices.z_order import ZOrder
 DOUBLINGS = 6
 MOST = 10**5
 """So many elements, about, are counted to tell two orders apart."""
-
-
-@dataclass(frozen=True)
-class Claim:
-    """A statement about lattices with its evidence."""
-
-    algebra: Parent
-    statement: str
-    evidence: dict[str, Any]
-    method: str
-    verdict: str = "proved"
-    assumes: tuple[str, ...] = ()
-
-    @property
-    def certificate(self) -> dict[str, object] | None:
-        """The certificate as JSON data, or None where the checker does not follow."""
-        return self._data if self.why_no_certificate is None else None
-
-    @cached_property
-    def why_no_certificate(self) -> str | None:
-        """Why there is no certificate, in a line; None where there is one."""
-        return why_rejected(self._data)
-
-    @property
-    def _data(self) -> dict[str, object]:
-        ring, shown = {"kind": "rationals"}, (self.verdict, self.method, self.assumes)
-        evidence = Evidence(**self.evidence)
-        return certificate(self.statement, str(self.algebra), "QQ", ring, *shown, evidence)
-
-
-class Certified:
-    """What makes a claim that can be certified."""
-
-    @property
-    @abstractmethod
-    def claim(self) -> Claim:
-        """What there is to certify, as a statement with its evidence."""
-
-    @property
-    def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None.
-
-        There is none where the checker would have to do too much, nor for an ideal that is not invertible;
-        ``claim.why_no_certificate`` tells.
-        """
-        return self.claim.certificate
 
 
 def of_order(order: ZOrder) -> Claim:

@@ -17,7 +17,9 @@ from flint import fmpq
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, MixedParentsError, shorten
+from hfield.evidence import Certified, Claim
 from hfield.fuchsian.group import NormOneGroup
+from hfield.fuchsian.split_order import RationalOrder
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices import (
     certificates,
@@ -35,7 +37,7 @@ from hfield.lattices import (
     z_lattice,
     z_order,
 )
-from hfield.lattices.certificates import Answer, Certified, Claim
+from hfield.lattices.certificates import Answer
 from hfield.lattices.checked_arguments import (
     checked_side,
     integer,
@@ -46,6 +48,8 @@ from hfield.lattices.checked_arguments import (
 )
 from hfield.lattices.checked_arguments import prime as checked_prime
 from hfield.lattices.classes import Classes
+from hfield.lattices.eigensystems import WithForms
+from hfield.lattices.hecke_modules import RationalModule
 from hfield.lattices.quadratic_orders import Embeddings
 from hfield.lattices.short_elements import expect_definite
 from hfield.lattices.z_lattice import ZLattice, rows_json
@@ -411,7 +415,7 @@ class Order(Certified, Lattice):
         in a definite
         algebra.
         """
-        return NormOneGroup(self.value)
+        return NormOneGroup(RationalOrder(self.value))
 
     # --- ideals ------------------------------------------------------------------------------------
 
@@ -732,7 +736,7 @@ class Ideal(Certified, Lattice):
         return Ideal.of(self * c, "left", self.order), c, e
 
 
-class ClassSet(Classes, Hinted):
+class ClassSet(Classes, WithForms, Hinted):
     """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -776,6 +780,11 @@ class ClassSet(Classes, Hinted):
     def left_orders(self) -> list[Order]:
         """Return the left orders of the representatives, one a class."""
         return [I.left_order() for I in self]
+
+    @cached_property
+    def _forms(self) -> RationalModule:
+        """The functions on the classes as a module of Hecke operators."""
+        return RationalModule(self)
 
     def _repr_latex_(self) -> str:
         mass = rf"\frac{{{self.mass.numerator}}}{{{self.mass.denominator}}}"

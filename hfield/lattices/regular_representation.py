@@ -157,8 +157,8 @@ def regular(algebra: Parent) -> Regular:
 def _checked(algebra: Parent) -> Regular:
     if algebra.ring.name != "QQ":
         raise RingError(
-            "lattices, orders and ideals belong to algebras over QQ (over number fields: "
-            f"A.maximal_order() in Python), and {algebra} is over {algebra.ring}"
+            "this belongs to lattices, orders and ideals in algebras over QQ (over other number fields: "
+            f"A.lattice, A.order, A.eichler_order), and {algebra} is over {algebra.ring}"
         )
     a, t, b = (fraction(x) for x in algebra.constants)
     if not discriminant(Constants(a, t, b)):

@@ -21,7 +21,8 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.modules.factors import small_factors
+from hfield.modules.singular_polynomials import other_root
+from hfield.rings.roots import common_divisor
 from hfield.structure import is_central_simple, is_division, split
 from hfield.structure.linear_algebra.echelon import null_space, solution
 from hfield.syntax import Reader, plain_element
@@ -72,17 +73,23 @@ class Polynomials:
 
 @dataclass(frozen=True)
 class Family:
-    """Infinitely or several roots of one trace and norm: those q with a + b·q = 0 (b a zero divisor)."""
+    """Several roots: of one trace t and norm n, or, where t is None, all outside the spheres.
+
+    Those of one trace and norm are the q with a + b·q = 0 for a zero divisor b.
+    """
 
     t: Any
     n: Any
     example: Quaternion
     polynomial: Polynomial
+    without: tuple[tuple[Any, Any], ...] = ()
 
     def contains(self, q: Quaternion) -> bool:
         """Tell whether an element is one of these roots."""
         F = self.polynomial.parent.algebra.ring
-        return F.equal(q.trace(), self.t) and F.equal(q.norm(), self.n) and not self.polynomial(q)
+        places = self.without if self.t is None else [(self.t, self.n)]
+        there = any(F.equal(q.trace(), t) and F.equal(q.norm(), n) for t, n in places)
+        return there == (self.t is not None) and not self.polynomial(q)
 
 
 @dataclass(frozen=True)
@@ -104,7 +111,7 @@ class NoFactors:
         return False
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Polynomial:
     """``coefficients[0] + coefficients[1]·x + …``, x central, the last coefficient not 0.
 
@@ -118,7 +125,8 @@ class Polynomial:
     parent: Polynomials
     coefficients: tuple[Quaternion, ...]
 
-    multiplied_by_elements: ClassVar[bool] = True  # q·f is this class's
+    multiplied_by_elements: ClassVar[bool] = True  # q·f and q + f are this class's
+    added_to_elements: ClassVar[bool] = True
 
     @property
     def degree(self) -> int:
@@ -127,6 +135,14 @@ class Polynomial:
 
     def __bool__(self) -> bool:
         return bool(self.coefficients)
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Polynomial):
+            return (self.parent, self.coefficients) == (other.parent, other.coefficients)
+        return self.degree < 1 and bool(self(0) == other)
+
+    def __hash__(self) -> int:
+        return hash(self(0)) if self.degree < 1 else hash((self.parent, self.coefficients))
 
     def __call__(self, q: object) -> Quaternion:
         """Return Σ cₙ·qⁿ."""
@@ -214,6 +230,44 @@ class Polynomial:
                 rest[shift + n] = rest[shift + n] - (b * c if left else c * b)
         return self.parent(quotient), self.parent(rest[: len(g) - 1])
 
+    def gcd_right(self, other: object) -> Polynomial:
+        """Return the greatest common right divisor, the monic g with A[x]·f + A[x]·other = A[x]·g, or 0.
+
+        Raises :class:`NotInvertibleError` where a remainder's leading coefficient is no unit.
+        """
+        return self._euclid(other, left=False)[0]
+
+    def gcd_left(self, other: object) -> Polynomial:
+        """Return the monic greatest common left divisor; as :meth:`gcd_right`."""
+        return self._euclid(other, left=True)[0]
+
+    def lcm_left(self, other: object) -> Polynomial:
+        """Return the monic m of least degree that is h·f and h′·other, the least common left multiple.
+
+        Raises :class:`NotInvertibleError` as :meth:`gcd_right`, and for 0.
+        """
+        return self._euclid(other, left=False)[1]
+
+    def lcm_right(self, other: object) -> Polynomial:
+        """Return the monic least common right multiple, f·h = other·h′; as :meth:`lcm_left`."""
+        return self._euclid(other, left=True)[1]
+
+    def _euclid(self, other: object, left: bool) -> tuple[Polynomial, Polynomial]:
+        """Return gcd and lcm on one side: where a remainder s·f + t·other is 0, s·f is a common multiple."""
+        P, f, g = self.parent, self, self._operand(other)
+        s, u = P([1]), P([])
+        while g:
+            h, r = f._divided(g, left)
+            f, g, s, u = g, r, u, s - (u * h if left else h * u)
+        multiple = self * u if left else u * self
+        return f._monic(left), multiple._monic(left)
+
+    def _monic(self, left: bool) -> Polynomial:
+        if not self:
+            return self
+        back = self.parent([self.coefficients[-1].inverse()])
+        return self * back if left else back * self
+
     def __repr__(self) -> str:
         x, shown = self.parent.variable, []
         for n, c in reversed(list(enumerate(self.coefficients))):
@@ -233,8 +287,8 @@ class Polynomial:
         """Return all q of the algebra with f(q) = 0, over a central simple algebra.
 
         S(t, n) are the q of trace t and norm n. All of those in ``spheres`` are roots; ``isolated`` are roots
-        alone in their S(t, n), ``families`` are the rest. Raises :class:`CoercionError` for f = 0 and
-        :class:`UndecidedError` where norm(f) = 0, or is not factored over the base field.
+        alone in their S(t, n), ``families`` are the rest, all of them one family where norm(f) = 0. Raises
+        :class:`CoercionError` for f = 0 and :class:`UndecidedError` where norm(f) is not factored.
         """
         A = self.parent.algebra
         F = A.ring
@@ -244,15 +298,9 @@ class Polynomial:
             raise UndecidedError(f"roots are found in central simple algebras, and {A} is none")
         norm = [c.coordinates[0] for c in self.norm().coefficients]
         if not norm:
-            raise UndecidedError(
-                "the norm of the polynomial is 0, so that no quadratic polynomial is ruled out"
-            )
+            return self._singular_roots()
         spheres, isolated, families = [], list[Quaternion](), list[Family]()
-        linear, quadratic = small_factors(F, norm)
-        pairs: dict[Any, tuple[Any, Any]] = {
-            (F.key(s + r), F.key(s * r)): (s + r, s * r) for s, r in combinations(linear, 2)
-        }
-        for t, n in (*pairs.values(), *quadratic):
+        for t, n in _quadratic_divisors(F, norm):
             rest = self.divmod_right(self.parent([n, -t, 1]))[1].coefficients
             a, b = (*rest, *[A.scalar(0)] * (2 - len(rest)))
             if not a and not b:
@@ -275,35 +323,93 @@ class Polynomial:
         )
         return Roots(tuple(spheres), tuple(alone), tuple(families))
 
+    def _singular_roots(self) -> Roots:
+        """Return the roots of a polynomial of norm 0, which only split algebras have."""
+        A = self.parent.algebra
+        F = A.ring
+        matrices = split(F, A.constants)
+        assert matrices is not None, (
+            "the norm form of a division algebra has no zeros over F(x) either"
+        )
+        content: list[Any] = []
+        for n in range(4):
+            content = common_divisor(F, content, [c.coordinates[n] for c in self.coefficients])
+        spheres = tuple(
+            (t, n) for t, n in _quadratic_divisors(F, content) if _point(A, t, n) is not None
+        )
+        root = other_root(
+            F, [matrices.to_matrix(c.coordinates) for c in self.coefficients], spheres
+        )
+        if root is None:
+            return Roots(spheres, (), ())
+        example = A(*matrices.from_matrix(root))
+        return Roots(spheres, (), (Family(None, None, example, self, spheres),))
+
     def linear_factors(self) -> tuple[Quaternion, tuple[Quaternion, ...]] | NoFactors:
         """Return (c, (q₁, …, qₙ)) with f = c·(x − q₁)⋯(x − qₙ), or a false answer that says there is none.
 
         Over a division algebra any root may be the last: factors are unique up to similarity and order
-        (O. Ore, Annals of Math. 34 (1933)). Raises :class:`NotInvertibleError` unless c is a unit, and
-        :class:`UndecidedError` where roots are not found, or over split algebras the first choices fail.
+        (O. Ore, Annals of Math. 34 (1933)). Over split ones all are tried, if they are finitely many. Raises
+        :class:`NotInvertibleError` unless c is a unit, and :class:`UndecidedError` where roots are not
+        found, or infinitely many are left to try.
         """
         A = self.parent.algebra
         if not self:
             raise NotInvertibleError(
                 "0 is no product of linear factors: its leading coefficient is no unit"
             )
-        c, rest = self.coefficients[-1], self
+        c = self.coefficients[-1]
         c.inverse()
-        factors: list[Quaternion] = []
-        while rest.degree > 0:
-            found = rest.roots()
-            q = next(_some(A, found), None)
-            if q is None:
-                if is_division(A.ring, A.constants):
-                    return NoFactors(
-                        f"{rest} has no root in {A}, and f is its product with linear factors"
-                    )
-                raise UndecidedError(
-                    f"{rest}, which is left of f, has no root: another choice of roots may do"
-                )
-            factors.append(q)
-            rest = rest.divmod_right(self.parent([-q, 1]))[0]
-        return c, tuple(reversed(factors))
+        search = _Factoring(is_division(A.ring, A.constants))
+        factors = search.factors(self)
+        if factors is not None:
+            return c, factors
+        if search.is_whole:
+            each = "" if search.division else ", as after every other choice of roots"
+            return NoFactors(
+                f"{search.rest} has no root in {A}, and f is its product with linear factors{each}"
+            )
+        raise UndecidedError(
+            "roots were tried of which there are infinitely many, and other ones may do"
+        )
+
+
+class _Factoring:
+    """A search for linear factors: any root over a division algebra, over others one of each kind."""
+
+    def __init__(self, division: bool) -> None:
+        self.division, self.is_whole = division, True
+        self.rest: Polynomial | None = None
+
+    def factors(self, f: Polynomial) -> tuple[Quaternion, ...] | None:
+        """Return (q₁, …, qₙ) with f = c·(x − q₁)⋯(x − qₙ), or None if none is found."""
+        if f.degree == 0:
+            return ()
+        found = f.roots()
+        self.is_whole &= self.division or not (found.spheres or found.families)
+        if not any((found.spheres, found.isolated, found.families)):
+            self.rest = f
+        for q in _some(f.parent.algebra, found):
+            before = self.factors(f.divmod_right(f.parent([-q, 1]))[0])
+            if before is not None:
+                return (*before, q)
+            if self.division:
+                break
+        return None
+
+
+def _quadratic_divisors(F: Any, f: list[Any]) -> Iterator[tuple[Any, Any]]:
+    """Run through the (t, n) for which x² − t·x + n divides a polynomial over F that is not 0."""
+    factors = F.irreducible_factors(f)
+    yield from ((-g[1], g[0]) for g in factors if len(g) == 3)
+    roots = [-g[0] for g in factors if len(g) == 2]
+    yield from ((r + s, r * s) for r, s in combinations(roots, 2))
+    for r in roots:
+        slope = F.zero
+        for n, c in reversed(list(enumerate(f))[1:]):
+            slope = slope * r + c * F(n)
+        if F.is_zero(slope):
+            yield r + r, r * r
 
 
 def _over_constant(f: Polynomial, g: Polynomial) -> Polynomial:

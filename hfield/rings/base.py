@@ -230,7 +230,7 @@ class Named(Core[E]):
     @property
     def latex_name(self) -> str:
         """The name in LaTeX's mathematics."""
-        from hfield.rings.latex_names import latex_name
+        from hfield.rings.printing import latex_name
 
         return latex_name(self.name)
 
@@ -278,6 +278,16 @@ class WithSquares(Core[E]):
         Raises :class:`UndecidedError` where they are not computed.
         """
         raise UndecidedError(f"roots of polynomials over {self.name} are not computed")
+
+    def irreducible_factors(self, coefficients: Sequence[E]) -> list[list[E]]:
+        """Return the monic irreducible factors of a polynomial over a field, not 0, each once.
+
+        Coefficients go from low to high. By default those of degree 2, and of degree 4 in x², are found, by
+        square roots. Raises :class:`UndecidedError` for others.
+        """
+        from hfield.rings.roots import by_square_roots
+
+        return by_square_roots(self, coefficients)
 
     def is_rootless(self, coefficients: Sequence[E]) -> bool:
         """Tell whether Σ cₙ·xⁿ certainly has no root; by default of quadratics, by their discriminants."""

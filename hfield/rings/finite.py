@@ -21,6 +21,7 @@ from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.roots import of_flint
 
 if TYPE_CHECKING:
     import galois
@@ -89,7 +90,7 @@ class FiniteField(Ring):
         return _arrays().inverse(self, values)
 
 
-class PrimeField(FiniteField, Modular):
+class PrimeField(Modular, FiniteField):
     """GF(p): elements are flint's ``nmod`` or ``fmpz_mod``, arrays galois's."""
 
     degree = 1
@@ -105,18 +106,6 @@ class PrimeField(FiniteField, Modular):
         if is_galois(x):
             return _arrays().from_galois(self, x)
         return super().__call__(x)
-
-    def state(self, x: flint.nmod | flint.fmpz_mod) -> object:
-        """Return the residue as an int."""
-        return int(x)
-
-    def label(self, x: flint.nmod) -> int:
-        """Return galois's integer label of x."""
-        return int(x)
-
-    def from_label(self, n: int) -> flint.nmod:
-        """Return the element with galois's integer label n."""
-        return self.residue(n)
 
 
 class ExtensionField(FiniteField):
@@ -230,6 +219,12 @@ class ExtensionField(FiniteField):
         """Return the roots of a polynomial that is not 0."""
         polynomial = flint.fq_default_poly_ctx(self.context)(list(coefficients))
         return [root for root, _ in polynomial.roots()]
+
+    def irreducible_factors(
+        self, coefficients: Sequence[flint.fq_default]
+    ) -> list[list[flint.fq_default]]:
+        """Return the monic irreducible factors of a polynomial that is not 0, each once."""
+        return of_flint(self, flint.fq_default_poly_ctx(self.context)(list(coefficients)), self)
 
     @property
     def level(self) -> Known:

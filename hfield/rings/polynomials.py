@@ -50,7 +50,7 @@ class PolynomialRing(Ring):
         self.gen_name = variables[0]
         # For texts of quaternions: (Σ of all variables)ⁿ then has fewer than 10⁵ terms.
         self.parse_limit = {1: 20_000, 2: 2_000, 3: 300, 4: 150}.get(len(variables), 100)
-        self.context = _context(base, variables)
+        self.context = flint_context(base, variables)
         self._gens = dict(zip(variables, self.context.gens(), strict=True))
         self._type = type(self.context.gens()[0])
 
@@ -255,7 +255,8 @@ def build(base: Ring, variables: tuple[str, ...]) -> PolynomialRing:
     return shared(PolynomialRing, base, variables)
 
 
-def _context(base: Ring, variables: tuple[str, ...]) -> Any:
+def flint_context(base: Ring, variables: tuple[str, ...]) -> Any:
+    """Return what flint makes polynomials in these variables with, over ZZ, QQ or GF(p)."""
     order = flint.Ordering.deglex
     if base == ZZ:
         return flint.fmpz_mpoly_ctx.get(variables, order)

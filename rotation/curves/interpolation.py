@@ -124,11 +124,14 @@ class Slerp:
         RotationError
             A time lies outside.
         """
-        n, t = self._place(times)
-        return self._between(n, t)
+        x = self.within(times)
+        n, t = place(x, self.times)
+        return self._between(
+            n, namespace(t).reshape(t, (*t.shape, *(1,) * (self.rotations.ndim - 1)))
+        )
 
-    def _place(self, times: Any) -> tuple[Array, Array]:
-        """For each time its interval and where it lies there, from 0 to 1."""
+    def within(self, times: Any) -> Array:
+        """Return times (…) as an array; `RotationError` if one is outside the range of the keyframes."""
         xp = namespace(times, self.times)
         x = floats(times, "times", xp)
         first, last = self.times[0], self.times[-1]
@@ -136,8 +139,7 @@ class Slerp:
             raise RotationError(
                 f"times from {float(first):g} to {float(last):g} are expected, as the keyframes have"
             )
-        n, t = place(x, self.times)
-        return n, xp.reshape(t, (*t.shape, *(1,) * (self.rotations.ndim - 1)))
+        return x
 
     def _between(self, n: Array, t: Array) -> Rotation:
         return slerp(picked(self.rotations, n), picked(self.rotations, n + 1), t)
@@ -145,11 +147,16 @@ class Slerp:
 
 def place(x: Array, times: Array) -> tuple[Array, Array]:
     """Return for each x (…) the interval of the times (n,) it is in, and where there, from 0 to 1."""
-    xp = namespace(x, times)
-    after = xp.searchsorted(times, xp.reshape(x, (-1,)), side="right")
-    n = xp.reshape(xp.clip(after - 1, 0, times.shape[0] - 2), x.shape)
+    n = interval(x, times)
     start = taken(times, n)
     return n, (x - start) / (taken(times, n + 1) - start)
+
+
+def interval(x: Array, times: Array) -> Array:
+    """Return for each x (…) the interval of the times (n,) it is in; beyond them the first or the last."""
+    xp = namespace(x, times)
+    after = xp.searchsorted(times, xp.reshape(x, (-1,)), side="right")
+    return xp.reshape(xp.clip(after - 1, 0, times.shape[0] - 2), x.shape)
 
 
 @quiet

@@ -14,21 +14,23 @@ from math import factorial
 from typing import Any
 
 from rotation import pytrees
+from rotation.angles import waves
 from rotation.batch import expect_rotations
-from rotation.coordinates import join, polynomial, split, sum_of_squares
-from rotation.curves.interpolation import Slerp, picked, place, ratios, taken
+from rotation.coordinates import Coordinates, join, polynomial, split, sum_of_squares
+from rotation.curves.interpolation import Slerp, interval, picked, ratios, taken
 from rotation.errors import RotationError
 from rotation.jacobians import inverse_left_jacobian, left_jacobian
 from rotation.namespaces import Array, floats, namespace, quiet
-from rotation.rigid_motions import SWEPT, UNSWEPT, cross
+from rotation.rigid_motions import SWEPT, UNSWEPT, cross, swept
 from rotation.rotation import Rotation
 from rotation.rowwise import Formula
 
 _STEPS = 80  # of Newton's method; five are enough unless times are very uneven
+_FEW = 24  # equations that are solved as one
 _LEAST = 2.0**-7  # of the quadratic term that is let in at once
 
 
-@pytrees.holding("times", "rotations", "_keys", "_steps", "_starts", "_ends")
+@pytrees.holding("times", "rotations", "_keys", "_pieces")
 class RotationSpline:
     """The smooth curve through keyframes: two continuous derivatives.
 
@@ -58,8 +60,11 @@ class RotationSpline:
         self._keys = Slerp(times, rotations)
         self.times, self.rotations = self._keys.times, self._keys.rotations
         # In the axes of the body: R(t) = R[k]·exp(θ(t)), the rate of which is ω = J(−θ)·θ̇.
-        self._steps = (self.rotations[:-1].inv() * self.rotations[1:]).as_rotvec()
-        self._starts, self._ends = self._solved()
+        steps = (self.rotations[:-1].inv() * self.rotations[1:]).as_rotvec()
+        # Of each interval: what it turns, θ' at both ends by its fraction, when it begins, how long it is.
+        t = self.times[:, None]
+        parts = (steps, *self._solved(steps), t[:-1, ...], t[1:, ...] - t[:-1, ...])
+        self._pieces = namespace(steps).concat(parts, axis=-1)
 
     def __call__(self, times: Any, order: int = 0) -> Any:
         """Return rotations (order 0), rates (1) or accelerations (2), (…, 3), in the axes of the body.
@@ -69,32 +74,22 @@ class RotationSpline:
         RotationError
             A time outside, or another order.
         """
-        self._keys._place(times)
-        return self.extended(times, order)
+        return self.extended(self._keys.within(times), order)
 
     @quiet
     def extended(self, times: Any, order: int = 0) -> Any:
         """Return the same; before the first and after the last keyframe their cubics go on."""
         if order not in (0, 1, 2):
             raise RotationError(f"order {order!r}: 0, 1 or 2 is expected")
-        n, s = place(floats(times, "times", namespace(times, self.times)), self.times)
-        s = s[..., None]
-        d, start, end = (taken(x, n) for x in (self._steps, self._starts, self._ends))
-        rest = 1.0 - s
-        theta = s * s * (3.0 - 2.0 * s) * d + s * rest * (rest * start - s * end)
-        if order == 0:
-            return picked(self.rotations, n) * Rotation.from_rotvec(theta)
-        h = taken(self.times, n + 1)[..., None] - taken(self.times, n)[..., None]
-        turn = 6.0 * s * rest * d + rest * (1.0 - 3.0 * s) * start + s * (3.0 * s - 2.0) * end
-        if order == 1:
-            return SWEPT(-theta, turn) / h
-        bend = 6.0 * (1.0 - 2.0 * s) * d + (6.0 * s - 4.0) * start + (6.0 * s - 2.0) * end
-        return (SWEPT(-theta, bend) + _CHANGE(theta, turn)) / h / h
+        x = floats(times, "times", namespace(times, self.times))
+        n = interval(x, self.times)
+        found = _CUBIC[order](taken(self._pieces, n), x)
+        return found if order else picked(self.rotations, n) * Rotation.from_rotvec(found)
 
     @quiet
-    def _solved(self) -> tuple[Array, Array]:
+    def _solved(self, d: Array) -> tuple[Array, Array]:
         """Return θ' (n − 1, 3) at the starts of all intervals and at their ends, by the fraction of each."""
-        d, xp = self._steps, namespace(self._steps)
+        xp = namespace(d)
         if not bool(xp.all(xp.isfinite(d))):
             return d * xp.nan, d * xp.nan
         jumps = _Jumps(d, ratios(self.times)[:, None])
@@ -150,9 +145,11 @@ class _Jumps:
             change = self._newton(turns, share)
             turns = turns + change
             now, size = (float(xp.max(xp.abs(x))) if x.shape[0] else 0.0 for x in (change, turns))
-            if now <= 45.0 * eps * size or (
-                now <= math.sqrt(eps) / 16.0 * size and now >= 0.5 * before
-            ):
+            # Steps shrink quadratically: this is the size of the next one, once there are two.
+            later = now * (now / before) ** 2 if now < 2.0**-6 * before < math.inf else now
+            if not share or later <= 45.0 * eps * size:
+                return turns
+            if now <= math.sqrt(eps) / 16.0 * size and now >= 0.5 * before:
                 return turns
             if not math.isfinite(now):
                 return None
@@ -179,32 +176,82 @@ class _Jumps:
 
 
 def _tridiagonal(before: Array, own: Array, after: Array, right: Array) -> Array:
-    """Solve ``before[k−1]·x[k−1] + own[k]·x[k] + after[k]·x[k+1] = right[k]``, of matrices (3, 3)."""
+    """Solve ``before[k−1]·x[k−1] + own[k]·x[k] + after[k]·x[k+1] = right[k]``, of matrices (3, 3).
+
+    Few at once; of many every other unknown is put into the equations beside it: block cyclic reduction
+    (G. Golub and C. Van Loan, "Matrix computations", 4.5.4), in as many steps as their number has digits.
+    """
     xp, n = namespace(right), right.shape[0]
-    rows = xp.concat([own, right[..., None]], axis=-1)
-    solved: list[Array] = []
-    for k in range(n):
-        row = rows[k, ...]
-        if k:
-            row = row - before[k - 1, ...] @ solved[-1]
-        beside = after[k, ...] if k + 1 < n else 0.0 * own[k, ...]
-        solved.append(xp.linalg.solve(row[:, :3], xp.concat([beside, row[:, 3:]], axis=-1)))
-    x = [0.0 * right[0, ...]] if n else []
-    for row in reversed(solved):
-        x.append(row[:, 3] - row[:, :3] @ x[-1])
-    return xp.stack(x[:0:-1]) if n else right
+    if n == 0:
+        return right
+    if n <= _FEW:
+        blocks = [(0, own)] if n == 1 else [(0, own), (-1, before), (1, after)]
+        whole = sum(_placed(xp, n, k, x) for k, x in blocks)
+        flat = xp.linalg.solve(xp.reshape(whole, (3 * n, 3 * n)), xp.reshape(right, (3 * n, 1)))
+        return xp.reshape(flat, (n, 3))
+    nothing = 0.0 * own[:1, ...]
+    before, after = xp.concat([nothing, before]), xp.concat([after, nothing])
+    rows = xp.concat([before, after, right[..., None]], axis=-1)[::2, ...]
+    solved = xp.linalg.solve(own[::2, ...], rows)  # the even ones by those beside them
+    if n % 2 == 0:
+        solved = xp.concat([solved, 0.0 * solved[:1, ...]])
+    low, high = before[1::2, ...] @ solved[:-1, ...], after[1::2, ...] @ solved[1:, ...]
+    odd = _tridiagonal(
+        -low[1:, :, :3],
+        own[1::2, ...] - low[..., 3:6] - high[..., :3],
+        -high[:-1, :, 3:6],
+        right[1::2, ...] - low[..., 6] - high[..., 6],
+    )
+    ends = xp.concat([0.0 * right[:1, ...], odd, 0.0 * right[:1, ...]])
+    beside = xp.concat([ends[:-1, ...], ends[1:, ...]], axis=-1)
+    even = solved[..., 6] - (solved[..., :6] @ beside[: solved.shape[0], :, None])[..., 0]
+    pairs = xp.stack([even[: odd.shape[0], ...], odd], axis=1)
+    last = even[odd.shape[0] : n - odd.shape[0], ...]
+    return xp.concat([xp.reshape(pairs, (2 * odd.shape[0], 3)), last])
+
+
+def _placed(xp: Any, n: int, k: int, blocks: Array) -> Array:
+    """Return the matrix (n, 3, n, 3) that has blocks along the diagonal k above the main one."""
+    ones = xp.eye(blocks.shape[0], n, k=max(k, 0), dtype=blocks.dtype)
+    rows = blocks[:, :, None, :] * ones[:, None, :, None]
+    nothing = xp.zeros_like(rows[:1, ...])
+    return rows if not k else xp.concat([rows, nothing] if k > 0 else [nothing, rows])
+
+
+def _cubic(piece: Array, time: Array, order: int) -> Array:
+    """θ at a time in an interval, or with its first and second derivatives the rate or the acceleration."""
+    xp, c = namespace(piece), split(piece)
+    d, start, end, (begin, h) = c[:3], c[3:6], c[6:9], c[9:]
+    s = (time[...] - begin) / h
+    rest = 1.0 - s
+
+    def mixed(a: Array, b: Array, e: Array) -> Coordinates:
+        return tuple(a * x + (b * y + e * z) for x, y, z in zip(d, start, end, strict=True))
+
+    theta = mixed(s * s * (3.0 - 2.0 * s), s * rest * rest, -s * s * rest)
+    if order == 0:
+        return join(xp, theta)
+    back = tuple(-x for x in theta)
+    turn = mixed(6.0 * s * rest, rest * (1.0 - 3.0 * s), s * (3.0 * s - 2.0))
+    if order == 1:
+        return join(xp, tuple(x / h for x in swept(xp, back, turn)))
+    bend = mixed(6.0 * (1.0 - 2.0 * s), 6.0 * s - 4.0, 6.0 * s - 2.0)
+    both = zip(swept(xp, back, bend), _changed(xp, theta, turn), strict=True)
+    return join(xp, tuple((x + y) / h / h for x, y in both))
 
 
 def _change(theta: Array, rate: Array) -> Array:
+    return join(namespace(theta), _changed(namespace(theta), split(theta), split(rate)))
+
+
+def _changed(xp: Any, u: Coordinates, v: Coordinates) -> Coordinates:
     """The derivative of ``J(−θ)·θ̇`` along θ̇, θ̇ fixed, by its series or in closed form."""
-    xp = namespace(theta, rate)
-    u, v = split(theta), split(rate)
     t = sum_of_squares(u)
     wide = t > 0.25
     far = xp.where(wide, t, xp.ones_like(t))
     size = xp.sqrt(far)
     small = xp.where(wide, xp.zeros_like(t), t)
-    sine, cosine = xp.sin(size), xp.cos(size)
+    sine, cosine = waves(xp, size, False)
     # B, and the derivatives of A and B by θ² doubled.
     b = xp.where(wide, (size - sine) / (far * size), polynomial(_B, small))
     da = xp.where(wide, (size * sine - 2.0 * (1.0 - cosine)) / (far * far), polynomial(_DA, small))
@@ -213,7 +260,7 @@ def _change(theta: Array, rate: Array) -> Array:
     along = u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
     across = cross(u, v)
     terms = zip(across, cross(u, across), cross(v, across), strict=True)
-    return join(xp, tuple(along * (db * y - da * x) + b * z for x, y, z in terms))
+    return tuple(along * (db * y - da * x) + b * z for x, y, z in terms)
 
 
 def _series(first: int, derived: bool) -> list[float]:
@@ -224,3 +271,4 @@ def _series(first: int, derived: bool) -> list[float]:
 
 _B, _DA, _DB = _series(3, False), _series(2, True), _series(3, True)
 _CHANGE = Formula(_change, (3,), (3,))
+_CUBIC = [Formula(_cubic, (11,), (), parameters=(order,)) for order in (0, 1, 2)]

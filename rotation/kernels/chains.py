@@ -13,10 +13,10 @@ import numpy as np
 from hfield.compiling import machine_code
 from hfield.compiling.instructions import module
 from rotation.arrays import Array
-from rotation.compensated import Pair, two_product, two_sum
 from rotation.coordinates import middling
 from rotation.kernels import twins
 from rotation.native import builtins, tracing
+from rotation.native.pairs import Pair, two_product, two_sum
 from rotation.native.symbols import Lanes, Program
 
 Pairs = tuple[Pair, Pair, Pair, Pair]

@@ -4,7 +4,6 @@ The fast form also says where it is right: not for a far angle, nor where the sq
 coordinate might leave the range of floats. The careful form is that of few points.
 """
 
-import math
 from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
@@ -13,6 +12,7 @@ from rotation import action
 from rotation.angles import RADIANS
 from rotation.coordinates import Coordinates, split, sum_of_squares
 from rotation.native import tracing
+from rotation.native.elementary import COSINE, REACH, SINE, TWO_OVER_PI
 from rotation.native.symbols import Rows
 from rotation.quaternions import normalise
 
@@ -23,17 +23,12 @@ LOW, HIGH = 2.0**-700, 2.0**700
 
 # π/2 = P1 + P2 + P3 with 23 bits in P1 and in P2: the products with a whole number below 2^30 and the
 # differences are exact, with or without FMA (Cody and Waite 1980). P3 holds the next 53 bits.
-REACH = 2.0**30
-TWO_OVER_PI = 2.0 / math.pi
 P1 = float.fromhex("0x1.921fb4p+0")
 P2 = float.fromhex("0x1.4442dp-24")
 P3 = float.fromhex("0x1.8469898cc517p-48")
 
-# Minimax polynomials of sine and cosine on [−π/4, π/4] (fdlibm, Sun Microsystems 1993).
-S1, S2, S3 = -1.66666666666666324348e-01, 8.33333333332248946124e-03, -1.98412698298579493134e-04
-S4, S5, S6 = 2.75573137070700676789e-06, -2.50507602534068634195e-08, 1.58969099521155010221e-10
-C1, C2, C3 = 4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872894767294178e-05
-C4, C5, C6 = -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11
+S1, S2, S3, S4, S5, S6 = SINE
+C1, C2, C3, C4, C5, C6 = COSINE
 
 
 class Kernel(NamedTuple):

@@ -13,7 +13,7 @@ import numpy as np
 from hfield.compiling.instructions import Code, alike, floating, vector
 
 WIDTH = 8
-LIBRARY = ("sin", "cos", "atan", "atan2", "fmod")  # of the system
+LIBRARY = ("sin", "cos", "atan2", "fmod")  # of the system
 float64 = np.dtype(np.float64)
 _WORDS = {"double": "f64", "float": "f32"}
 
@@ -65,7 +65,7 @@ class Program(Code):
             values = [(self.kind, a.name, b.name) for a, b in pairs]
             return values + [(self.bits, t, "zeroinitializer") for t in self.told]
 
-        found = self.when(self.some(condition), computed)
+        found = self.when(self.some(condition), computed, rarely=True)
         count = len(found) - len(self.told)
         self.told = [*before, *found[count:]]
         return tuple(Lanes(self, name) for name in found[:count])
@@ -90,6 +90,15 @@ class Lanes:
     def _with(self, operation: str, other: Any, swapped: bool = False) -> "Lanes":
         if not isinstance(other, Lanes | float | int):
             return NotImplemented  # type: ignore[no-any-return]
+        if not isinstance(other, Lanes):
+            if (
+                type(other) is int and other == 0 and operation != "fdiv"
+            ):  # it is nothing, and no float
+                if operation == "fmul":
+                    return 0  # type: ignore[return-value]
+                return -self if swapped and operation == "fsub" else self
+            if operation == "fmul" and other == -1.0:
+                return -self
         program = self.program
         a, b = self.name, program.name_of(other)
         if swapped:

@@ -6,6 +6,7 @@ needed is branched around.
 """
 
 import math
+import sys
 from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
@@ -13,6 +14,8 @@ from typing import Any
 import numpy as np
 
 from hfield.compiling.instructions import alike, vector
+from rotation.native import elementary
+from rotation.native.pairs import Pair
 from rotation.native.symbols import Condition, Lanes, Rows, intrinsic, library
 
 _INFO = np.finfo(np.float64)
@@ -25,6 +28,7 @@ _LIMITS = SimpleNamespace(
 float64 = np.dtype(np.float64)
 float32 = np.dtype(np.float32)
 nan = math.nan
+_HERE = sys.modules[__name__]
 ROUND = 1.5 * 2.0**52  # what is added to it loses its fraction
 
 
@@ -43,14 +47,26 @@ def fma(a: Any, b: Any, c: Any) -> Lanes:
     return intrinsic("fma", a, b, c)
 
 
+def copysign(x: Lanes, y: Lanes) -> Lanes:
+    """Return ``x`` with the signs of ``y``."""
+    return intrinsic("copysign", x, y)
+
+
+def waves(a: Lanes, b: Lanes | None = None) -> tuple[Pair, Pair]:
+    """Return sine and cosine of angles, or of pairs a + b as pairs."""
+    return elementary.sine_and_cosine(_HERE, a, b)
+
+
 def sin(x: Lanes) -> Lanes:
     """Return the sines."""
-    return library("sin", x)
+    sine: Lanes = waves(x)[0][0]
+    return sine
 
 
 def cos(x: Lanes) -> Lanes:
     """Return the cosines."""
-    return library("cos", x)
+    cosine: Lanes = waves(x)[1][0]
+    return cosine
 
 
 def round(x: Lanes) -> Lanes:
@@ -58,9 +74,15 @@ def round(x: Lanes) -> Lanes:
     return (x + ROUND) - ROUND
 
 
-def atan2(y: Any, x: Any) -> Lanes:
+def angle_of(y: Lanes, x: Lanes) -> Pair:
+    """Return the angles of the points (x, y) as pairs."""
+    return elementary.angle_of(_HERE, y, x)
+
+
+def atan2(y: Lanes, x: Lanes) -> Lanes:
     """Return the angles of the points (x, y)."""
-    return library("atan2", y, x)
+    angle: Lanes = elementary.angle_of(_HERE, y, x, pair=False)[0]
+    return angle
 
 
 def remainder(x: Any, y: Any) -> Lanes:
@@ -76,11 +98,6 @@ def where(condition: Condition, yes: Any, no: Any) -> Any:
     a, b = program.name_of(yes), program.name_of(no)
     line = f"select {program.bits} {condition.name}, {kind} {a}, {kind} {b}"
     return made(program, program.value(line))
-
-
-def atan(x: Any) -> Lanes:
-    """Return the arc tangents."""
-    return library("atan", x)
 
 
 def maximum(x: Lanes, y: Any) -> Lanes:

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from hfield import QuaternionAlgebra
 from hfield.primality import is_prime
 from tests.commands import running
 
@@ -35,6 +36,40 @@ def test_pages(capsys, words, lines):
     assert (status, err) == (0, "")
     for line in lines:
         assert line in out
+
+
+def test_over_a_number_field(capsys):
+    words = [
+        "ideal",
+        "(-1,-1|QQ(sqrt(3)))",
+        "11, 1 + 3*i + j",
+        "--side",
+        "right",
+    ]
+    status, out, err = run(capsys, *words, "--principal")
+    assert (status, err) == (0, "")
+    for line in (
+        "right ideal of a maximal order",
+        "norm ideal(11): integral, locally principal",
+        "answer",
+    ):
+        assert line in out
+    data = json.loads(run(capsys, *words, "--with", "2", "--format", "json")[1])
+    assert data["norm"] == {
+        "generators": ["11"],
+        "norm": "121",
+        "factorisation": data["norm"]["factorisation"],
+    }
+    A = QuaternionAlgebra("(-1,-1|QQ(sqrt(3)))")
+    O = A.maximal_order()
+    I, J = O.right_ideal([11, A(1, 3, 1, 0)]), O.right_ideal([2])
+    assert data["holds"] == bool(I.equivalence(J))
+    assert (data["element"] is not None) == data["holds"]
+    if data["holds"]:
+        assert A(*data["element"]) * I == J
+    status, _, err = run(capsys, *words, "--certificate", "-")
+    assert status == 2
+    assert "written over QQ only" in err
 
 
 def test_an_indefinite_algebra_names_the_theorem(capsys):

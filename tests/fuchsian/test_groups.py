@@ -8,10 +8,11 @@ from itertools import product
 
 import pytest
 
-from hfield import QuaternionAlgebra
+from hfield import QuaternionAlgebra, ring
 from hfield.errors import IndefiniteError, LatticeError
 from hfield.factorisation import factorise
 from hfield.fuchsian import area, dirichlet, presentation
+from hfield.fuchsian.polygon import Polygon
 from hfield.lattices.lattice import Order
 
 # D, N: the area in units of π/3, elliptic points of order 2 and 3, the genus (tables of Shimura curves)
@@ -61,7 +62,7 @@ def checked(O: Order) -> None:
 def image(D, g, z: complex) -> complex:
     """Where an element maps a point of the disc, by its matrix in floats."""
     plane = D.polygon.plane
-    m = [[float(int(x.p)) / int(x.q) for x in row] for row in plane.motion(g)]
+    m = [list(map(plane.order.real, row)) for row in plane.motion(g)]
     a, b = plane.stretch
     w = 2 * z / (1 + abs(z) ** 2)
     v = (1.0, w.real / a, w.imag / b)
@@ -90,6 +91,54 @@ def test_shimura_curves(D: int, N: int) -> None:
     assert G.area == Fraction(size, 6)
     assert G.signature == (genus, (2,) * two + (3,) * three, 0)
     checked(order(D, N))
+
+
+# a field, the places that ramify (real ones by number, finite ones by primes), the area, elliptic points:
+# triangle groups of K. Takeuchi's list (*J. Fac. Sci. Tokyo* 24, 1977), and others
+OVER_FIELDS = [
+    ("QQ[s]/(s^3+s^2-2*s-1)", [0, 1], None, "1/42", (2, 3, 7)),
+    ("QQ[s]/(s^3-3*s-1)", [1, 2], None, "1/18", (2, 3, 9)),
+    ("QQ(sqrt(5))", [0], 2, "1/10", (2, 5, 5)),
+    ("QQ(sqrt(2))", [1], 2, "1/12", (3, 3, 4)),
+    ("QQ(sqrt(3))", [0], 2, "1/6", (3, 3, 6)),
+    ("QQ[s]/(s^2-s-3)", [0], 3, "1/3", (2, 2, 3, 3)),
+]
+
+
+def over_field(field: str, real: list[int], p: int | None):
+    K = ring(field)
+    places = [K.real_places()[n] for n in real] + ([] if p is None else [K.primes_above(p)[0]])
+    return QuaternionAlgebra.from_ramification(K, places)
+
+
+@pytest.mark.parametrize(("field", "real", "p", "area", "orders"), OVER_FIELDS)
+def test_groups_over_totally_real_fields(field, real, p, area, orders) -> None:
+    O = over_field(field, real, p).maximal_order()
+    G = O.norm_one_group()
+    assert G.area == Fraction(area)
+    assert G.signature == (0, orders, 0)
+    checked(O)
+    x = G.evaluate((1, 2, -1, 2, 1, 1))
+    assert G.evaluate(G.word(x)) in (x, -x)
+    assert G.word(-1) == ()
+    with pytest.raises(LatticeError, match="no unit of norm 1"):
+        G.word(2)
+
+
+def test_eichler_orders_over_a_field() -> None:
+    A = over_field("QQ(sqrt(5))", [0], 2)
+    for p, q in ((11, 11), (5, 5), (3, 9)):
+        O = A.eichler_order(A.ring.primes_above(p)[0])
+        assert O.norm_one_group().area == Fraction(q + 1, 10)
+        checked(O)
+    with pytest.raises(LatticeError, match="Eichler"):
+        A.order(["2*i", "j"]).norm_one_group().area  # noqa: B018
+
+
+def test_other_places_split() -> None:
+    for field, b in (("QQ(sqrt(5))", 3), ("QQ(sqrt(5))", -1), ("QQ[s]/(s^3-2)", 3)):
+        with pytest.raises(IndefiniteError, match="exactly one real place"):
+            QuaternionAlgebra(field, -1, b).maximal_order().norm_one_group()
 
 
 @pytest.mark.parametrize(("D", "N"), GENUS_ONE)
@@ -185,19 +234,17 @@ def test_local_index_against_counting() -> None:
 
 def test_an_incomplete_domain_is_seen() -> None:
     """Half of the generators bound a larger polygon, whose area is not that of the group."""
-    O = order(14).value
-    G = Order(O).norm_one_group()
-    plane = G.domain().polygon.plane
-    units: dict = {}
-    dirichlet._add(plane, units, G.domain().polygon.units[:1])
-    found = dirichlet.normalised(plane, units)
-    assert (
-        not found.closed
-        or dirichlet.area_of(
-            dirichlet.paired(found), dirichlet.cycles_of(found, dirichlet.paired(found))
-        )
-        > G.area
-    )
+    whole = order(14).norm_one_group().domain()
+    P, area = whole.polygon, whole.area
+    assert dirichlet.proof(Polygon(P.plane, P.units), area) is not None
+    assert dirichlet.proof(Polygon(P.plane, P.units), area / 2) is None
+    for units in (
+        P.units[1:],
+        P.units[::-1],
+        [*P.units[2:], P.units[0], P.units[1]][1:],
+        P.units * 2,
+    ):
+        assert dirichlet.proof(Polygon(P.plane, units), area) is None
 
 
 def test_pictures(tmp_path) -> None:

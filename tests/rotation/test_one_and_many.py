@@ -102,9 +102,12 @@ def test_compiled_rotation_vectors_are_those_of_the_formula(degrees: bool) -> No
     v[8, 1] = np.inf
     v[9:150] = rotation_vectors()[:141]
     expected = quiet(vectors._from_rotvec)(v, degrees)
-    np.testing.assert_array_equal(Rotation.from_rotvec(v, degrees).as_quat(), expected)
+    found = Rotation.from_rotvec(v, degrees).as_quat()
+    np.testing.assert_allclose(found, expected, rtol=3e-16, atol=3e-16)
+    near = np.abs(v).max(axis=-1) < 1.0  # there every part has its digits
+    np.testing.assert_allclose(found[near], expected[near], rtol=5e-16, atol=1e-323)
     backward = Rotation.from_rotvec(v.reshape(20, 3000, 3)[:, ::-1], degrees).as_quat()
-    np.testing.assert_array_equal(backward[:, ::-1].reshape(-1, 4), expected)
+    np.testing.assert_array_equal(backward[:, ::-1].reshape(-1, 4), found)
 
 
 def exact_matrix(q: Any) -> Any:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from rotation import Rotation, RotationError, RotationSpline
+from rotation.curves import spline
 
 RNG = np.random.default_rng(31)
 
@@ -95,3 +96,19 @@ def test_two_keyframes_and_mistakes() -> None:
     ):
         with pytest.raises(RotationError):
             bad()
+
+
+@pytest.mark.parametrize("few", [1, 2, 24])
+@pytest.mark.parametrize("n", [0, 1, 2, 3, 8, 9, 24, 25, 50, 97])
+def test_block_tridiagonal_equations(few: int, n: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(spline, "_FEW", few)
+    before, after = RNG.standard_normal((2, max(n - 1, 0), 3, 3))
+    own, right = RNG.standard_normal((n, 3, 3)) + 6 * np.eye(3), RNG.standard_normal((n, 3))
+    whole = np.zeros((n, 3, n, 3))
+    for k in range(n):
+        whole[k, :, k] = own[k]
+        if k:
+            whole[k, :, k - 1], whole[k - 1, :, k] = before[k - 1], after[k - 1]
+    wanted = np.linalg.solve(whole.reshape(3 * n, 3 * n), right.ravel()).reshape(n, 3)
+    found = spline._tridiagonal(before, own, after, right)
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-13)

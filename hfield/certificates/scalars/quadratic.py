@@ -46,7 +46,7 @@ class Quadratic(Surds):
 
     def is_square(self, x: Surd) -> bool:
         """Tell it by the norm of u + v·√d: it is a square, and so is one of (u ± its root)/2."""
-        u, v = _pair(x)
+        u, v = pair(x)
         d, half = Fraction(self.d), Fraction(1, 2)
         if not v:
             return QQ.is_square(u) or QQ.is_square(QQ.mul(u, 1 / d))
@@ -89,7 +89,7 @@ def _odd_squares_modulo_8() -> bool:
     )
 
 
-def _pair(x: Surd) -> tuple[Fraction, Fraction]:
+def pair(x: Surd) -> tuple[Fraction, Fraction]:
     """Return (u, v) with x = u + v·√d."""
     values = dict(x)
     u = values.pop((), Fraction(0))
@@ -98,7 +98,7 @@ def _pair(x: Surd) -> tuple[Fraction, Fraction]:
 
 def _pair_of_integers(x: Surd) -> tuple[Fraction, Fraction]:
     """Return (u, v) with x = u + v·ω, ω = (1 + √d)/2: at 2 these are the integers for d ≡ 1 modulo 4."""
-    u, v = _pair(x)
+    u, v = pair(x)
     return u - v, 2 * v
 
 
@@ -117,7 +117,7 @@ class RamifiedIdeal(ModuloNumber):
 
     def residue(self, x: Surd) -> int | None:
         """Return u + v·d modulo n."""
-        u, v = (modulo(c, self.n) for c in _pair(x))
+        u, v = (modulo(c, self.n) for c in pair(x))
         return None if u is None or v is None else (u + v * self.root) % self.n
 
 
@@ -130,7 +130,7 @@ class SplitIdeal(ModuloNumber):
     def __init__(self, field: Quadratic, n: int, r: int) -> None:
         self.n, self.odd, d = n, field.number(n), field.d
         self.name = f"({n}, {field.gen}-{r})"
-        self.pair = _pair_of_integers if n == 2 else _pair
+        self.pair = _pair_of_integers if n == 2 else pair
         # ω, its trace and its norm
         self.root, self.trace, self.norm = ((1 + r) // 2, 1, (1 - d) // 4) if n == 2 else (r, 0, -d)
         fits = d % 8 == 1 and r in (1, 3) if n == 2 else r < n and gcd(r, n) == 1
@@ -179,7 +179,7 @@ class InertNumber(Place):
 
     def residue(self, x: Surd) -> tuple[int, int] | None:
         """Return (u, v) modulo n."""
-        u, v = (modulo(c, self.n) for c in _pair(x))
+        u, v = (modulo(c, self.n) for c in pair(x))
         return None if u is None or v is None else (u, v)
 
     def _norm(self, u: int, v: int) -> int:

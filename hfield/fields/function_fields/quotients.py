@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from math import prod
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,7 @@ from hfield.errors import NotInvertibleError
 from hfield.rings.base import INFINITY, Known
 from hfield.rings.operators import Element, Overfield
 from hfield.rings.powers import polynomial_power
+from hfield.rings.roots import monic
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring
@@ -81,6 +82,14 @@ class Quotient(Element):
         return bool(self.num == other.num and self.den == other.den)
 
 
+def _terms(x: Any) -> dict[tuple[int, ...], Any]:
+    """Return the coefficients of a polynomial of flint, in one variable or several, by exponents."""
+    if hasattr(x, "to_dict"):
+        found: dict[tuple[int, ...], Any] = x.to_dict()
+        return found
+    return {(n,): c for n, c in enumerate(x.coeffs()) if c != 0}
+
+
 class FractionField(Overfield[Quotient]):
     """The fractions of polynomials over ``base``, in one variable or several; ``_one`` is their 1."""
 
@@ -118,6 +127,41 @@ class FractionField(Overfield[Quotient]):
     def power(self, x: Quotient, n: int) -> Quotient:
         """Return xⁿ; n < 0 inverts first."""
         return x**n
+
+    def irreducible_factors(self, coefficients: Sequence[Quotient]) -> list[list[Quotient]]:
+        """Return the monic irreducible factors of a polynomial that is not 0, each once.
+
+        Over k = QQ and GF(p) by those of a polynomial in one variable more (Gauss's lemma); over others as
+        :meth:`hfield.rings.base.Ring.irreducible_factors` does.
+        """
+        from hfield.rings.polynomials import flint_context
+
+        if self.base.order not in (None, self.characteristic):
+            return super().irreducible_factors(coefficients)
+        common = self._one
+        for c in coefficients:
+            common = common * (c.den // common.gcd(c.den))
+        whole = flint_context(self.base, (*self.variables, "over them")).from_dict(
+            {
+                (*exponents, n): x if self.base.order is None else int(x)
+                for n, c in enumerate(coefficients)
+                for exponents, x in _terms(c.num * (common // c.den)).items()
+            }
+        )
+        named = self.names()
+        gens = [named[name] for name in self.variables]
+        out = []
+        for factor, _ in whole.factor()[1]:
+            found: list[Quotient] = []
+            for (*exponents, n), x in sorted(
+                factor.to_dict().items(), key=lambda term: term[0][-1]
+            ):
+                found += [self.zero] * (n + 1 - len(found))
+                term = prod((g**m for g, m in zip(gens, exponents, strict=True)), start=self(x))
+                found[n] = found[n] + term
+            if len(found) > 1:
+                out.append(monic(self, found))
+        return out
 
     @property
     def level(self) -> Known:

@@ -198,6 +198,12 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         # a root of degree n is in no field whose degree n does not divide
         return [x for g in factors if self.degree % int(g.degree()) == 0 for x in roots_in(self, g)]
 
+    def irreducible_factors(self, coefficients: Sequence[FieldElement]) -> list[list[FieldElement]]:
+        """Return the monic irreducible factors of a polynomial that is not 0, each once."""
+        from hfield.fields.number_fields.factoring import irreducible_factors
+
+        return irreducible_factors(self, coefficients)
+
     def _is_principal(self, y: FieldElement) -> bool:
         """Tell whether y has positive real part at the principal embedding, or real part 0 and lies above."""
         if not y:

@@ -10,6 +10,7 @@ import flint
 
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.rings.balls import precision
+from hfield.rings.roots import common_divisor
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
@@ -99,15 +100,14 @@ def common_root(
     first = [field(c) for c in f.coeffs()]
     second = [field(0)]
     for c in reversed(g.coeffs()):
-        second = _times(second, line)
+        second = times(second, line)
         second[0] = second[0] + c
-    while second:
-        first, second = second, _remainder(first, second)
-    root: FieldElement = -first[0] * first[1].inverse()
+    root: FieldElement = -common_divisor(field, first, second)[0]
     return root
 
 
-def _times(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
+def times(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
+    """Return the product of two polynomials, [0] for 0."""
     out = [f[0] - f[0]] * (len(f) + len(g) - 1)
     for i, x in enumerate(f):
         for j, y in enumerate(g):
@@ -117,20 +117,6 @@ def _times(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
 
 def _trimmed(f: list[FieldElement]) -> list[FieldElement]:
     while len(f) > 1 and not f[-1]:
-        f.pop()
-    return f
-
-
-def _remainder(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
-    """Return f modulo g, [] for 0."""
-    f = list(f)
-    inverse = g[-1].inverse()
-    while len(f) >= len(g):
-        c = f.pop() * inverse
-        for k in range(len(g) - 1):
-            at = len(f) - len(g) + 1 + k
-            f[at] = f[at] - c * g[k]
-    while f and not f[-1]:
         f.pop()
     return f
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -28,6 +28,7 @@ import flint
 
 from hfield.errors import TooLargeError
 from hfield.lattices.class_number import local_factor
+from hfield.lattices.classes import orbits, renumbered
 from hfield.lattices.enumeration import Vector, least_vectors
 from hfield.lattices.over_integers import ideals_of_norm
 from hfield.lattices.over_integers.dedekind_modules import unique_rows
@@ -41,9 +42,10 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.ideals import Ideal
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.lattices.over_integers.frames import Frame
+    from hfield.lattices.over_integers.local_orders import Local
 
 Key = tuple[int, ...]
-Row = tuple[int, ...]
+Row = list[int]
 MOST_CLASSES = 20_000
 """More classes than this are not enumerated."""
 
@@ -82,53 +84,55 @@ class Keys:
         self.narrow = narrow_classes(frame.integers.ring)
         self.units = units_modulo_squares(frame.integers.ring)
 
-    def around(self, norm: Norm) -> Around:
-        """Return what finds keys of ideals of one norm."""
-        return Around(self, norm)
-
 
 class Around:
-    """What finds keys of ideals of one norm: the forms Tr(c·N(x)) for c = 1/ν and its products with ω."""
+    """What finds keys of sublattices of a lattice that have one norm, given by coordinates in its basis.
 
-    def __init__(self, keys: Keys, norm: Norm) -> None:
+    ``ways`` has, for each ν modulo squares of units, the forms Tr(N(x)/ν) and Tr(ω·N(x)/ν), each over a
+    common divisor.
+    """
+
+    def __init__(self, keys: Keys, norm: Norm, rows: flint.fmpq_mat) -> None:
         self.keys, self.norm = keys, norm
-        forms, omega = keys.forms, keys.frame.omega
-        weights = [[u * w / norm.element for w in omega] for u in keys.units]
-        # the first form is Tr(N(x)/ν), whether or not 1 is in the integral basis
-        every = [
-            [forms.form(c) for c in (u / norm.element, *cs)]
-            for u, cs in zip(keys.units, weights, strict=True)
-        ]
-        den = math.lcm(*(int(form.numer_denom()[1]) for ways in every for form in ways))
-        self.ways = [[(form * den).numer_denom()[0] for form in ways] for ways in every]
+        self.rows, self.den = rows.numer_denom()
+        back = rows.transpose()
+        every = []
+        # the first form is there whether or not 1 is in the integral basis
+        for w in (keys.frame.field.one, *keys.frame.omega):
+            forms = (keys.forms.form(u * w / norm.element) for u in keys.units)
+            every.append(_without_content([rows * form * back for form in forms]))
+        self.ways = list(zip(*every, strict=True))
 
-    def find(self, matrix: flint.fmpz_mat) -> tuple[Key, int, FieldElement]:
-        """Return the key of a lattice, given up to a rational factor, the units of its left order and ν.
+    def find(self, coordinates: flint.fmpz_mat) -> tuple[Key, int, Row]:
+        """Return the key of a sublattice, the units of its left order modulo ℤ_Kˣ, and x·den.
 
-        The units are those modulo ℤ_Kˣ; ν belongs to the lattice that is the key.
+        x⁻¹ times the lattice is the key.
         """
         least = -1
         found: list[Found] = []
-        back = matrix.transpose()
-        grams = _divided([matrix * forms[0] * back for forms in self.ways])
-        for gram, forms in zip(grams, self.ways, strict=True):
+        for forms in self.ways:
+            gram = coordinates * forms[0] * coordinates.transpose()
             reduced, change = gram.lll(transform=True, rep="gram")
             value, vectors = least_vectors(_table(reduced))
             if least < 0 or value < least:
                 least, found = value, []
             if value == least:
-                found.append((vectors, change * matrix, forms))
-        rows = _first(found)
-        keys = []
+                found.append((vectors, change * coordinates, forms))
+        matrix, keys = coordinates * self.rows, []
+        rows = _table(flint.fmpz_mat(_first(found)) * self.rows)
         while rows:
             start, units, rows = rows[0], *self._orbit(matrix, rows)
             keys.append((self._key(matrix, start), units, start))
-        key, units, start = min(keys)
-        return key, units, self._rest(start)
+        return min(keys)
+
+    def rest(self, row: Row) -> Norm:
+        """Return the norm of the lattice that is the key."""
+        size = self.keys.frame.norm([flint.fmpq(c, self.den) for c in row])
+        return Norm(self.norm.number, self.norm.element / size)
 
     def _key(self, matrix: flint.fmpz_mat, row: Row) -> Key:
         """Return x⁻¹·I in Hermite normal form, the denominator first."""
-        inverse, den = self.keys.forms.left(row).inv().numer_denom()
+        inverse, den = self.keys.frame.left(row).inv().numer_denom()
         entries = list(map(int, (matrix * inverse).hnf().entries()))
         common = math.gcd(int(den), *entries)
         return int(den) // common, *(c // common for c in entries)
@@ -137,11 +141,9 @@ class Around:
         """Return how many y give the same x⁻¹·I as the first, x, and the others: x⁻¹·y is a unit there."""
         if len(rows) == 1:
             return 1, []
-        inverse = self.keys.forms.left(rows[0]).inv()
-        basis, quotients = (
-            flint.fmpq_mat(matrix) * inverse,
-            flint.fmpq_mat(flint.fmpz_mat(rows)) * inverse,
-        )
+        inverse = self.keys.frame.left(rows[0]).inv()
+        basis = flint.fmpq_mat(matrix) * inverse
+        quotients = flint.fmpq_mat(flint.fmpz_mat(rows)) * inverse
         back, inside, outside = basis.inv(), rows, []
         for row in basis.tolist():
             products = quotients * (self.keys.frame.right(row) * back)
@@ -154,13 +156,8 @@ class Around:
             quotients = flint.fmpq_mat([q for q, fits in zip(table, good, strict=True) if fits])
         return len(inside), outside
 
-    def _rest(self, row: Row) -> FieldElement:
-        """Return ν/N(x)."""
-        found: FieldElement = self.norm.element / self.keys.frame.norm(list(map(flint.fmpq, row)))
-        return found
 
-
-Found = tuple[list[Vector], flint.fmpz_mat, list[flint.fmpz_mat]]
+Found = tuple[list[Vector], flint.fmpz_mat, tuple[flint.fmpz_mat, ...]]
 
 
 def _first(found: list[Found]) -> list[Row]:
@@ -169,13 +166,15 @@ def _first(found: list[Found]) -> list[Row]:
     The numbers are the values of the forms but the first, and then, in the first form, the inner products
     with all ±y that have the same values, sorted. They are the same for lattices that differ by an element.
     """
+    if sum(len(vectors) for vectors, _, _ in found) == 1:
+        return [
+            row for vectors, basis, _ in found for row in _table(flint.fmpz_mat(vectors) * basis)
+        ]
     import numpy as np
 
-    tables = ([basis * f * basis.transpose() for f in forms] for _, basis, forms in found)
-    divided = map(_divided, zip(*tables, strict=True))
-    whole = [list(map(_table, grams)) for grams in zip(*divided, strict=True)]
     parts = []
-    for (vectors, basis, _), grams in zip(found, whole, strict=True):
+    for vectors, basis, forms in found:
+        grams = [_table(basis * form * basis.transpose()) for form in forms]
         size = (max(abs(c) for v in vectors for c in v) * len(grams[0])) ** 2
         size *= max(abs(c) for gram in grams for row in gram for c in row)
         x = np.array(vectors, dtype=np.int64 if size < 2**62 else object)
@@ -195,15 +194,16 @@ def _first(found: list[Found]) -> list[Row]:
     for (x, basis, _), own in zip(parts, products, strict=True):
         chosen = [v for v, numbers in zip(x.tolist(), own, strict=True) if numbers == first]
         if chosen:
-            rows += (tuple(map(int, y)) for y in (flint.fmpz_mat(chosen) * basis).tolist())
+            rows += _table(flint.fmpz_mat(chosen) * basis)
     return rows
 
 
-def _divided(matrices: Iterable[flint.fmpz_mat]) -> list[flint.fmpz_mat]:
-    """Return matrices divided by the common divisor of all their entries."""
-    given = list(matrices)
-    common = math.gcd(*(int(c) for m in given for c in m.entries()))
-    return [flint.fmpz_mat(m.nrows(), m.ncols(), [c // common for c in m.entries()]) for m in given]
+def _without_content(matrices: list[flint.fmpq_mat]) -> list[flint.fmpz_mat]:
+    """Return rational matrices over the common divisor of all their entries."""
+    den = math.lcm(*(int(m.numer_denom()[1]) for m in matrices))
+    tables = [_table((m * den).numer_denom()[0]) for m in matrices]
+    common = math.gcd(*(c for table in tables for row in table for c in row))
+    return [flint.fmpz_mat([[c // common for c in row] for row in table]) for table in tables]
 
 
 def _table(matrix: flint.fmpz_mat) -> list[list[int]]:
@@ -228,14 +228,15 @@ class Classes:
         self._numbers: dict[Key, int] = {}
         self._rows: dict[PrimeIdeal, list[Counter[int]]] = {}
         self._exchanged: dict[PrimeIdeal, list[int]] = {}
+        self._local: dict[PrimeIdeal, tuple[Local, list[flint.fmpq_mat]]] = {}
         self._steps: dict[tuple[PrimeIdeal, int], Norm] = {}
         self._enumerate()
 
     def _enumerate(self) -> None:
         self._left = self.mass
         one = Norm(*self.keys.narrow.split(self.frame.integers.one))
-        self._look_up(self.keys.around(one), self.ring.rows, one.number)
-        for prime in self._good_primes():
+        self._index(self.ring.rows, one)
+        for prime in self.good_primes():
             if not self._left:
                 return
             rows: list[Counter[int]] = []
@@ -244,7 +245,7 @@ class Classes:
             if len(rows) == len(self.lattices) and not self._left:
                 self._rows[prime] = rows
 
-    def _good_primes(self) -> Iterator[PrimeIdeal]:
+    def good_primes(self) -> Iterator[PrimeIdeal]:
         """Yield the primes that do not divide the discriminant, ascending by their norms."""
         number = count()
         waiting: list[tuple[int, int, PrimeIdeal]] = []
@@ -255,28 +256,45 @@ class Classes:
                 if not self.ring.discriminant().valuation(prime):
                     heappush(waiting, (prime.norm, next(number), prime))
 
-    def _look_up(self, around: Around, rows: flint.fmpq_mat, number: int) -> int:
-        """Return the number of the class of a lattice, which may be new; its norm is in a narrow class."""
-        key, units, rest = around.find(rows.numer_denom()[0])
+    def _look_up(self, around: Around, coordinates: flint.fmpz_mat) -> int:
+        """Return the number of the class of a sublattice, which may be new."""
+        key, units, row = around.find(coordinates)
         if key not in self._numbers:
             size = self.frame.size
             self._numbers[key] = len(self.lattices)
             whole = flint.fmpz_mat(size, size, key[1:])
             self.lattices.append(flint.fmpq_mat(whole) * flint.fmpq(1, key[0]))
             self.units.append(units)
-            self.norms.append(Norm(number, rest))
+            self.norms.append(around.rest(row))
             self._left -= Fraction(1, units)
             if self._left < 0:
                 raise AssertionError("the classes found exceed the mass")
         return self._numbers[key]
 
+    def _index(self, rows: flint.fmpq_mat, norm: Norm) -> int:
+        """Return the number of the class of an invertible right ideal."""
+        size = self.frame.size
+        whole = flint.fmpz_mat([[int(k == m) for m in range(size)] for k in range(size)])
+        return self._look_up(Around(self.keys, norm, rows), whole)
+
     def neighbours_of(self, n: int, prime: PrimeIdeal) -> Counter[int]:
         """Return how many ideals of relative norm P in class n belong to which class."""
-        norm = self._step(prime, n)
-        around = self.keys.around(norm)
-        local, found = self.ring.ideals_of_prime_norm(prime)
-        rows = ideals_of_norm.subideals(local, self.lattices[n], found)
-        return Counter(self._look_up(around, J, norm.number) for J in rows)
+        lattice = self.lattices[n]
+        around = Around(self.keys, self._step(prime, n), lattice)
+        inside = ideals_of_norm.coordinates_of_subideals(*self._inside(prime), lattice)
+        return Counter(self._look_up(around, J) for J in inside)
+
+    def _inside(self, prime: PrimeIdeal) -> tuple[Local, list[flint.fmpq_mat]]:
+        """Return what :func:`coordinates_of_subideals` asks, for a prime."""
+        if prime not in self._local:
+            local, found = self.ring.ideals_of_prime_norm(prime)
+            scalars = self.frame.scalars
+            spans = [
+                [(flint.fmpq_mat([x]) * m).entries() for x in pair for m in scalars]
+                for pair in found
+            ]
+            self._local[prime] = local, list(map(flint.fmpq_mat, spans))
+        return self._local[prime]
 
     def _step(self, prime: PrimeIdeal, n: int) -> Norm:
         """Return the norm of the ideals of relative norm P in class n."""
@@ -296,10 +314,6 @@ class Classes:
     def class_of(self, rows: flint.fmpq_mat, norm: Ideal) -> int:
         """Return the number of the class of an invertible right ideal."""
         return self._index(rows, Norm(*self.keys.narrow.split(norm)))
-
-    def _index(self, rows: flint.fmpq_mat, norm: Norm) -> int:
-        """Return the number of the class of an invertible right ideal."""
-        return self._look_up(self.keys.around(norm), rows, norm.number)
 
     def _times(self, n: int, by: Callable[[flint.fmpq_mat], flint.fmpq_mat], norm: Ideal) -> int:
         """Return which class class n becomes when a change of lattices multiplies norms by an ideal."""
@@ -345,8 +359,8 @@ class Classes:
         """
         primes = [P for P, _ in self.ring.discriminant().factorisation()]
         if self.ring.is_eichler():
-            return _orbits(len(self), [*self.central, *map(self.exchanged, primes)])
-        kinds = _orbits(len(self), self.central)
+            return orbits(len(self), [*self.central, *map(self.exchanged, primes)])
+        kinds = orbits(len(self), self.central)
         firsts: dict[
             int, tuple[int, flint.fmpq_mat]
         ] = {}  # a type: units and left order of a class
@@ -364,7 +378,7 @@ class Classes:
                 kind,
             )
             firsts.setdefault(names[kind], (units, order))
-        return _renumbered([names[kind] for kind in kinds])
+        return renumbered([names[kind] for kind in kinds])
 
     def _left_order(self, n: int) -> flint.fmpq_mat:
         """Return the left order of class n, I·conj(I)/N(I)."""
@@ -398,21 +412,3 @@ class Classes:
     def hecke_polynomial(self, prime: object) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first."""
         return list(map(int, flint.fmpz_mat(self.brandt_matrix(prime)).charpoly().coeffs()))
-
-
-def _orbits(size: int, moves: list[list[int]]) -> list[int]:
-    """Return the number of the orbit of each of some things under permutations, in order."""
-    kinds = [-1] * size
-    for start in range(size):
-        todo = [start] if kinds[start] < 0 else []
-        while todo:
-            n = todo.pop()
-            if kinds[n] < 0:
-                kinds[n] = start
-                todo += [move[n] for move in moves]
-    return _renumbered(kinds)
-
-
-def _renumbered(kinds: list[int]) -> list[int]:
-    numbers: dict[int, int] = {}
-    return [numbers.setdefault(kind, len(numbers)) for kind in kinds]

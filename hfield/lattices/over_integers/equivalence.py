@@ -89,7 +89,7 @@ def conjugator(frame: Frame, first: flint.fmpq_mat, second: flint.fmpq_mat) -> C
                     tried += 1
                     x = _intertwiner(frame, (a, b), (s * sign, u * sign))
                     # x·O ⊂ O'·x, and the discriminants are the same
-                    moved = first * trace_forms(frame).left_rational(x.entries())
+                    moved = first * frame.left(x.entries())
                     back = moved * frame.right(x.entries()).inv() * inverse
                     if back.numer_denom()[1] == 1:
                         return Comparison(
@@ -159,12 +159,9 @@ def _intertwiner(
     frame: Frame, sources: tuple[flint.fmpq_mat, ...], targets: tuple[flint.fmpq_mat, ...]
 ) -> flint.fmpq_mat:
     """Return x ≠ 0 with x·s = t·x for two pairs s, t with the same norms and inner products."""
-    forms = trace_forms(frame)
     columns: list[Any] = []
     for s, t in zip(sources, targets, strict=True):
-        columns += (
-            (frame.right(s.entries()) - forms.left_rational(t.entries())).transpose().tolist()
-        )
+        columns += (frame.right(s.entries()) - frame.left(t.entries())).transpose().tolist()
     whole = flint.fmpq_mat(columns).numer_denom()[0]
     kernel, rank = whole.nullspace()
     assert rank == frame.n, "two elements that do not commute generate the algebra"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -96,6 +97,13 @@ class Frame:
         return tuple(finite_ramified(a, b, {2} | candidates(field, a) | candidates(field, b)))
 
     @cached_property
+    def is_definite(self) -> bool:
+        """Whether the field is totally real and the algebra ramifies at all its real places."""
+        places = self.field.real_places()
+        signs = [v.sign(x) for v in places for x in (self.a, self.b)]
+        return len(places) == self.n and all(sign < 0 for sign in signs)
+
+    @cached_property
     def discriminant(self) -> Ideal:
         """The product of the prime ideals at which the algebra ramifies."""
         return math.prod(map(self.integers.prime, self.ramified), start=self.integers.one)
@@ -110,11 +118,22 @@ class Frame:
         entries = coordinate_rows(self.field, elements).entries()
         return flint.fmpq_mat(self.size, self.size, entries)
 
-    def right(self, row: list[flint.fmpq]) -> flint.fmpq_mat:
+    def right(self, row: Sequence[Any]) -> flint.fmpq_mat:
         """Return the matrix of the multiplication by an element from the right."""
         return self._combination(row, self._right)
 
-    def _combination(self, row: list[flint.fmpq], matrices: list[flint.fmpq_mat]) -> flint.fmpq_mat:
+    @cached_property
+    def _left(self) -> list[flint.fmpq_mat]:
+        """The matrices of the multiplication by a basis from the left: x·y is conj(conj(y)·conj(x))."""
+        unit = [[int(k == m) for m in range(self.size)] for k in range(self.size)]
+        flip = flint.fmpq_mat(self.conjugate(unit))
+        return [flip * self.right(row) * flip for row in self.conjugate(unit)]
+
+    def left(self, row: Sequence[Any]) -> flint.fmpq_mat:
+        """Return the matrix of the multiplication by an element from the left."""
+        return self._combination(row, self._left)
+
+    def _combination(self, row: Sequence[Any], matrices: list[flint.fmpq_mat]) -> flint.fmpq_mat:
         total = flint.fmpq_mat(self.size, self.size)
         for c, matrix in zip(row, matrices, strict=True):
             if c != 0:

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import product
-from typing import Any
+from random import Random
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -17,19 +18,21 @@ from hfield.errors import LatticeError, TooLargeError
 from hfield.lattices.over_integers.dedekind_modules import unique_rows
 from hfield.lattices.over_integers.local_orders import Local, Rows
 
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.elements import FieldElement
+
 MOST = 10**5
 """No more ideals of one norm than this are listed."""
 
 
-def generators(local: Local, rows: flint.fmpq_mat, exponent: int, ramified: bool) -> list[Rows]:
+def generators(local: Local, rows: flint.fmpq_mat, exponent: int) -> list[Rows]:
     """Return elements that generate over the integers, with P·O, the right ideals K of norm P.
 
     The discriminant of the order has the given exponent at P. Raises :class:`TooLargeError`.
     """
     if local.prime.norm > MOST:
         raise TooLargeError(f"there are too many ideals of norm {local.prime} to list them")
-    symbol = local.symbol(rows) if exponent else 1
-    if symbol == 1 and not ramified:
+    if not exponent or local.symbol(rows) == 1:
         return _split(local, rows, exponent)
     radical, below = local.radical(rows), local.times_prime(rows)
     if exponent == 1:  # ramified, of one maximal ideal
@@ -37,32 +40,46 @@ def generators(local: Local, rows: flint.fmpq_mat, exponent: int, ramified: bool
     return _in_radical(local, rows, local.independent(radical, below), below)
 
 
+def random_generators(local: Local, rows: flint.fmpq_mat, rng: Random) -> Rows:
+    """Return those of one ideal of norm P, but for one any with the same chance; the order is M₂(ℤ_P)."""
+    e, u, v = _matrix_units(local, rows)
+    digits = [rng.randrange(local.p) for _ in range(local.prime.f)]
+    return _line(local, e, v, u, local.lift(flint.nmod_poly(digits, local.p)))
+
+
 def _split(local: Local, rows: flint.fmpq_mat, exponent: int) -> list[Rows]:
     """Return those of M₂(ℤ_P), or of an Eichler order of level Pᵏ, k the exponent, through matrix units."""
     frame = local.frame
+    e, u, v = _matrix_units(local, rows)
+    found = [_line(local, e, v, u, c) for c in local.representatives]
+    if exponent == 0:
+        return [*found, [v.entries(), (v * frame.right(u.entries())).entries()]]
+    found += [_line(local, frame.row(1) - e, u, v, c) for c in local.representatives]
+    return [*found, [u.entries(), v.entries()]] if exponent == 1 else found
+
+
+def _matrix_units(
+    local: Local, rows: flint.fmpq_mat
+) -> tuple[flint.fmpq_mat, flint.fmpq_mat, flint.fmpq_mat]:
+    """Return an idempotent e modulo P, and u in e·O·(1 − e) and v in (1 − e)·O·e, not in P·O."""
     e = local.idempotent(rows, 1)
     inverse = local.times_prime(rows).inv()
 
     def outside(elements: flint.fmpq_mat) -> flint.fmpq_mat:
-        found = elements.tolist()
         inside = (elements * inverse).tolist()
         k = next(k for k, row in enumerate(inside) if any(c.q != 1 for c in row))
-        return flint.fmpq_mat([found[k]])
+        return flint.fmpq_mat([elements.tolist()[k]])
 
-    u, v = map(outside, local.corners(rows, e))
+    first, second = local.corners(rows, e)
+    return e, outside(first), outside(second)
 
-    def lines(first: Any, second: Any, across: Any) -> Iterator[Rows]:
-        # (first + c·second)·O, where first is idempotent and second·first = second
-        by = frame.right(across.entries())
-        for c in local.representatives:
-            x = first + second * frame.scalar(c)
-            yield [x.entries(), (x * by).entries()]
 
-    found = list(lines(e, v, u))
-    if exponent == 0:
-        return [*found, [v.entries(), (v * frame.right(u.entries())).entries()]]
-    found += lines(frame.row(1) - e, u, v)
-    return [*found, [u.entries(), v.entries()]] if exponent == 1 else found
+def _line(
+    local: Local, e: flint.fmpq_mat, v: flint.fmpq_mat, u: flint.fmpq_mat, c: FieldElement
+) -> Rows:
+    """Return generators of (e + c·v)·O, where e is idempotent and v·e = v."""
+    x = e + v * local.frame.scalar(c)
+    return [x.entries(), (x * local.frame.right(u.entries())).entries()]
 
 
 def _in_radical(
@@ -103,6 +120,18 @@ def subideals(local: Local, ideal: flint.fmpq_mat, found: list[Rows]) -> Iterato
         elements = [y * frame.right(row) for row in pair]
         parts = [(x * m).entries() for x in elements for m in frame.scalars]
         yield unique_rows(flint.fmpq_mat([*parts, *below]))
+
+
+def coordinates_of_subideals(
+    local: Local, spans: list[flint.fmpq_mat], ideal: flint.fmpq_mat
+) -> Iterator[flint.fmpz_mat]:
+    """Yield the same in coordinates of the ideal; ``spans`` are the elements found, with their multiples."""
+    frame, inverse = local.frame, ideal.inv()
+    y = frame.left(_generator(local, ideal).entries()) * inverse
+    below = (local.times_prime(ideal) * inverse).numer_denom()[0].tolist()
+    for span in spans:
+        whole = flint.fmpz_mat([*(span * y).numer_denom()[0].tolist(), *below]).hnf()
+        yield flint.fmpz_mat(frame.size, frame.size, whole.entries()[: frame.size**2])
 
 
 def _generator(local: Local, ideal: flint.fmpq_mat) -> flint.fmpq_mat:

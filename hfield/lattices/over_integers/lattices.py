@@ -8,6 +8,7 @@ make one another; what takes an algorithm is a function on frames and rows in a 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -19,18 +20,24 @@ import flint
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.fields.number_fields.ideals import Ideal
+from hfield.fuchsian.group import NormOneGroup
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices.checked_arguments import checked_side, listed, natural
+from hfield.lattices.eigensystems import WithForms
 from hfield.lattices.over_integers import (
     class_sets,
     equivalence,
     ideals_of_norm,
     local_orders,
+    quadratic_orders,
     related_orders,
 )
 from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
-from hfield.lattices.over_integers.frames import Frame
+from hfield.lattices.over_integers.frames import Frame, frame_of
+from hfield.lattices.over_integers.hecke_modules import IntegersModule
 from hfield.lattices.over_integers.local_orders import Local, Rows
+from hfield.lattices.over_integers.quadratic_orders import IntegersEmbeddings
+from hfield.lattices.over_integers.trace_forms import all_of_norm, trace_forms
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -78,6 +85,13 @@ class IntegersLattice(Hinted):
         self.frame, self.rows = frame, unique_rows(rows)
         self.algebra, self.field = frame.algebra, frame.field
 
+    def __reduce__(self) -> tuple[object, ...]:
+        whole, den = self.rows.numer_denom()
+        table = [list(map(int, row)) for row in whole.tolist()]
+        return _restored, (type(self), self.algebra, int(den), table, *self._described)
+
+    _described: tuple[object, ...] = ()  # what else the class is made with
+
     # --- what it is --------------------------------------------------------------------------------
 
     @cached_property
@@ -121,6 +135,18 @@ class IntegersLattice(Hinted):
 
     def __repr__(self) -> str:
         return f"a lattice of rank {self.frame.size} over ZZ in {self.algebra}"
+
+    def latex(self) -> str:
+        """Write the lattice as a sum of ideals times elements, and its algebra, in LaTeX."""
+        K: Any = self.algebra.ring
+        pairs = []
+        for ideal, q in self.pseudo_basis():
+            numbers = (K.text(x, "latex") for x in K.ideal(list(ideal)).generators)
+            pairs.append(rf"\left({', '.join(numbers)}\right)\left({q.text('latex')}\right)")
+        return rf"{' + '.join(pairs)} \subset {self.algebra.latex()}"
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex()}$"
 
     # --- arithmetic --------------------------------------------------------------------------------
 
@@ -194,6 +220,40 @@ class IntegersLattice(Hinted):
         if not self.is_invertible():
             raise LatticeError(f"{shorten(self)} is not invertible: it is not locally principal")
         return self.conjugate() * self.norm().inverse()
+
+    def is_integral(self) -> bool:
+        """Tell whether products of elements of the lattice lie in it."""
+        return self * self <= self
+
+    # --- elements, in totally definite algebras ----------------------------------------------------
+
+    def _both_signs(self, rows: Iterable[flint.fmpq_mat]) -> tuple[Quaternion, ...]:
+        return tuple(self.frame.quaternion((row * s).entries()) for row in rows for s in (1, -1))
+
+    def elements_of_norm(self, n: object) -> tuple[Quaternion, ...]:
+        """Return all elements of norm n, a totally positive number of the field; none for other n ≠ 0.
+
+        Raises :class:`IndefiniteError` unless the algebra is totally definite, and :class:`TooLargeError` for
+        more than a million.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+        >>> len(O.elements_of_norm(1)), len(O.units()), len(O.shortest()), O.shortest()[0].norm()
+        (120, 60, 120, 1)
+        """
+        norm = self.frame.integers.inside(n)
+        if not norm or any(v.sign(norm) < 0 for v in self.field.real_places()):
+            return () if norm else (self.algebra(0),)
+        return tuple(all_of_norm(self.frame, self.rows, norm))
+
+    def shortest(self) -> tuple[Quaternion, ...]:
+        """Return the elements x ≠ 0 with the least Tr(N(x)), the trace down to ℚ. Raises likewise."""
+        return self._both_signs(trace_forms(self.frame).shortest(self.rows))
+
+    def reduced_basis(self) -> tuple[Quaternion, ...]:
+        """Return a basis over ℤ that is LLL-reduced for Tr(N(x)). Raises likewise."""
+        _, basis, _ = trace_forms(self.frame).reduced(self.rows, self.field.one)
+        return tuple(map(self.frame.quaternion, basis.tolist()))
 
     # --- sizes -------------------------------------------------------------------------------------
 
@@ -304,6 +364,10 @@ class IntegersOrder(IntegersLattice):
         """
         return IntegersOrder(self.frame, local_orders.maximal(self.frame, self.rows, self.level))
 
+    def is_definite(self) -> bool:
+        """Tell whether the algebra is totally definite: units modulo those of the field are finitely many."""
+        return self.frame.is_definite
+
     def conductor(self) -> Ideal:
         """Return the largest ideal f with O = ℤ_K + f·G for an order G; 1 for a Gorenstein order."""
         return related_orders.conductor(self.frame, self.rows)
@@ -342,6 +406,33 @@ class IntegersOrder(IntegersLattice):
         local = Local(self.frame, self.frame.prime(prime))
         found = search(local, self.rows, natural(k, "the exponent of an index is"))
         return [IntegersOrder(self.frame, rows) for rows in found]
+
+    # --- elements ----------------------------------------------------------------------------------
+
+    def represent_integer(self, n: object) -> Quaternion | None:
+        """Return an element of norm n, an integer of the field, or None where there is none.
+
+        Decided by enumeration, or by a prime that forbids it. Raises :class:`IndefiniteError` unless the
+        algebra is totally definite, and :class:`UndecidedError` for large n.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(2))", -1, -1); M, s = A.maximal_order(), A.ring.gen
+        >>> A.order(["i", "j"]).represent_integer(2 + s), M.represent_integer(2 + s).norm()
+        (None, 2+sqrt(2))
+        """
+        return quadratic_orders.represent(self.frame, self.rows, n)
+
+    def embeddings(self, discriminant: object) -> IntegersEmbeddings:
+        """Return the optimal embeddings of the quadratic order of a totally negative discriminant.
+
+        Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); found = O.embeddings(-3)
+        >>> len(found), found.orbits, found.element**3
+        (20, 1, −1)
+        """
+        return quadratic_orders.embeddings(self.frame, self.rows, discriminant)
 
     # --- ideals ------------------------------------------------------------------------------------
 
@@ -394,8 +485,7 @@ class IntegersOrder(IntegersLattice):
         if prime not in self._known:
             local = Local(self.frame, prime)
             exponent = self.discriminant().valuation(prime)
-            ramified = prime in self.frame.ramified
-            found = ideals_of_norm.generators(local, self.rows, exponent, ramified)
+            found = ideals_of_norm.generators(local, self.rows, exponent)
             self._known[prime] = local, found
         return self._known[prime]
 
@@ -424,6 +514,8 @@ class IntegersOrder(IntegersLattice):
         [1, 5, 19]
         """
         wanted = self.frame.ideal(norm)
+        if not wanted.is_integral():
+            raise LatticeError(f"expected an ideal of integers as the norm, not {wanted}")
         layer = [IntegersIdeal(self.frame, self.rows, "right", self)]
         for P, e in wanted.factorisation():
             if e > 1 and self.discriminant().valuation(P) > 1:
@@ -441,6 +533,23 @@ class IntegersOrder(IntegersLattice):
         kind = "a maximal order" if self.is_maximal() else "an order"
         return f"{kind} of {self.algebra} with the discriminant {self.discriminant()}"
 
+    # --- units, in an algebra that splits at one real place -----------------------------------------
+
+    def norm_one_group(self) -> NormOneGroup:
+        """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
+
+        Raises :class:`IndefiniteError` unless the field is totally real and exactly one real place splits.
+
+        >>> from hfield import QuaternionAlgebra, ring
+        >>> K = ring("QQ[s]/(s^3+s^2-2*s-1)")
+        >>> A = QuaternionAlgebra.from_ramification(K, K.real_places()[:2])
+        >>> G = A.maximal_order().norm_one_group(); G.area, G.signature
+        (Fraction(1, 42), Signature(genus=0, orders=(2, 3, 7), cusps=0))
+        """
+        from hfield.lattices.over_integers.split_order import SplitIntegersOrder
+
+        return NormOneGroup(SplitIntegersOrder(self))
+
     # --- units and classes, in a totally definite algebra ------------------------------------------
 
     def unit_index(self) -> int:
@@ -452,6 +561,11 @@ class IntegersOrder(IntegersLattice):
         (60, 'A5')
         """
         return equivalence.unit_index(self.frame, self.rows)
+
+    def units(self) -> tuple[Quaternion, ...]:
+        """Return one unit of each coset of ℤ_Kˣ. Raises :class:`IndefiniteError` where they are infinite."""
+        rows = equivalence.units(self.frame, self.rows)
+        return tuple(self.frame.quaternion(row.entries()) for row in rows)
 
     def unit_group(self) -> str:
         """Return the name of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on. Raises :class:`IndefiniteError`."""
@@ -495,6 +609,10 @@ class IntegersIdeal(IntegersLattice):
     ) -> None:
         super().__init__(frame, rows)
         self.side, self._order = side, order
+
+    @property
+    def _described(self) -> tuple[object, ...]:  # type: ignore[override]
+        return self.side, self._order
 
     @property
     def order(self) -> IntegersOrder:
@@ -611,7 +729,7 @@ class IntegersIdeal(IntegersLattice):
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
 
 
-class IntegersClassSet(class_sets.Classes, Hinted):
+class IntegersClassSet(class_sets.Classes, WithForms, Hinted):
     """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -647,8 +765,34 @@ class IntegersClassSet(class_sets.Classes, Hinted):
         """Return the left orders of the representatives, one a class."""
         return [I.left_order() for I in self]
 
+    @cached_property
+    def _forms(self) -> IntegersModule:
+        """The functions on the classes as a module of Hecke operators."""
+        frame = self.frame
+
+        def of_level(level: list[tuple[PrimeIdeal, int]]) -> IntegersClassSet:
+            primes = [frame.integers.prime(P) ** e for P, e in level]
+            ideal = math.prod(primes, start=frame.integers.one)
+            rows = local_orders.eichler(frame, self._maximal.rows, ideal)
+            return IntegersClassSet(IntegersOrder(frame, rows))
+
+        return IntegersModule(self, of_level)
+
+    @cached_property
+    def _maximal(self) -> IntegersOrder:
+        return self.order.maximal_overorder()
+
     def __repr__(self) -> str:
         return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
+
+
+def _restored(
+    kind: type[Any], algebra: Any, den: int, table: list[list[int]], *rest: object
+) -> IntegersLattice:
+    """Return a lattice that was pickled."""
+    rows = flint.fmpq_mat(flint.fmpz_mat(table)) * flint.fmpq(1, den)
+    found: IntegersLattice = kind(frame_of(algebra), rows, *rest)
+    return found
 
 
 def _integral(matrix: flint.fmpq_mat) -> bool:

@@ -8,22 +8,24 @@ conceivable length: they are there, or an exhausted enumeration says that they a
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import IndefiniteError, shorten
-from hfield.lattices.enumeration import vectors_of_length
+from hfield.errors import IndefiniteError, TooLargeError, shorten
+from hfield.lattices.enumeration import least_vectors, vectors_of_length
+from hfield.lattices.short_elements import MANY
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.lattices.over_integers.frames import Frame
 
 
 class TraceForms:
-    """The positive forms of a frame, with its products, in integer matrices.
+    """The positive forms of a frame.
 
     Raises :class:`IndefiniteError` for an algebra that is not totally definite.
     """
@@ -33,7 +35,7 @@ class TraceForms:
         totally_real = field.signature == (field.degree, 0)
         if not totally_real or not all(_positive(field, -x) for x in (frame.a, frame.b)):
             why = (
-                f"{shorten(field.name)} is not totally real, so no algebra over it is definite"
+                f"{shorten(frame.integers.ring.name)} is not totally real, so no algebra over it is definite"
                 if not totally_real
                 else f"{shorten(frame.algebra)} is split at a real place, so it is not totally definite"
             )
@@ -42,57 +44,59 @@ class TraceForms:
                 "algebras over totally real fields"
             )
         self.frame, self.field, self.n = frame, field, frame.n
-        self.gram = [_integers(form) for form in frame.gram]
-        unit = [[int(k == m) for m in range(frame.size)] for k in range(frame.size)]
-        flip = flint.fmpq_mat(frame.conjugate(unit))  # x·y is the conjugate of conj(y)·conj(x)
-        lefts = (flip * frame.right(row) * flip for row in frame.conjugate(unit))
-        self._left = [_integers(m) for m in lefts]
 
     def form(self, c: FieldElement) -> flint.fmpq_mat:
         """Return the matrix of the form Tr(c·tr(x·conj(y))), twice Tr(c·N(x)) for x = y."""
         total = flint.fmpq_mat(self.frame.size, self.frame.size)
-        for w, matrix in zip(self.frame.omega, self.gram, strict=True):
-            total = total + flint.fmpq_mat(matrix) * (c * w).trace()
+        for w, matrix in zip(self.frame.omega, self.frame.gram, strict=True):
+            total = total + matrix * (c * w).trace()
         return total
 
-    def left(self, row: Sequence[Any]) -> flint.fmpz_mat:
-        """Return the matrix of the multiplication by an element with integral coordinates from the left."""
-        total = flint.fmpz_mat(self.frame.size, self.frame.size)
-        for c, matrix in zip(row, self._left, strict=True):
-            if c:
-                total += matrix * c
-        return total
+    def reduced(
+        self, rows: flint.fmpq_mat, c: FieldElement
+    ) -> tuple[list[list[int]], flint.fmpq_mat, int]:
+        """Return the matrix of a form times a number for a reduced basis, the basis, and the number."""
+        whole, den = (rows * self.form(c) * rows.transpose()).numer_denom()
+        reduced, change = whole.lll(transform=True, rep="gram")
+        gram = [list(map(int, row)) for row in reduced.tolist()]
+        return gram, flint.fmpq_mat(change) * rows, int(den)
 
-    def left_rational(self, row: list[flint.fmpq]) -> flint.fmpq_mat:
-        """Return the same for any element."""
-        whole, den = flint.fmpq_mat([row]).numer_denom()
-        return flint.fmpq_mat(self.left(whole.entries())) * flint.fmpq(1, int(den))
+    def shortest(self, rows: flint.fmpq_mat) -> list[flint.fmpq_mat]:
+        """Return one of ±x for each x ≠ 0 in a lattice with the least Tr(N(x))."""
+        gram, basis, _ = self.reduced(rows, self.field.one)
+        found = least_vectors(gram)[1]
+        return [flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis for x in found]
 
     def elements_of_norm(
         self, rows: flint.fmpq_mat, norm: FieldElement
     ) -> Iterator[flint.fmpq_mat]:
         """Yield one of ±x for each x in a lattice with the given norm, totally positive."""
-        whole, den = (rows * self.form(norm.inverse()) * rows.transpose()).numer_denom()
-        reduced, change = whole.lll(transform=True, rep="gram")
-        gram = [list(map(int, row)) for row in reduced.tolist()]
-        basis = flint.fmpq_mat(change) * rows
-        for x in vectors_of_length(gram, 2 * self.n * int(den)):
+        gram, basis, den = self.reduced(rows, norm.inverse())
+        for x in vectors_of_length(gram, 2 * self.n * den):
             row = flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis
             if self.frame.norm(row.entries()) == norm:
                 yield row
+
+
+def all_of_norm(frame: Frame, rows: flint.fmpq_mat, norm: FieldElement) -> list[Quaternion]:
+    """Return all elements of a lattice with a norm, in a fixed order. Raises :class:`TooLargeError`."""
+    forms, zero = trace_forms(frame), [flint.fmpq(0)] * frame.size
+    if not norm:
+        return [frame.quaternion(zero)]
+    if not _positive(frame.field, norm):
+        return []
+    found = []
+    for row in forms.elements_of_norm(rows, norm):
+        found += [row.entries(), (-row).entries()]
+        if len(found) > MANY:
+            raise TooLargeError(f"more than {MANY} elements of this lattice have the given norm")
+    return [frame.quaternion(row) for row in sorted(found, reverse=True)]
 
 
 def _positive(field: Any, x: FieldElement) -> bool:
     """Tell whether an element of a totally real field is totally positive: by the signs of its polynomial."""
     signs = field.multiplication(x).charpoly().coeffs()
     return all(c * (-1) ** (len(signs) - 1 - k) > 0 for k, c in enumerate(signs))
-
-
-def _integers(matrix: flint.fmpq_mat) -> flint.fmpz_mat:
-    """Return an integral matrix as one of integers."""
-    whole, den = matrix.numer_denom()
-    assert den == 1, "constants of a frame are integral"
-    return whole
 
 
 @lru_cache(maxsize=64)

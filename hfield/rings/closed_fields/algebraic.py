@@ -6,20 +6,22 @@ Sums of square roots are :class:`Surd` numbers; all else (roots of higher degree
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from random import Random
 from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield import syntax
-from hfield.errors import CoercionError, NotInvertibleError, shorten
+from hfield.errors import CoercionError, NotInvertibleError, UndecidedError, shorten
 from hfield.product import Scalar
 from hfield.rings.base import INFINITY, Known
 from hfield.rings.closed_fields.radicals import FUNCTIONS
 from hfield.rings.closed_fields.surds import Surd, from_rational
 from hfield.rings.printing import from_unicode
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.roots import irreducible_factors
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -158,6 +160,48 @@ class AlgebraicNumbers(ValueRing):
         negative = degree % 2 == 1 and not x.ball(64).real > 0 and x.is_real() and RR.sign(x) < 0
         return -root(-x, degree) if negative else root(x, degree)
 
+    def irreducible_factors(
+        self, coefficients: Sequence[Surd | Closed]
+    ) -> list[list[Surd | Closed]]:
+        """Return the monic irreducible factors of a polynomial that is not 0, each once.
+
+        With rational coefficients those whose roots are radicals or cosines that sympy finds; with others as
+        :meth:`hfield.rings.base.Ring.irreducible_factors`. Raises :class:`UndecidedError` for the rest.
+        """
+        rationals = [
+            x.terms.get(1, flint.fmpq(0))
+            for x in coefficients
+            if isinstance(x, Surd) and set(x.terms) <= {1}
+        ]
+        if len(rationals) < len(coefficients):
+            return super().irreducible_factors(coefficients)
+        out: list[list[Surd | Closed]] = []
+        for g in irreducible_factors(rationals):
+            c = [self(x) for x in g.coeffs()]
+            short = len(c) < 4 or (len(c) == 5 and g[1] == g[3] == 0)
+            out += super().irreducible_factors(c) if short else self._of_radicals(g)
+        return out
+
+    def _of_radicals(self, g: flint.fmpq_poly) -> list[list[Surd | Closed]]:
+        """Return the factors of an irreducible polynomial over ℚ of degree above 2, by its roots in CC."""
+        roots = list(map(CC, _roots_in_radicals(g)))
+        if len(roots) < g.degree():
+            raise UndecidedError(f"no radicals are known for the roots of {g} in {self.name}")
+        if not self.is_real:
+            return [[-z, CC.one] for z in roots]
+        real = [z for z in roots if z.is_real()]
+        pairs = [
+            next(
+                (z + w, z * w)
+                for w in roots
+                if w not in real and (z + w).is_real() and (z * w).is_real()
+            )
+            for z in roots
+            if z not in real and z.ball(64).imag > 0
+        ]
+        linear: list[list[Surd | Closed]] = [[-RR(z), RR.one] for z in real]
+        return linear + [[RR(n), -RR(t), RR.one] for t, n in pairs]
+
     @property
     def level(self) -> Known:
         """∞ in RR, where squares are not negative; 1 in CC."""
@@ -192,6 +236,18 @@ class AlgebraicNumbers(ValueRing):
     def text(self, x: Surd | Closed, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)`` or ``I*root(2,3)``."""
         return str(x.text(style))
+
+
+def _roots_in_radicals(g: flint.fmpq_poly) -> list[Any]:
+    """Return what sympy finds of the roots of an irreducible polynomial over ℚ; roots of unity by cosines."""
+    import sympy
+
+    order = (g.numer() if g.denom() == 1 else flint.fmpz_poly([2])).is_cyclotomic()
+    if order:
+        turns = (2 * sympy.pi * k / order for k in range(order) if math.gcd(k, order) == 1)
+        return [sympy.cos(turn) + sympy.I * sympy.sin(turn) for turn in turns]
+    rationals = [sympy.Rational(int(c.p), int(c.q)) for c in reversed(g.coeffs())]
+    return list(sympy.roots(sympy.Poly(rationals, sympy.Symbol("x"))))
 
 
 RR = AlgebraicNumbers("RR")

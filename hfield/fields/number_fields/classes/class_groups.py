@@ -16,7 +16,9 @@ from typing import Any
 import flint
 
 from hfield.errors import UndecidedError
-from hfield.fields.number_fields.classes.s_units import MINKOWSKI, SUnits, logarithms, s_units
+from hfield.evidence import Certified, Claim
+from hfield.fields.number_fields.classes import evidence
+from hfield.fields.number_fields.classes.s_units import SUnits, logarithms, s_units
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import Ideal
 from hfield.rings.balls import precision
@@ -219,7 +221,7 @@ def is_principal(a: Ideal) -> Principality:
     )
 
 
-class ClassGroup:
+class ClassGroup(Certified):
     """The class group of a number field, proved without hypotheses, or the narrow one.
 
     ``order``, ``invariants`` d₁ | d₂ | …, ``generators`` (ideals, of these orders), ``evidence``, and
@@ -295,10 +297,18 @@ class ClassGroup:
     @cached_property
     def evidence(self) -> dict[str, Any]:
         """What shows it, as JSON data: reductions, generators of S-units, where they are saturated."""
-        return _evidence(self._field.s, self.ring)
+        return evidence.evidence(self._field.s)
+
+    @property
+    def claim(self) -> Claim:
+        """The class group as a statement with its evidence; there is none for the narrow one."""
+        if self.narrow:
+            raise UndecidedError("a narrow class group is not certified: ask for class_group()")
+        orders = ",".join(map(str, self.invariants or (1,)))
+        return evidence.claim(self._field.s, self.ring, f"class-group{{{orders}}}")
 
 
-class UnitGroup:
+class UnitGroup(Certified):
     """The units of a number field: ``generators`` of the free part, ``rank``, ``torsion``, ``regulator``.
 
     >>> from hfield import ring
@@ -352,26 +362,13 @@ class UnitGroup:
     @cached_property
     def evidence(self) -> dict[str, Any]:
         """What shows it, as for the class group."""
-        return _evidence(self._field.s, self.ring)
+        return evidence.evidence(self._field.s)
 
-
-def _evidence(s: SUnits, ring: Any) -> dict[str, Any]:
-    coordinates = s.field.coordinates
-    return {
-        "kind": "S-units",
-        "field": s.field.data,
-        "norms up to": s.bound,
-        "reductions": [
-            {"prime": s.base[k].data, "element": coordinates(x)}
-            for k, (x, _) in s.reductions.items()
-        ],
-        "primes": [s.base[k].data for k in s.primes],
-        "generators": [coordinates(x) for x in s.generators],
-        "exponents": s.rows,
-        "torsion": {"order": s.order_of_torsion, "generator": coordinates(s.torsion)},
-        "saturated": [{"prime": ell, "residues": used} for ell, used in s.saturated.items()],
-        "theorems": [MINKOWSKI, s.least_regulator()[1]],
-    }
+    @property
+    def claim(self) -> Claim:
+        """The units as a statement with its evidence."""
+        texts = [str(self.torsion_order), *map(self.ring.text, self.generators)]
+        return evidence.claim(self._field.s, self.ring, f"unit-group{{{'; '.join(texts)}}}")
 
 
 @lru_cache(maxsize=256)

@@ -38,7 +38,6 @@ MAX_ROOTS = 50_000  # choices of conjugates of a root
 TRIES = 400
 SHIFT = 40  # binary digits of conjugates in lattices to be reduced
 
-MINKOWSKI = "H. Minkowski: each class contains an ideal of norm at most (4/π)^r₂·n!/nⁿ·√|D|"
 FRIEDMAN = "E. Friedman, Invent. Math. 98 (1989): a regulator is at least 0.2052"
 ARTIN = "E. Artin: a unit ε > 1 of a cubic field with one real place has 4ε³ + 24 > |D|"
 CUSICK = "T. W. Cusick, 1984: the regulator of a totally real cubic field is at least log²(D/4)/16"
@@ -160,7 +159,7 @@ class SUnits:
         ideal = self.frame.prime(self.base[k])
         for turn in range(8):
             helper = ideal
-            if turn:
+            if turn and self.primes:
                 helper = ideal * self.frame.prime(self.base[self.rng.choice(self.primes)])
             for x in self.short(helper, TRIES // 8):
                 found = self.smooth(x)
@@ -292,6 +291,10 @@ class SUnits:
                 .floor()
                 .unique_fmpz()
             )
+
+    def index_bound(self) -> int:
+        """Return the bound of the index below which all primes were looked at."""
+        return self._index_bound(self.generators, self.rows)
 
     def least_regulator(self) -> tuple[Any, str]:
         """Return a proved lower bound for the regulator, and by whom."""

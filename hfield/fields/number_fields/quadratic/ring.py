@@ -10,6 +10,7 @@ import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import factorise
+from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.with_ideals import WithIdeals
 from hfield.primality import is_prime
@@ -145,6 +146,13 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
                 if root is not None:
                     out += [self.divide(y - self(g[1]), self(2)) for y in (root, -root)]
         return out
+
+    def irreducible_factors(self, coefficients: Sequence[Surd]) -> list[list[Surd]]:
+        """Return the monic irreducible factors of a polynomial that is not 0, each once."""
+        field = NumberField(flint.fmpq_poly([-self.d, 0, 1]))
+        inside = [FieldElement(field, flint.fmpq_poly(list(self.key(x)))) for x in coefficients]
+        found = field.irreducible_factors(inside)
+        return [[self(x.poly[0]) + self.gen * self(x.poly[1]) for x in f] for f in found]
 
     @property
     def level(self) -> Known:

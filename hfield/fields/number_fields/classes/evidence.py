@@ -1,0 +1,88 @@
+"""What shows a class group, and units, to a checker that has arithmetic of its own: S-units, all of them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import flint
+
+from hfield.certificates.glossary import (
+    ARTIN,
+    BY_S_UNITS,
+    CUSICK,
+    FRIEDMAN,
+    MINKOWSKI,
+    REDUCED_FORMS,
+)
+from hfield.evidence import Claim
+from hfield.fields.number_fields.classes import s_units
+from hfield.fields.number_fields.classes.s_units import SUnits
+from hfield.fields.number_fields.integral_basis import coordinate_rows
+from hfield.primality import primes
+
+CITED = {s_units.FRIEDMAN: FRIEDMAN, s_units.ARTIN: ARTIN, s_units.CUSICK: CUSICK}
+
+
+def evidence(s: SUnits) -> dict[str, Any]:
+    """Return it as JSON data (docs/certificates.md); prime ideals are numbered as they are listed."""
+    coordinates = s.field.coordinates
+    listed: list[Any] = []
+    number: dict[Any, int] = {}
+    for p in primes(s.bound + 1):
+        above = [P for _, P in s.frame.primes_above(p)]
+        number |= {P: len(number) + k for k, P in enumerate(above)}
+        listed.append([p, [_second(s, P) for P in above]])
+    limit = s.index_bound()
+    needed = [ell for ell in s.saturated if ell <= limit and (s.rank or limit % ell == 0)]
+    return {
+        "kind": "S-units",
+        "basis": [coordinates(w) for w in s.frame.basis],
+        "primes": listed,
+        "S": [number[s.base[k]] for k in s.primes],
+        "reductions": [[number[s.base[k]], coordinates(x)] for k, (x, _) in s.reductions.items()],
+        "generators": [coordinates(x) for x in s.generators],
+        "torsion": {
+            "order": s.order_of_torsion,
+            "generator": coordinates(s.torsion),
+            "residues": _residues(s),
+        },
+        "saturated": [[ell, [list(pair) for pair in s.saturated[ell]]] for ell in needed],
+    }
+
+
+def _second(s: SUnits, P: Any) -> list[int]:
+    """Return the second generator of a prime ideal in the integral basis, times what is prime to p."""
+    if P.is_inert:
+        return [0] * s.n
+    rows, _ = coordinate_rows(s.field, [P.pi]).numer_denom()
+    return [int(c) for c in rows.entries()]
+
+
+def _residues(s: SUnits) -> list[list[int]]:
+    """Return primes q with simple roots modulo q: the q − 1 have no more in common than roots of unity."""
+    if s.field.signature[0]:
+        return []
+    whole = s.field.polynomial.numer()
+    bad, found, common = int(whole.discriminant() * whole.leading_coefficient()), [], 0
+    for q in primes():
+        if q < s.n + 2 or bad % q == 0 or (common and (q - 1) % common == 0):
+            continue
+        reduced = flint.nmod_poly([int(c) % q for c in whole.coeffs()], q)
+        roots = [int(-g[0] / g[1]) for g, _ in reduced.factor()[1] if g.degree() == 1]
+        if roots:
+            found.append([q, roots[0]])
+            common = math.gcd(common, q - 1)
+            if common == s.order_of_torsion:
+                return found
+    return found
+
+
+def claim(s: SUnits, ring: Any, statement: str) -> Claim:
+    """Return a statement about a field, with the S-units that show it."""
+    bound = REDUCED_FORMS if s.n == 2 else MINKOWSKI
+    regulator = CITED.get(s.least_regulator()[1])
+    assumes = (bound,) if regulator is None or not s.rank else (bound, regulator)
+    return Claim(
+        f"(-1,-1|{ring.name})", statement, evidence(s), BY_S_UNITS, assumes=assumes, ring=ring
+    )

@@ -1,0 +1,151 @@
+"""Dirichlet domains in floats, of what a search finds: which units bound, and whether they seem enough.
+
+Units are reduced by one another until those that bound a polygon pair its sides (Voight,
+*J. Théor. Nombres
+Bordeaux* 21, 2009). Nothing here is a proof; ``dirichlet`` has it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from hfield.fuchsian.search import Rows, Sight, distinct
+
+NEAR = 1e-9
+SQUARE = np.array([0.9, 0.9j, -0.9, -0.9j])
+"""Dual points of lines beyond the disc, so that there is always a polygon."""
+
+
+class Shape:
+    """The polygon of the points nearer to the centre than to its images by some units.
+
+    The line halfway to z = g·0 is where ``Re(conj(w)·p) = 1`` in Klein's model, for the dual point w =
+    1/conj(z): corners of the convex hull of the dual points are sides. ``rows`` are the units of
+    the sides, counterclockwise.
+    """
+
+    def __init__(self, sight: Sight, rows: Rows) -> None:
+        self.sight = sight
+        a, b = sight.motions(rows)
+        dual = np.concatenate([a / b.conj(), SQUARE])
+        every = hull(dual)
+        sides = [n for n in every if n < len(rows)]
+        self.bounds = np.zeros(len(rows), dtype=bool)
+        self.bounds[sides] = True
+        self.rows, self.a, self.b, self.dual = rows[sides], a[sides], b[sides], dual[sides]
+        before = np.roll(self.dual, 1)
+        area = (before.conj() * self.dual).imag
+        area[abs(area) < 1e-12] = 1e-12
+        self.corners = 1j * (before - self.dual) / area
+        """Where each side begins, in Klein's model."""
+        self.closed = len(sides) == len(every) and bool((abs(self.corners) < 1 + NEAR).all())
+        self._back = sight.left(self.rows @ sight.bar)
+        self._weight = 2 * abs(self.b) ** 2  # cosh d − 1
+
+    def beyond(self, points: Any) -> Any:
+        """Return the number of the side beyond which each point lies, nearest to its image; −1 inside."""
+        found = np.full(len(points), -1)
+        if not len(self.rows):
+            return found
+        for n in range(0, len(points), 4096):
+            some = points[n : n + 4096, None]
+            value = self._weight * ((some * self.dual.conj()).real - 1)
+            best = value.argmax(axis=1)
+            over = value[np.arange(len(some)), best] > 1e-7
+            found[n : n + 4096] = np.where(over, best, -1)
+        return found
+
+    def gaps(self) -> tuple[Any, Any]:
+        """Return the arcs of the circle that belong to the polygon: where each begins, and how wide it is."""
+        if not len(self.dual):
+            return np.zeros(1), np.full(1, 2 * np.pi)
+        angle, half = np.angle(self.dual), np.arccos(1 / abs(self.dual))
+        start, end = angle + half, np.roll(angle - half, -1)
+        width = (end - start + 1) % (2 * np.pi) - 1
+        return start[width > NEAR], width[width > NEAR]
+
+    def inside(self, points: Any) -> Any:
+        """Return images of points of Klein's model in the polygon."""
+        points = points.copy()
+        while (far := np.flatnonzero((side := self.beyond(points)) >= 0)).size:
+            n = side[far]
+            points[far] = moved(self.a[n].conj(), -self.b[n], points[far])
+        return points
+
+    def reduced(self, rows: Rows) -> Rows:
+        """Multiply units by those of sides until they move the centre into the polygon; drop ±1."""
+        done = []
+        while len(rows):
+            a, b = self.sight.motions(rows)
+            side = self.beyond(2 * a * b / (abs(a) ** 2 + abs(b) ** 2))
+            done.append(rows[(side < 0) & (abs(b) > 1e-6)])
+            rows, side = rows[side >= 0], side[side >= 0]
+            rows = np.einsum("nj,njk->nk", rows, self._back[side])
+        return np.concatenate(done) if done else rows
+
+    def cutting(self) -> Rows:
+        """Return units that cut off vertices which the inverse of a side's unit maps outside."""
+        new = []
+        for corners in (self.corners, np.roll(self.corners, -1)):
+            inside = abs(corners) < 1 + NEAR
+            side = self.beyond(moved(self.a.conj(), -self.b, corners))
+            cut = inside & (side >= 0)
+            new.append(
+                np.einsum("nj,njk->nk", self.rows[side[cut]], self.sight.left(self.rows[cut]))
+            )
+        return np.concatenate(new)
+
+    def area(self) -> float:
+        """Return the area in units of 2π."""
+        z = self.corners / (1 + np.sqrt(np.maximum(0, 1 - abs(self.corners) ** 2)))
+        after, before = np.roll(z, -1), np.roll(z, 1)
+        seen = (after - z) / (1 - z.conj() * after), (before - z) / (1 - z.conj() * before)
+        angles = np.angle(seen[1] / seen[0]) % (2 * np.pi)
+        angles[abs(z) > 1 - 1e-7] = 0
+        return float((len(z) - 2) / 2 - angles.sum() / (2 * np.pi))
+
+
+def grown(sight: Sight, rows: Rows, new: Rows) -> Shape:
+    """Return the polygon of the group that units generate, or of as much of it as bounds it so far.
+
+    ``rows`` are units of sides, with their inverses, ``new`` are others.
+    """
+    tried: set[tuple[int, ...]] = set()  # rounding may ask for the same unit for ever
+    while True:
+        rows = distinct(np.concatenate([rows, new, new @ sight.bar]))
+        shape = Shape(sight, rows)
+        new = distinct(sight.units(shape.reduced(rows[~shape.bounds])))
+        rows = shape.rows
+        if not len(new):
+            cuts = distinct(sight.units(shape.cutting()))
+            new = cuts[[row not in tried for row in map(tuple, cuts.tolist())]]
+            tried.update(map(tuple, new.tolist()))
+        if not len(new):
+            return shape
+
+
+def moved(a: Any, b: Any, z: Any) -> Any:
+    """Return the images of points of Klein's model under ``[[a, b], [conj(b), conj(a)]]``."""
+    height = abs(a) ** 2 + abs(b) ** 2 + 2 * (a * b.conj() * z).real
+    return (2 * a * b + a * a * z + b * b * z.conj()) / height
+
+
+def hull(points: Any) -> list[int]:
+    """Return the corners of the convex hull of points, counterclockwise, by their numbers."""
+    turned = points * np.exp(0.7371j)  # symmetric points have no real part in common
+    x, y = turned.real.tolist(), turned.imag.tolist()
+    order = np.argsort(turned.real).tolist()
+    found: list[int] = []
+    for sweep in (order, order[::-1]):
+        start = len(found)
+        for n in sweep:
+            while len(found) >= start + 2:
+                p, q = found[-2], found[-1]
+                if (x[q] - x[p]) * (y[n] - y[p]) > (y[q] - y[p]) * (x[n] - x[p]) + 1e-13:
+                    break
+                found.pop()
+            found.append(n)
+        found.pop()
+    return found

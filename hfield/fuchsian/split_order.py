@@ -1,0 +1,147 @@
+"""What the group of an order is computed from: the order, and its field at the real place where it splits."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from flint import arb, fmpq, fmpq_mat
+
+from hfield.algebra.quaternion import Quaternion
+from hfield.errors import IndefiniteError
+from hfield.fuchsian import area
+from hfield.lattices.z_lattice import contains
+from hfield.lattices.z_order import ZOrder
+
+
+class SplitOrder(ABC):
+    """An order in an algebra that splits at one real place and at no other infinite one.
+
+    Exact numbers of the field are scalars with ``+ − × /`` and equality; here are their values at that place.
+    """
+
+    algebra: Any
+    basis: tuple[Quaternion, ...]
+    """A basis over ℤ."""
+    title: str
+    """Such as "maximal order"."""
+    level: Any
+
+    def __str__(self) -> str:
+        article = "an" if self.title[0] in "aeio" else "a"
+        return f"{article} {self.title} in {self.algebra}"
+
+    @abstractmethod
+    def __contains__(self, x: Quaternion) -> bool:
+        """Tell whether an element of the algebra lies in the order."""
+
+    @abstractmethod
+    def area(self) -> Fraction:
+        """Return the area of the plane modulo the units of norm 1, in units of 2π."""
+
+    def elliptic_points(self, m: int) -> int | None:
+        """Return how many elliptic points have order m, where a formula tells."""
+        return None
+
+    def cusps(self) -> int | None:
+        """Return how many cusps there are, where a formula tells."""
+        return 0
+
+    @abstractmethod
+    def scalar(self, x: Any) -> Any:
+        """Return a number of the base field as an exact number."""
+
+    @abstractmethod
+    def sign(self, x: Any) -> int:
+        """Return the sign of an exact number at the place, −1, 0 or 1."""
+
+    @abstractmethod
+    def real(self, x: Any) -> float:
+        """Return about the value of an exact number at the place."""
+
+    @abstractmethod
+    def ball(self, x: Any) -> arb:
+        """Return a ball around the value, with flint's present precision."""
+
+    def elsewhere(self, x: Any) -> list[float]:
+        """Return about the values at the other real places, where the norm is definite."""
+        return []
+
+    @abstractmethod
+    def flat(self, q: Quaternion) -> list[fmpq]:
+        """Return rational coordinates of an element."""
+
+    @cached_property
+    def inverse(self) -> fmpq_mat:
+        """The matrix from these coordinates to those with respect to the basis."""
+        return fmpq_mat([self.flat(x) for x in self.basis]).inv()
+
+    def rows(self, elements: list[Quaternion]) -> list[list[int]]:
+        """Return the coordinates of elements of the order with respect to the basis."""
+        found = fmpq_mat([self.flat(x) for x in elements]) * self.inverse
+        return [[int(c.p) for c in row] for row in found.tolist()]
+
+    @cached_property
+    def bars(self) -> list[list[int]]:
+        """The conjugates of the basis."""
+        return self.rows([x.conjugate() for x in self.basis])
+
+    @cached_property
+    def products(self) -> list[list[int]]:
+        """The products of each element of the basis by each, row after row."""
+        return self.rows([x * y for x in self.basis for y in self.basis])
+
+    @cached_property
+    def traces_elsewhere(self) -> list[list[float]]:
+        """About the values of tr(x·conj(y)) at the other real places, for all x and y of the basis."""
+        bars = [x.conjugate() for x in self.basis]
+        return [self.elsewhere(self.scalar((x * y).trace())) for x in self.basis for y in bars]
+
+    def element(self, row: list[int]) -> Quaternion:
+        """Return the element with these coordinates with respect to the basis."""
+        terms = [x * c for x, c in zip(self.basis, row, strict=True) if c]
+        return sum(terms, self.algebra(0))
+
+
+class RationalOrder(SplitOrder):
+    """An order over ℤ in an indefinite algebra over ℚ."""
+
+    def __init__(self, order: ZOrder) -> None:
+        if order.regular.definite:
+            raise IndefiniteError(
+                f"the units of an order in {order.algebra}, which is definite, are finitely many: "
+                "norm_one_group() asks for an algebra that splits at the real place, units() lists these"
+            )
+        self.order, self.algebra, self.basis, self.level = (
+            order, order.algebra, order.basis, order.level,
+        )  # fmt: skip
+        self.title = "maximal order" if self.level == 1 else f"order of level {self.level}"
+
+    def __contains__(self, x: Quaternion) -> bool:
+        return contains(self.order, x)
+
+    def area(self) -> Fraction:
+        return area.area(self.order)
+
+    def elliptic_points(self, m: int) -> int | None:
+        return area.elliptic_points(self.order, m) if m <= 3 else 0
+
+    def cusps(self) -> int | None:
+        return area.cusps(self.order)
+
+    def scalar(self, x: Any) -> fmpq:
+        return x if isinstance(x, fmpq) else fmpq(int(x.numerator), int(x.denominator))
+
+    def sign(self, x: fmpq) -> int:
+        return int(x > 0) - int(x < 0)
+
+    def real(self, x: fmpq) -> float:
+        return int(x.p) / int(x.q)
+
+    def ball(self, x: fmpq) -> arb:
+        return arb(x)
+
+    def flat(self, q: Quaternion) -> list[fmpq]:
+        return [self.scalar(x) for x in q.coordinates]

@@ -1,0 +1,81 @@
+"""Orders over the integers of totally real fields that split at one real place, for their groups."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import prod
+from typing import TYPE_CHECKING, Any
+
+from flint import arb, ctx, fmpq
+
+from hfield.algebra.quaternion import Quaternion
+from hfield.errors import IndefiniteError, LatticeError, shorten
+from hfield.fields.number_fields.classes.zeta import zeta_minus_one
+from hfield.fuchsian.split_order import SplitOrder
+
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.elements import FieldElement
+    from hfield.lattices.over_integers.lattices import IntegersOrder
+
+
+class SplitIntegersOrder(SplitOrder):
+    """An order over the integers of a totally real field; exact numbers are those of ``order.field``.
+
+    Raises :class:`IndefiniteError` unless there are only real places and one splits.
+    """
+
+    def __init__(self, order: IntegersOrder) -> None:
+        self.order, self.algebra, self.basis = order, order.algebra, order.basis
+        field, frame = order.field, order.frame
+        real, n = field.real_places(), field.degree
+        split = [v.index for v in real if v.sign(frame.a) > 0 or v.sign(frame.b) > 0]
+        if len(real) < n or len(split) != 1:
+            complex_ones = (n - len(real)) // 2
+            raise IndefiniteError(
+                f"{shorten(self.algebra)} splits at {len(split)} of the {len(real)} real places"
+                + (f" and the field has {complex_ones} complex ones" if complex_ones else "")
+                + "; norm_one_group() asks for a totally real field and exactly one real place that splits"
+            )
+        self.place = split[0]
+        self._others = [v.index for v in real if v.index != self.place]
+        self._value = field.embeddings
+        self.level = order.level
+        self.title = "maximal order" if order.is_maximal() else f"order of level {self.level}"
+
+    def __contains__(self, x: Quaternion) -> bool:
+        return x in self.order
+
+    def area(self) -> Fraction:
+        """Return the area by Shimizu's formula, for Eichler orders (Voight, theorem 39.1.8)."""
+        if not self.order.is_eichler():
+            raise LatticeError(
+                f"the area of the group is known for Eichler orders here, and {self.order} is none"
+            )
+        found = abs(zeta_minus_one(self.algebra.ring)) * Fraction(4, 2**self.order.field.degree)
+        found *= prod(prime.norm - 1 for prime in self.order.frame.ramified)
+        for prime, e in self.level.factorisation():
+            q = self.order.frame.prime(prime).norm
+            found *= (q + 1) * q ** (e - 1)
+        return found
+
+    def scalar(self, x: Any) -> FieldElement:
+        return self.order.frame.integers.inside(x)
+
+    def sign(self, x: FieldElement) -> int:
+        return self.order.field.sign(x, self.place)
+
+    def real(self, x: FieldElement) -> float:
+        return self._near(x, self.place)
+
+    def elsewhere(self, x: FieldElement) -> list[float]:
+        return [self._near(x, place) for place in self._others]
+
+    def _near(self, x: FieldElement, place: int) -> float:
+        return float(self._value.close(x.poly, place, 15).real.mid()) if x else 0.0
+
+    def ball(self, x: FieldElement) -> arb:
+        return self._value.value(x.poly, self.place, ctx.prec).real
+
+    def flat(self, q: Quaternion) -> list[fmpq]:
+        found: list[fmpq] = self.order.frame.row(q).entries()
+        return found

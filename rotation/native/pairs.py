@@ -1,0 +1,48 @@
+"""Sums and products of floats with what rounding cut off, exactly: pairs (high, low).
+
+T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18
+(1971). Only + − × are used, so they run on every array library; a fused multiply-add is taken where there
+is one.
+"""
+
+from typing import Any
+
+Pair = tuple[Any, Any]
+
+
+def two_sum(a: Any, b: Any) -> Pair:
+    """Return ``a + b`` rounded, and the error."""
+    s = a + b
+    t = s - a
+    return s, (a - (s - t)) + (b - t)
+
+
+def quick_two_sum(a: Any, b: Any) -> Pair:
+    """Return ``a + b`` rounded, and the error, where |a| ≥ |b| or a is 0."""
+    s = a + b
+    return s, b - (s - a)
+
+
+def two_product(xp: Any, a: Any, b: Any) -> Pair:
+    """Return ``a·b`` rounded, and the error; for factors far from overflow and underflow."""
+    p = a * b
+    fma = getattr(xp, "fma", None)  # the error is a float: either way it is found exactly
+    if fma is not None:
+        return p, fma(a, b, -p)
+    a1, a2 = _halves(xp, a)
+    b1, b2 = _halves(xp, b)
+    return p, ((a1 * b1 - p) + (a1 * b2 + a2 * b1)) + a2 * b2
+
+
+def plus_product(xp: Any, c: Any, a: Any, b: Any) -> Any:
+    """Return ``c + a·b``, rounded once where there is a fused multiply-add."""
+    fma = getattr(xp, "fma", None)
+    return c + a * b if fma is None else fma(a, b, c)
+
+
+def _halves(xp: Any, a: Any) -> Pair:
+    """Two halves of the digits of each float."""
+    single = hasattr(a, "dtype") and xp.finfo(a.dtype).bits == 32
+    t = (4097.0 if single else 134217729.0) * a  # 2¹² + 1, 2²⁷ + 1
+    high = t - (t - a)
+    return high, a - high

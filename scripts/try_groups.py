@@ -1,0 +1,99 @@
+"""Groups of units of Eichler orders over QQ with D·N ≤ 500, and over real fields: each is proved, and compared.
+
+One line of JSON a group: area by the formula and of the polygon, signature, sides, whether the abelian quotient
+of the presentation is that of the signature, and seconds. ``--most 500 --seconds 150``; exit status 1 where
+something failed.
+"""
+
+import argparse
+import json
+import signal
+import sys
+import time
+from collections.abc import Iterator
+from typing import Any
+
+from hfield import QuaternionAlgebra, ring
+from hfield.factorisation import factorise
+from hfield.fuchsian.presentation import abelian_invariants
+
+FIELDS = [f"QQ[s]/(s^2-{d})" for d in (2, 3, 6, 7)] + [
+    "QQ[s]/(s^2-s-1)", "QQ[s]/(s^2-s-3)", "QQ[s]/(s^2-s-4)", "QQ[s]/(s^3+s^2-2*s-1)",
+    "QQ[s]/(s^3-3*s-1)", "QQ[s]/(s^3-s^2-3*s+1)", "QQ[s]/(s^3-s^2-4*s-1)"]  # fmt: skip
+EACH = 30
+"""Seconds for one group."""
+
+
+def over_rationals(most: int) -> Iterator[tuple[str, Any]]:
+    for whole in range(1, most + 1):
+        for D in (d for d in range(1, whole + 1) if whole % d == 0):
+            N, primes = whole // D, factorise(D)
+            if len(primes) % 2 or set(primes.values()) - {1} or any(N % p == 0 for p in primes):
+                continue
+            A = QuaternionAlgebra.from_ramification("QQ", list(primes)) if D > 1 else None
+            yield f"({D}, {N})", (A or QuaternionAlgebra("QQ", 1, 1)).eichler_order(N)
+
+
+def over_fields() -> Iterator[tuple[str, Any]]:
+    for name in FIELDS:
+        K = ring(name)
+        real = list(K.real_places())
+        primes = [P for p in (2, 3, 5, 7) for P in K.primes_above(p)]
+        places = [[P] for P in primes[:3]] if len(real) == 2 else [[], primes[:2], primes[1:3]]
+        for n, some in enumerate(places):
+            chosen = [v for v in real if v.index != n % len(real)] + some
+            yield (
+                f"{name} ramified at {chosen}",
+                QuaternionAlgebra.from_ramification(K, chosen).maximal_order(),
+            )
+
+
+def facts(order: Any) -> dict[str, Any]:
+    group = order.norm_one_group()
+    genus, orders, cusps = group.signature  # raises where formulas do not agree
+    domain = group.domain()
+    k, n = 2 * genus, 2 * genus + len(orders) + cusps
+    rows = [(k + m,) * order for m, order in enumerate(orders, 1)] + [tuple(range(k + 1, n + 1))]
+    return {
+        "area": str(group.area),
+        "signature": [genus, list(orders), cusps],
+        "sides": len(domain.sides),
+        "agrees": domain.area == group.area
+        and group.abelian_invariants == abelian_invariants(n, rows),
+    }
+
+
+def too_long(*_: object) -> None:
+    raise TimeoutError(f"longer than {EACH} seconds")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--most", type=int, default=500, help="the largest D·N over QQ")
+    parser.add_argument("--seconds", type=float, default=600)
+    parser.add_argument("--step", type=int, default=1, help="every so manieth of those over QQ")
+    args = parser.parse_args()
+    signal.signal(signal.SIGALRM, too_long)
+    start, bad = time.monotonic(), 0
+    rational = [x for n, x in enumerate(over_rationals(args.most)) if n % args.step == 0]
+    for name, order in [*over_fields(), *rational]:
+        if time.monotonic() - start > args.seconds:
+            print(json.dumps({"stopped": name}))
+            break
+        begun = time.monotonic()
+        signal.alarm(EACH)
+        try:
+            found = facts(order)
+        except Exception as error:  # noqa: BLE001 - each failure is a line
+            found = {"error": f"{type(error).__name__}: {error}", "agrees": False}
+        signal.alarm(0)
+        bad += not found["agrees"]
+        print(
+            json.dumps({"group": name, **found, "seconds": round(time.monotonic() - begun, 3)}),
+            flush=True,
+        )
+    return int(bad > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

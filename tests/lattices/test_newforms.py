@@ -1,0 +1,89 @@
+"""Newforms by Brandt matrices: against PARI over ℚ, known dimensions and forms over number fields."""
+
+import importlib.util
+
+import pytest
+
+from hfield import LatticeError, QuaternionAlgebra, ring
+
+PRIMES = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37]
+
+
+@pytest.mark.skipif(importlib.util.find_spec("cypari") is None, reason="needs PARI")
+@pytest.mark.parametrize(
+    ("discriminant", "level"),
+    [(37, 1), (11, 9), (3, 22), (5, 8), (30, 7), (42, 5), (3, 49), (2, 81), (17, 6)],
+)
+def test_against_pari(discriminant: int, level: int) -> None:
+    """Eigenvalues at all primes, those of the level too, and so the signs of Atkin and Lehner."""
+    from cypari import pari
+
+    C = QuaternionAlgebra(discriminant).eichler_order(level).class_set()
+    pari(f"mf = mfinit([{discriminant * level}, 2], 0)")
+    assert C.new_dimension() == int(pari("mfdim(mf)"))
+    degrees = [int(d) for d in pari("[poldegree(f) | f <- mffields(mf)]")]
+    expansions = pari("[mfcoefs(f, 40) | f <- mfeigenbasis(mf)]")
+    rational = {
+        tuple(int(f[p]) for p in PRIMES) for f, d in zip(expansions, degrees, strict=True) if d == 1
+    }
+    assert {tuple(f[p] for p in PRIMES) for f in C.newforms()} == rational
+
+
+def test_known_spaces_over_the_golden_field() -> None:
+    A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    K = A.ring
+    known = [(31, 1, 1), (124, 3, 1), (341, 7, 5), (1364, 31, 15)]
+    P31 = K.primes_above(31)[0]
+    for P11 in K.primes_above(11):
+        found = []
+        for norm, *_ in known:
+            pairs = [
+                (P, 1)
+                for P, q in ((K.primes_above(2)[0], 4), (P11, 11), (P31, 31))
+                if norm % q == 0
+            ]
+            C = A.eichler_order(pairs).class_set()
+            found.append((norm, C.cusp_dimension(), C.new_dimension()))
+        assert found == known
+        assert len(C) == 32
+    # the curve of conductor norm 31: reductions counted by hand
+    (f,) = A.eichler_order([(P31, 1)]).class_set().newforms()
+    assert (f[2], f[K.primes_above(5)[0]], f[3], f[7]) == (-3, -2, 2, 2)
+    assert {f[P] for P in K.primes_above(11)} == {4, -4}
+    assert f.eigenvalues(2) == {K.primes_above(2)[0]: -3, K.primes_above(5)[0]: -2}
+
+
+def test_signs_at_the_level_agree_with_ideals_of_that_norm() -> None:
+    """All invertible ideals of norm P | N are those of U_P, those of its conjugate, and the two-sided one."""
+    A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    P = A.ring.primes_above(31)[0]
+    C = A.eichler_order([(P, 1)]).class_set()
+    (f,) = C.newforms()
+    B = C.brandt_matrix(P)
+    assert sum(B[0]) == 63
+    assert B[0][0] + B[1][1] == 63 + 2 * f[P] + f.signs[P]
+
+
+def test_class_number_two() -> None:
+    """Over ℚ(√10), class number 2: new dimensions do not depend on the algebra (Jacquet and Langlands)."""
+    K = ring("QQ(sqrt(10))")
+    P, Q = K.primes_above(2)[0], K.primes_above(3)[0]
+    split = QuaternionAlgebra.from_ramification(K, K.real_places())
+    ramified = QuaternionAlgebra.from_ramification(K, [*K.real_places(), P, Q])
+    over = split.eichler_order([(P, 1), (Q, 1)]).class_set()
+    other = ramified.maximal_order().class_set()
+    assert over.new_dimension() == other.new_dimension() > 0
+    mine, its = over.newforms(), other.newforms()
+    primes = [P, Q, *K.primes_above(5), *K.primes_above(3), *K.primes_above(7)]
+    assert sorted([f[P] for P in primes] for f in mine) == sorted(
+        [f[P] for P in primes] for f in its
+    )
+
+
+def test_other_orders_have_no_level() -> None:
+    C = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).order(["i", "j"]).class_set()
+    with pytest.raises(LatticeError, match="Eichler"):
+        C.newforms()
+    C = QuaternionAlgebra("QQ", -1, -1).order(["i", "j"]).class_set()
+    with pytest.raises(LatticeError, match="Eichler"):
+        C.cusp_dimension()
