@@ -53,6 +53,12 @@ def all_roots() -> bool:
     return len(P([1, 0, 1]).roots().spheres) == 1
 
 
+def classes_over_a_number_field() -> bool:
+    A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    P = A.ring.primes_above(31)[0]
+    return A.eichler_order(P).class_set().hecke_polynomial(A.ring.gen) == [-12, -4, 1]
+
+
 def a_proved_domain() -> bool:
     G = QuaternionAlgebra(6).maximal_order().norm_one_group()
     return (G.signature.genus, G.signature.orders) == (0, (2, 2, 3, 3))
@@ -72,6 +78,7 @@ OURS: dict[str, Callable[[], bool]] = {
     "classes of ideals over ℤ, Brandt matrices": lambda: (
         QuaternionAlgebra(11).maximal_order().class_set().brandt_matrix(2) == [[1, 2], [3, 0]]
     ),
+    "classes over the integers of number fields": classes_over_a_number_field,
     "units of indefinite orders, the domain proved": a_proved_domain,
     "inverts matrices over H(F)": an_inverse,
     "all roots of polynomials over H(F)": all_roots,
@@ -107,6 +114,9 @@ def sages(sage, algebra) -> dict[str, Callable[[], object]]:
         "characteristic 2": lambda: algebra(sage.GF(4, "a"), 1, 1),
         "classes of ideals over ℤ, Brandt matrices": lambda: (
             sage.BrandtModule(11).hecke_matrix(2).list() == [1, 2, 3, 0]
+        ),
+        "classes over the integers of number fields": lambda: (
+            algebra(sage.QuadraticField(5), -1, -1).maximal_order().class_set()
         ),
         "inverts matrices over H(F)": lambda: matrix(algebra(QQ, -1, -1)).inverse(),
         "all roots of polynomials over H(F)": lambda: algebra(QQ, -1, -1)["x"]([1, 0, 1]).roots(),
