@@ -285,7 +285,7 @@ class WithSquares(Core[E]):
         Coefficients go from low to high. By default those of degree 2, and of degree 4 in x², are found, by
         square roots. Raises :class:`UndecidedError` for others.
         """
-        from hfield.rings.factoring import by_square_roots
+        from hfield.rings.roots import by_square_roots
 
         return by_square_roots(self, coefficients)
 

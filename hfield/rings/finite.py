@@ -14,7 +14,6 @@ import flint
 from hfield.errors import NotInvertibleError, shorten
 from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring, shared
-from hfield.rings.factoring import of_flint
 from hfield.rings.held import tables
 from hfield.rings.held.quotients import Polynomials
 from hfield.rings.holding import Batch, Holding
@@ -22,6 +21,7 @@ from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.roots import of_flint
 
 if TYPE_CHECKING:
     import galois

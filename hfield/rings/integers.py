@@ -13,12 +13,11 @@ from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.primality import is_prime, primes
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
-from hfield.rings.factoring import of_flint
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
-from hfield.rings.roots import rational_roots
+from hfield.rings.roots import of_flint, rational_roots
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:

@@ -18,10 +18,9 @@ from hfield.errors import (
 from hfield.primality import WORD
 from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
-from hfield.rings.factoring import of_flint
 from hfield.rings.holding import Holding
 from hfield.rings.rational import rational, unwrap
-from hfield.rings.roots import residue_roots
+from hfield.rings.roots import of_flint, residue_roots
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
