@@ -99,7 +99,7 @@ def words(text: str) -> str:
             near = [m for m in near if m > n]
         if _parted(tokens[n])[0] in _ARTICLES:
             near = [m for m in near if _leads(tokens[m]) or tokens[min(n, m)].endswith(",")]
-        if kinds[n] is None and any(_joins(tokens[min(n, m)]) for m in near):
+        if kinds[n] is None and any(not re.search("[;:.?!]$", tokens[min(n, m)]) for m in near):
             kinds[n] = True
     out: list[str] = []
     run: list[str] = []
@@ -203,10 +203,6 @@ def _depth(tokens: Sequence[str]) -> int:
 
 def _leads(token: str) -> bool:
     return token in _OPERATORS or (token in _MATHEMATICAL and token != "−")
-
-
-def _joins(token: str) -> bool:
-    return not re.search("[;:.?!]$", token)
 
 
 def _parted(token: str) -> tuple[str, str]:

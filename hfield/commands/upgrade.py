@@ -59,8 +59,9 @@ def run(args: Namespace) -> int:
         else:
             with whole_file(Path(args.into) / Path(name).name) as part:
                 part.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", "utf-8")
+        words = "all fields" if data["ring"] is None else ring_of_data(data["ring"]).in_words()
         try:
-            note(f"{name}: {str(check(data)).splitlines()[0]}; {_in_words(data)}")
+            note(f"{name}: {str(check(data)).splitlines()[0]}; {words}")
         except Rejected as error:
             note(f"{name}: rejected: {error}")
             status = 1
@@ -124,7 +125,3 @@ def _place(text: str, data: Mapping[str, Any] | None) -> Mapping[str, Any]:
         }
     found: Mapping[str, Any] = field.place_data(known_field(field).read_place(text))
     return found
-
-
-def _in_words(data: Mapping[str, object]) -> str:
-    return "all fields" if data["ring"] is None else ring_of_data(data["ring"]).in_words()

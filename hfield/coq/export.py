@@ -67,7 +67,8 @@ class Export:
     def names(self) -> tuple[str, ...]:
         """The names of all theorems and lemmas about quaternions, in the order of the file."""
         hand = "\n".join(_piece(file) for file in BY_HAND)
-        return (*_stated(hand), *(t.name for t in self.theorems))
+        stated = re.findall(r"^(?:Theorem|Lemma) (\w+)", hand, re.MULTILINE)
+        return (*stated, *(t.name for t in self.theorems))
 
     @cached_property
     def body(self) -> str:
@@ -152,10 +153,6 @@ def theorem_of(name: str, answer: Answer, words: str = "") -> Theorem:
     if answer.certificate is None:
         raise NotCoveredError(f"there is no certificate: {answer.why_no_certificate}")
     return theorem(name, answer.certificate, words)
-
-
-def _stated(text: str) -> list[str]:
-    return re.findall(r"^(?:Theorem|Lemma) (\w+)", text, re.MULTILINE)
 
 
 def _piece(file: str) -> str:

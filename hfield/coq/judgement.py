@@ -83,15 +83,11 @@ class Judgement:
                 return implied(self, evidence["items"], evidence["facts"])
             case Kind.MULTILINEAR, False:
                 return multilinear(self, evidence)
-            case Kind.FRACTIONS, False if self._is_over_integers(evidence):
+            case Kind.FRACTIONS, False if self.setting.field == ZZ and evidence["ring"] == QQ.data:
                 return self.proved(evidence["proof"])
             case kind, exists:
                 what = " for something that exists" if exists else ""
                 raise NotCoveredError(f"evidence of the kind {kind!r}{what}")
-
-    def _is_over_integers(self, evidence: Mapping[str, Any]) -> bool:
-        """Whether it is a proof over ℚ of what is said of ℤ."""
-        return self.setting.field == ZZ and evidence["ring"] == QQ.data
 
     @property
     def _is_of_fractions(self) -> bool:
@@ -126,7 +122,8 @@ class Judgement:
             raise NotCoveredError("what follows from hypotheses that never hold")
         names = sentence.names
         lines = [sentence.intros, f"intros {' '.join(names)}.", "exfalso."]
-        unknowns = {n for h in self.statement.hypotheses for n in _names(h)}
+        nodes = (n for h in self.statement.hypotheses for n in walk(h))
+        unknowns = {n.name for n in nodes if isinstance(n, Name)}
         kept = [n for n, _ in sentence.order if n in unknowns]
         call = f"{lemma} {sentence.room.names} {' '.join(kept)}".strip()
         lines.append(f"pose proof ({call}) as never; tauto.")
@@ -156,10 +153,6 @@ class Judgement:
             raise NotCoveredError("something computed over all fields at once")
         room = base_ring_of(self.setting.field)
         return room, Sentence(self.statement, self.setting, room)
-
-
-def _names(node: Node) -> set[str]:
-    return {n.name for n in walk(node) if isinstance(n, Name)}
 
 
 MAX_CASES = 300_000

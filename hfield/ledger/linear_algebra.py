@@ -58,7 +58,7 @@ class Centre(Worded):
         rows = centre_equations()
         smith = fmpz_mat(rows).snf()
         divisors = [int(smith[n, n]) for n in range(4) if smith[n, n] != 0]
-        special = sorted({p for d in divisors for p in _primes(abs(d))})
+        special = sorted({p for d in divisors for p in factorise(abs(d))})
         dimension = {p: 4 - sum(1 for d in divisors if d % p) for p in special}
         told = [say("centre-dimension", p=p, n=n) for p, n in dimension.items()]
         steps = (
@@ -100,10 +100,6 @@ def _minor(rows: list[list[int]]) -> Evidence:
         if fmpz_mat([[rows[r][c] for c in columns] for r in chosen]).det() != 0:
             return Evidence(Kind.MINOR, rows=list(chosen), columns=columns)
     raise AssertionError("the equations for the centre have rank 3 over the rationals")
-
-
-def _primes(n: int) -> list[int]:
-    return list(factorise(n))
 
 
 @dataclass(frozen=True)

@@ -91,14 +91,10 @@ def matrix(rows: Sequence[Row], style: Style) -> str:
         if label + sum(len(h) + gap for h in heads) <= room:
             break
     else:
-        heads, gap, label = short, 1, _clip(names, room, short)
+        left = room - sum(len(h) + 1 for h in short)
+        heads, gap, label = short, 1, min(names, max(left, _LEAST_NAME))
     blocks = _blocks(heads, room - label, gap)
     return "\n\n".join(_block(lines, heads, b, (ids, label, gap), style.rule) for b in blocks)
-
-
-def _clip(names: int, room: int, heads: Sequence[str]) -> int:
-    """Return the width left for names, not less than is needed to tell them apart."""
-    return min(names, max(room - sum(len(h) + 1 for h in heads), _LEAST_NAME))
 
 
 def _blocks(heads: Sequence[str], room: int, gap: int) -> list[range]:

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Sequence
 from dataclasses import replace
 
-from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
+from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Row
 from hfield.ledger.columns import head
 from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import Style, matrix, tally
@@ -79,7 +79,7 @@ def totals(rows: Sequence[Row], width: int = _WIDTH) -> str:
     """Say how many rows there are of each verdict, in lines of a width."""
     counts = tally(rows)
     claims = {row.claim.id: row.claim for row in rows}
-    beyond = sum(not claim.checkable for claim in claims.values())
+    beyond = [claim.id for claim in claims.values() if not claim.checkable]
     text = (
         f"{_plural(len(claims), 'claim')}, {_plural(len(rows), 'row')}: "
         + ", ".join(f"{counts[v]} {v.replace('-', ' ')}" for v in VERDICTS if counts[v])
@@ -88,15 +88,11 @@ def totals(rows: Sequence[Row], width: int = _WIDTH) -> str:
     text = textwrap.fill(text, width, subsequent_indent="  ")
     if beyond:
         named = (
-            f"{_plural(beyond, 'claim')} can be checked by no program "
-            f"(history, opinion, announcement): {', '.join(_beyond(list(claims.values())))}."
+            f"{_plural(len(beyond), 'claim')} can be checked by no program "
+            f"(history, opinion, announcement): {', '.join(beyond)}."
         )
         text += "\n" + textwrap.fill(named, width, subsequent_indent="  ", break_on_hyphens=False)
     return text
-
-
-def _beyond(claims: Sequence[Claim]) -> list[str]:
-    return [claim.id for claim in claims if not claim.checkable]
 
 
 def _plural(n: int, noun: str) -> str:

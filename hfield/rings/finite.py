@@ -188,10 +188,7 @@ class ExtensionField(FiniteField):
             raise self.refuse(x)
         if isinstance(number, Fraction):
             return self.ratio(number)
-        return self._integer(number)
-
-    def _integer(self, n: int) -> flint.fq_default:
-        return self.context(n % self.characteristic)
+        return self.context(number % self.characteristic)
 
     def is_zero(self, x: flint.fq_default) -> bool:
         """Tell whether x is 0."""

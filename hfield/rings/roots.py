@@ -84,12 +84,12 @@ def _power_roots(c: list[int], p: int, k: int) -> list[int]:
     else:
         over_p = flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))
         roots = [int(r) for r, _ in over_p([x % p for x in c]).roots()]
-    q = p
+    q, derivative = p, [n * a for n, a in enumerate(c)][1:]
     for _ in range(1, k):
         above = q * p
         lifted: list[int] = []
         for r in roots:
-            value, slope = _value(c, r) // q % p, _slope(c, r) % p
+            value, slope = _value(c, r) // q % p, _value(derivative, r) % p
             if slope:  # Hensel: one root above
                 lifted.append((r - value * pow(slope, -1, p) * q) % above)
             elif value == 0:  # all p numbers above, or none
@@ -105,10 +105,6 @@ def _value(c: Sequence[int], x: int) -> int:
     for a in reversed(c):
         total = total * x + a
     return total
-
-
-def _slope(c: Sequence[int], x: int) -> int:
-    return _value([n * a for n, a in enumerate(c)][1:], x)
 
 
 def _need_small(coefficients: Sequence[Scalar]) -> None:

@@ -10,6 +10,7 @@ algebra splits.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -66,7 +67,7 @@ class Conic:
         return Lattice([[e, o, o], [o, e, o], [o, o, e]], e)
 
 
-def dot(u: Vector, v: Vector) -> Any:
+def dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
     """Return Σ u[i]·v[i]."""
     total = u[0] * v[0]
     for x, y in zip(u[1:], v[1:], strict=True):

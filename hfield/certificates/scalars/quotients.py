@@ -4,7 +4,7 @@ from collections.abc import Hashable, Sequence
 from typing import Any
 
 from hfield.certificates.rejection import reject
-from hfield.certificates.scalars.finite import Finite
+from hfield.certificates.scalars.finite import Finite, is_prime
 from hfield.certificates.work import charge
 
 MAX_DEGREE = 200
@@ -83,7 +83,7 @@ class Quotient(Finite):
         n, power = self.degree, self.generator
         for m in range(1, n + 1):
             power = self.power(power, self.base.order)
-            if n % m == 0 and m < n and _is_prime_number(n // m):
+            if n % m == 0 and m < n and is_prime(n // m):
                 difference = self.add(power, self.neg(self.generator))
                 if not self._is_unit(difference):
                     return False
@@ -105,7 +105,3 @@ class Quotient(Finite):
                 for m, c in enumerate(g[:-1]):
                     f[shift + m] = base.add(f[shift + m], base.mul(scale, c))
             f, g = g, f
-
-
-def _is_prime_number(n: int) -> bool:
-    return n > 1 and all(n % m for m in range(2, n))

@@ -311,7 +311,8 @@ def _obstructed(field: FunctionField, form: NormalForm, f: Quotient) -> bool:
     special: list[Fraction | None] = [None]  # infinity
     for x in (a, b, f):
         for poly in (x.num, x.den):
-            special += [_root_of(p) for p, _ in poly.factor()[1] if p.degree() == 1]
+            linear = [p for p, _ in poly.factor()[1] if p.degree() == 1]
+            special += [-fraction(p[0]) / fraction(p[1]) for p in linear]
     points = itertools.chain(special, (Fraction(n) for n in _small(PATTERNS)))
     if any(not _isotropic_at(coefficients, c) for c in dict.fromkeys(points)):
         return True
@@ -330,10 +331,6 @@ def _small(count: int) -> Iterator[int]:
     for n in range(1, count):
         yield n
         yield -n
-
-
-def _root_of(p: flint.fmpq_poly) -> Fraction:
-    return -fraction(p[0]) / fraction(p[1])
 
 
 def _isotropic_at(coefficients: list[Quotient], point: Fraction | None) -> bool:

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
     from hfield.fields.function_fields.quotients import Quotient
     from hfield.fields.function_fields.ring import FunctionField
-    from hfield.rings.flint_types import Coefficient, Polynomial
+    from hfield.rings.flint_types import Polynomial
 
 
 INFINITE = "inf"
@@ -127,7 +127,10 @@ def _reduce(field: FunctionField, basis: list[Vector], local: list[Vector]) -> l
         images = [_apply(inverse, v) for v in vectors]
         degrees = [max(_degree(x) for x in image) for image in images]
         leading = [
-            [_leading(field, x) if _degree(x) == n else field.base.zero for x in image]
+            [
+                field.base(x.num.leading_coefficient()) if _degree(x) == n else field.base.zero
+                for x in image
+            ]
             for image, n in zip(images, degrees, strict=True)
         ]
         relations = kernel(field.base, [list(row) for row in zip(*leading, strict=True)], 3)
@@ -148,11 +151,6 @@ def _reduce(field: FunctionField, basis: list[Vector], local: list[Vector]) -> l
 def _degree(x: Quotient) -> int:
     """Return the degree of a rational function; a very small number for 0."""
     return int(x.num.degree()) - int(x.den.degree()) if x.num != 0 else -(10**9)
-
-
-def _leading(field: FunctionField, x: Quotient) -> Coefficient:
-    """Return the leading coefficient (denominators are monic)."""
-    return field.base(x.num.leading_coefficient())
 
 
 def _apply(rows: list[Vector], v: Vector) -> Vector:

@@ -190,7 +190,9 @@ class _Solver:
         if self.nodes > MAX_NODES or self.problem.is_late:
             return None
         zeros = [z for z in zeros if z]
-        if any(_is_constant(z) for z in zeros) or any(not any(goal) for goal in goals):
+        if any(len(z) == 1 and not any(next(iter(z))) for z in zeros) or any(
+            not any(goal) for goal in goals
+        ):
             return None
         if not zeros:
             return self.finish(goals, values)
@@ -302,10 +304,6 @@ def _roots(field: Ring, coefficients: Sequence[Scalar]) -> list[Scalar]:
         return list(map(field, rational_roots(rational)))
     except (ValueError, TypeError, UndecidedError):
         return []
-
-
-def _is_constant(f: Polynomial) -> bool:
-    return len(f) == 1 and not any(next(iter(f)))
 
 
 def _variables(f: Polynomial) -> list[int]:

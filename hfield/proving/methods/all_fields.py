@@ -53,7 +53,8 @@ def decide(problem: Problem) -> Decision:
     found = counterexample(problem)
     if found is not None:
         return found if x is None else _with_exceptions(problem, found)
-    tried = (f"counterexamples over {', '.join(FIELDS_TRIED)}", _why(x))
+    why = "it is too large to expand" if x is None else "ideal membership of the conclusion"
+    tried = (f"counterexamples over {', '.join(FIELDS_TRIED)}", why)
     return undecided(*tried)
 
 
@@ -71,10 +72,6 @@ def _with_exceptions(problem: Problem, found: Decision) -> Decision:
     where = " and ".join(map(str, failing))
     step = say("holds-but-perhaps" if len(failing) > 1 else "holds-but", p=where)
     return replace(found, steps=(*found.steps, step))
-
-
-def _why(x: Expanded | None) -> str:
-    return "it is too large to expand" if x is None else "ideal membership of the conclusion"
 
 
 def _identity(statement: Statement, x: Expanded) -> Decision:

@@ -149,7 +149,7 @@ def prove_clauses(problem: Problem, characteristic: int) -> Proof:
     x = expand(problem)
     if not x.has_constants:
         general = _proof(problem, 0, None, ())
-        if general.complete and _fits(general, characteristic):
+        if general.complete and (not characteristic or general.denominator % characteristic):
             return general
         if characteristic:
             special = _proof(problem, characteristic, None, ())
@@ -162,10 +162,6 @@ def prove_clauses(problem: Problem, characteristic: int) -> Proof:
     depends = x.has_constants or any(rule.form == ROOTS for rule in own)
     kinds = tuple((rule.form, rule.most, rule.positive) for rule in own)
     return _proof(problem, characteristic, field if depends else None, kinds)
-
-
-def _fits(proof: Proof, characteristic: int) -> bool:
-    return characteristic == 0 or proof.denominator % characteristic != 0
 
 
 @remembered

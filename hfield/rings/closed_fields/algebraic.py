@@ -77,7 +77,7 @@ class AlgebraicNumbers(ValueRing):
         from hfield.rings.closed_fields import closed_forms as closed
 
         return {
-            "sqrt": self._sqrt_here,
+            "sqrt": lambda x: CC.sqrt(x),
             "cbrt": lambda x: self._root(x, 3),
             "root": self._root,
             **{name: closed.function(name) for name in FUNCTIONS},
@@ -141,9 +141,6 @@ class AlgebraicNumbers(ValueRing):
         from hfield.rings.closed_fields.closed_forms import root as closed_root
 
         return closed_root(x, 2)
-
-    def _sqrt_here(self, x: Surd | Closed) -> Surd | Closed | None:
-        return CC.sqrt(x)
 
     def _root(self, x: Surd, n: Scalar) -> Surd | Closed:
         """Return the n-th root: the real one, positive if there are two, of a real number that has one.

@@ -1,10 +1,9 @@
 """Linear algebra over a base ring, as far as kernels go."""
 
-from typing import Any
-
 from hfield.errors import NotInvertibleError
 from hfield.rings.base import Ring
 from hfield.structure.linear_algebra.syzygies import Row, relations
+from hfield.structure.minimal_conics import dot
 
 
 def kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:
@@ -39,14 +38,9 @@ def kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:
         for n, x in zip(free, tail, strict=True):
             v[n] = x
         for column, row in pivots.items():
-            v[column] = ring.zero - _at(row, free, tail)
+            v[column] = ring.zero - dot([row[n] for n in free], tail)
         basis.append(v)
     return basis
-
-
-def _at(row: Row, free: list[int], tail: Row) -> Any:
-    first, *rest = (row[n] * x for n, x in zip(free, tail, strict=True))
-    return sum(rest, first)
 
 
 def _unit_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
@@ -75,6 +69,4 @@ def _lonely_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
 
 def apply(matrix: list[Row], v: Row) -> Row:
     """Return matrix·v."""
-    return [
-        sum((x * y for x, y in zip(row[1:], v[1:], strict=True)), row[0] * v[0]) for row in matrix
-    ]
+    return [dot(row, v) for row in matrix]

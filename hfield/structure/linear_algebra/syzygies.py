@@ -15,6 +15,7 @@ from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.modular import Modular
 from hfield.rings.polynomials import PolynomialRing
+from hfield.structure.minimal_conics import dot
 
 Row = list[Any]
 TRIALS = 50_000
@@ -160,18 +161,13 @@ def _block(ring: Ring, rows: list[Row], width: int) -> list[Row]:
         solutions = (
             list(v)
             for v in itertools.product(list(ring.elements()), repeat=width)
-            if all(ring.is_zero(_dot(row, v)) for row in rows)
+            if all(ring.is_zero(dot(row, v)) for row in rows)
         )
         return generators(ring, solutions)
     raise UndecidedError(
         f"generators of a kernel over {shorten(ring.name)} are not found: elimination ends at entries "
         "that are no units; ask over the field of fractions, or over a residue field"
     )
-
-
-def _dot(row: Row, v: Iterable[Any]) -> Any:
-    first, *rest = (x * y for x, y in zip(row, v, strict=True))
-    return sum(rest, first)
 
 
 def generators(

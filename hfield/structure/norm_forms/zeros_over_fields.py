@@ -11,7 +11,7 @@ the sum of theirs. Nothing in this depends on k, nor on its characteristic.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from itertools import permutations, product
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
@@ -148,7 +148,9 @@ def by_leading_terms(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | N
     variables, parts = ring.expanded_in, ring.parts
     if not 0 < len(variables) <= MAX_VARIABLES or any(ring.is_zero(x) for x in form.constants):
         return None
-    for order in _orders(len(variables)):
+    n = len(variables)
+    for signs, first in product(product((1, -1), repeat=n), permutations(range(n))):
+        order = first, signs
         v, w = (_value(parts(x), order) for x in form.constants)
         below = form.kind == "symbol" or _placed(v, order) < (0,) * len(v)
         classes = {tuple(n % 2 for n in x) for x in (v, w, (0,) * len(v))}
@@ -163,12 +165,6 @@ def by_leading_terms(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | N
 
 
 Order = tuple[tuple[int, ...], tuple[int, ...]]  # which variable comes first, and 1 or −1 for each
-
-
-def _orders(n: int) -> Iterator[Order]:
-    for signs in product((1, -1), repeat=n):
-        for places in permutations(range(n)):
-            yield places, signs
 
 
 def _placed(exponents: Exponents, order: Order) -> Exponents:

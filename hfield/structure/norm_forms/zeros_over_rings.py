@@ -74,7 +74,9 @@ def _polynomials(ring: PolynomialRing, c: Constants, decide: Decide) -> ZeroNorm
     easy = _roots(ring, c) or _monomials(ring, c)
     if easy:
         return easy
-    used = [i for i in range(len(ring.variables)) if any(_degree_in(x, i) > 0 for x in c)] or [0]
+    used = [
+        i for i in range(len(ring.variables)) if any(e[i] for x in c for e, _ in x.terms())
+    ] or [0]
     for keep, point in itertools.islice(_points(used), 60):
         field: Any = shared(PolynomialRing, ring.base, ring.variables[keep : keep + 1]).fractions
         special = Constants(*(_specialise(x, field, keep, point) for x in c))
@@ -101,10 +103,6 @@ def _points(used: list[int]) -> Iterator[tuple[int, dict[int, int]]]:
     for values in itertools.product(POINTS, repeat=len(used) - 1):
         for keep in used:
             yield keep, dict(zip((i for i in used if i != keep), values, strict=True))
-
-
-def _degree_in(x: SparsePolynomial, index: int) -> int:
-    return max((int(e[index]) for e, _ in x.terms()), default=0)
 
 
 def _specialise(x: SparsePolynomial, field: Ring, index: int, point: dict[int, int]) -> Any:
