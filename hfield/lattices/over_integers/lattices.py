@@ -37,7 +37,7 @@ from hfield.lattices.over_integers.frames import Frame, frame_of
 from hfield.lattices.over_integers.hecke_modules import IntegersModule
 from hfield.lattices.over_integers.local_orders import Local, Rows
 from hfield.lattices.over_integers.quadratic_orders import IntegersEmbeddings
-from hfield.lattices.over_integers.trace_forms import trace_forms
+from hfield.lattices.over_integers.trace_forms import all_of_norm, trace_forms
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -233,17 +233,15 @@ class IntegersLattice(Hinted):
     def elements_of_norm(self, n: object) -> tuple[Quaternion, ...]:
         """Return all elements of norm n, a totally positive number of the field; none for other n ≠ 0.
 
-        Raises :class:`IndefiniteError` unless the algebra is totally definite.
+        Raises :class:`IndefiniteError` unless the algebra is totally definite, and :class:`TooLargeError` for
+        more than a million.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
         >>> len(O.elements_of_norm(1)), len(O.units()), len(O.shortest()), O.shortest()[0].norm()
         (120, 60, 120, 1)
         """
-        forms, norm = trace_forms(self.frame), self.frame.integers.inside(n)
-        if not norm or any(v.sign(norm) < 0 for v in self.field.real_places()):
-            return () if norm else (self.algebra(0),)
-        return self._both_signs(forms.elements_of_norm(self.rows, norm))
+        return tuple(all_of_norm(self.frame, self.rows, self.frame.integers.inside(n)))
 
     def shortest(self) -> tuple[Quaternion, ...]:
         """Return the elements x ≠ 0 with the least Tr(N(x)), the trace down to ℚ. Raises likewise."""

@@ -14,10 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import IndefiniteError, shorten
+from hfield.errors import IndefiniteError, TooLargeError, shorten
 from hfield.lattices.enumeration import least_vectors, vectors_of_length
+from hfield.lattices.short_elements import MANY
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.lattices.over_integers.frames import Frame
 
@@ -74,6 +76,21 @@ class TraceForms:
             row = flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis
             if self.frame.norm(row.entries()) == norm:
                 yield row
+
+
+def all_of_norm(frame: Frame, rows: flint.fmpq_mat, norm: FieldElement) -> list[Quaternion]:
+    """Return all elements of a lattice with a norm, in a fixed order. Raises :class:`TooLargeError`."""
+    forms, zero = trace_forms(frame), [flint.fmpq(0)] * frame.size
+    if not norm:
+        return [frame.quaternion(zero)]
+    if not _positive(frame.field, norm):
+        return []
+    found = []
+    for row in forms.elements_of_norm(rows, norm):
+        found += [row.entries(), (-row).entries()]
+        if len(found) > MANY:
+            raise TooLargeError(f"more than {MANY} elements of this lattice have the given norm")
+    return [frame.quaternion(row) for row in sorted(found, reverse=True)]
 
 
 def _positive(field: Any, x: FieldElement) -> bool:
