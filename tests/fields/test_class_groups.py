@@ -106,3 +106,11 @@ def test_out_of_reach() -> None:
     """A large discriminant is refused, with what is missing."""
     with pytest.raises(HFieldError, match="discriminant is too large"):
         ring("QQ(sqrt(1000000007))").class_group()
+
+
+def test_fields_with_few_small_primes() -> None:
+    """Small elements are seldom units there, nor do they have primes below Minkowski's bound."""
+    for d in (17, 227, 503):
+        K = ring(f"QQ(sqrt({d}))")
+        assert K.class_group().order == 1
+        assert K.unit_group().generators[0].norm() in (1, -1)
