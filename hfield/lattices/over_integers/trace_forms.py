@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import IndefiniteError, TooLargeError, shorten
-from hfield.lattices.enumeration import vectors_of_length
+from hfield.lattices.enumeration import least_vectors, vectors_of_length
 from hfield.lattices.short_elements import MANY
 
 if TYPE_CHECKING:
@@ -52,15 +52,27 @@ class TraceForms:
             total = total + matrix * (c * w).trace()
         return total
 
+    def reduced(
+        self, rows: flint.fmpq_mat, c: FieldElement
+    ) -> tuple[list[list[int]], flint.fmpq_mat, int]:
+        """Return the matrix of a form times a number for a reduced basis, the basis, and the number."""
+        whole, den = (rows * self.form(c) * rows.transpose()).numer_denom()
+        reduced, change = whole.lll(transform=True, rep="gram")
+        gram = [list(map(int, row)) for row in reduced.tolist()]
+        return gram, flint.fmpq_mat(change) * rows, int(den)
+
+    def shortest(self, rows: flint.fmpq_mat) -> list[flint.fmpq_mat]:
+        """Return one of ±x for each x ≠ 0 in a lattice with the least Tr(N(x))."""
+        gram, basis, _ = self.reduced(rows, self.field.one)
+        found = least_vectors(gram)[1]
+        return [flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis for x in found]
+
     def elements_of_norm(
         self, rows: flint.fmpq_mat, norm: FieldElement
     ) -> Iterator[flint.fmpq_mat]:
         """Yield one of ±x for each x in a lattice with the given norm, totally positive."""
-        whole, den = (rows * self.form(norm.inverse()) * rows.transpose()).numer_denom()
-        reduced, change = whole.lll(transform=True, rep="gram")
-        gram = [list(map(int, row)) for row in reduced.tolist()]
-        basis = flint.fmpq_mat(change) * rows
-        for x in vectors_of_length(gram, 2 * self.n * int(den)):
+        gram, basis, den = self.reduced(rows, norm.inverse())
+        for x in vectors_of_length(gram, 2 * self.n * den):
             row = flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis
             if self.frame.norm(row.entries()) == norm:
                 yield row
