@@ -93,6 +93,17 @@ def test_norms_small_and_large(name: str) -> None:
     assert M.represent_integer(-1) is None
 
 
+def test_what_a_prime_forbids() -> None:
+    A = QuaternionAlgebra("(-1,-1|QQ(sqrt(17)))")
+    M = A.maximal_order()
+    O = A.order([8 * x for x in M.basis])  # ℤ_K + 8M: odd norms are 1 modulo 8
+    local = Local(O.frame, O.frame.prime(A.ring.primes_above(2)[0]))
+    for n, forbidden in ((1, False), (4, False), (5, True), (9, False)):
+        assert (
+            quadratic_orders.is_obstructed(local, O.rows, O.frame.integers.inside(n)) == forbidden
+        )
+
+
 def test_short_elements_and_units() -> None:
     A = QuaternionAlgebra("(-1,-1|QQ(sqrt(3)))")
     O = A.eichler_order(A.ring.primes_above(11)[0])

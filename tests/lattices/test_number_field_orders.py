@@ -45,6 +45,12 @@ def test_eichler_orders(name: str) -> None:
     assert O == A.eichler_order(O.level)
 
 
+def test_levels_where_residues_are_fractions_in_the_generator() -> None:
+    A = QuaternionAlgebra("(8+3*s,4+7*s|QQ[s]/(2*s^2-3))")
+    for level in (7, 7 * 11**2):
+        assert A.maximal_order() >= A.eichler_order(level)
+
+
 @pytest.mark.parametrize("name", ALGEBRAS)
 def test_ideals_of_prime_norm_are_all_of_them(name: str) -> None:
     """Against all right ideals x·O + P·O with x modulo P, for orders of every Eichler symbol."""
@@ -186,6 +192,12 @@ def test_connecting_and_two_sided_ideals(name: str) -> None:
             assert J.primitive_part() == (J, A.ring.ideal(1))
             assert (J * A.ring.ideal(Q)).primitive_part() == (J, A.ring.ideal(Q))
             assert J.inverse() * J == other
+            if A.ring.degree > 2:
+                continue
+            far = other.ideals_of_norm(A.ring.ideal(prime))[0].right_order()
+            J = O.connecting_ideal(far)
+            assert (J.left_order(), J.right_order()) == (O, far)
+            assert J.inverse() * J == far
     with pytest.raises(LatticeError, match="one level"):
         A.maximal_order().connecting_ideal(A.eichler_order([(P, 1)]))
 
