@@ -19,6 +19,7 @@ from hfield.commands.orders import (
     sum_text,
     summands,
 )
+from hfield.errors import TooLargeError
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
@@ -155,8 +156,18 @@ def data_over_integers(O: IntegersOrder) -> dict[str, Any]:
         "conductor": ideal_json(O.conductor()),
         "bass": O.is_bass(),
         "hereditary": O.is_hereditary(),
-        "unit_index": O.unit_index() if O.is_definite() else None,
+        "unit_index": _units(O)[0],
     }
+
+
+def _units(O: IntegersOrder) -> tuple[int | None, str]:
+    """Return how many units there are modulo those of the field, if that is known, and what people read."""
+    if not O.is_definite():
+        return None, "infinitely many modulo those of the field"
+    try:
+        return O.unit_index(), f"{O.unit_index()} modulo those of the field"
+    except TooLargeError as error:
+        return None, f"not counted: {error}"
 
 
 def parts_over_integers(O: IntegersOrder) -> list[Part]:
@@ -174,13 +185,12 @@ def parts_over_integers(O: IntegersOrder) -> list[Part]:
         )
         if holds
     ]
-    units = O.unit_index() if O.is_definite() else "infinitely many"
     facts = [
         ("algebra", str(O.algebra)),
         ("sum of", sum_text(O)),
         ("reduced discriminant", f"{O.discriminant()}, of level {O.level}: {kind}"),
         ("conductor", f"{O.conductor()}{': ' * bool(words)}{', '.join(words)}"),
-        ("units", f"{units} modulo those of the field"),
+        ("units", _units(O)[1]),
     ]
     if not maximal:
         facts.append(("not maximal", maximal.reason))

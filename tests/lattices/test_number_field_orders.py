@@ -286,3 +286,20 @@ def test_what_is_pickled_comes_back() -> None:
         other = pickle.loads(pickle.dumps(L))
         assert (type(other), other) == (type(L), L)
     assert pickle.loads(pickle.dumps(I)).order == O
+
+
+@pytest.mark.parametrize("name", ALGEBRAS)
+def test_bases_coordinates_and_two_sided_ideals(name: str) -> None:
+    A = QuaternionAlgebra(name)
+    O = A.eichler_order(split_primes(A, 2, 3, 5, 7, 11)[0])
+    den, rows = O.hnf
+    n = len(rows)
+    assert n == 4 * A.ring.degree
+    assert all(rows[r][c] == 0 for r in range(n) for c in range(r))
+    assert all(0 <= rows[r][c] < rows[c][c] for c in range(n) for r in range(c))
+    assert A.lattice(O.basis[::-1]).hnf == (den, rows)
+    x = A(2, 1, 0, 3)
+    assert sum((q * c for q, c in zip(O.basis, O.coordinates(x), strict=True)), A(0)) == x
+    T = O.two_sided_ideal([x * den])
+    assert O * T == T * O == T
+    assert x * den in T

@@ -99,6 +99,19 @@ class IntegersLattice(Hinted):
         """A basis over ℤ, of 4n quaternions."""
         return tuple(self.frame.quaternion(row) for row in self.rows.tolist())
 
+    @property
+    def hnf(self) -> tuple[int, tuple[tuple[int, ...], ...]]:
+        """A denominator and the rows over it, unique: coordinates in the integral basis times 1, I, J, IJ.
+
+        I and J anticommute and have integral squares; they are i and j for t = 0 and integral a and b.
+        """
+        whole, den = self.rows.numer_denom()
+        return int(den), tuple(tuple(map(int, row)) for row in whole.tolist())
+
+    def coordinates(self, x: object) -> tuple[flint.fmpq, ...]:
+        """Return the rational coordinates of an element with respect to :attr:`basis`."""
+        return tuple((self.frame.row(x) * self.inverse_rows).entries())
+
     def pseudo_basis(self) -> PseudoBasis:
         """Return four pairs (basis over ℤ of an ideal, quaternion): L is the direct sum of their products."""
         return self.frame.pseudo_basis(self.rows)
@@ -472,6 +485,10 @@ class IntegersOrder(IntegersLattice):
     def left_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
         """Return the left ideal O·x + O·y + … . Raises :class:`LatticeError` for a rank below 4."""
         return IntegersIdeal(self.frame, self._ideal(generators, "left"), "left", self)
+
+    def two_sided_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
+        """Return the ideal of the sums of all a·x·b, as a right ideal. Raises :class:`LatticeError`."""
+        return IntegersIdeal(self.frame, (self.left_ideal(generators) * self).rows, "right", self)
 
     def right_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
         """Return the right ideal x·O + y·O + … . Raises :class:`LatticeError` for a rank below 4."""

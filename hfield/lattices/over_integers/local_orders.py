@@ -94,14 +94,15 @@ class Local:
 
     def radical(self, rows: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return the x with tr(x·O) ⊂ P and N(x) ∈ P, a lattice between O and p·O."""
-        frame, n = self.frame, self.frame.n
-        residues = flint.nmod_mat(self._residues, self.p)
+        frame, other = self.frame, rows.transpose()
+        traces = [self._modulo(rows * form * other) for form in frame.gram]
         entries: list[list[int]] = [[] for _ in range(frame.size)]
-        for row in rows.tolist():
-            products = (rows * frame.right(row)).tolist()
-            traces = flint.nmod_mat([list(map(self._twice, q[:n])) for q in products], self.p)
-            for k, found in enumerate((traces * residues).tolist()):
-                entries[k] += map(int, found)
+        for digits in zip(*self._residues, strict=True):
+            total = flint.nmod_mat(frame.size, frame.size, self.p)
+            for matrix, c in zip(traces, digits, strict=True):
+                total += matrix * c
+            for row, found in zip(entries, total.tolist(), strict=True):
+                row += map(int, found)
         vectors = left_kernel(flint.nmod_mat(entries, self.p))
         if self.p == 2 and vectors:  # N is additive on these, and so is the root of its residue
             roots = [self._digits(self.place.sqrt(self._norm_residue(v, rows))) for v in vectors]
@@ -112,10 +113,9 @@ class Local:
             ]
         return self._above(rows, vectors)
 
-    def _twice(self, c: flint.fmpq) -> int:
-        """Return 2c modulo p, which does not divide the denominator."""
-        double = 2 * c
-        return int(double.p) * pow(int(double.q), -1, self.p) % self.p
+    def _modulo(self, matrix: flint.fmpq_mat) -> flint.nmod_mat:
+        """Return an integral matrix modulo p."""
+        return flint.nmod_mat(matrix.numer_denom()[0], self.p)
 
     def _norm_residue(self, vector: list[int], rows: flint.fmpq_mat) -> flint.nmod_poly:
         row = (flint.fmpq_mat(flint.fmpz_mat(1, self.frame.size, vector)) * rows).entries()
@@ -129,14 +129,27 @@ class Local:
 
     def left_order(self, ideal: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return the x with x·I ⊂ I, for an ideal I between an order and p times it."""
-        frame, inverse = self.frame, ideal.inv()
-        columns: list[list[int]] = [[] for _ in range(frame.size)]
-        for row in ideal.tolist():
-            products = (ideal * frame.right(row) * inverse).tolist()
-            for column, found in zip(columns, products, strict=True):
-                column += [int(c.p) % self.p for c in found]
+        inverse = ideal.inv()
+        products = [
+            self._modulo(ideal * self.frame.right(row) * inverse).tolist()
+            for row in self._generators(ideal, inverse)
+        ]
+        columns = [[int(c) for part in row for c in part] for row in zip(*products, strict=True)]
         vectors = left_kernel(flint.nmod_mat(columns, self.p))
         return self._above(ideal, vectors) * flint.fmpq(1, self.p)
+
+    def _generators(self, rows: flint.fmpq_mat, inverse: flint.fmpq_mat) -> Rows:
+        """Return some rows that generate a lattice over the integers of the field, modulo p times it."""
+        found: Rows = []
+        vectors: list[list[int]] = []
+        for row in rows.tolist():
+            multiples = [(flint.fmpq_mat([row]) * m).entries() for m in self.frame.scalars]
+            more = self._modulo(flint.fmpq_mat(multiples) * inverse).tolist()
+            reduced, rank = flint.nmod_mat([*vectors, *map(_ints, more)], self.p).rref()
+            if rank > len(vectors):
+                vectors = list(map(_ints, reduced.tolist()[:rank]))
+                found.append(row)
+        return found
 
     def _maximal_ideal(self, rows: flint.fmpq_mat, radical: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return one of the two maximal ideals at P of an order that is hereditary there, and not maximal."""
@@ -242,3 +255,7 @@ class Local:
         ideal = (rows * frame.right(e.entries())).tolist()
         parts = frame.multiple(rows, frame.integers.prime(self.prime) ** k).tolist()
         return unique_rows(flint.fmpq_mat([*ideal, *frame.conjugate(ideal), *parts]))
+
+
+def _ints(row: list[flint.nmod]) -> list[int]:
+    return list(map(int, row))
