@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat, fmpz_poly, nmod_mat
 
 from hfield.factorisation import factorise
 from hfield.lattices.ideals_of_norm import MOST, number_maximal
 from hfield.lattices.z_order import eichler_symbol
-from hfield.primality import primes
+from hfield.primality import is_prime, primes
 
 if TYPE_CHECKING:
     from hfield.lattices.classes import Classes
@@ -90,19 +90,46 @@ def _by_commuting(classes: Classes, p: int) -> fmpz_mat | None:
     columns, rows, times = np.array(entries).T
     starts = np.flatnonzero(np.diff(columns, prepend=-1))  # each class is a neighbour of some
 
-    def orbit(v: list[int]) -> nmod_mat:
-        found = [np.array(v)]
-        for _ in range(h - 1):
-            found.append(np.add.reduceat(found[-1][rows] * times, starts) % MODULUS)
-        return nmod_mat(h, h, np.concatenate(found).tolist(), MODULUS)
+    def orbit(v: Any, kept: list[int]) -> nmod_mat:
+        found = []
+        for _ in kept:
+            found.append(v[kept])
+            v = np.add.reduceat(v[rows] * times, starts) % MODULUS
+        return nmod_mat(len(kept), len(kept), np.concatenate(found).tolist(), MODULUS)
 
-    n = h // 2
-    around = classes.neighbours_of(n, p)
-    try:
-        found = orbit([int(i == n) for i in range(h)]).solve(orbit([around[i] for i in range(h)]))
-    except ZeroDivisionError:  # v lies in a part that T leaves to itself
-        return None
-    return fmpz_mat(h, h, [int(x) for x in found.entries()])
+    # what commutes with the exchange of classes maps even and odd vectors to such
+    swap = np.array(_exchanged(classes))
+    n = next((n for n in range(h // 2, h) if swap[n] != n), h // 2)
+    v, w = np.zeros(h, dtype=np.int64), np.zeros(h, dtype=np.int64)
+    v[n] = 1
+    for j, t in classes.neighbours_of(n, p).items():
+        w[j] = t
+    matrix = np.zeros((h, h), dtype=np.int64)
+    for sign in (1, -1):
+        kept = [i for i in range(h) if (i <= swap[i] if sign > 0 else i < swap[i])]
+        if not kept:
+            continue
+        both = ((x + sign * x[swap]) % MODULUS for x in (v, w))
+        known, wanted = (orbit(x, kept) for x in both)
+        try:
+            found = known.solve(wanted)
+        except ZeroDivisionError:  # v lies in a part that T leaves to itself
+            return None
+        # B[i, j] ± B[swapped i, j]; once, where i is not swapped
+        part = np.array([int(x) for x in found.entries()]).reshape(len(kept), len(kept))
+        whole = np.zeros((len(kept), h), dtype=np.int64)
+        whole[:, kept] = part
+        whole[:, swap[kept]] = sign * part
+        matrix[kept] += whole
+        matrix[swap[kept]] += sign * whole
+    matrix = np.where(matrix % 2, matrix + MODULUS, matrix) // 2 % MODULUS
+    return fmpz_mat(h, h, matrix.ravel().tolist())
+
+
+def _exchanged(classes: Classes) -> list[int]:
+    """Return an involution of the classes with which Brandt matrices off the discriminant commute."""
+    h, swap = range(len(classes)), classes.exchanged
+    return swap if all(swap[swap[i]] == i for i in h) else list(h)
 
 
 def hecke_polynomial(classes: Classes, n: int) -> list[int]:
@@ -110,21 +137,29 @@ def hecke_polynomial(classes: Classes, n: int) -> list[int]:
 
     Classes that a two-sided prime ideal exchanges make it a product of two (the signs of Atkin and Lehner).
     """
-    matrix = classes.brandt_matrix(n)
     h = range(len(classes))
-    swap = classes.exchanged if len(classes) > FEW and classes.ring.discriminant % n else list(h)
-    if all(swap[swap[i]] == i for i in h) and any(swap[i] != i for i in h):
-        even = [i for i in h if i <= swap[i]]
-        odd = [i for i in h if i < swap[i]]
-        plus = [
-            [row[j] + row[swap[j]] * (j != swap[j]) for j in even]
-            for row in (matrix[i] for i in even)
-        ]
-        minus = [[row[j] - row[swap[j]] for j in odd] for row in (matrix[i] for i in odd)]
-        found = fmpz_mat(plus).charpoly() * fmpz_mat(minus).charpoly()
-    else:
-        found = fmpz_mat(matrix).charpoly()
-    return [int(c) for c in fmpz_poly(found).coeffs()]
+    swap = _exchanged(classes) if len(h) > FEW and classes.ring.discriminant % n else list(h)
+    if all(swap[i] == i for i in h):
+        found = fmpz_mat(classes.brandt_matrix(n)).charpoly()
+        return [int(c) for c in fmpz_poly(found).coeffs()]
+    sparse = is_prime(n)
+    rows = (
+        classes.neighbours(n)
+        if sparse
+        else [Counter(dict(enumerate(row))) for row in classes.brandt_matrix(n)]
+    )
+    found = fmpz_poly([1])
+    for sign in (1, -1):
+        kept = [i for i in h if (i <= swap[i] if sign > 0 else i < swap[i])]
+        place = {i: k for k, i in enumerate(kept)}
+        table = [[0] * len(kept) for _ in kept]
+        for line, i in zip(table, kept, strict=True):
+            for j, times in rows[i].items():
+                first = min(j, swap[j])
+                if first in place:
+                    line[place[first]] += times if first == j else sign * times
+        found *= fmpz_mat(table).charpoly()
+    return [int(c) for c in found.coeffs()]
 
 
 FEW = 60

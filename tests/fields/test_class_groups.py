@@ -2,7 +2,7 @@
 
 import json
 from fractions import Fraction
-from math import isclose
+from math import isclose, log
 from pathlib import Path
 from typing import Any
 
@@ -106,3 +106,11 @@ def test_out_of_reach() -> None:
     """A large discriminant is refused, with what is missing."""
     with pytest.raises(HFieldError, match="discriminant is too large"):
         ring("QQ(sqrt(1000000007))").class_group()
+
+
+def test_fields_with_few_small_primes() -> None:
+    """Small elements are seldom units there, nor do they have primes below Minkowski's bound."""
+    for d, unit in ((17, 4 + 17**0.5), (227, 226 + 15 * 227**0.5), (503, 24648 + 1099 * 503**0.5)):
+        K = ring(f"QQ(sqrt({d}))")
+        assert K.class_group().order == 1
+        assert isclose(float(K.unit_group().regulator.mid()), log(unit))

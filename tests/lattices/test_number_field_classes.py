@@ -116,11 +116,19 @@ def test_left_ideals() -> None:
         ideals[0].equivalence(ideals[0].conjugate())
 
 
-def test_isomorphisms_of_orders() -> None:
-    A = unramified("s^2-6")
-    C = A.maximal_order().class_set()
+@pytest.mark.parametrize(
+    ("polynomial", "level", "types"),
+    [("s^2-6", 1, 3), ("s^3-s^2-4*s+3", 1, 1), ("s^2-s-1", 22, 4)],
+)
+def test_isomorphisms_of_orders(polynomial: str, level: int, types: int) -> None:
+    """Types by two-sided ideals are those of left orders, compared in pairs."""
+    K = ring(f"QQ[s]/({polynomial})")
+    finite = K.primes_above(3)[:1] if K.degree % 2 else []
+    A = QuaternionAlgebra.from_ramification(K, [*K.real_places(), *finite])
+    C = A.eichler_order(level).class_set()
+    assert C.type_number == types
     orders = C.left_orders()
-    x = A(2, A.ring.gen, -1, 3)
+    x = A(2, K.gen, -1, 3)
     for n, O in enumerate(orders):
         moved = (x * O) * x.inverse()
         answer = O.isomorphism(moved)

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property, lru_cache
-from itertools import product
+from itertools import islice, product
 from random import Random
 from typing import Any
 
@@ -32,7 +32,8 @@ from hfield.primality import is_prime, primes
 from hfield.rings.balls import precision
 
 MAX_BOUND = 20_000  # of the norms of primes that generate the class group
-LEAST_BOUND = 5
+FEW = 8
+"""At least so many primes of degree one: ratios of elements give units where few short ones are units."""
 MAX_SATURATED = 20_000  # primes at which a group of units is shown to be saturated
 MAX_ROOTS = 50_000  # choices of conjugates of a root
 TRIES = 400
@@ -52,8 +53,7 @@ class SUnits:
         self.rng = Random(1)
         real, complex_ = self.field.signature
         self.rank = real + complex_ - 1
-        # at least some primes, so that elements of one norm give units where few short ones are units
-        self.bound = max(minkowski(frame), LEAST_BOUND if self.rank else 1)
+        self.bound = max(minkowski(frame), self._least_bound() if self.rank else 1)
         if self.bound > MAX_BOUND:
             raise TooLargeError(
                 f"the class group of {shorten(frame.ring.name)} asks for all prime ideals of norm up to "
@@ -75,6 +75,11 @@ class SUnits:
         self.saturated: dict[int, list[tuple[int, int]]] = {}
         self._collect()
         self._saturate()
+
+    def _least_bound(self) -> int:
+        """Return the norm of the last of a few prime ideals of degree one."""
+        norms = (P.norm for p in primes() for _, P in self.frame.primes_above(p) if P.f == 1)
+        return list(islice(norms, FEW))[-1]
 
     # --- smooth elements ---------------------------------------------------------------------------
 
