@@ -11,7 +11,6 @@ from functools import cached_property
 from math import lcm, prod
 from typing import Any
 
-from hfield.certificates.evaluate import Evaluator, RingScalars
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import BY_MASS, FIELD, MASS_OVER_FIELDS, SIEGEL
 from hfield.certificates.language import split
@@ -101,36 +100,38 @@ class _Base:
 
     def _multiply(self, setting: Setting) -> None:
         """Make the tables of products, and of tr(x·conj(y)), of the basis over ℤ, each times a number."""
-        assert setting.field is not None
-        evaluator = Evaluator(RingScalars(setting.field), setting.constants, {})
-        if evaluator.conditions:
-            reject("the structure constants are not defined")
-        n, size = self.n, self.size
-        products: list[list[list[Fraction]]] = [
-            [[Fraction(0)] * size for _ in range(size)] for _ in range(size)
-        ]
-        for u, lines in enumerate(evaluator.table):
-            for v, terms in enumerate(lines):
-                for place, c in terms:
-                    by = self.scalar(coefficients(self.ring, c))
-                    for k in range(n):
-                        for m in range(n):
-                            row = self.integers.table[k][m]
-                            for p in range(n):
-                                products[u * n + k][v * n + m][place * n + p] += sum(
-                                    row[q] * by[q][p] for q in range(n)
-                                )
+        ring, n, size = self.ring, self.n, self.size
+        a, t, b = (ring.value(tree, "a structure constant") for tree in setting.constants)
+        one, minus = ring.one, ring.neg(ring.one)
+        ab, tb = ring.mul(a, b), ring.mul(t, b)
+        lines = {(0, m): [(m, one)] for m in range(4)} | {(m, 0): [(m, one)] for m in range(4)}
+        lines |= {
+            (1, 1): [(0, a), (1, t)], (1, 2): [(3, one)], (1, 3): [(2, a), (3, t)],
+            (2, 1): [(2, t), (3, minus)], (2, 2): [(0, b)], (2, 3): [(0, tb), (1, ring.neg(b))],
+            (3, 1): [(2, ring.neg(a))], (3, 2): [(1, b)], (3, 3): [(0, ring.neg(ab))],
+        }  # fmt: skip
+        products = [[[Fraction(0)] * size for _ in range(size)] for _ in range(size)]
+        for (u, v), terms in lines.items():
+            for place, c in terms:
+                by = self.scalar(coefficients(ring, c))
+                for k in range(n):
+                    for m in range(n):
+                        row = self.integers.table[k][m]
+                        for p in range(n):
+                            products[u * n + k][v * n + m][place * n + p] += sum(
+                                row[q] * by[q][p] for q in range(n)
+                            )
         self.scale = lcm(*(c.denominator for rows in products for row in rows for c in row))
         self.table: list[list[Row]] = [
             [tuple(int(c * self.scale) for c in row) for row in rows] for rows in products
         ]
-        t = self.scalar(coefficients(self.ring, evaluator.constants[1]))
+        trace = self.scalar(coefficients(ring, t))
         bar = [
             [Fraction(int(a == b) * (1 if a < n else -1)) for b in range(size)] for a in range(size)
         ]
         for k in range(n):
             for p in range(n):
-                bar[n + k][p] = t[k][p]
+                bar[n + k][p] = trace[k][p]
         self._bar_den = lcm(*(c.denominator for row in bar for c in row))
         self._bar = [[int(c * self._bar_den) for c in row] for row in bar]
 
