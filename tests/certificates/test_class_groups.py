@@ -178,7 +178,7 @@ def test_no_number_can_be_changed() -> None:
     for name in FIELDS:
         for data in both(name):
             evidence = data["evidence"]
-            for _ in range(12):
+            for _ in range(6):
                 for _ in range(rng.randint(1, 3)):
                     evidence = mutated(rng, evidence)
                 tried += 1
@@ -188,7 +188,7 @@ def test_no_number_can_be_changed() -> None:
                     evidence = data["evidence"]
                     continue
                 passed += 1
-    assert tried == 12 * 2 * len(FIELDS)
+    assert tried == 6 * 2 * len(FIELDS)
     assert passed < tried / 3
 
 
