@@ -44,6 +44,12 @@ def test_the_true_ones_are_accepted(name: str) -> None:
         assert found.statement == data["statement"]
 
 
+def test_a_narrow_class_group_says_why_there_is_none() -> None:
+    claim = ring("QQ(sqrt(3))").narrow_class_group().claim
+    assert claim.certificate is None
+    assert "narrow" in str(claim.why_no_certificate)
+
+
 def test_what_they_state() -> None:
     stated = [both(name)[0]["statement"] for name in FIELDS[:3]]
     assert stated == ["class-group{1}", "class-group{2,2}", "class-group{3,3}"]
