@@ -70,6 +70,7 @@ class Kind(StrEnum):
     EMBEDDING = "embedding"
     EQUIVALENT = "equivalent"
     IDEAL = "ideal"
+    IDEAL_CLASSES = "ideal-classes"
     ISOMORPHIC_ORDERS = "isomorphic-orders"
     NORM_ONE_GROUP = "norm-one-group"
     ORDER = "order"

@@ -123,6 +123,10 @@ QUATERNION_ROOT = (
 )
 REAL_ROOTS = "every number that is not negative is a square in RR"
 MASS = "the ideal classes of an order have the mass that its Eichler symbols give (Eichler's mass formula)"
+MASS_OVER_FIELDS = (
+    "the ideal classes of an order over ℤ_K have the mass of Eichler's formula, by ζ_K(−1)"
+)
+SIEGEL = "ζ_K(−1) is a sum of sums of divisors of totally positive numbers (Siegel's formula)"
 SHIMIZU = "the units of norm 1 of an order have the area that its Eichler symbols give (Shimizu's formula)"
 POINCARE = "what pairs the sides of a domain generates its group, its corners give all relations (Poincaré)"
 COMPLEX_ROOTS = "every number is a square in CC"
@@ -149,6 +153,8 @@ THEOREMS = {
     INDUCTION: "Peano's axioms; the passage is that of an f with its last argument fixed",
     REAL_ROOTS: "Rudin, Principles of Mathematical Analysis, theorem 1.21",
     MASS: "Voight, Quaternion Algebras, theorem 26.1.5, for every order of a definite algebra over QQ",
+    MASS_OVER_FIELDS: "Voight, Quaternion Algebras, theorem 26.1.5, for every totally definite order",
+    SIEGEL: "Siegel, Nachrichten der Akademie Göttingen (1969), 87-102",
     SHIMIZU: "Voight, Quaternion Algebras, theorem 39.1.8 and lemma 26.6.7, for every order over ZZ",
     POINCARE: "Voight, Quaternion Algebras, theorem 37.5.3; Maskit, Adv. Math. 7 (1971), 219-230",
     MINKOWSKI: "Neukirch, Algebraic Number Theory, chapter I, section 5 and exercise 3 of section 6",

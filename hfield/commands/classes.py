@@ -17,7 +17,6 @@ from hfield.commands.orders import (
     answer_certified,
     ideal_json,
     level_of,
-    no_certificate,
     summands,
 )
 from hfield.commands.parser import UsageError
@@ -178,7 +177,7 @@ def _over_integers(args: Namespace, O: IntegersOrder) -> tuple[Answer, Callable[
         table = Table(rows, "><><", "rlrlr", head=head, below=below)
         return [Facts(facts, 14), table, *(_forms(C) if args.newforms else [])]
 
-    return of_parts(data, parts), no_certificate
+    return of_parts(data, parts), lambda: C.claim
 
 
 def _forms_data(C: Any) -> dict[str, object]:

@@ -44,6 +44,12 @@ def test_the_true_ones_are_accepted(name: str) -> None:
         assert found.statement == data["statement"]
 
 
+def test_a_narrow_class_group_says_why_there_is_none() -> None:
+    claim = ring("QQ(sqrt(3))").narrow_class_group().claim
+    assert claim.certificate is None
+    assert "narrow" in str(claim.why_no_certificate)
+
+
 def test_what_they_state() -> None:
     stated = [both(name)[0]["statement"] for name in FIELDS[:3]]
     assert stated == ["class-group{1}", "class-group{2,2}", "class-group{3,3}"]
@@ -178,7 +184,7 @@ def test_no_number_can_be_changed() -> None:
     for name in FIELDS:
         for data in both(name):
             evidence = data["evidence"]
-            for _ in range(12):
+            for _ in range(6):
                 for _ in range(rng.randint(1, 3)):
                     evidence = mutated(rng, evidence)
                 tried += 1
@@ -188,7 +194,7 @@ def test_no_number_can_be_changed() -> None:
                     evidence = data["evidence"]
                     continue
                 passed += 1
-    assert tried == 12 * 2 * len(FIELDS)
+    assert tried == 6 * 2 * len(FIELDS)
     assert passed < tried / 3
 
 

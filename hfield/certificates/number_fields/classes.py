@@ -5,7 +5,7 @@ is cited, and each prime ideal up to there is reduced to S by an element. The S-
 class group is ℤ^S modulo their exponents, and units are those with exponents 0 (docs/trust.md).
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from math import factorial, gcd, isqrt, prod
 from typing import Any
@@ -46,7 +46,8 @@ def class_group(
 ) -> Finding:
     """The class group is a product of cyclic groups of these orders, each dividing the next."""
     stated = [int(d) for d in parts[0].split(",")]
-    shown = _SUnits(_field(setting), _proved(verdict, evidence))
+    _expect_proved(verdict)
+    shown = SUnits(field_of(setting), evidence)
     if stated != (shown.invariants or [1]):
         reject("the class group is another one")
     return Finding(FIELD, BY_S_UNITS).citing(*shown.cites)
@@ -54,38 +55,22 @@ def class_group(
 
 def unit_group(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
     """There are so many roots of unity, and with them these units generate all."""
-    field = _field(setting)
-    shown = _SUnits(field, _proved(verdict, evidence))
+    _expect_proved(verdict)
+    shown = SUnits(field_of(setting), evidence)
     assert setting.field is not None
-    units = [_element(setting.field, setting.field.read(text)) for text in parts[1:]]
+    units = [coefficients(setting.field, setting.field.read(text)) for text in parts[1:]]
     if int(parts[0]) != shown.torsion_order:
         reject("there are not so many roots of unity")
-    if len(units) != shown.places.rank:
-        reject(f"the rank of the units is {shown.places.rank}")
-    for x in units:
-        den, row = shown.integers.coordinates(x)
-        if den != 1 or abs(shown.integers.norm(row)) != 1:
-            reject("an element is no unit")
-    if units:
-        low, high = volume([()] * len(units), [shown.logarithms(x) for x in units])
-        least = shown.volume[0]
-        charge_products([high], [least])
-        if low <= 0 or high * prod(shown.invariants) >= 2 * least:
-            reject("these units do not generate all")
+    shown.need_fundamental(units)
     return Finding(FIELD, BY_S_UNITS).citing(*shown.cites)
 
 
-def _proved(verdict: str, evidence: object) -> Mapping[str, object]:
+def _expect_proved(verdict: str) -> None:
     if verdict != "proved":
         reject(f"evidence of S-units does not show that this is {verdict}")
-    keys = "kind basis primes S reductions generators torsion saturated"
-    data = an_object(evidence, keys, "the evidence")
-    if data["kind"] != "S-units":
-        reject("what shows a class group, or units, is evidence of the kind 'S-units'")
-    return data
 
 
-def _field(setting: Setting) -> NumberField:
+def field_of(setting: Setting) -> NumberField:
     """Return the field as ℚ[s]/(f)."""
     ring = setting.field
     if isinstance(ring, Quadratic):
@@ -98,17 +83,22 @@ def _field(setting: Setting) -> NumberField:
     return ring
 
 
-def _element(ring: Any, x: Any) -> Element:
+def coefficients(ring: Any, x: Any) -> Element:
     """Return an element as coefficients of 1, s, s², …"""
     return pair(x) if isinstance(ring, Quadratic) else tuple(x)
 
 
-class _SUnits:
+class SUnits:
     """The S-units that evidence gives, seen to be all."""
 
-    def __init__(self, field: NumberField, data: Mapping[str, object]) -> None:
+    KEYS = "kind basis primes S reductions generators torsion saturated"
+
+    def __init__(self, field: NumberField, evidence: object) -> None:
+        data = an_object(evidence, self.KEYS, "the evidence")
+        if data["kind"] != "S-units":
+            reject("what shows a class group, or units, is evidence of the kind 'S-units'")
         self.field, n = field, field.degree
-        rows = [list(self._given(x)) for x in a_list(data["basis"], "the integral basis")]
+        rows = [list(self.given(x)) for x in a_list(data["basis"], "the integral basis")]
         if len(rows) != n:
             reject(f"an integral basis has {n} elements")
         self.integers = Integers(field, rows)
@@ -119,7 +109,7 @@ class _SUnits:
         if len(set(self.S)) < len(self.S) or max(self.S, default=-1) >= len(self.factors.primes):
             reject("S has a prime ideal twice, or one that is not given")
         self._need_generators(data["reductions"])
-        self.generators = [self._given(x) for x in a_list(data["generators"], "generators")]
+        self.generators = [self.given(x) for x in a_list(data["generators"], "generators")]
         self.rows = [self._exponents(x) for x in self.generators]
         size = len(self.S) + self.places.rank
         if len(self.generators) != size or size > MOST_ROWS:
@@ -129,11 +119,27 @@ class _SUnits:
         self._need_saturated(data["saturated"])
         self.invariants = smith(self.rows, len(self.S))
 
-    def _given(self, value: object) -> Element:
+    def given(self, value: object) -> Element:
+        """Read an element: the coefficients of 1, s, s², …"""
         found = tuple(a_rational(c, "a coefficient") for c in a_list(value, "an element"))
         if len(found) != self.field.degree:
             reject(f"an element has {self.field.degree} coefficients")
         return found
+
+    def need_fundamental(self, units: Sequence[Element]) -> None:
+        """Reject unless these units and the roots of unity generate all units."""
+        if len(units) != self.places.rank:
+            reject(f"the rank of the units is {self.places.rank}")
+        for x in units:
+            den, row = self.integers.coordinates(x)
+            if den != 1 or abs(self.integers.norm(row)) != 1:
+                reject("an element is no unit")
+        if units:
+            low, high = volume([()] * len(units), [self.logarithms(x) for x in units])
+            least = self.volume[0]
+            charge_products([high], [least])
+            if low <= 0 or high * prod(self.invariants) >= 2 * least:
+                reject("these units do not generate all")
 
     # --- the primes ----------------------------------------------------------------------------------
 
@@ -158,7 +164,7 @@ class _SUnits:
         known = set(self.S)
         for entry in a_list(data, "reductions"):
             pair_ = a_list(entry, "a reduction", 2)
-            k, x = an_integer(pair_[0], "the number of a prime ideal", 0), self._given(pair_[1])
+            k, x = an_integer(pair_[0], "the number of a prime ideal", 0), self.given(pair_[1])
             found = self.factors.exponents(x)
             if (
                 len(pair_) != 2
@@ -190,7 +196,7 @@ class _SUnits:
         """Read a root of unity of order w, and primes of degree one, modulo which roots of unity differ."""
         data = an_object(value, "order generator residues", "the torsion")
         w = self.torsion_order = an_integer(data["order"], "the number of roots of unity", 2)
-        self.torsion = self._given(data["generator"])
+        self.torsion = self.given(data["generator"])
         if w > 1_000:
             reject("a field of this degree has no root of unity of so large an order")
         if not self._is_one(self._power(self.torsion, w)) or any(

@@ -123,7 +123,7 @@ class Element:
 
 def reduced(den: int, rows: Rows) -> Key:
     """Return a Hermite form over its least denominator."""
-    charge(den.bit_length() * sum(rows[n][n].bit_length() for n in range(4)) // 30_000)
+    charge(den.bit_length() * sum(row[n].bit_length() for n, row in enumerate(rows)) // 30_000)
     g = gcd(den, *(x for row in rows for x in row))
     return den // g, tuple(tuple(x // g for x in row) for row in rows)
 
@@ -134,34 +134,35 @@ def transposed(rows: Rows) -> Rows:
 
 
 def hermite(rows: Iterable[Sequence[int]]) -> Rows:
-    """Return the Hermite form of what the rows span over ℤ. Raises :class:`Rejected` for a rank below 4."""
+    """Return the Hermite form of what the rows span over ℤ. Raises :class:`Rejected` below the full rank."""
     rest = [list(row) for row in rows]
+    size = len(rest[0])
     found: list[list[int]] = []
     first = longest(rest)
-    for c in range(4):
+    for c in range(size):
         bits = (c + 1) * first  # what has been combined is longer
         cost = 1 + bits // 4_000  # where a quotient is short, as most are
         charge(len(rest) * (bits * bits // 150_000))
         pool = [row for row in rest if row[c]]
         rest = [row for row in rest if not row[c]]
         if not pool:
-            reject("these rows span a lattice of rank below 4")
+            reject(f"these rows span a lattice of rank below {size}")
         while len(pool) > 1:
             charge(cost * len(pool))
             pivot = min(pool, key=lambda row: abs(row[c]))
             others, pool = [row for row in pool if row is not pivot], [pivot]
             for row in others:
                 q = row[c] // pivot[c]
-                for n in range(c, 4):
+                for n in range(c, size):
                     row[n] -= q * pivot[n]
                 (pool if row[c] else rest).append(row)
         (pivot,) = pool
         found.append([-x for x in pivot] if pivot[c] < 0 else pivot)
     charge(first**2 // 2_000)
-    for c in range(1, 4):
+    for c in range(1, size):
         for upper in found[:c]:
             q = upper[c] // found[c][c]
-            for n in range(c, 4):
+            for n in range(c, size):
                 upper[n] -= q * found[c][n]
     return tuple(map(tuple, found))
 

@@ -19,12 +19,14 @@ import flint
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.evidence import Certified, Claim
 from hfield.fields.number_fields.ideals import Ideal
 from hfield.fuchsian.group import NormOneGroup
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices.checked_arguments import checked_side, listed, natural
 from hfield.lattices.eigensystems import WithForms
 from hfield.lattices.over_integers import (
+    certificates,
     class_sets,
     equivalence,
     ideals_of_norm,
@@ -743,7 +745,7 @@ class IntegersIdeal(IntegersLattice):
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
 
 
-class IntegersClassSet(class_sets.Classes, WithForms, Hinted):
+class IntegersClassSet(class_sets.Classes, WithForms, Certified, Hinted):
     """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -757,6 +759,11 @@ class IntegersClassSet(class_sets.Classes, WithForms, Hinted):
     def __init__(self, order: IntegersOrder) -> None:
         super().__init__(order)
         self.order = order
+
+    @property
+    def claim(self) -> Claim:
+        """How many classes there are, as a statement with its evidence."""
+        return certificates.of_class_set(self)
 
     def __getitem__(self, n: int) -> IntegersIdeal:
         """Return the representative of class n, a right ideal that contains 1; class 0 is that of O."""

@@ -32,7 +32,7 @@ def evidence(s: SUnits) -> dict[str, Any]:
     for p in primes(s.bound + 1):
         above = [P for _, P in s.frame.primes_above(p)]
         number |= {P: len(number) + k for k, P in enumerate(above)}
-        listed.append([p, [_second(s, P) for P in above]])
+        listed.append([p, seconds_above(s, p)])
     limit = s.index_bound()
     needed = [ell for ell in s.saturated if ell <= limit and (s.rank or limit % ell == 0)]
     return {
@@ -49,6 +49,18 @@ def evidence(s: SUnits) -> dict[str, Any]:
         },
         "saturated": [[ell, [list(pair) for pair in s.saturated[ell]]] for ell in needed],
     }
+
+
+def seconds_above(s: SUnits, p: int) -> list[list[int]]:
+    """Return second generators of the prime ideals above p, in the integral basis."""
+    return [_second(s, P) for _, P in s.frame.primes_above(p)]
+
+
+def cited(s: SUnits) -> tuple[str, ...]:
+    """Return the theorems by which the S-units are all."""
+    bound = REDUCED_FORMS if s.n == 2 else MINKOWSKI
+    regulator = CITED.get(s.least_regulator()[1])
+    return (bound,) if regulator is None or not s.rank else (bound, regulator)
 
 
 def _second(s: SUnits, P: Any) -> list[int]:
@@ -80,9 +92,5 @@ def _residues(s: SUnits) -> list[list[int]]:
 
 def claim(s: SUnits, ring: Any, statement: str) -> Claim:
     """Return a statement about a field, with the S-units that show it."""
-    bound = REDUCED_FORMS if s.n == 2 else MINKOWSKI
-    regulator = CITED.get(s.least_regulator()[1])
-    assumes = (bound,) if regulator is None or not s.rank else (bound, regulator)
-    return Claim(
-        f"(-1,-1|{ring.name})", statement, evidence(s), BY_S_UNITS, assumes=assumes, ring=ring
-    )
+    algebra = f"(-1,-1|{ring.name})"
+    return Claim(algebra, statement, evidence(s), BY_S_UNITS, assumes=cited(s), ring=ring)

@@ -1,0 +1,141 @@
+"""Forge certificates of class groups, units, class sets and groups of units, and see that no lie passes.
+
+    python scripts/forge_arithmetic.py [--seconds 60] [--seed 0]
+
+Genuine certificates get a false statement, and one to three changes of their evidence: numbers, entries left
+out, doubled or exchanged, parts of other certificates. What is stated is false because the genuine statement
+is true. Exit status 1 when a false one passes; an error that is no rejection ends it.
+"""
+
+import argparse
+import random
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from hfield import QuaternionAlgebra, ring
+from hfield.certificates.check import Rejected, Work, check
+
+FIELDS = (
+    "QQ(sqrt(-21))", "QQ(sqrt(5))", "QQ(sqrt(82))", "QQ(zeta5)", "QQ(root(7,3))", "QQ(sqrt(-5))",
+    "QQ[s]/(s^3-s^2-2*s+1)", "QQ[s]/(s^3-s^2-2*s-8)", "QQ[s]/(s^4-s^2+4)", "QQ(sqrt(-1))",
+)  # fmt: skip
+INDEFINITE = ((3, -1, 1), (1, 1, 1), (1, 1, 6), (-1, 3, 5), (5, 2, 1))
+DEFINITE = ("QQ(sqrt(5))", "QQ(sqrt(17))", "QQ(sqrt(29))", "QQ[s]/(s^3-s^2-2*s+1)")
+
+
+def genuine() -> list[dict[str, Any]]:
+    """Return a certificate of each kind and of each field and algebra."""
+    found = []
+    for name in FIELDS:
+        K = ring(name)
+        found += [K.class_group().certificate, K.unit_group().certificate]
+    for a, b, level in INDEFINITE:
+        G = QuaternionAlgebra("QQ", a, b).eichler_order(level).norm_one_group()
+        found += [G.certificate, G.domain().certificate]
+    for name in DEFINITE:
+        A = QuaternionAlgebra(name, -1, -1)
+        found += [O.class_set().certificate for O in (A.maximal_order(), A.order(["i", "j"]))]
+    return [data for data in found if data is not None]
+
+
+def changed(rng: random.Random, value: Any) -> Any:
+    """Return a copy of JSON data with one change at one place."""
+    if isinstance(value, dict):
+        key = rng.choice([k for k in value if k != "kind"])
+        return {**value, key: changed(rng, value[key])}
+    if isinstance(value, list) and value:
+        n, m, how = rng.randrange(len(value)), rng.randrange(len(value)), rng.randrange(10)
+        if how == 0:
+            return [*value[:n], *value[n + 1 :]]
+        if how == 1:
+            return [*value, value[n]]
+        if how == 2:
+            out = list(value)
+            out[n], out[m] = out[m], out[n]
+            return out
+        return [*value[:n], changed(rng, value[n]), *value[n + 1 :]]
+    if isinstance(value, int):
+        return rng.choice([value + 1, value - 1, -value, 2 * value, 0, 1])
+    return rng.choice(["1/2", "-1/2", "3/2", "2", "-1"]) if isinstance(value, str) else [0]
+
+
+def lies(rng: random.Random, data: dict[str, Any]) -> Iterator[str]:
+    """Yield statements that the genuine one makes false."""
+    word, _, inside = data["statement"][:-1].partition("{")
+    parts = inside.split("; ")
+    if word == "class-group":
+        yield from (
+            f"class-group{{{x}}}" for x in ("1", "2", "3", "4", "2,2", "5", "2,4") if x != inside
+        )
+    elif word == "unit-group":
+        yield f"unit-group{{{'; '.join([str(2 * int(parts[0])), *parts[1:]])}}}"
+        if len(parts) > 1:
+            power = f"({parts[-1]})^{rng.choice([2, 3, -2, 5])}"
+            yield f"unit-group{{{'; '.join([*parts[:-1], power])}}}"
+            yield f"unit-group{{{'; '.join(parts[:-1])}}}"
+    elif word == "norm-one-group":
+        wrong = {
+            1: str(int(parts[1]) + 1),
+            2: parts[2] + ",7",
+            3: str(int(parts[3]) + 1),
+            5: "1 1 1 1 1",
+        }
+        for n, text in wrong.items():
+            yield f"{word}{{{'; '.join([*parts[:n], text, *parts[n + 1 :]])}}}"
+    elif word == "ideal-classes":
+        for h in (int(parts[1]) + 1, int(parts[1]) - 1, 2 * int(parts[1])):
+            if h > 0:
+                yield f"{word}{{{parts[0]}; {h}}}"
+    else:
+        units = parts[2].split(" | ")
+        yield f"{word}{{{'; '.join([*parts[:2], ' | '.join(units[1:])])}}}"
+
+
+def main() -> int:
+    """Run and report."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--seed", type=int, default=0)
+    args = parser.parse_args()
+    rng, every = random.Random(args.seed), genuine()
+    tally: Counter[str] = Counter()
+    breaks = []
+    end = time.monotonic() + args.seconds
+    while time.monotonic() < end:
+        data = rng.choice(every)
+        other = rng.choice([x for x in every if x["evidence"]["kind"] == data["evidence"]["kind"]])
+        evidence = data["evidence"]
+        keys = [k for k in evidence if k != "kind"]
+        if rng.randrange(6) == 0 and keys:
+            key = rng.choice(keys)
+            evidence = {**evidence, key: other["evidence"][key]}
+        for _ in range(rng.randint(0, 3) if keys else 0):
+            evidence = changed(rng, evidence)
+        statement = rng.choice([*lies(rng, data), data["statement"]])
+        forged = {**data, "statement": statement, "evidence": evidence}
+        lie = statement != data["statement"]
+        kind = f"{data['statement'].partition('{')[0]}, {'a lie' if lie else 'the truth'}"
+        try:
+            check(forged, None, Work(5))
+        except Rejected:
+            tally[f"{kind}: rejected"] += 1
+            continue
+        tally[f"{kind}: accepted"] += 1
+        if lie:
+            breaks.append(forged)
+    for what, number in sorted(tally.items()):
+        print(f"{number:8} {what}")
+    print(f"{sum(tally.values()):8} forgeries, {len(breaks)} breaks")
+    for forged in breaks[:5]:
+        print("---", str(forged)[:600])
+    return int(bool(breaks))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,141 @@
+"""Certificates of class sets over number fields: what is true is accepted, what is forged is rejected."""
+
+import json
+import random
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from hfield import QuaternionAlgebra, ring
+from hfield.certificates.check import Pin, Work, check
+from hfield.certificates.number_fields.classes import SUnits
+from hfield.certificates.number_fields.integers import Factors, Integers
+from hfield.certificates.number_fields.zeta import zeta_minus_one
+from hfield.certificates.rejection import Rejected
+from hfield.certificates.scalars.fields import read_ring
+from hfield.certificates.scalars.number_fields import NumberField
+from hfield.cli import main
+from hfield.fields.number_fields.classes.evidence import seconds_above
+from hfield.fields.number_fields.classes.s_units import s_units
+from hfield.primality import primes
+from tests.certificates.cases import Certificate
+from tests.certificates.order_certificates import established, rejects
+from tests.certificates.test_class_groups import mutated
+
+ORDERS = (
+    ("QQ(sqrt(5))", -1, -1, 1), ("QQ(sqrt(5))", -1, -1, 6), ("QQ(sqrt(2))", -1, -3, 1),
+    ("QQ(sqrt(13))", -1, -1, 1), ("QQ(sqrt(17))", -1, -1, 1), ("QQ(sqrt(29))", -1, -1, 1),
+    ("QQ[s]/(s^3-s^2-2*s+1)", -1, -1, 1), ("QQ[s]/(s^2-s-1)", "s-2", -3, 1),
+)  # fmt: skip
+
+
+@cache
+def genuine(field: str, a: Any, b: Any, level: int) -> Certificate:
+    A = QuaternionAlgebra(field, a, b)
+    order = A.maximal_order() if level == 1 else A.order(["2*i", "j"])
+    data = order.class_set().certificate
+    assert data is not None
+    return data
+
+
+@pytest.mark.parametrize("which", ORDERS)
+def test_the_true_ones_are_accepted(which: Any) -> None:
+    data = genuine(*which)
+    pin = Pin((data["statement"],), data["ring"], data["algebra"])
+    found = established(json.loads(json.dumps(data)), pin)
+    assert len(found.theorems) >= 3
+    assert not found.assumptions
+
+
+def multiplied(values: list[Any], by: int) -> list[Any]:
+    found = [by * Fraction(c) for c in values]
+    return [str(c) if c.denominator > 1 else int(c) for c in found]
+
+
+@pytest.mark.parametrize("which", ORDERS)
+def test_no_other_number_passes(which: Any) -> None:
+    data = genuine(*which)
+    evidence, classes = data["evidence"], data["evidence"]["classes"]
+    order, _, h = data["statement"].rpartition("; ")
+
+    def of(listed: list[Any]) -> Certificate:
+        return {
+            **data,
+            "statement": f"{order}; {len(listed)}}}",
+            "evidence": {**evidence, "classes": listed},
+        }
+
+    assert int(h[:-1]) == len(classes)
+    assert established(of(classes[::-1]))
+    rejects({**data, "statement": f"{order}; {len(classes) + 1}}}"}, "not the number")
+    rejects(of([*classes, classes[0]]), "in one class")
+    twice = {**classes[0], "rows": [[2 * x for x in row] for row in classes[0]["rows"]]}
+    rejects(of([*classes, twice]), "norm")
+    four = [
+        str(4 * Fraction(c)) if "/" in str(4 * Fraction(c)) else int(4 * Fraction(c))
+        for c in twice["norm"]
+    ]
+    rejects(of([*classes, {**twice, "norm": four}]), "in one class")
+    negative = [
+        str(-Fraction(c)) if Fraction(c).denominator > 1 else -int(c) for c in classes[0]["norm"]
+    ]
+    rejects(of([{**classes[0], "norm": negative}, *classes[1:]]), "totally positive")
+    if len(classes) > 1:
+        rejects(of(classes[1:]), "do not have the mass")
+        rejects(of([*classes[1:], classes[1]]), "in one class")
+    for key in evidence:
+        rejects({**data, "evidence": {k: v for k, v in evidence.items() if k != key}})
+    rejects({**data, "verdict": "refuted"})
+    rejects({**data, "assumes": data["assumes"][1:]}, "assumes")
+
+
+def test_fields_of_narrow_class_number_above_one_are_refused() -> None:
+    for field in ("QQ(sqrt(3))", "QQ(sqrt(10))"):
+        claim = QuaternionAlgebra(field, -1, -1).maximal_order().class_set().claim
+        assert claim.certificate is None
+        assert "narrow class number 1" in str(claim.why_no_certificate)
+
+
+def test_zeta_is_that_of_the_prover() -> None:
+    for name in (
+        "QQ[s]/(s^2-s-1)",
+        "QQ[s]/(s^2-7)",
+        "QQ[s]/(s^3-s^2-2*s+1)",
+        "QQ[s]/(s^3-4*s-1)",
+        "QQ[s]/(s^4-5*s^2+5)",
+    ):
+        K = ring(name)
+        data = K.class_group().certificate
+        field = read_ring(data["ring"])
+        assert isinstance(field, NumberField)
+        whole = Integers(field, [[Fraction(c) for c in x] for x in data["evidence"]["basis"]])
+        listed = [[p, seconds_above(s_units(K), p)] for p in primes(50)]
+        assert zeta_minus_one(whole, Factors(whole, listed)) == K.zeta_minus_one()
+
+
+def test_no_number_can_be_changed() -> None:
+    """One to three changes anywhere in the evidence: what passes is the statement, which is true."""
+    rng, tried, passed = random.Random(2), 0, 0
+    for which in ORDERS:
+        data = genuine(*which)
+        for _ in range(8):
+            evidence = data["evidence"]
+            for _ in range(rng.randint(1, 3)):
+                evidence = mutated(rng, evidence)
+            tried += 1
+            try:
+                check({**data, "evidence": evidence}, None, Work(3))
+            except Rejected:
+                continue
+            passed += 1
+    assert passed < tried / 3
+
+
+def test_the_command_writes_one(tmp_path: Path) -> None:
+    file = tmp_path / "classes.json"
+    assert main(["classes", "(-1,-1|QQ(sqrt(5)))", "--certificate", str(file)]) == 0
+    assert main(["check", str(file)]) == 0
+    assert SUnits.KEYS.split()[0] in json.loads(file.read_text())["evidence"]["units"]
