@@ -227,6 +227,29 @@ class NormOneGroup:
         area = self.area / len(elements)
         return Quotient(signature_of(partners, cycles, area), area, elements)
 
+    def unit_of_norm(self, u: object) -> Quaternion | None:
+        """Return a unit of the order with a given norm, such as −1; None if none was found.
+
+        Units are looked for from many points. Where u is negative at a real place that ramifies there is
+        none; else Eichler orders have one. Raises :class:`LatticeError` where u is no unit.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra("QQ", 3, -1).maximal_order().norm_one_group()
+        >>> G.unit_of_norm(-1).norm()
+        -1
+        """
+        from hfield.fuchsian import search
+
+        ring = self.order.algebra.ring
+        x = ring(u)
+        q = self.order.algebra(x)
+        if ring.is_zero(x) or q not in self.order or 1 / q not in self.order:
+            raise LatticeError(f"{shorten(u)} is no unit of the integers of {ring.name}")
+        norm = self.order.scalar(x)
+        if any(value < 0 for value in self.order.elsewhere(norm)):
+            return None
+        return search.element_of_norm(self.order, self.order.basis, norm)
+
     # --- the presentation --------------------------------------------------------------------------
 
     @cached_property

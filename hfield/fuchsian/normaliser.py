@@ -23,7 +23,7 @@ from hfield.fuchsian import dirichlet
 from hfield.fuchsian.growing import grown
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.polygon import Polygon
-from hfield.fuchsian.search import Rows, Sight, free_centers
+from hfield.fuchsian.search import Rows, Sight, element_of_norm, free_centers
 from hfield.fuchsian.split_order import RationalOrder
 from hfield.lattices import z_lattice
 from hfield.lattices.ideals_of_norm import two_sided_prime
@@ -48,7 +48,7 @@ def involution(order: RationalOrder, m: int) -> Quaternion:
     ideal: Any = lattice
     for other in ideals:
         ideal = z_lattice.meet(ideal, other)
-    found = Sight(Plane(order, next(free_centers(order))), ideal.basis).of_norm(m)
+    found = element_of_norm(order, ideal.basis, order.scalar(Fraction(m)))
     if found is None:
         raise TooLargeError(f"no element of norm {m} that normalises the order was found")
     return found
