@@ -31,6 +31,7 @@ PLAYER = {  # what the page says, and where: tags and quotes tell a word from th
     "pl": {
         ' lang="en"': ' lang="pl"',
         "<title>The spinning top<": "<title>Wirujący bąk<",
+        '<h1 class="unseen">The spinning top<': '<h1 class="unseen">Wirujący bąk<',
         "A spinning top in three dimensions: drag to orbit, scroll to zoom": (
             "Wirujący bąk w trzech wymiarach: przeciągnij, by obejść, przewiń, by przybliżyć"
         ),
@@ -48,6 +49,7 @@ PLAYER = {  # what the page says, and where: tags and quotes tell a word from th
         '? "pause" : "play"': '? "zatrzymaj" : "odtwórz"',
         'aria-label="frame"': 'aria-label="klatka"',
         ">speed <": ">tempo <",
+        'aria-label="speed"': 'aria-label="tempo"',
         'title="look from where we began (r)" aria-label="reset the view"': 'title="widok początkowy (r)"'
         ' aria-label="przywróć widok"',
         'title="keys (?)" aria-label="show the keys"': 'title="klawisze (?)" aria-label="pokaż klawisze"',

@@ -66,10 +66,12 @@ class Kind(StrEnum):
     S_UNITS = "S-units"
     # about lattices
     CLASS_SET = "class-set"
+    DIRICHLET_DOMAIN = "dirichlet-domain"
     EMBEDDING = "embedding"
     EQUIVALENT = "equivalent"
     IDEAL = "ideal"
     ISOMORPHIC_ORDERS = "isomorphic-orders"
+    NORM_ONE_GROUP = "norm-one-group"
     ORDER = "order"
 
 
@@ -164,6 +166,8 @@ class Claim:
     verdict: str = "proved"
     assumes: tuple[str, ...] = ()
     ring: Any = None
+    refusal: str | None = None
+    """Why the checker is not asked, where it cannot know what this is about."""
 
     @property
     def certificate(self) -> dict[str, object] | None:
@@ -173,7 +177,7 @@ class Claim:
     @cached_property
     def why_no_certificate(self) -> str | None:
         """Why there is no certificate, in a line; None where there is one."""
-        return why_rejected(self._data)
+        return self.refusal or why_rejected(self._data)
 
     @property
     def _data(self) -> dict[str, object]:

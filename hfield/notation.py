@@ -1,7 +1,8 @@
 """Text ↔ algebra, coordinates ↔ text, in three styles: plain (reads back), unicode, LaTeX.
 
 An algebra is one text: ``(a,b|F)`` for ``i² = a, j² = b``; ``[a,b|F)`` for the Artin–Schreier form
-``i² = a + i``; ``[a,b,t|F)`` for ``i² = a + t·i``; ``H(F)`` for ``(-1,-1|F)``.
+``i² = a + i``; ``[a,b,t|F)`` for ``i² = a + t·i``; ``H(F)`` for ``(-1,-1|F)``. What other systems write is
+read too (``other_systems``).
 """
 
 import re
@@ -12,6 +13,7 @@ from hfield.fields.names import ring
 from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.syntax.brackets import outside, split
+from hfield.syntax.other_systems import read
 
 BASIS = ("e", "i", "j", "k")
 _EXPECTED = "expected (a,b|F), [a,b|F), [a,b,t|F) or H(F), such as '(-1,-3|QQ)'"
@@ -22,7 +24,7 @@ def split_algebra(text: str) -> tuple[str, str, str, str]:
 
     Raises :class:`NotationError` when it has not one of the four forms.
     """
-    s = text.strip()
+    s = read(text) or text.strip()
     if m := re.fullmatch(r"H\((.+)\)", s, re.DOTALL):
         return "-1", "0", "-1", m[1].strip()
     m = re.fullmatch(r"([(\[])(.*)\|(.*)\)", s, re.DOTALL)

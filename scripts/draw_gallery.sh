@@ -2,10 +2,11 @@
 # Draws the pictures of docs/gallery.md again, each by the line that the page shows.
 set -euo pipefail
 cd "$(dirname "$0")/../docs/images"
-hfield render --model physics --size 320x240 --fps 20 --frames 120 --force -o top.webp
-hfield render --model physics --sheet --force -o top.png
+hfield render --size 320x240 --fps 20 --motion-blur 0.5 --force -o top.webp
+hfield render --sheet --force -o top.png
+hfield render --dark --sheet --force -o top-dark.png
 for style in classic flat shaded; do
-    hfield render --style "$style" --size 320x240 --sheet --force -o "style-$style.png"
+    hfield render --model quaternions --style "$style" --size 320x240 --sheet --force -o "style-$style.png"
 done
 hfield figures --format svg -o .
 hfield brandt 83 --prime 2 --plot isogenies.svg >/dev/null

@@ -137,6 +137,7 @@ def _picture(group: _ArgumentGroup) -> None:
         choices=("en", "pl"),
         help="write formula, tilt and spin in the corner, in English or Polish",
     )
+    group.add_argument("--dark", action="store_true", help="on dark paper, in a pool of light")
     group.add_argument("--background", metavar="COLOUR", help="such as white or '#f5f2ea'")
     for name, text in (("trace", "the path of the apex"), ("shadow", "the shadow on the ground")):
         group.add_argument(
@@ -159,10 +160,10 @@ def _physics(group: _ArgumentGroup) -> None:
     for name, text in (
         (
             "spin-rate",
-            "rad/s about its own axis (default: a tenth above the spin at which it sleeps; free: 36)",
+            "rad/s about its own axis (default: a tenth above the spin at which it sleeps; free: 30.5)",
         ),
         ("tilt", "degrees between its axis and the vertical (default: 5.7; free: 20)"),
-        ("precession", "rad/s of its axis around the vertical (default: 0; free: -1.5)"),
+        ("precession", "rad/s of its axis around the vertical (default: 0)"),
         ("gravity", "m/s² (default: 9.80665)"),
         ("mass", "kg (default: 1)"),
         ("density", "kg/m³, in place of the mass"),
@@ -172,7 +173,7 @@ def _physics(group: _ArgumentGroup) -> None:
             "s in which friction slows the spin to 1/e; inf: none (default: 40; free: 30)",
         ),
         ("tilt-decay", "s for the swing of the axis (default: 12)"),
-        ("tip-radius", "m, of the ball on which a free top stands (default: 0.02)"),
+        ("tip-radius", "m, of the ball on which a free top stands (default: 0.06)"),
         ("friction", "μ between a free top and the ground (default: 0.5)"),
         ("rolling", "m, the arm of the ground's resistance to rolling (default: 0.01)"),
     ):

@@ -104,12 +104,15 @@ def camera_of(args: Namespace) -> Camera:
 def look_of(args: Namespace, size: tuple[int, int]) -> Look:
     """Return the look, by default that of a film, of ``size``; a preview is half as wide and high."""
     from anim.picture.look import FILM_LOOK
+    from anim.picture.room import room
 
     given = {
         name: getattr(args, name)
         for name in ("size", "style", "background", "trace", "shadow", "quality")
         if getattr(args, name) is not None
     }
+    if args.dark:
+        given.setdefault("background", room()["paper"]["dark"])
     width, height = size
     quick = {"size": (width // 2, height // 2), "quality": 1} if args.preview else {"size": size}
     return replace(FILM_LOOK, camera=camera_of(args), **(quick | given))

@@ -156,6 +156,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     from anim.output import check
     from anim.output.destination import write_text
     from anim.picture.look import colour
+    from anim.picture.room import room
     from anim.viewer import Show, curves_of, page
 
     for name, number, most in (
@@ -164,7 +165,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     ):
         if number > most:
             raise UsageError(f"a page holds at most {most} {name}, not {number}")
-    camera, paper = camera_of(args), None
+    camera, paper = camera_of(args), room()["paper"]["dark"] if args.dark else None
     if args.background is not None:
         paper = "#{:02x}{:02x}{:02x}".format(*colour("background", args.background))
     check(path, None, args.force)

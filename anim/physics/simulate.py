@@ -158,8 +158,8 @@ class HeavyTop:
 
 
 STORY = (
-    Launch(spin=36.0, tilt=0.35, precession=-1.5, spin_decay=30.0),
-    Contact(radius=0.02, friction=0.5, rolling=0.01),
+    Launch(spin=30.5, tilt=0.35, spin_decay=30.0),
+    Contact(radius=0.06, friction=0.5, rolling=0.01),
 )
 """A launch of the thesis's top, and a ground, that show in ten seconds all that a top does."""
 

@@ -95,11 +95,10 @@ class Canvas:
 
     def rgb(self) -> Pixels:
         """Return a fresh copy of the picture, (height, width, 3)."""
-        left, top, right, bottom = self._touched
+        from anim.picture.rasterising import opaque
+
         picture = self._background.copy()
-        for channel in range(3):  # one by one: numpy copies triples five times slower
-            box = (slice(top, bottom), slice(left, right), channel)
-            picture[box] = self.pixels[box]
+        opaque(self.pixels, self._touched, picture)
         return picture
 
 

@@ -27,7 +27,9 @@ def smoothstep(low: float, high: float, x: float) -> float:
 @called
 def noise(x: int, y: int) -> float:
     """Return interleaved gradient noise in [0, 1) (J. Jimenez 2014), which hides steps of 8 bits."""
-    return (52.9829189 * ((x * 0.06711056 + y * 0.00583715) % 1.0)) % 1.0
+    grain = x * 0.06711056 + y * 0.00583715
+    grain = 52.9829189 * (grain - math.floor(grain))
+    return grain - math.floor(grain)
 
 
 @kernel
@@ -152,15 +154,18 @@ def lay(
     left, top, right, bottom = box
     rows, columns = grid.shape
     for y in range(top, bottom):
-        v = y + 0.5
+        v, u = y + 0.5, left + 0.5
+        depth = to_ground[2, 0] * u + to_ground[2, 1] * v + to_ground[2, 2]
+        gx = to_ground[0, 0] * u + to_ground[0, 1] * v + to_ground[0, 2]
+        gy = to_ground[1, 0] * u + to_ground[1, 1] * v + to_ground[1, 2]
         for x in range(left, right):
-            u = x + 0.5
-            scale = to_ground[2, 0] * u + to_ground[2, 1] * v + to_ground[2, 2]
+            n = x - left
+            scale = depth + n * to_ground[2, 0]
             if scale <= 0:
                 continue
-            gx = (to_ground[0, 0] * u + to_ground[0, 1] * v + to_ground[0, 2]) / scale
-            gy = (to_ground[1, 0] * u + to_ground[1, 1] * v + to_ground[1, 2]) / scale
-            across, along = (gx - start[0]) / step, (gy - start[1]) / step
+            there = 1 / (scale * step)
+            across = (gx + n * to_ground[0, 0]) * there - start[0] / step
+            along = (gy + n * to_ground[1, 0]) * there - start[1] / step
             if across < 0 or along < 0 or across >= columns - 1 or along >= rows - 1:
                 continue
             i, j = int(across), int(along)

@@ -47,7 +47,7 @@ def paint(
     s = samples
     wide = (right - left) * s
     depth = np.empty((ROWS * s, wide), np.float32)
-    colours = np.empty((ROWS * s, wide, 3), np.float32)
+    colours = np.empty((ROWS * s, wide, 4), np.float32)
     moments = len(corners)
     sums = np.empty((ROWS, right - left, 4), np.float32)
     front = np.empty((moments, len(triangles)), np.int64)
@@ -72,6 +72,7 @@ def paint(
         sums[:] = 0
         for n in range(moments):
             depth[:] = -np.inf
+            colours[:] = 0
             for f in range(found[n]):
                 start, stop = max(spans[n, f, 0], first), min(spans[n, f, 1], last)
                 if start < stop:
@@ -92,7 +93,7 @@ def paint(
                         light[n],
                         paints[t],
                     )
-            gather(sums, depth, colours, rows, s)
+            gather(sums, colours, rows, s)
         resolve(pixels, sums, row, rows, left, 1.0 / (s * s * moments), linear, encoded)
 
 
@@ -154,9 +155,21 @@ def scan(
                 colours[y - first, x, 0] = paint[0] * p + g
                 colours[y - first, x, 1] = paint[1] * p + g
                 colours[y - first, x, 2] = paint[2] * p + g
+                colours[y - first, x, 3] = 1
             z += zx
             p += px
             g += gx
+
+
+@kernel
+def opaque(pixels: Bytes, box: tuple[int, int, int, int], picture: Bytes) -> None:
+    """Copy ``pixels`` (height, width, 4) inside ``box`` to ``picture`` (height, width, 3)."""
+    left, top, right, bottom = box
+    for y in range(top, bottom):
+        for x in range(left, right):
+            picture[y, x, 0] = pixels[y, x, 0]
+            picture[y, x, 1] = pixels[y, x, 1]
+            picture[y, x, 2] = pixels[y, x, 2]
 
 
 @called
@@ -166,17 +179,14 @@ def slope(xs: Floats, ys: Floats, i: int, j: int) -> float:
 
 
 @called
-def gather(sums: Samples, depth: Samples, colours: Samples, rows: int, s: int) -> None:
+def gather(sums: Samples, colours: Samples, rows: int, s: int) -> None:
     """Add the samples of each pixel of a stripe to ``sums`` (rows, width, 4): three colours and a count."""
     for y in range(rows):
-        for x in range(sums.shape[1]):
-            for j in range(y * s, (y + 1) * s):
+        for j in range(y * s, (y + 1) * s):
+            for x in range(sums.shape[1]):
                 for i in range(x * s, (x + 1) * s):
-                    if depth[j, i] > -np.inf:
-                        sums[y, x, 0] += colours[j, i, 0]
-                        sums[y, x, 1] += colours[j, i, 1]
-                        sums[y, x, 2] += colours[j, i, 2]
-                        sums[y, x, 3] += 1
+                    for channel in range(4):
+                        sums[y, x, channel] += colours[j, i, channel]
 
 
 @called

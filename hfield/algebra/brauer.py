@@ -10,11 +10,14 @@ from typing import Any
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError, shorten
+from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
 from hfield.structure.global_field import global_field
+from hfield.structure.norm_forms.residue_forms import no_zero
 
 BOUND = 3  # coordinates of pure elements that are tried for a common slot
+MOST = 30  # the same where there is one for certain
 ALBERT = (
     "A. A. Albert, Proc. AMS 35 (1972): the index is at most 2 exactly where there is a common slot"
 )
@@ -66,9 +69,12 @@ class TensorProduct:
             return 2, GLOBAL
         if self._searched is not None:
             return 2, ALBERT
+        reason = no_zero(F, [*_pure_form(F, one), *(-c for c in _pure_form(F, other))])
+        if reason is not None:
+            return 4, f"Albert's form has no zero but 0: {reason}"
         raise UndecidedError(
             f"whether the index of {self} is 2 or 4 is not decided over {F.name}: no common slot was found "
-            f"among pure elements with coordinates up to {BOUND}"
+            f"among pure elements with coordinates up to {BOUND}, and no residues show that there is none"
         )
 
     @property
@@ -84,7 +90,9 @@ class TensorProduct:
     @cached_property
     def _searched(self) -> tuple[Any, Quaternion, Quaternion] | None:
         F = self.first.ring
-        for x in _pure(self.first):
+        field = global_field(F)
+        always = field is not None and field.splits_if_unramified  # a slot then exists, and is met
+        for x in _pure(self.first, MOST if always else BOUND):
             a = -x.norm()
             if F.is_zero(a):
                 continue
@@ -108,17 +116,23 @@ class TensorProduct:
         return self._searched
 
 
-def _pure(A: Parent) -> Iterator[Quaternion]:
+def _pure_form(F: Any, c: Constants) -> list[Any]:
+    """Return the squares of three pure elements that are orthogonal, in a characteristic that is not 2."""
+    a = c.a if F.is_zero(c.t) else c.t * c.t + c.a * F(4)
+    return [a, c.b, -a * c.b]
+
+
+def _pure(A: Parent, bound: int) -> Iterator[Quaternion]:
     """Run through small elements of trace 0, not 0, one of ±x."""
     e, i, j, k = A.basis
     t = A.constants.t  # the trace of i, and of k it is 0
     pure = [i * 2 - e * t, j, k] if A.ring.characteristic != 2 else [e, j, k] if t else [e, i, j, k]
-    digits = sorted(range(-BOUND, BOUND + 1), key=lambda n: (abs(n), n < 0))
-    every = sorted(product(digits, repeat=len(pure)), key=lambda c: sum(map(abs, c)))
-    for c in every:
-        if next((n for n in c if n), -1) < 0:
-            continue
-        yield sum((q * n for q, n in zip(pure[1:], c[1:], strict=True)), pure[0] * c[0])
+    for size in range(1, bound + 1):
+        digits = sorted(range(-size, size + 1), key=lambda n: (abs(n), n < 0))
+        shell = (c for c in product(digits, repeat=len(pure)) if max(map(abs, c)) == size)
+        for c in sorted(shell, key=lambda c: sum(map(abs, c))):
+            if next(n for n in c if n) > 0:
+                yield sum((q * n for q, n in zip(pure[1:], c[1:], strict=True)), pure[0] * c[0])
 
 
 def _square_root(A: Parent, d: Any) -> Quaternion | None:

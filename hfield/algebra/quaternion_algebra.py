@@ -27,6 +27,7 @@ from hfield.rings.base import Ring, WithIntegers
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.integers import QQ
 from hfield.structure.global_field import field_named_by, global_field, known_field, no_flag
+from hfield.syntax.other_systems import written
 
 if TYPE_CHECKING:
     from hfield.algebra.brauer import Embedding, TensorProduct
@@ -636,9 +637,7 @@ class QuaternionAlgebra(Hinted):
         >>> H("QQ").over_integers, H("QQ(sqrt(2))").over_integers
         (False, True)
         """
-        F = self.ring
-        over_z = isinstance(F, WithIntegers) and F.degree == 1
-        return bool(F.arithmetic and not F.characteristic and not over_z)
+        return isinstance(self.ring, WithIntegers) and self.ring.degree > 1
 
     def lattice(self, elements: Iterable[object]) -> Any:  # Lattice, or IntegersLattice
         """Return the lattice that elements span over ℤ, or over the integers of a number field.
@@ -786,6 +785,18 @@ class QuaternionAlgebra(Hinted):
             for row in self.multiplication_table()
         ]
         return notation.table_text(BASIS, rows, style)
+
+    def text_for(self, system: str) -> str:
+        """Write the algebra for ``"magma"``, ``"sage"`` or ``"pari"``; what they write is read as any text.
+
+        Over ℚ, prime fields, and number fields with one generator. Raises :class:`RingError` for others.
+
+        >>> H("QQ").text_for("magma"), QuaternionAlgebra("QQ[s]/(s^3-2)", "s", -1).text_for("pari")
+        ('QuaternionAlgebra<Rationals() | -1, -1>', 'alginit(nfinit((-2)*y^0+(1)*y^3), [y, -1])')
+        >>> QuaternionAlgebra("QuaternionAlgebra< RationalField() | -1, -3 >")
+        (-1,-3|QQ)
+        """
+        return written(self.ring, self.constants, system)
 
     def latex(self) -> str:
         """Write the symbol of the algebra, its constants over its field, in LaTeX."""

@@ -46,7 +46,7 @@ CHOICE_OF_ROOTS = "choice of roots"
 ALL_CHOICES_OF_ROOTS = "all choices of roots"
 ORDER, IDEAL, ELEMENT, NORM = "order", "ideal", "element", "norm"
 ENUMERATION, DISCRIMINANT, BY_MASS = "enumeration", "discriminant", "mass"
-BY_S_UNITS = "S-units"
+BY_S_UNITS, BY_AREA = "S-units", "area"
 
 # What a certificate may call its method; several are joined by "; ".
 METHODS = {
@@ -80,6 +80,7 @@ METHODS = {
     ENUMERATION: "all elements of a trace and a norm were listed",
     DISCRIMINANT: "two orders have different discriminants",
     BY_MASS: "classes that are different have the mass of all",
+    BY_AREA: "a polygon that contains the Dirichlet domain has its area",
     BY_S_UNITS: "all products of prime ideals that generate the class group and are principal",
 }
 
@@ -122,6 +123,8 @@ QUATERNION_ROOT = (
 )
 REAL_ROOTS = "every number that is not negative is a square in RR"
 MASS = "the ideal classes of an order have the mass that its Eichler symbols give (Eichler's mass formula)"
+SHIMIZU = "the units of norm 1 of an order have the area that its Eichler symbols give (Shimizu's formula)"
+POINCARE = "what pairs the sides of a domain generates its group, its corners give all relations (Poincaré)"
 COMPLEX_ROOTS = "every number is a square in CC"
 MINKOWSKI = (
     "each class of a number field has an ideal of norm at most (4/π)^r₂·n!/nⁿ·√|D| (Minkowski)"
@@ -146,6 +149,8 @@ THEOREMS = {
     INDUCTION: "Peano's axioms; the passage is that of an f with its last argument fixed",
     REAL_ROOTS: "Rudin, Principles of Mathematical Analysis, theorem 1.21",
     MASS: "Voight, Quaternion Algebras, theorem 26.1.5, for every order of a definite algebra over QQ",
+    SHIMIZU: "Voight, Quaternion Algebras, theorem 39.1.8 and lemma 26.6.7, for every order over ZZ",
+    POINCARE: "Voight, Quaternion Algebras, theorem 37.5.3; Maskit, Adv. Math. 7 (1971), 219-230",
     MINKOWSKI: "Neukirch, Algebraic Number Theory, chapter I, section 5 and exercise 3 of section 6",
     REDUCED_FORMS: "Cassels, An Introduction to the Geometry of Numbers, chapter II, theorems II and IV",
     FRIEDMAN: "Friedman, Inventiones mathematicae 98 (1989), 599-622",

@@ -20,7 +20,7 @@ from hfield.certificates.rejection import Rejected, one_line
 from hfield.certificates.work import MILLIONS, Work, bounded
 from hfield.commands.many import LINES, Lines, add_inputs, check_given, texts
 from hfield.commands.output import note, open_output
-from hfield.commands.parser import UsageError, add_output, positive, seconds, whole
+from hfield.commands.parser import UsageError, add_output, add_repeated, positive, seconds, whole
 from hfield.commands.status import Waiting
 from hfield.coq.bounded import MEMORY, SECONDS
 from hfield.errors import HFieldError, shorten
@@ -62,13 +62,7 @@ def configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--claim", metavar="ID", help="they must be of this claim, such as C1.2-a")
     parser.add_argument("--statement", metavar="S", help="they must be of this statement")
-    parser.add_argument(
-        "--given",
-        action="append",
-        default=[],
-        metavar="H",
-        help="with these hypotheses in front of S",
-    )
+    add_repeated(parser, "--given", "H", "with these hypotheses in front of S")
     parser.add_argument("--field", metavar="F", help="over this field (or `universal`)")
     parser.add_argument("--algebra", metavar="A", help="in this algebra (default: H)")
     parser.add_argument(

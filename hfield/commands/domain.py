@@ -5,9 +5,9 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.answers import answer_one, of_parts
-from hfield.commands.orders import add_algebra, algebra_of, level_of
-from hfield.commands.parser import UsageError, add_format
+from hfield.commands.answers import of_parts
+from hfield.commands.orders import add_algebra, algebra_of, answer_certified, level_of
+from hfield.commands.parser import UsageError, add_factors, add_format
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
@@ -29,8 +29,15 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--center", metavar="Z", help="a point of the upper half plane, such as 0.1+2j"
     )
-    parser.add_argument("-o", "--output", metavar="FILE", help="draw to FILE (.svg, .png, .pdf; .html, where the centre is dragged)")
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help="draw to FILE (.svg, .png, .pdf; .html, where the centre is dragged)",
+    )
     parser.add_argument("--dark", action="store_true", help="draw on a dark page")
+    parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
+    add_factors(parser)
     add_format(parser, "plain", "json")
 
 
@@ -42,7 +49,12 @@ def run(args: Namespace) -> int:
     if args.output is not None:
         domain.draw(args.output, dark=args.dark)
     args.output = None  # what is printed goes to the terminal
-    return answer_one(args, lambda: of_parts(lambda: to_json(domain), lambda: parts(domain)))
+    # a centre of one's own has a domain of its own, which says less than the group
+    claim = domain.group if center is None else domain
+    return answer_certified(
+        args,
+        lambda _: (of_parts(lambda: to_json(domain), lambda: parts(domain)), lambda: claim.claim),
+    )
 
 
 def _complex(text: str) -> complex:

@@ -8,7 +8,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from hfield.commands.output import note, open_output
-from hfield.commands.parser import UsageError
+from hfield.commands.parser import UsageError, add_repeated
 from hfield.commands.status import Progress, Waiting
 from hfield.errors import shorten
 
@@ -31,22 +31,17 @@ def configure(parser: ArgumentParser) -> None:
         help="a file for Lean 4, of the certificates and statements that hold over every commutative "
         "ring; `lean FILE` checks it",
     )
-    parser.add_argument(
+    add_repeated(
+        parser,
         "--statement",
-        action="append",
-        default=[],
-        metavar="S",
-        help="add a statement, if it is proved for all fields; may be repeated",
+        "S",
+        "add a statement, if it is proved for all fields; may be repeated",
     )
     parser.add_argument(
         "--algebra", metavar="A", help="the algebra of the statements, such as '(a,b|F)'"
     )
-    parser.add_argument(
-        "--claim",
-        action="append",
-        default=[],
-        metavar="ID",
-        help="only this claim of the ledger, by id or name; may be repeated",
+    add_repeated(
+        parser, "--claim", "ID", "only this claim of the ledger, by id or name; may be repeated"
     )
     parser.add_argument(
         "--certificate",

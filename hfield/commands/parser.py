@@ -163,6 +163,11 @@ processes = whole(1, MOST_PROCESSES, "number")
 seconds = positive(MOST_SECONDS, "number of seconds above 0")
 
 
+def add_repeated(parser: ArgumentParser, name: str, metavar: str, help: str) -> None:
+    """Add an option that may be given several times."""
+    parser.add_argument(name, action="append", default=[], metavar=metavar, help=help)
+
+
 def add_jobs(parser: ArgumentParser, dask: str = "") -> None:
     """Declare ``--jobs``, and ``--dask`` where that has a help."""
     parser.add_argument("--jobs", type=processes, default=1, metavar="N", help="use N processes")

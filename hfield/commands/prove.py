@@ -8,7 +8,7 @@ from functools import partial
 from hfield.commands.answers import Answer
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.output import note, open_output
-from hfield.commands.parser import UsageError, add_output, add_standalone, seconds
+from hfield.commands.parser import UsageError, add_output, add_repeated, add_standalone, seconds
 from hfield.commands.status import Waiting
 
 HELP = (
@@ -42,9 +42,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--algebra", metavar="A", help="the algebra, such as '(-1,-3|QQ)' or '(a,b|F)' (default: H)"
     )
-    parser.add_argument(
-        "--given", action="append", default=[], metavar="H", help="assume H; may be repeated"
-    )
+    add_repeated(parser, "--given", "H", "assume H; may be repeated")
     parser.add_argument(
         "--timeout", type=seconds, default=30.0, metavar="S", help="seconds to try (default: 30)"
     )

@@ -7,7 +7,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from hfield.commands.output import Sink, open_output
-from hfield.commands.parser import UsageError, add_jobs, add_output
+from hfield.commands.parser import UsageError, add_jobs, add_output, add_repeated
 from hfield.commands.status import Progress
 from hfield.errors import shorten
 
@@ -33,13 +33,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--section", metavar="S", help="only the claims of a section, such as 1.3.1"
     )
-    parser.add_argument(
-        "--field",
-        action="append",
-        default=[],
-        metavar="F",
-        help="only these fields; as of `verify`",
-    )
+    add_repeated(parser, "--field", "F", "only these fields; as of `verify`")
     parser.add_argument(
         "--lang", choices=("en", "pl"), default="en", help="the page's own words (default: en)"
     )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from hfield.commands.answers import Answer
 from hfield.commands.output import note, open_output, writing
-from hfield.commands.parser import add_format, add_jobs, add_output, add_standalone
+from hfield.commands.parser import add_format, add_jobs, add_output, add_repeated, add_standalone
 from hfield.commands.status import Progress
 from hfield.errors import shorten
 
@@ -36,12 +36,11 @@ def configure(parser: ArgumentParser) -> None:
         metavar="CLAIM",
         help="id or name, such as C1.2-a or centre; or a ledger FILE.toml, whose claims are then meant",
     )
-    parser.add_argument(
+    add_repeated(
+        parser,
         "--field",
-        action="append",
-        default=[],
-        metavar="F",
-        help="a field, such as GF9, Q, 'QQ(sqrt(2))'; `universal`; `-`. Repeat, or separate by commas",
+        "F",
+        "a field, such as GF9, Q, 'QQ(sqrt(2))'; `universal`; `-`. Repeat, or separate by commas",
     )
     parser.add_argument("--section", metavar="S", help="the claims of a section, such as 1.3.1")
     parser.add_argument("--all", action="store_true", help="show every row, not only the report")

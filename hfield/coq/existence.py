@@ -42,7 +42,7 @@ def by_terms(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     instance, known = _instance(j, trees, [], evidence["proof"])
     room = RINGS if instance.text.startswith(RINGS.opening) else _room(j, instance)
     sentence = Sentence(j.statement, j.setting, room)
-    names = [f"h{n}" for n in range(len(sentence.hypotheses))]
+    names = sentence.names
     lines = [
         sentence.intros,
         *([f"intros {' '.join(names)}."] if names else []),
@@ -109,7 +109,7 @@ def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     before = [cover.lemma(f"{j.name}_cover")]
     room = _room(j, cover)
     sentence = Sentence(j.statement, j.setting, room)
-    names = [f"h{n}" for n in range(len(sentence.hypotheses))]
+    names = sentence.names
     defined, rest = names[: len(sentence.defined)], names[len(sentence.defined) :]
     pattern = "w"
     for _ in conditions[:-1]:
@@ -166,7 +166,7 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     lemma = f"{j.name}_never"
     order = [n for n, _ in other.sentence.order]
     zeros = ["(embed 0)" if s is Sort.QUATERNION else "0" for _, s in other.sentence.order]
-    names = [f"h{n}" for n in range(len(sentence.hypotheses))]
+    names = sentence.names
     found = [n for n, _ in sentence.terms.ordered if n in statement.exists]
     pattern = "c"
     for name in reversed(found):

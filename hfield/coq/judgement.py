@@ -124,7 +124,7 @@ class Judgement:
         sentence = self.sentence
         if sentence.found or not never.text.startswith(sentence.room.opening):
             raise NotCoveredError("what follows from hypotheses that never hold")
-        names = [f"h{n}" for n in range(len(sentence.hypotheses))]
+        names = sentence.names
         lines = [sentence.intros, f"intros {' '.join(names)}.", "exfalso."]
         unknowns = {n for h in self.statement.hypotheses for n in _names(h)}
         kept = [n for n, _ in sentence.order if n in unknowns]

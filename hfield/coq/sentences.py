@@ -51,6 +51,11 @@ class Sentence:
         return [x for x in self.terms.ordered if x in self.given]
 
     @property
+    def names(self) -> list[str]:
+        """What the hypotheses are called."""
+        return [f"h{n}" for n in range(len(self.hypotheses))]
+
+    @property
     def body(self) -> str:
         """What the statement says of the room."""
         shown = self.conclusion.text

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.evidence import Certified, Claim
 from hfield.factorisation import factorise
 from hfield.fuchsian import presentation
 from hfield.fuchsian.presentation import Word
@@ -67,7 +68,7 @@ class Side:
 
 
 @dataclass(frozen=True)
-class Domain:
+class Domain(Certified):
     """The points nearer to a centre than to its images: a Dirichlet domain, proved to be complete.
 
     Sides and vertices go counterclockwise; side n goes from vertex n to the next.
@@ -77,6 +78,13 @@ class Domain:
     polygon: Polygon = field(repr=False)
     partners: tuple[int, ...] = field(repr=False)
     cycles: tuple[dirichlet.Cycle, ...] = field(repr=False)
+
+    @property
+    def claim(self) -> Claim:
+        """What the sides are, as a statement with its evidence."""
+        from hfield.fuchsian import certificates
+
+        return certificates.of_domain(self)
 
     @cached_property
     def sides(self) -> tuple[Side, ...]:
@@ -122,7 +130,7 @@ class Domain:
         draw(self, path, dark=dark, depth=depth)
 
 
-class NormOneGroup:
+class NormOneGroup(Certified):
     """The units of norm 1 of an order, modulo ±1: discrete motions of the hyperbolic plane.
 
     >>> from hfield import QuaternionAlgebra
@@ -155,6 +163,13 @@ class NormOneGroup:
         ):
             raise ArithmeticError("the domain and the formulas for the signature do not agree")
         return found
+
+    @property
+    def claim(self) -> Claim:
+        """Signature and presentation, as a statement with its evidence: the domain."""
+        from hfield.fuchsian import certificates
+
+        return certificates.of_group(self, self._domain)
 
     # --- the domain --------------------------------------------------------------------------------
 

@@ -12,7 +12,7 @@ and as all are different none comes twice (Kirschmer and Voight, 2010; Voight, *
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -47,25 +47,36 @@ from hfield.lattices.z_order import ZOrder, order_of
 from hfield.primality import is_prime, primes
 
 Key = tuple[int, ...]
+Row = tuple[int, ...]
 
 
 def key_and_units(lattice: ZLattice) -> tuple[Key, int]:
     """Return the lattice of a right ideal class as a key, and how many units the left order has."""
+    quotients, _ = _quotients(lattice)
+    key = min(quotients)
+    return key, 2 * len(quotients[key])
+
+
+def _quotients(lattice: ZLattice) -> tuple[dict[Key, list[Row]], Callable[[Row, ZLattice], Key]]:
+    """Return the conj(x) that give each x⁻¹·I, for the x of least norm in I; and M ↦ x⁻¹·M, of conj(x)."""
     r, norm = lattice.regular, lattice.norm
     rows, gram = lattice.reduced
     least, short = enumeration.least_vectors(gram)
     # N(x) = least/2·norm, and x is over the denominator of the lattice
     bars = fmpz_mat(short) * rows * r.conjugation
     up = 2 * norm.denominator
-    den = lattice.den * lattice.den * r.conjugate_scale * r.scale * norm.numerator * least
-    keys: Counter[Key] = Counter()
-    for bar in hermite.tuples(bars):
-        found = hermite.hermite(den, lattice.matrix * (r.left_matrix(bar) * up))
+    den = lattice.den * r.conjugate_scale * r.scale * norm.numerator * least
+
+    def quotient(bar: Row, other: ZLattice) -> Key:
+        found = hermite.hermite(den * other.den, other.matrix * (r.left_matrix(bar) * up))
         assert found is not None
         d, m = found
-        keys[(d, *map(int, m.entries()))] += 1
-    key = min(keys)
-    return key, 2 * keys[key]
+        return (d, *map(int, m.entries()))
+
+    quotients: dict[Key, list[Row]] = {}
+    for bar in hermite.tuples(bars):
+        quotients.setdefault(quotient(bar, lattice), []).append(bar)
+    return quotients, quotient
 
 
 MOST_CLASSES = 200_000
@@ -88,6 +99,7 @@ class Classes(Certified):
         """How many units the left orders of the classes have."""
         self._keys: dict[Key, int] = {}
         self._lattices: list[ZLattice] = []
+        self._exchanged: dict[int, list[int]] = {}
         self.rows: dict[int, list[Counter[int]]] = {}
         """What :meth:`neighbours` has found, by primes."""
         self._enumerate()
@@ -104,18 +116,39 @@ class Classes(Certified):
             if discriminant % p == 0:
                 continue
             # where local units do not have all norms, neighbours at one prime reach a part of the classes
-            done, rows = 0, []
-            while done < len(self._lattices):
-                row: Counter[int] = Counter()
-                for key, units in self._neighbours(self._lattices[done], p):
-                    if key not in self._keys:
-                        left -= self._add(key, units)
-                    row[self._keys[key]] += 1
+            rows: list[Counter[int]] = []
+            back: dict[int, dict[Key, int]] = {}
+            while len(rows) < len(self._lattices):
+                row, left = self._row(len(rows), p, left, back)
                 rows.append(row)
-                done += 1
             self.rows[p] = rows
             if left < 0:
                 raise AssertionError("the classes found exceed the mass")
+
+    def _row(
+        self, n: int, p: int, left: Fraction, back: dict[int, dict[Key, int]]
+    ) -> tuple[Counter[int], Fraction]:
+        """Return the neighbours of class n, some of them new, and what is left of the mass.
+
+        Neighbours go both ways: where x⁻¹·J stands for a class, J a neighbour of I, its neighbour p·x⁻¹·I is
+        kept in ``back`` until its turn comes, and need not be looked up.
+        """
+        row: Counter[int] = Counter()
+        lattice, known = self._lattices[n], back.pop(n, {})
+        whole = scaled(lattice, p)
+        for J in right_subideals(lattice, self.ring, p):
+            m = known.get((J.den, *map(int, J.matrix.entries())))
+            if m is None:
+                quotients, quotient = _quotients(J)
+                key = min(quotients)
+                bars = quotients[key]
+                if key not in self._keys:
+                    left -= self._add(key, 2 * len(bars))
+                m = self._keys[key]
+                if m > n:
+                    back.setdefault(m, {})[quotient(bars[0], whole)] = n
+            row[m] += 1
+        return row, left
 
     def _add(self, key: Key, units: int) -> Fraction:
         self._keys[key] = len(self._lattices)
@@ -151,19 +184,8 @@ class Classes(Certified):
         parts = factorise(order.discriminant).items()
         if not all(is_maximal_or_eichler(order, p, e) for p, e in parts):
             return types_by_isomorphism(self)
-        ideals = [two_sided_prime(order, p) for p, _ in sorted(parts)]
-        known, kinds = [-1] * len(self), 0
-        for start in range(len(self)):
-            if known[start] >= 0:
-                continue
-            todo = [start]
-            while todo:
-                n = todo.pop()
-                if known[n] < 0:
-                    known[n] = kinds
-                    todo += [self._index(product(self._lattices[n], ideal)) for ideal in ideals]
-            kinds += 1
-        return known
+        moves = [self.exchanged_at(p) for p, _ in sorted(parts)]
+        return orbits(len(self), moves)
 
     @cached_property
     def exchanged(self) -> list[int]:
@@ -186,8 +208,15 @@ class Classes(Certified):
         >>> QuaternionAlgebra(11).eichler_order(3).class_set().exchanged_at(3)
         [1, 0, 2, 3]
         """
-        ideal = two_sided_prime(self.ring, p)
-        return [self._index(product(lattice, ideal)) for lattice in self._lattices]
+        if p in self._exchanged:
+            return self._exchanged[p]
+        ideal, moved = two_sided_prime(self.ring, p), [-1] * len(self)
+        for n, lattice in enumerate(self._lattices):
+            if moved[n] < 0:  # the square of the ideal is a number, so this is an involution
+                m = self._index(product(lattice, ideal))
+                moved[n], moved[m] = m, n
+        self._exchanged[p] = moved
+        return moved
 
     @property
     def type_number(self) -> int:
@@ -314,3 +343,22 @@ def types_by_isomorphism(classes: Classes) -> list[int]:
             found.append(order)
         kinds.append(known)
     return kinds
+
+
+def orbits(size: int, moves: list[list[int]]) -> list[int]:
+    """Return the number of the orbit of each of some things under permutations, in order."""
+    kinds = [-1] * size
+    for start in range(size):
+        todo = [start] if kinds[start] < 0 else []
+        while todo:
+            n = todo.pop()
+            if kinds[n] < 0:
+                kinds[n] = start
+                todo += [move[n] for move in moves]
+    return renumbered(kinds)
+
+
+def renumbered(kinds: list[int]) -> list[int]:
+    """Return numbers in place of others, from 0 in the order in which they come."""
+    numbers: dict[int, int] = {}
+    return [numbers.setdefault(kind, len(numbers)) for kind in kinds]

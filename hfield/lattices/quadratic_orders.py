@@ -18,6 +18,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
+from itertools import product
+from operator import mul
 from typing import Any
 
 from flint import fmpz, fmpz_mat
@@ -25,9 +27,10 @@ from flint import fmpz, fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.evidence import Certified, Claim
+from hfield.factorisation import factorise, remove
 from hfield.lattices import certificates, enumeration, hermite
 from hfield.lattices.short_elements import expect_affordable, expect_definite, of_norm
-from hfield.lattices.z_order import ZOrder
+from hfield.lattices.z_order import ZOrder, is_eichler
 from hfield.primality import is_probable_prime, primes
 from hfield.rings.whole_numbers import sqrt_mod
 
@@ -239,7 +242,7 @@ TRIALS = 50_000
 
 
 def represent_integer(order: ZOrder, n: int, seed: int | None = None) -> Quaternion | None:
-    """Return an element of O of norm n, or None where an enumeration shows that there is none.
+    """Return an element of O of norm n, or None where an enumeration, or a prime, shows that there is none.
 
     Raises :class:`IndefiniteError`, and :class:`UndecidedError` where n is too large to enumerate and nothing
     was found.
@@ -250,6 +253,10 @@ def represent_integer(order: ZOrder, n: int, seed: int | None = None) -> Quatern
         for x in enumeration.vectors_of_length(gram, 2 * n):
             return order.element(hermite.combination(x, rows))
         return None
+    if not is_eichler(order) and any(
+        is_obstructed(order, p, n) for p in factorise(order.discriminant)
+    ):
+        return None
     found = in_frame(frame(order), n, random.Random(0 if seed is None else seed))
     if found is None:
         raise UndecidedError(
@@ -257,6 +264,40 @@ def represent_integer(order: ZOrder, n: int, seed: int | None = None) -> Quatern
             f"orders of discriminant {shorten(frame(order).discriminant)} and beyond only"
         )
     return found
+
+
+TRIED = 20_000
+"""No more classes of elements modulo powers of a prime than this are tried for a local obstruction."""
+
+
+def is_obstructed(order: ZOrder, p: int, n: int) -> bool:
+    """Tell whether no element has the norm n in the completion at p; False where that is not seen.
+
+    An x outside of p·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one of norm
+    n (Hensel); one in p·O has the norm of one of norm n/p².
+    """
+    if p**4 > TRIED:
+        return False
+    classes = list(product(range(p), repeat=4))
+    level, k = classes[1:], 1
+    while level:
+        rest = []
+        for x in level:
+            difference = order.trace_and_norm(x)[1] - n
+            if difference % p**k:
+                continue
+            slopes = (sum(map(mul, row, x)) for row in order.gram)
+            slope = min((remove(s, p)[0] for s in slopes if s), default=math.inf)
+            if not difference or remove(difference, p)[0] > 2 * slope:
+                return False
+            rest.append(x)
+        if len(rest) * len(classes) > TRIED:
+            return False
+        level = [
+            tuple(a + p**k * b for a, b in zip(x, v, strict=True)) for x in rest for v in classes
+        ]
+        k += 1
+    return bool(n % p**2) or is_obstructed(order, p, n // p**2)
 
 
 def in_frame(f: Frame, n: int, rng: random.Random, trials: int = TRIALS) -> Quaternion | None:

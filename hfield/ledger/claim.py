@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, ClassVar, Protocol
 
 from hfield.certificates.glossary import NOT_APPLICABLE, NOT_CHECKABLE
 from hfield.proving.decision import PROVED, REFUTED, Decision
@@ -38,6 +38,23 @@ class Proposition(Protocol):
 
     def decide(self, field: Ring | None) -> Decision:
         """Decide it over ``field``; None is every commutative ring (or field, where it needs one)."""
+
+
+class Worded:
+    """A proposition that is written by forms, which name its parts in braces."""
+
+    in_words: ClassVar[str] = "{proposition.text}"
+    in_certificates: ClassVar[str]
+
+    @property
+    def text(self) -> str:
+        """The proposition in words."""
+        return self.in_words.format_map(vars(self))
+
+    @property
+    def statement(self) -> str:
+        """The same in the vocabulary of certificates."""
+        return self.in_certificates.format_map(vars(self))
 
 
 @dataclass(frozen=True)

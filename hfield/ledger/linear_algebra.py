@@ -17,6 +17,7 @@ from hfield.certificates.glossary import (
 from hfield.evidence import Evidence, Kind
 from hfield.factorisation import factorise
 from hfield.ledger.base_field import hamilton, texts
+from hfield.ledger.claim import Worded
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, multiply
 from hfield.proving.decision import FIELDS, Decision
@@ -25,20 +26,13 @@ from hfield.rings.base import Ring
 
 
 @dataclass(frozen=True)
-class Centre:
+class Centre(Worded):
     """The centre of H(F) is H(F) in characteristic ``special``, and F·e in every other."""
 
     special: int = 2
 
-    @property
-    def text(self) -> str:
-        """The claim in words."""
-        return f"the centre of H(F) is H(F) if char F = {self.special}, and F·e if not"
-
-    @property
-    def statement(self) -> str:
-        """The claim in the vocabulary of certificates."""
-        return f"centre{{{self.special}}}"
+    in_words = "the centre of H(F) is H(F) if char F = {special}, and F·e if not"
+    in_certificates = "centre{{{special}}}"
 
     def decide(self, field: Ring | None) -> Decision:
         """Solve q·i = i·q, q·j = j·q by linear algebra in the field; over ℤ, its Smith form."""

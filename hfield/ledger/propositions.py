@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from hfield.certificates.glossary import NO_MEANING, NOT_APPLICABLE, PROVED, VACUOUS
 from hfield.errors import NotationError
 from hfield.evidence import Evidence, Kind
-from hfield.ledger.claim import Proposition
+from hfield.ledger.claim import Proposition, Worded
 from hfield.ledger.scopes import TRUE, by_lemmas, search_panel
 from hfield.ledger.transfer import carried
 from hfield.proving.decide import decide
@@ -126,7 +126,7 @@ def cited(*decisions: Decision) -> tuple[str, ...]:
 
 
 @dataclass(frozen=True)
-class Implication:
+class Implication(Worded):
     """``hypothesis ⇒ conclusion`` between propositions about the field alone.
 
     Over all fields at once it is proved by ``everywhere``; without that, a field of the panel is
@@ -137,15 +137,8 @@ class Implication:
     conclusion: Proposition
     everywhere: Proposition | None = None
 
-    @property
-    def text(self) -> str:
-        """The two sides in words."""
-        return f"if {self.hypothesis.text}, then {self.conclusion.text}"
-
-    @property
-    def statement(self) -> str:
-        """The two sides, in the vocabulary of certificates."""
-        return f"implies{{{self.hypothesis.statement}; {self.conclusion.statement}}}"
+    in_words = "if {hypothesis.text}, then {conclusion.text}"
+    in_certificates = "implies{{{hypothesis.statement}; {conclusion.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
         """Decide both sides over ``field``; vacuous where the hypothesis is refuted."""
@@ -167,22 +160,15 @@ class Implication:
 
 
 @dataclass(frozen=True)
-class Equivalence:
+class Equivalence(Worded):
     """``left ⇔ right`` between propositions about the field alone; as :class:`Implication`."""
 
     left: Proposition
     right: Proposition
     everywhere: Proposition | None = None
 
-    @property
-    def text(self) -> str:
-        """The two sides in words."""
-        return f"{self.left.text} if and only if {self.right.text}"
-
-    @property
-    def statement(self) -> str:
-        """The two sides, in the vocabulary of certificates."""
-        return f"iff{{{self.left.statement}; {self.right.statement}}}"
+    in_words = "{left.text} if and only if {right.text}"
+    in_certificates = "iff{{{left.statement}; {right.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
         """Decide both sides over ``field`` and compare."""

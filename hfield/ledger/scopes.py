@@ -17,7 +17,7 @@ from hfield.certificates.glossary import (
 )
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
-from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition
+from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition, Worded
 from hfield.proving.decision import Decision
 from hfield.proving.steps import Step, say
 from hfield.rings.base import Ring
@@ -26,20 +26,13 @@ TRUE = ("proved", "vacuous")
 
 
 @dataclass(frozen=True)
-class Negation:
+class Negation(Worded):
     """``proposition`` does not hold in every field: proved by the fields of the panel in which it fails."""
 
     proposition: Proposition
 
-    @property
-    def text(self) -> str:
-        """The denial in words."""
-        return f"not in every field: {self.proposition.text}"
-
-    @property
-    def statement(self) -> str:
-        """The denial, in the vocabulary of certificates."""
-        return f"not-everywhere{{{self.proposition.statement}}}"
+    in_words = "not in every field: {proposition.text}"
+    in_certificates = "not-everywhere{{{proposition.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
         """Go through the panel (or look at the one field given) and show what was found in each."""
@@ -59,7 +52,7 @@ class Negation:
 
 
 @dataclass(frozen=True)
-class Over:
+class Over(Worded):
     """A proposition about one ring, the one named, whatever the column: what claims of no field are.
 
     A witness names that ring under the key ``F``.
@@ -68,15 +61,7 @@ class Over:
     field: str
     proposition: Proposition
 
-    @property
-    def text(self) -> str:
-        """The proposition itself."""
-        return self.proposition.text
-
-    @property
-    def statement(self) -> str:
-        """The proposition with its field, in the vocabulary of certificates."""
-        return f"over{{{self.field}; {self.proposition.statement}}}"
+    in_certificates = "over{{{field}; {proposition.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
         """Decide it over the ring named; ``field`` does not matter."""
@@ -87,7 +72,7 @@ class Over:
 
 
 @dataclass(frozen=True)
-class Only:
+class Only(Worded):
     """A proposition that has a meaning over some fields only; ``fits`` are their names."""
 
     proposition: Proposition
@@ -95,15 +80,7 @@ class Only:
     reason: str
     assumes: tuple[str, ...] = ()
 
-    @property
-    def text(self) -> str:
-        """The proposition itself."""
-        return self.proposition.text
-
-    @property
-    def statement(self) -> str:
-        """The proposition, marked as one about angles."""
-        return f"angles{{{self.proposition.statement}}}"
+    in_certificates = "angles{{{proposition.statement}}}"
 
     def decide(self, field: Ring | None) -> Decision:
         """Decide it where it means something."""

@@ -22,7 +22,7 @@ from hfield.errors import (
     shorten,
 )
 from hfield.modules.singular_polynomials import other_root
-from hfield.rings.factoring import common_divisor
+from hfield.rings.roots import common_divisor
 from hfield.structure import is_central_simple, is_division, split
 from hfield.structure.linear_algebra.echelon import null_space, solution
 from hfield.syntax import Reader, plain_element

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from itertools import islice, product
 from typing import Any
 
-from hfield.rings.factoring import common_divisor, divided
+from hfield.rings.roots import common_divisor, divided
 
 Row = list[list[Any]]
 Matrix = tuple[tuple[Any, Any], tuple[Any, Any]]

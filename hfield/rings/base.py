@@ -230,7 +230,7 @@ class Named(Core[E]):
     @property
     def latex_name(self) -> str:
         """The name in LaTeX's mathematics."""
-        from hfield.rings.latex_names import latex_name
+        from hfield.rings.printing import latex_name
 
         return latex_name(self.name)
 
@@ -285,7 +285,7 @@ class WithSquares(Core[E]):
         Coefficients go from low to high. By default those of degree 2, and of degree 4 in x², are found, by
         square roots. Raises :class:`UndecidedError` for others.
         """
-        from hfield.rings.factoring import by_square_roots
+        from hfield.rings.roots import by_square_roots
 
         return by_square_roots(self, coefficients)
 

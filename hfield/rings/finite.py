@@ -14,7 +14,6 @@ import flint
 from hfield.errors import NotInvertibleError, shorten
 from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring, shared
-from hfield.rings.factoring import of_flint
 from hfield.rings.held import tables
 from hfield.rings.held.quotients import Polynomials
 from hfield.rings.holding import Batch, Holding
@@ -22,6 +21,7 @@ from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.roots import of_flint
 
 if TYPE_CHECKING:
     import galois
@@ -90,7 +90,7 @@ class FiniteField(Ring):
         return _arrays().inverse(self, values)
 
 
-class PrimeField(FiniteField, Modular):
+class PrimeField(Modular, FiniteField):
     """GF(p): elements are flint's ``nmod`` or ``fmpz_mod``, arrays galois's."""
 
     degree = 1
@@ -106,18 +106,6 @@ class PrimeField(FiniteField, Modular):
         if is_galois(x):
             return _arrays().from_galois(self, x)
         return super().__call__(x)
-
-    def state(self, x: flint.nmod | flint.fmpz_mod) -> object:
-        """Return the residue as an int."""
-        return int(x)
-
-    def label(self, x: flint.nmod) -> int:
-        """Return galois's integer label of x."""
-        return int(x)
-
-    def from_label(self, n: int) -> flint.nmod:
-        """Return the element with galois's integer label n."""
-        return self.residue(n)
 
 
 class ExtensionField(FiniteField):

@@ -13,12 +13,11 @@ from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.primality import is_prime, primes
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
-from hfield.rings.factoring import of_flint
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
-from hfield.rings.roots import rational_roots
+from hfield.rings.roots import of_flint, rational_roots
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -182,7 +181,7 @@ class Rationals(_Ordered):
 
     def array_holding(self, constants: Constants) -> Batch:
         """Hold arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
-        from hfield.rings.array_held.fractions import FractionArrays
+        from hfield.rings.array_held.words import FractionArrays
 
         return FractionArrays(self, constants)
 
@@ -246,14 +245,6 @@ class Residues(Modular):
         """The ring by its modulus."""
         return {"kind": "residues", "modulus": self.modulus}
 
-    def label(self, x: flint.nmod) -> int:
-        """Return the residue between 0 and n − 1."""
-        return int(x)
-
-    def from_label(self, n: int) -> flint.nmod:
-        """Return the element with a residue."""
-        return self(n)
-
     def array_of_labels(self, row: np.ndarray) -> Any:
         """Return an array of residues as ``array`` returns arrays."""
         from hfield.rings.arrays import objects
@@ -269,10 +260,6 @@ class Residues(Modular):
     def in_words(self) -> str:
         """Say what ℤ/n is."""
         return f"the integers modulo {shorten(self.modulus)}"
-
-    def state(self, x: flint.nmod | flint.fmpz_mod) -> int:
-        """Return the residue as an int."""
-        return int(x)
 
 
 def Zmod(n: int) -> Modular:

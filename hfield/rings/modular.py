@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd
 from random import Random
@@ -18,10 +18,10 @@ from hfield.errors import (
 from hfield.primality import WORD
 from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
-from hfield.rings.factoring import of_flint
 from hfield.rings.holding import Holding
 from hfield.rings.rational import rational, unwrap
-from hfield.rings.roots import residue_roots
+from hfield.rings.roots import of_flint, residue_roots
+from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Coefficient
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 SEARCH = 2_000  # the largest modulus over which squares are searched one by one
 
 
-class Modular(Ring):
+class Modular(ValueRing):
     """The ring of integers modulo n ≥ 2; elements are flint's ``nmod`` or ``fmpz_mod``.
 
     ``integers`` is ℤ.
@@ -85,17 +85,15 @@ class Modular(Ring):
         """Return the residue between 0 and n − 1 as an integer."""
         return flint.fmpz(int(x))
 
-    def is_zero(self, x: flint.nmod | flint.fmpz_mod) -> bool:
-        """Tell whether x is 0."""
-        return bool(x == 0)
-
-    def equal(self, x: flint.nmod | flint.fmpz_mod, y: flint.nmod | flint.fmpz_mod) -> bool:
-        """Tell whether x = y."""
-        return bool(x == y)
-
-    def key(self, x: flint.nmod | flint.fmpz_mod) -> Hashable:
+    def label(self, x: flint.nmod | flint.fmpz_mod) -> int:
         """Return the residue between 0 and n − 1."""
         return int(x)
+
+    key = state = label
+
+    def from_label(self, n: int) -> flint.nmod | flint.fmpz_mod:
+        """Return the residue of a number from 0 to n − 1."""
+        return self.residue(n)
 
     def inverse(self, x: flint.nmod | flint.fmpz_mod) -> flint.nmod | flint.fmpz_mod:
         """Return 1/x. Raises :class:`NotInvertibleError`, which names a zero divisor's partner."""

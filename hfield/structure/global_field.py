@@ -192,6 +192,19 @@ class GlobalField(ABC):
 
     # --- isomorphisms and square roots ---------------------------------------------------------
 
+    def residue_forms(
+        self, form: Sequence[Any]
+    ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
+        """Run through places with known residue fields, and the residues there of a form's coefficients.
+
+        Those of even order, then those of odd order, which are divided by a uniformiser. None by default.
+        """
+        return iter(())
+
+    def is_anisotropic(self, form: Sequence[Any]) -> bool | None:
+        """Tell whether a diagonal form without coefficients 0 has no zero but 0; None where not decided."""
+        return None
+
     def same_class(self, form: NormalForm, other: NormalForm) -> bool:
         """Tell whether two forms are isomorphic: ramified at the same places (Voight, 14.6.1)."""
         return self.ramified(form) == self.ramified(other)

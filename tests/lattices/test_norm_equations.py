@@ -8,7 +8,7 @@ import pytest
 from hfield import H, QuaternionAlgebra
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError
 from hfield.lattices.named_orders import quadratic_part
-from hfield.lattices.quadratic_orders import frame, represent
+from hfield.lattices.quadratic_orders import frame, is_obstructed, represent
 from hfield.primality import is_prime
 from tests.lattices.random_lattices import algebra
 
@@ -72,6 +72,24 @@ def test_norms_of_quadratic_orders() -> None:
                 assert x * x + t * x * y + n * y * y == m
             elif is_prime(m):
                 assert not exists, (d, m)
+
+
+def test_what_a_prime_forbids_is_none() -> None:
+    for D in (2, 7):
+        A = prime_algebra(D)
+        M = A.maximal_order()
+        for f in (2, 3, 6):
+            O = A.order([f * q for q in M.basis])  # ℤ + f·M: norms are squares modulo f
+            for p in (2, 3):
+                if f % p == 0:
+                    assert is_obstructed(
+                        O.value, p, p * (10**30 + 57) if p == 2 else 3 * 10**30 + 3
+                    )
+            assert O.represent_integer(f * (6 * 10**30 + 1)) is None
+            for n in range(1, 13):
+                if any(is_obstructed(O.value, p, n) for p in (2, 3, D)):
+                    assert O.represent_integer(n) is None
+        assert not is_obstructed(M.value, D, 10**30 + 57)
 
 
 def test_small_norms_are_decided() -> None:

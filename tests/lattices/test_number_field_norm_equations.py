@@ -91,3 +91,28 @@ def test_norms_small_and_large(name: str) -> None:
     assert M.represent_integer(0) == 0
     assert M.represent_integer(K(1) / 2) is None
     assert M.represent_integer(-1) is None
+
+
+def test_short_elements_and_units() -> None:
+    A = QuaternionAlgebra("(-1,-1|QQ(sqrt(3)))")
+    O = A.eichler_order(A.ring.primes_above(11)[0])
+    units = O.units()
+    assert len(units) == O.unit_index()
+    assert all(u in O and u.inverse() in O for u in units)
+    assert len({O.right_ideal([u]) for u in units}) == 1
+    I = O.ideals_of_norm(5)[0]
+    short = I.shortest()
+
+    def trace(n):
+        return O.frame.integers.inside(n).trace()
+
+    least = {trace(x.norm()) for x in short}
+    assert len(least) == 1
+    assert all(x in I and -x in short for x in short)
+    basis = I.reduced_basis()
+    assert A.lattice(basis) == I
+    assert min(least) == min(trace(q.norm()) for q in basis)
+    for n in (5, 10 + 5 * A.ring.gen):
+        assert set(I.elements_of_norm(n)) == {x for x in elements_of_norm(I, n) if x in I}
+    assert I.elements_of_norm(-1) == I.elements_of_norm(A.ring.gen) == ()
+    assert I.elements_of_norm(0) == (A(0),)

@@ -1,19 +1,22 @@
 """Orders and ideals over the integers of number fields: identities, brute force over residue fields."""
 
+import pickle
 from collections.abc import Iterator
 from itertools import product
+from random import Random
 
 import pytest
 
-from hfield import LatticeError, QuaternionAlgebra
+from hfield import LatticeError, QuaternionAlgebra, ring
 from hfield.lattices.over_integers.lattices import IntegersLattice, IntegersOrder
 from hfield.lattices.over_integers.local_orders import Local
 from hfield.lattices.over_integers.orders import checked_ring
 
-# class numbers 1 and more, algebras ramified at finite places and not
+# class numbers 1 and more, algebras ramified at finite places and not; the last with a generator of K that is
+# no integer
 ALGEBRAS = ["(-1,-1|QQ(sqrt(5)))", "(-1,-3|QQ(sqrt(10)))", "(2,5|QQ(sqrt(-5)))",
             "(-1,-1|QQ[s]/(s^3-s^2-2*s+1))", "(-3,7|QQ(sqrt(-23)))",
-            "(-1,-1|QQ[s]/(s^4-s^3-3*s^2+s+1))"]  # fmt: skip
+            "(-1,-1|QQ[s]/(s^4-s^3-3*s^2+s+1))", "(8+3*s,4+7*s|QQ[s]/(2*s^2-3))"]  # fmt: skip
 
 
 def split_primes(A, *numbers):
@@ -230,6 +233,8 @@ def test_what_is_refused() -> None:
     B = QuaternionAlgebra("(-1,-1|QQ(sqrt(10)))")
     with pytest.raises(LatticeError, match="generate no order"):
         B.order(["i", "3/5*i + 4/5*j"])
+    with pytest.raises(LatticeError, match="ideal of integers"):
+        A.maximal_order().ideals_of_norm(K(1) / 2)
     O = A.order(["i", "j"])
     assert not O.is_maximal()
     assert "times ideal" in O.is_maximal().reason
@@ -238,3 +243,34 @@ def test_what_is_refused() -> None:
         A.order(["2*i", "2*j"]).two_sided_prime(K.primes_above(2)[0])
     with pytest.raises(LatticeError, match="not listed"):
         A.order(["2*i", "2*j"]).ideals_of_norm(K.ideal(K.primes_above(2)[0]) ** 2)
+
+
+def test_maximal_orders_have_the_discriminants_of_pari() -> None:
+    pari = pytest.importorskip("cypari", reason="cypari is not installed (extra 'oracles')").pari
+    pari.allocatemem(10**9, silent=True)
+    rng, compared = Random(5), 0
+    for f in ("s^2-5", "s^2-10", "s^2+23", "s^3-s^2-2*s+1", "s^4-s^3-3*s^2+s+1"):
+        K = ring(f"QQ[s]/({f})")
+        for _ in range(3):
+            a, b = (K(rng.randint(1, 9)) + K.gen * rng.randint(-9, 9) for _ in range(2))
+            numbers = ",".join(f"Mod({K.text(x)},{f})" for x in (a, b)).replace("s", "y")
+            try:
+                theirs = pari(f"alginit(nfinit({f.replace('s', 'y')}),[{numbers}])")
+            except Exception:  # PARI takes no slot that is a square
+                continue
+            # the form of the trace of left multiplications, over ℤ: twice the reduced trace
+            N = QuaternionAlgebra(K, a, b).maximal_order().norm_of_discriminant()
+            assert (
+                abs(int(pari.algdisc(theirs))) == 2 ** (4 * K.degree) * K.discriminant() ** 4 * N**2
+            )
+            compared += 1
+    assert compared > 8
+
+
+def test_what_is_pickled_comes_back() -> None:
+    O = QuaternionAlgebra("(-1,-3|QQ(sqrt(10)))").eichler_order(7)
+    I = O.right_ideal([3, "1 + i"])
+    for L in (O, I, O + I, I.conjugate()):
+        other = pickle.loads(pickle.dumps(L))
+        assert (type(other), other) == (type(L), L)
+    assert pickle.loads(pickle.dumps(I)).order == O

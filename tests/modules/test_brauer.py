@@ -1,6 +1,7 @@
 """Tensor products and embeddings: against ramification, symbols, and the maps themselves."""
 
 from itertools import combinations
+from random import Random
 
 import pytest
 
@@ -13,6 +14,7 @@ from hfield import (
     hilbert_symbol,
     ring,
 )
+from hfield.structure.norm_forms.residue_forms import no_zero
 
 
 def over(primes):
@@ -90,3 +92,43 @@ def test_what_is_refused():
         A.tensor(H("GF(3)"))
     with pytest.raises(CoercionError, match="not central simple"):
         H("GF(2)").tensor(H("GF(2)"))
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "index"),
+    [
+        ((-1, "x"), (-3, "y"), 4),
+        ((2, "x"), (3, "y"), 4),
+        (("x", "y"), ("x+1", "y+1"), 4),
+        ((-1, "x"), (-1, "y"), 2),
+        (("x", "y"), ("x", "y"), 1),
+    ],
+)
+def test_the_index_over_functions_of_two_variables(one, other, index):
+    T = QuaternionAlgebra("QQ(x,y)", *one).tensor(QuaternionAlgebra("QQ(x,y)", *other))
+    assert T.index == index
+    if index == 4:
+        assert T.common_slot is None
+        assert "residue forms" in T.reason
+
+
+def test_residue_forms_never_deny_a_zero():
+    F, rng = ring("QQ(x,y)"), Random(3)
+    entries = [F(t) for t in ("1", "-1", "2", "x", "y", "x+1", "x*y", "x-y", "y^2+1")]
+    shown = 0
+    for _ in range(60):
+        form = [rng.choice(entries) * rng.choice((1, -1, 3)) for _ in range(rng.choice((3, 4, 5)))]
+        reason = no_zero(F, form)
+        shown += reason is not None
+        # a form that represents what its last coefficient takes away has a zero
+        v = [F(rng.choice(("0", "1", "x", "y-1"))) for _ in form]
+        value = sum((c * x * x for c, x in zip(form, v, strict=True)), F.zero)
+        if not F.is_zero(value):
+            assert no_zero(F, [*form, -value]) is None
+    assert shown > 10
+
+
+def test_slots_exist_over_the_rationals_however_many_places_ramify():
+    A, B = over((2, 3, 5, 7, 11, 13)), over((17, 19, 23, 29, 31, "inf"))
+    a, x, y = A.tensor(B).common_slot
+    assert (x * x, y * y) == (a, a)

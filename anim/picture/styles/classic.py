@@ -15,7 +15,7 @@ from anim.model import Model
 from anim.picture.light import places
 from anim.picture.look import RGB, Look
 from anim.picture.mesh import Mesh
-from anim.picture.projection import View, fitting
+from anim.picture.projection import View, fitting, reached
 from anim.picture.style import Style
 from anim.picture.styles.flat import FlatBody
 from rotation.figures.backend import import_matplotlib
@@ -44,19 +44,18 @@ def axes_and_view(model: Model, look: Look, paper: RGB) -> tuple[View, Pixels]:
     axes = Axes3D(figure, rect=(0, 0, 1, 1))
     figure.add_axes(axes)
     axes.patch.set_visible(False)
-    reached = places(model, look)
-    _set_up(axes, look, reached)
-    _fit(axes, look, reached)
+    _set_up(axes, look, reached(model, look.tilt, look.room))
+    _fit(axes, look, places(model, look))
     canvas.draw()
     return view_of(axes), np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
 
 
-def _set_up(axes: Any, look: Look, reached: Floats) -> None:
-    """Set camera, limits and letters; one unit is as long on every axis."""
+def _set_up(axes: Any, look: Look, there: Floats) -> None:
+    """Set camera, limits, names and letters; one unit is as long on every axis."""
     from matplotlib.ticker import MaxNLocator
 
     camera = look.camera
-    reach, tall = float(np.abs(reached[:, :2]).max()), float(reached[:, 2].max())
+    reach, tall = float(np.abs(there[:, :2]).max()), float(there[:, 2].max())
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), zlim=(0, tall), autoscale_on=False)
     axes.set_box_aspect((2 * reach, 2 * reach, tall))
     axes.view_init(elev=camera.elevation, azim=camera.azimuth)
@@ -67,19 +66,22 @@ def _set_up(axes: Any, look: Look, reached: Floats) -> None:
     else:
         axes.set_proj_type("ortho")
     size = min(look.size) / LETTERS * 72 / DPI
-    for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
+    for name, axis in (("x", axes.xaxis), ("y", axes.yaxis), ("z", axes.zaxis)):
         axis.set_tick_params(labelsize=size, pad=size / 6)
         axis.set_major_locator(MaxNLocator(5, steps=[1, 2, 5, 10]))  # more numbers would touch
         if min(look.size) < SMALLEST_LETTERED:
             axis.set_ticklabels([])
+        else:
+            axis.set_label_text(name, fontsize=size, fontstyle="italic")
+            axis.labelpad = size / 4
 
 
-def _fit(axes: Any, look: Look, reached: Floats) -> None:
+def _fit(axes: Any, look: Look, there: Floats) -> None:
     """Place the axes so that their box and the leaning top fill the picture."""
     (west, east), (south, north), (ground, top) = axes.get_xlim(), axes.get_ylim(), axes.get_zlim()
     box = [(x, y, z) for x in (west, east) for y in (south, north) for z in (ground, top)]
-    seen = view_of(axes).project(np.concatenate([reached, np.array(box)]))
-    margin = 0.02 if min(look.size) < SMALLEST_LETTERED else 0.02 + 2.5 / LETTERS
+    seen = view_of(axes).project(np.concatenate([there, np.array(box)]))
+    margin = 0.02 if min(look.size) < SMALLEST_LETTERED else 0.02 + 2.2 / LETTERS
     scale, shift = fitting(seen, look.size, margin, look.camera.zoom)
     size = np.array(look.size)
     # The axes take the largest square inside their rectangle.

@@ -46,6 +46,36 @@ def rows_of(text: str) -> tuple[tuple[Fraction, ...], ...]:
     return rows
 
 
+def elements_of(text: str, count: int | None = None) -> list[Element]:
+    """Read elements of four rational numbers. Raises :class:`Rejected`."""
+    found = []
+    for entry in text.split("|"):
+        values = [a_rational(x) for x in entry.split(",")]
+        if len(values) != 4:
+            reject("an element is written as four numbers")
+        den, rows = rational_rows([values])
+        found.append(Element(den, rows[0]))
+    if count not in (None, len(found)):
+        reject(f"expected {count} elements, found {len(found)}")
+    return found
+
+
+def numbers_of(text: str) -> tuple[int, ...]:
+    """Read integers between commas, or ``none``. Raises :class:`Rejected`."""
+    if text.strip() == "none":
+        return ()
+    return tuple(a_whole_number(x, "an order") for x in text.split(","))
+
+
+def words_of(text: str) -> tuple[tuple[int, ...], ...]:
+    """Read words, integers between blanks, separated by commas; or ``none``. Raises :class:`Rejected`."""
+    if text.strip() == "none":
+        return ()
+    return tuple(
+        tuple(a_whole_number(x, "a letter") for x in word.split()) for word in text.split(",")
+    )
+
+
 def a_lattice(algebra: Algebra, text: str) -> Lattice:
     """Read a lattice of a statement. Raises :class:`Rejected`."""
     found = Lattice(algebra, *rational_rows(rows_of(text)))

@@ -1,8 +1,9 @@
 """The words of certificates about lattices, and the evidence that shows or refutes them.
 
 ``order{L; n}`` · ``order{L; n; maximal}`` · ``ideal{I; side; O; norm}`` · ``equivalent{side; I; J}`` ·
-``isomorphic-orders{O; P}`` · ``embedding{O; d}`` · ``class-set{O; h}``. A lattice is written as
-four rows of rational numbers, ``1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2``.
+``isomorphic-orders{O; P}`` · ``embedding{O; d}`` · ``class-set{O; h}`` · ``dirichlet-domain{O; c; g | …}`` ·
+``norm-one-group{O; genus; orders; cusps; g | …; words}``. A lattice is written as four rows of rational
+numbers, ``1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2``.
 """
 
 from collections.abc import Callable
@@ -11,6 +12,7 @@ from math import gcd
 
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import (
+    BY_AREA,
     BY_MASS,
     DISCRIMINANT,
     ELEMENT,
@@ -20,10 +22,13 @@ from hfield.certificates.glossary import (
     MASS,
     NORM,
     ORDER,
+    POINCARE,
+    SHIMIZU,
 )
 from hfield.certificates.language import Tree
 from hfield.certificates.orders.algebra import Algebra, times
 from hfield.certificates.orders.enumeration import short_vectors
+from hfield.certificates.orders.fuchsian import Domain
 from hfield.certificates.orders.lattice import Element, Lattice, inverse
 from hfield.certificates.orders.local_types import (
     discriminant,
@@ -40,8 +45,11 @@ from hfield.certificates.orders.reading import (
     an_element,
     an_order,
     another_basis,
+    elements_of,
     given_lattice,
+    numbers_of,
     rows_of,
+    words_of,
 )
 from hfield.certificates.rejection import (
     a_list,
@@ -234,6 +242,29 @@ def _is_class_set(algebra: Algebra, parts: tuple[str, ...], evidence: object) ->
     return Finding(FIELD, BY_MASS).citing(MASS)
 
 
+# --- units of norm 1 ------------------------------------------------------------------------------------
+
+
+def _is_domain(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
+    an_object(evidence, "kind", "the evidence")
+    (center,) = elements_of(parts[1], 1)
+    Domain(an_order(algebra, parts[0]), center, elements_of(parts[2]))
+    return Finding(FIELD, BY_AREA).citing(SHIMIZU)
+
+
+def _is_group(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
+    data = an_object(evidence, "kind center units", "the evidence")
+    units = [an_element(x) for x in a_list(data["units"], "units")]
+    domain = Domain(an_order(algebra, parts[0]), an_element(data["center"]), units)
+    stated = (a_rational(parts[1]), list(numbers_of(parts[2])), a_rational(parts[3]))
+    if stated != (domain.genus, domain.elliptic, Fraction(domain.cusps)):
+        reject("the group has another signature")
+    generators, relations = domain.presentation()
+    if elements_of(parts[4]) != generators or list(words_of(parts[5])) != relations:
+        reject("this is not the presentation that the domain gives")
+    return Finding(FIELD, BY_AREA).citing(SHIMIZU, POINCARE)
+
+
 Check = Callable[[Algebra, tuple[str, ...], object], Finding]
 CHECKS: dict[tuple[str, str, str], Check] = {
     ("order", "proved", "order"): _is_order,
@@ -245,6 +276,8 @@ CHECKS: dict[tuple[str, str, str], Check] = {
     ("embedding", "proved", "embedding"): _is_embedded,
     ("embedding", "refuted", "embedding"): _is_not_embedded,
     ("class-set", "proved", "class-set"): _is_class_set,
+    ("dirichlet-domain", "proved", "dirichlet-domain"): _is_domain,
+    ("norm-one-group", "proved", "norm-one-group"): _is_group,
 }
 
 
@@ -262,4 +295,6 @@ PARTS: dict[str, tuple[Callable[[str], object], ...]] = {
     "isomorphic-orders": (rows_of, rows_of),
     "embedding": (rows_of, a_rational),
     "class-set": (rows_of, a_rational),
+    "dirichlet-domain": (rows_of, elements_of, elements_of),
+    "norm-one-group": (rows_of, a_rational, numbers_of, a_rational, elements_of, words_of),
 }

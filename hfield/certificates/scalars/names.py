@@ -18,7 +18,7 @@ from hfield.certificates.rejection import (
     reject,
     shown,
 )
-from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.scalars.ring import Kind, Ring
 
 MAX_VARIABLES = 64
 
@@ -58,6 +58,16 @@ def blackboard(name: str) -> str:
 def plain(data: Mapping[str, object], keys: str) -> Mapping[str, object]:
     """Return the data of a ring, which has exactly these keys beside its kind."""
     return an_object(data, f"kind {keys}", "the data of a ring")
+
+
+def only(ring: Ring) -> Kind:
+    """Return what reads the data of a ring which is the only one of its kind."""
+
+    def read(data: Mapping[str, object], _: object) -> Ring:
+        plain(data, "")
+        return ring
+
+    return read
 
 
 def polynomial_text(coefficients: Sequence[object], name: str, falling: bool = True) -> str:

@@ -27,7 +27,7 @@ from hfield.certificates.scalars.names import a_rational, plain, polynomial_text
 from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.prime_ideals import prime_ideal
 from hfield.certificates.scalars.quotients import Quotient
-from hfield.certificates.scalars.rationals import QQ, over_one_denominator
+from hfield.certificates.scalars.rationals import QQ, over_one_denominator, value_modulo
 from hfield.certificates.scalars.real_roots import real_roots
 from hfield.certificates.scalars.residues import modulo
 from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
@@ -143,8 +143,8 @@ class NumberField(Ring):
         f, g = ([modulo(c, p) or 0 for c in part] for part in (self.modulus, x))
         slope = [n * c for n, c in enumerate(f)][1:]
         for r in range(p):
-            if not _at(f, r, p) and _at(slope, r, p):
-                value = _at(g, r, p)
+            if not value_modulo(f, r, p) and value_modulo(slope, r, p):
+                value = value_modulo(g, r, p)
                 if value and pow(value, (p - 1) // 2, p) != 1:
                     return True
         return False
@@ -182,14 +182,6 @@ class NumberField(Ring):
     def place(self, data: object) -> Place:
         """Return a prime ideal: of 2 and s, say; or 7, where that stays prime."""
         return prime_ideal(self, data)
-
-
-def _at(f: list[int], r: int, p: int) -> int:
-    """Return the value at r modulo p."""
-    total = 0
-    for c in reversed(f):
-        total = (total * r + c) % p
-    return total
 
 
 def _rest(f: list[int], g: list[int]) -> list[int]:

@@ -1,16 +1,16 @@
 """ℚ, and ℤ in it: fractions of integers; ℚ at a prime number; floats, where they compute exactly."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import product
 from math import isqrt, lcm
 
 from hfield.certificates.rejection import an_object, keyed, reject
 from hfield.certificates.scalars.finite import is_prime
-from hfield.certificates.scalars.names import plain
+from hfield.certificates.scalars.names import only
 from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.residues import ModuloNumber, modulo, two_or_odd
-from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
+from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge, charge_products
 
 MAX_BITS = 100_000
@@ -128,7 +128,7 @@ def has_no_rational_root(c: list[int]) -> bool:
         charge_products([p], c)
         charge(p * len(c))
         classes = [a % p for a in c]
-        if classes[-1] and all(_value(classes, x, p) for x in range(p)):
+        if classes[-1] and all(value_modulo(classes, x, p) for x in range(p)):
             return True
     tops, belows = divisors(abs(last)), divisors(abs(lead))
     if len(tops) * len(belows) > 20_000:
@@ -143,7 +143,8 @@ def has_no_rational_root(c: list[int]) -> bool:
     return True
 
 
-def _value(c: list[int], x: int, p: int) -> int:
+def value_modulo(c: list[int], x: int, p: int) -> int:
+    """Return the value of a polynomial at x, modulo p."""
     total = 0
     for a in reversed(c):
         total = (total * x + a) % p
@@ -198,19 +199,4 @@ class Floats(Rationals):
 QQ, ZZ = Rationals(True), Rationals(False)
 
 
-def _rationals(data: Mapping[str, object], ring: ReadRing) -> Ring:
-    plain(data, "")
-    return QQ
-
-
-def _integers(data: Mapping[str, object], ring: ReadRing) -> Ring:
-    plain(data, "")
-    return ZZ
-
-
-def _floats(data: Mapping[str, object], ring: ReadRing) -> Ring:
-    plain(data, "")
-    return Floats()
-
-
-KINDS: dict[str, Kind] = {"rationals": _rationals, "integers": _integers, "floats": _floats}
+KINDS = {"rationals": only(QQ), "integers": only(ZZ), "floats": only(Floats())}

@@ -12,7 +12,7 @@ from math import isqrt, prod
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import a_list, an_integer, reject, shown
-from hfield.certificates.scalars.names import plain
+from hfield.certificates.scalars.names import only, plain
 from hfield.certificates.scalars.rationals import QQ
 from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
 from hfield.certificates.work import Remembered, charge
@@ -229,16 +229,6 @@ def _product(a: Radical, b: Radical) -> Radical:
     return tuple(sorted({*a} ^ {*b}))
 
 
-def _reals(data: Mapping[str, object], ring: ReadRing) -> Ring:
-    plain(data, "")
-    return Reals()
-
-
-def _complexes(data: Mapping[str, object], ring: ReadRing) -> Ring:
-    plain(data, "")
-    return Complexes()
-
-
 def _multiquadratic(data: Mapping[str, object], ring: ReadRing) -> Ring:
     numbers = [
         an_integer(n, "a number under a root") for n in a_list(plain(data, "d")["d"], "d", 2)
@@ -255,7 +245,7 @@ def _multiquadratic(data: Mapping[str, object], ring: ReadRing) -> Ring:
 
 
 KINDS: dict[str, Kind] = {
-    "reals": _reals,
-    "complexes": _complexes,
+    "reals": only(Reals()),
+    "complexes": only(Complexes()),
     "multiquadratic field": _multiquadratic,
 }

@@ -86,18 +86,8 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: o
 
 
 def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
-    """−1 is not a sum of so many squares."""
-    return _level(int(parts[0]), setting, verdict, evidence)
-
-
-def formally_real(
-    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
-) -> Finding:
-    """−1 is not a sum of squares."""
-    return _level(None, setting, verdict, evidence)
-
-
-def _level(bound: int | None, setting: Setting, verdict: str, evidence: object) -> Finding:
+    """−1 is not a sum of so many squares, or of any."""
+    bound = int(parts[0]) if parts else None
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "level":
         an_object(evidence, "kind", "the evidence")
@@ -250,7 +240,7 @@ def _no_choice(field: Ring, operation: str, data: Mapping[str, object]) -> None:
 CHECKS = {
     "division": division,
     "level-above": level,
-    "formally-real": formally_real,
+    "formally-real": level,
     "norm-criterion": norm_criterion,
     "modulus-exists": modulus_exists,
     "modulus-law": modulus_law,

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import functools
 import itertools
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -22,11 +22,12 @@ import flint
 
 from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import Factors
-from hfield.fields.function_fields.conics import RamifiedError, solve_conic_functions
-from hfield.fields.function_fields.inseparable import (
+from hfield.fields.function_fields.conics import (
+    RamifiedError,
     artin_schreier,
     as_norm,
     embed_even,
+    solve_conic_functions,
     square_parts,
 )
 from hfield.fields.function_fields.places import FunctionPlace, place_of_functions
@@ -40,6 +41,8 @@ from hfield.fields.function_fields.symbols import (
     symbol,
     tame_residue,
 )
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.rationals.embedding import traceless_root_rational
 from hfield.fields.rationals.symbols import hilbert_symbol_q, is_isotropic, ramified_places_q
 from hfield.primality import primes
@@ -114,6 +117,30 @@ class FunctionArithmetic(GlobalField):
         if self.ring.base.order is None:
             return None
         return AtInfinity(self.ring) if place.poly is None else ResidueField(self.ring, place.poly)
+
+    def residue_forms(
+        self, form: Sequence[Quotient]
+    ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
+        """Run through infinity and the polynomials in the coefficients, over QQ or where they are linear."""
+        F = self.ring
+        factors = [p for c in form for x in (c.num, c.den) for p, _ in x.factor()[1]]
+        finite = {
+            str(v): v for v in (FunctionPlace(F, p / p.leading_coefficient()) for p in factors)
+        }
+        for place in (FunctionPlace(F), *finite.values()):
+            at = AtInfinity(F) if place.poly is None else ResidueField(F, place.poly)
+            k: Any = F.base
+            if place.degree > 1:
+                if F.base.order is not None:
+                    continue
+                k = NumberField(place.poly)
+            parts: tuple[list[Any], list[Any]] = [], []
+            for c in form:
+                n = at.valuation(c)
+                step = at.inverse_uniformiser if n > 0 else at.uniformiser
+                x = at.reduce(c * step ** abs(n))
+                parts[n % 2].append(k(x[0]) if place.degree == 1 else FieldElement(k, x))
+            yield place, k, *parts
 
 
 class OverOdd(FunctionArithmetic):

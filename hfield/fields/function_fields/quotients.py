@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 from hfield.certificates.glossary import reads_like_a_constant
 from hfield.errors import NotInvertibleError
 from hfield.rings.base import INFINITY, Known
-from hfield.rings.factoring import monic
 from hfield.rings.operators import Element, Overfield
 from hfield.rings.powers import polynomial_power
+from hfield.rings.roots import monic
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 from hfield.errors import RingError, UndecidedError
 from hfield.factorisation import Factors
-from hfield.fields.local.field import DIGITS, Completion, LocalField
-from hfield.fields.local.roots import hensel
+from hfield.fields.local.field import DIGITS, Completion, LocalField, hensel
 from hfield.product import Constants, Coordinates, Scalar, conjugate, multiply, norm, trace
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm

@@ -34,6 +34,7 @@ from hfield.fields.number_fields.symbols import (
     hilbert_symbol_number_field,
     norms,
     ramified_places_number_field,
+    residue_symbol,
 )
 from hfield.fields.number_fields.unimodular_lattice import embed_number_field
 from hfield.primality import WORD, is_probable_prime, primes
@@ -236,10 +237,7 @@ def is_local_square(place: Place, x: FieldElement) -> bool:
         return False
     if place.p == 2:
         return _defect(place, unit) > 2 * place.e
-    residue = place.residue_of(unit)
-    if place.f == 1:
-        return int(flint.fmpz(int(residue[0])).jacobi(place.p)) == 1
-    return bool(residue.pow_mod((place.norm - 1) // 2, place.residue) == 1)
+    return residue_symbol(place, unit) == 1
 
 
 def _fits(

@@ -10,7 +10,7 @@ import flint
 
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.sums import times
-from hfield.rings.factoring import common_divisor, divided, monic
+from hfield.rings.roots import common_divisor, divided, monic
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField

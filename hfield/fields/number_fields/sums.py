@@ -10,7 +10,7 @@ import flint
 
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.rings.balls import precision
-from hfield.rings.factoring import common_divisor
+from hfield.rings.roots import common_divisor
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField

@@ -26,7 +26,6 @@ from hfield.fields.number_fields.integers import integral_generator
 from hfield.fields.number_fields.places import Place, RealPlace
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
 from hfield.fields.number_fields.ring import NumberField
-from hfield.rings.residue_polynomials import residues
 
 DIGITS = 2**6  # 2⁶ lies in P^(2e+1), with room for what is divided by uniformisers
 
@@ -124,7 +123,7 @@ class DyadicPrime:
         """Return an integer x of valuation k for which x/ϖᵏ has the given residue."""
         prime = self.prime
         ratio = prime.residue_of(prime.uniformiser * self._inverse)
-        scale = self._invert(self._power(ratio, k))
+        scale = self._invert(ratio.pow_mod(k, prime.residue))
         x: FieldElement = prime.lift(residue * scale % prime.residue)
         for _ in range(k):
             x = self._cut(x * prime.uniformiser)
@@ -136,21 +135,12 @@ class DyadicPrime:
     def _cut(self, x: FieldElement) -> FieldElement:
         return self.prime.order.truncated(x, DIGITS)
 
-    # --- the residue field, of 2^f elements ------------------------------------------------------
-
-    def _power(self, x: flint.nmod_poly, n: int) -> flint.nmod_poly:
-        result = residues(2, [1])
-        for bit in bin(n)[2:]:
-            result = result * result % self.prime.residue
-            if bit == "1":
-                result = result * x % self.prime.residue
-        return result
-
     def _root(self, x: flint.nmod_poly) -> flint.nmod_poly:
-        return self._power(x, 2 ** (self.prime.f - 1))
+        """Return the square root of an element of the residue field, of 2^f elements."""
+        return x.pow_mod(2 ** (self.prime.f - 1), self.prime.residue)
 
     def _invert(self, x: flint.nmod_poly) -> flint.nmod_poly:
-        return self._power(x, 2**self.prime.f - 2)
+        return x.pow_mod(2**self.prime.f - 2, self.prime.residue)
 
     def _has_trace_0(self, x: flint.nmod_poly) -> bool:
         """Tell whether t² + t = x has a root: whether the trace of x is 0."""
@@ -185,14 +175,14 @@ def _tame(prime: PrimeIdeal, a: FieldElement, b: FieldElement) -> int:
     if not v % 2:
         if not w % 2:
             return 1
-        return _residue_symbol(prime, u)
+        return residue_symbol(prime, u)
     if not w % 2:
-        return _residue_symbol(prime, t)
+        return residue_symbol(prime, t)
     minus = -1 if prime.norm % 4 == 3 else 1
-    return minus * _residue_symbol(prime, u) * _residue_symbol(prime, t)
+    return minus * residue_symbol(prime, u) * residue_symbol(prime, t)
 
 
-def _residue_symbol(prime: PrimeIdeal, u: FieldElement) -> int:
+def residue_symbol(prime: PrimeIdeal, u: FieldElement) -> int:
     """Return 1 if a unit is a square modulo the prime, else −1."""
     residue = prime.residue_of(u)
     if prime.f == 1:

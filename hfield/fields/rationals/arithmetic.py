@@ -16,6 +16,7 @@ from hfield.fields.rationals.symbols import (
     discriminant_q,
     from_ramification_q,
     hilbert_symbol_q,
+    is_isotropic,
     ramified_places_q,
 )
 from hfield.primality import WORD, primes
@@ -45,6 +46,12 @@ class RationalArithmetic(GlobalField):
         """Return the symbol by formula; nothing is factored."""
         a, b = (self.ring(x) if isinstance(x, str) else x for x in (a, b))
         return hilbert_symbol_q(a, b, place)
+
+    def is_anisotropic(self, form: Sequence[flint.fmpq]) -> bool:
+        """Decide it: from five variables on by the signs (Meyer)."""
+        if len(form) > 4:
+            return all(c > 0 for c in form) or all(c < 0 for c in form)
+        return not is_isotropic([fraction(c) for c in form])
 
     def ramified(self, form: NormalForm) -> tuple[Place, ...]:
         """Return the primes, and ``"inf"``, with a symbol of −1."""

@@ -9,12 +9,13 @@ variable the leading coefficients stand for the residue.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
+from hfield.fields.function_fields.conics import artin_schreier
 from hfield.fields.function_fields.extensions import rational_functions
-from hfield.fields.function_fields.inseparable import artin_schreier
 from hfield.fields.function_fields.residues import multiplicity
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.rationals.symbols import ramified_places_q
@@ -147,6 +148,23 @@ class SeveralArithmetic(GlobalField):
     def discriminant(self, ramified: tuple[Any, ...]) -> Quotient:
         """Return the product of the polynomials."""
         return self.ring.product_of(v.poly for v in ramified)
+
+    def residue_forms(
+        self, form: Sequence[Quotient]
+    ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
+        """Run through the prime polynomials in the coefficients, and infinities."""
+        F = self.ring
+        for place in places_of(F, *form):
+            try:
+                found = [residue(F, unit_part(F, c, place), place) for c in form]
+            except UndecidedError:
+                continue
+            if not any(r.is_norm for r in found) and found[0].field != F:
+                odd = [valuation(F, c, place) % 2 for c in form]
+                even, rest = (
+                    [r.value for r, o in zip(found, odd, strict=True) if o == n] for n in (0, 1)
+                )
+                yield place, found[0].field, even, rest
 
     # --- what is not known -----------------------------------------------------------------------
 

@@ -28,6 +28,7 @@ import flint
 
 from hfield.errors import TooLargeError
 from hfield.lattices.class_number import local_factor
+from hfield.lattices.classes import orbits, renumbered
 from hfield.lattices.enumeration import Vector, least_vectors
 from hfield.lattices.over_integers import ideals_of_norm
 from hfield.lattices.over_integers.dedekind_modules import unique_rows
@@ -377,7 +378,7 @@ class Classes:
                 kind,
             )
             firsts.setdefault(names[kind], (units, order))
-        return _renumbered([names[kind] for kind in kinds])
+        return renumbered([names[kind] for kind in kinds])
 
     def _left_order(self, n: int) -> flint.fmpq_mat:
         """Return the left order of class n, I·conj(I)/N(I)."""
@@ -411,21 +412,3 @@ class Classes:
     def hecke_polynomial(self, prime: object) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first."""
         return list(map(int, flint.fmpz_mat(self.brandt_matrix(prime)).charpoly().coeffs()))
-
-
-def orbits(size: int, moves: list[list[int]]) -> list[int]:
-    """Return the number of the orbit of each of some things under permutations, in order."""
-    kinds = [-1] * size
-    for start in range(size):
-        todo = [start] if kinds[start] < 0 else []
-        while todo:
-            n = todo.pop()
-            if kinds[n] < 0:
-                kinds[n] = start
-                todo += [move[n] for move in moves]
-    return _renumbered(kinds)
-
-
-def _renumbered(kinds: list[int]) -> list[int]:
-    numbers: dict[int, int] = {}
-    return [numbers.setdefault(kind, len(numbers)) for kind in kinds]

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.lattices.classes import orbits
 from hfield.lattices.eigensystems import Module, expect_eichler
-from hfield.lattices.over_integers.class_sets import orbits
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal

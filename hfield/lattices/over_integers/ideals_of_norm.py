@@ -44,7 +44,7 @@ def random_generators(local: Local, rows: flint.fmpq_mat, rng: Random) -> Rows:
     """Return those of one ideal of norm P, but for one any with the same chance; the order is M₂(ℤ_P)."""
     e, u, v = _matrix_units(local, rows)
     digits = [rng.randrange(local.p) for _ in range(local.prime.f)]
-    return _line(local, e, v, u, local.prime.lift(flint.nmod_poly(digits, local.p)))
+    return _line(local, e, v, u, local.lift(flint.nmod_poly(digits, local.p)))
 
 
 def _split(local: Local, rows: flint.fmpq_mat, exponent: int) -> list[Rows]:

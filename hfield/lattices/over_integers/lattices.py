@@ -33,10 +33,11 @@ from hfield.lattices.over_integers import (
     related_orders,
 )
 from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
-from hfield.lattices.over_integers.frames import Frame
+from hfield.lattices.over_integers.frames import Frame, frame_of
 from hfield.lattices.over_integers.hecke_modules import IntegersModule
 from hfield.lattices.over_integers.local_orders import Local, Rows
 from hfield.lattices.over_integers.quadratic_orders import IntegersEmbeddings
+from hfield.lattices.over_integers.trace_forms import all_of_norm, trace_forms
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -83,6 +84,13 @@ class IntegersLattice(Hinted):
     def __init__(self, frame: Frame, rows: flint.fmpq_mat) -> None:
         self.frame, self.rows = frame, unique_rows(rows)
         self.algebra, self.field = frame.algebra, frame.field
+
+    def __reduce__(self) -> tuple[object, ...]:
+        whole, den = self.rows.numer_denom()
+        table = [list(map(int, row)) for row in whole.tolist()]
+        return _restored, (type(self), self.algebra, int(den), table, *self._described)
+
+    _described: tuple[object, ...] = ()  # what else the class is made with
 
     # --- what it is --------------------------------------------------------------------------------
 
@@ -212,6 +220,37 @@ class IntegersLattice(Hinted):
         if not self.is_invertible():
             raise LatticeError(f"{shorten(self)} is not invertible: it is not locally principal")
         return self.conjugate() * self.norm().inverse()
+
+    def is_integral(self) -> bool:
+        """Tell whether products of elements of the lattice lie in it."""
+        return self * self <= self
+
+    # --- elements, in totally definite algebras ----------------------------------------------------
+
+    def _both_signs(self, rows: Iterable[flint.fmpq_mat]) -> tuple[Quaternion, ...]:
+        return tuple(self.frame.quaternion((row * s).entries()) for row in rows for s in (1, -1))
+
+    def elements_of_norm(self, n: object) -> tuple[Quaternion, ...]:
+        """Return all elements of norm n, a totally positive number of the field; none for other n ≠ 0.
+
+        Raises :class:`IndefiniteError` unless the algebra is totally definite, and :class:`TooLargeError` for
+        more than a million.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+        >>> len(O.elements_of_norm(1)), len(O.units()), len(O.shortest()), O.shortest()[0].norm()
+        (120, 60, 120, 1)
+        """
+        return tuple(all_of_norm(self.frame, self.rows, self.frame.integers.inside(n)))
+
+    def shortest(self) -> tuple[Quaternion, ...]:
+        """Return the elements x ≠ 0 with the least Tr(N(x)), the trace down to ℚ. Raises likewise."""
+        return self._both_signs(trace_forms(self.frame).shortest(self.rows))
+
+    def reduced_basis(self) -> tuple[Quaternion, ...]:
+        """Return a basis over ℤ that is LLL-reduced for Tr(N(x)). Raises likewise."""
+        _, basis, _ = trace_forms(self.frame).reduced(self.rows, self.field.one)
+        return tuple(map(self.frame.quaternion, basis.tolist()))
 
     # --- sizes -------------------------------------------------------------------------------------
 
@@ -472,6 +511,8 @@ class IntegersOrder(IntegersLattice):
         [1, 5, 19]
         """
         wanted = self.frame.ideal(norm)
+        if not wanted.is_integral():
+            raise LatticeError(f"expected an ideal of integers as the norm, not {wanted}")
         layer = [IntegersIdeal(self.frame, self.rows, "right", self)]
         for P, e in wanted.factorisation():
             if e > 1 and self.discriminant().valuation(P) > 1:
@@ -518,6 +559,11 @@ class IntegersOrder(IntegersLattice):
         """
         return equivalence.unit_index(self.frame, self.rows)
 
+    def units(self) -> tuple[Quaternion, ...]:
+        """Return one unit of each coset of ℤ_Kˣ. Raises :class:`IndefiniteError` where they are infinite."""
+        rows = equivalence.units(self.frame, self.rows)
+        return tuple(self.frame.quaternion(row.entries()) for row in rows)
+
     def unit_group(self) -> str:
         """Return the name of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on. Raises :class:`IndefiniteError`."""
         return equivalence.unit_group(self.frame, self.rows)
@@ -560,6 +606,10 @@ class IntegersIdeal(IntegersLattice):
     ) -> None:
         super().__init__(frame, rows)
         self.side, self._order = side, order
+
+    @property
+    def _described(self) -> tuple[object, ...]:  # type: ignore[override]
+        return self.side, self._order
 
     @property
     def order(self) -> IntegersOrder:
@@ -736,6 +786,15 @@ class IntegersClassSet(class_sets.Classes, WithForms, Hinted):
 
     def __repr__(self) -> str:
         return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
+
+
+def _restored(
+    kind: type[Any], algebra: Any, den: int, table: list[list[int]], *rest: object
+) -> IntegersLattice:
+    """Return a lattice that was pickled."""
+    rows = flint.fmpq_mat(flint.fmpz_mat(table)) * flint.fmpq(1, den)
+    found: IntegersLattice = kind(frame_of(algebra), rows, *rest)
+    return found
 
 
 def _integral(matrix: flint.fmpq_mat) -> bool:

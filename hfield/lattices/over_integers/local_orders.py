@@ -19,7 +19,7 @@ import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.fields.number_fields.integers import left_kernel
-from hfield.fields.number_fields.integral_basis import coordinate_rows
+from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.residues import local_place
 from hfield.lattices.over_integers.dedekind_modules import hermite, unique_rows
@@ -76,6 +76,17 @@ class Local:
             level -= int(math.log2(int(index.p)) / math.log2(self.prime.norm) + 0.5)
             rows = larger
         return rows
+
+    def lift(self, residue: flint.nmod_poly) -> FieldElement:
+        """Return an integer of the field with a given residue."""
+        return self.integral(self.prime.lift(residue), 1)
+
+    def integral(self, x: FieldElement, k: int) -> FieldElement:
+        """Return an integer of the field that is x modulo pᵏ, where x may not be integral away from p."""
+        (row,) = coordinate_rows(self.frame.field, [x]).tolist()
+        modulus = self.p**k
+        digits = [int(c.p) * pow(int(c.q), -1, modulus) % modulus for c in row]
+        return element_of(self.frame.field, [flint.fmpq(c) for c in digits])
 
     def _digits(self, residue: flint.nmod_poly) -> list[int]:
         found = coefficients(residue)
@@ -154,9 +165,9 @@ class Local:
             other = (trace - root) % place.modulus
             if (other - root) % place.modulus == 0:
                 continue
-            shift = coordinate_rows(frame.field, [place.lift(root)]).entries()
+            shift = coordinate_rows(frame.field, [self.lift(root)]).entries()
             moved = [c - s for c, s in zip(row, [*shift, *[0] * (3 * frame.n)], strict=True)]
-            return moved, place.lift((other - root) % place.modulus)
+            return moved, self.lift((other - root) % place.modulus)
         raise LatticeError(f"no idempotent was found in the residues of an order at {self.prime}")
 
     def symbol(self, rows: flint.fmpq_mat) -> int:
@@ -177,7 +188,7 @@ class Local:
     def representatives(self) -> list[FieldElement]:
         """Integers of the field, one of each class modulo P, 0 first."""
         digits = product(range(self.p), repeat=self.prime.f)
-        return [self.prime.lift(flint.nmod_poly(list(c), self.p)) for c in digits]
+        return [self.lift(flint.nmod_poly(list(c), self.p)) for c in digits]
 
     def times_prime(self, rows: flint.fmpq_mat) -> flint.fmpq_mat:
         """Return P·L."""
@@ -211,7 +222,7 @@ class Local:
         """
         frame, place = self.frame, self.place
         element, r = self.split_element(rows)
-        scale = place.lift(place.inverse(self.prime.residue_of(r)))
+        scale = self.lift(place.inverse(self.prime.residue_of(r)))
         e = flint.fmpq_mat([element]) * frame.scalar(scale)
         modulus = self.p ** -(-k // self.prime.e)
         inverse = rows.inv()

@@ -164,7 +164,7 @@ def _without_scalar(local: Local, y: flint.fmpq_mat, m: int) -> flint.fmpq_mat:
             norm = frame.norm(found.entries())
             if not norm or P.valuation(norm) >= 2 * j + 2:
                 break
-        y, power = found, power * P.uniformiser
+        y, power = found, local.integral(power * P.uniformiser, m)
     return y
 
 

@@ -14,10 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import IndefiniteError, shorten
-from hfield.lattices.enumeration import vectors_of_length
+from hfield.errors import IndefiniteError, TooLargeError, shorten
+from hfield.lattices.enumeration import least_vectors, vectors_of_length
+from hfield.lattices.short_elements import MANY
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.lattices.over_integers.frames import Frame
 
@@ -50,18 +52,45 @@ class TraceForms:
             total = total + matrix * (c * w).trace()
         return total
 
+    def reduced(
+        self, rows: flint.fmpq_mat, c: FieldElement
+    ) -> tuple[list[list[int]], flint.fmpq_mat, int]:
+        """Return the matrix of a form times a number for a reduced basis, the basis, and the number."""
+        whole, den = (rows * self.form(c) * rows.transpose()).numer_denom()
+        reduced, change = whole.lll(transform=True, rep="gram")
+        gram = [list(map(int, row)) for row in reduced.tolist()]
+        return gram, flint.fmpq_mat(change) * rows, int(den)
+
+    def shortest(self, rows: flint.fmpq_mat) -> list[flint.fmpq_mat]:
+        """Return one of ±x for each x ≠ 0 in a lattice with the least Tr(N(x))."""
+        gram, basis, _ = self.reduced(rows, self.field.one)
+        found = least_vectors(gram)[1]
+        return [flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis for x in found]
+
     def elements_of_norm(
         self, rows: flint.fmpq_mat, norm: FieldElement
     ) -> Iterator[flint.fmpq_mat]:
         """Yield one of ±x for each x in a lattice with the given norm, totally positive."""
-        whole, den = (rows * self.form(norm.inverse()) * rows.transpose()).numer_denom()
-        reduced, change = whole.lll(transform=True, rep="gram")
-        gram = [list(map(int, row)) for row in reduced.tolist()]
-        basis = flint.fmpq_mat(change) * rows
-        for x in vectors_of_length(gram, 2 * self.n * int(den)):
+        gram, basis, den = self.reduced(rows, norm.inverse())
+        for x in vectors_of_length(gram, 2 * self.n * den):
             row = flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis
             if self.frame.norm(row.entries()) == norm:
                 yield row
+
+
+def all_of_norm(frame: Frame, rows: flint.fmpq_mat, norm: FieldElement) -> list[Quaternion]:
+    """Return all elements of a lattice with a norm, in a fixed order. Raises :class:`TooLargeError`."""
+    forms, zero = trace_forms(frame), [flint.fmpq(0)] * frame.size
+    if not norm:
+        return [frame.quaternion(zero)]
+    if not _positive(frame.field, norm):
+        return []
+    found = []
+    for row in forms.elements_of_norm(rows, norm):
+        found += [row.entries(), (-row).entries()]
+        if len(found) > MANY:
+            raise TooLargeError(f"more than {MANY} elements of this lattice have the given norm")
+    return [frame.quaternion(row) for row in sorted(found, reverse=True)]
 
 
 def _positive(field: Any, x: FieldElement) -> bool:

@@ -173,31 +173,16 @@ def _local(v: QuadraticPlace, x: tuple[int, int]) -> tuple[int, int]:
     size = x[0] * x[0] - d * x[1] * x[1]
     n, unit = remove(size, p)
     if v.root is not None:
-        precision = n + 4
-        value = (x[0] + x[1] * p_adic_root(v, precision)) % p**precision
-        return remove(value, p)
+        kappa = prime_at(v)
+        assert isinstance(kappa, DegreeOne)
+        s, t = map(Fraction, x)
+        u, w = (s - t, 2 * t) if d % 4 == 1 else (s, t)
+        return remove(int(kappa.near(u, w, n + 4)), p)
     if d % p:  # inert: n is even
         return n // 2, unit % p
     k, odd = divmod(n, 2)
     leading = x[1] if odd else x[0]
     return n, leading // p**k * pow(d // p, -k, p) % p
-
-
-def p_adic_root(v: QuadraticPlace, precision: int) -> int:
-    """Return the square root of d modulo ``p**precision`` (one digit less for p = 2)."""
-    p, d = v.prime, v.d
-    assert v.root is not None
-    r = v.root
-    if p == 2:
-        for k in range(3, precision + 1):
-            if (r * r - d) >> k & 1:  # r² ≡ d (mod 2ᵏ) becomes a congruence modulo 2ᵏ⁺¹
-                r += 1 << (k - 1)
-        return r
-    modulus = p
-    while modulus < p**precision:
-        modulus *= modulus
-        r = (r + d * pow(r, -1, modulus)) * pow(2, -1, modulus) % modulus
-    return r
 
 
 def is_dyadic(v: QuadraticPlace) -> bool:

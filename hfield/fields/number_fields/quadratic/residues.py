@@ -60,17 +60,17 @@ class DegreeOne(PrimePlace):
         u, v = integer_coordinates(self.place.d, x)
         if u.denominator % self.modulus and v.denominator % self.modulus:
             return (super().reduce(u) + super().reduce(v) * self.root) % self.modulus
-        return int(self._rational(u, v, 1))
+        return int(self.near(u, v, 1))
 
     def truncated(self, x: Any, n: int) -> Any:
         """Return what x is up to the n-th power of the ideal: rational, or u + v·π where p ramifies."""
         u, v = integer_coordinates(self.place.d, x)
         if self.index == 1:
-            return self.number_field(self._rational(u, v, n))
+            return self.number_field(self.near(u, v, n))
         odd = truncated(v, self.modulus, n // 2)
         return self.uniformiser * odd + truncated(u - v * self._shift, self.modulus, (n + 1) // 2)
 
-    def _rational(self, u: Fraction, v: Fraction, n: int) -> Fraction:
+    def near(self, u: Fraction, v: Fraction, n: int) -> Fraction:
         """Return the least rational number ≥ 0 that is u + v·ω up to pⁿ, at a prime that splits."""
         trace, constant = minimal_of_omega(self.place.d)
         r, modulus = self.root, self.modulus
