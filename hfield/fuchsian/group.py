@@ -6,16 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from math import sqrt
+from math import acosh, sqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.factorisation import factorise
-from hfield.fuchsian import presentation
+from hfield.fuchsian import area, presentation
 from hfield.fuchsian.presentation import Word
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
+from hfield.lattices.z_order import is_eichler
 
 if TYPE_CHECKING:
     from hfield.fuchsian import dirichlet
@@ -217,6 +218,32 @@ class NormOneGroup(Certified):
             ):
                 return c
         raise LatticeError(f"no point near {z} that units do not fix was found")
+
+    # --- closed geodesics --------------------------------------------------------------------------
+
+    def traces(self, most: int) -> tuple[int, ...]:
+        """Return the traces t, 2 < t ≤ most, of hyperbolic elements, up to the sign.
+
+        A closed geodesic of the quotient that belongs to one has the length 2·arccosh(t/2). Raises
+        :class:`LatticeError` for all but Eichler orders over ℤ.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 11]).eichler_order(3).norm_one_group()
+        >>> G.traces(17), round(G.systole, 6)
+        ((5, 10, 11, 13, 16, 17), 3.133598)
+        """
+        if not isinstance(self.order, RationalOrder) or not is_eichler(self.order.order):
+            raise LatticeError("traces and the systole are known here for Eichler orders over ZZ")
+        value = self.order.order
+        return tuple(t for t in range(3, most + 1) if area.is_hyperbolic_trace(value, t))
+
+    @property
+    def systole(self) -> float:
+        """About the length of the shortest closed geodesic, ``2·arccosh(t/2)`` for the least trace t."""
+        most = 8
+        while not (found := self.traces(most)):
+            most *= 2
+        return 2 * acosh(found[0] / 2)
 
     # --- larger groups -----------------------------------------------------------------------------
 

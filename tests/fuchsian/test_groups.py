@@ -200,6 +200,20 @@ def test_units_of_norms() -> None:
     assert G.unit_of_norm(-1) is None
 
 
+@pytest.mark.parametrize(("D", "N"), [(10, 1), (6, 5), (10, 9), (1, 8), (22, 3)])
+def test_traces_of_words(D: int, N: int) -> None:
+    """Those of products of units are those that embeddings allow, each of them up to 20."""
+    G = order(D, N).norm_one_group()
+    rng = random.Random(1)
+    units = [side.element for side in G.domain().sides]
+    found = set()
+    for _ in range(6000):
+        word = rng.choices(units, k=rng.randrange(1, 6))
+        found.add(abs(int(math.prod(word, start=G.order.algebra(1)).trace())))
+    assert tuple(sorted(t for t in found if 2 < t <= 20)) == G.traces(20)
+    assert G.systole == 2 * math.acosh(G.traces(20)[0] / 2)
+
+
 def test_other_places_split() -> None:
     for field, b in (("QQ(sqrt(5))", 3), ("QQ(sqrt(5))", -1), ("QQ[s]/(s^3-2)", 3)):
         with pytest.raises(IndefiniteError, match="exactly one real place"):
