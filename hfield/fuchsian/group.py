@@ -115,8 +115,8 @@ class Domain(Certified):
 
         return dirichlet.area_of(list(self.partners), list(self.cycles))
 
-    def draw(self, path: object, *, dark: bool = False, depth: int = 3) -> None:
-        """Draw the domain and its images under words of up to ``depth`` sides, to a file .svg, .png or .pdf.
+    def draw(self, path: object, *, dark: bool = False, depth: int | None = None) -> None:
+        """Draw the domain and its images, those under words of up to ``depth`` sides, to .svg, .png or .pdf.
 
         Sides of a pair have one colour; elliptic points and the centre are marked. To a file .html, a page on
         which the centre is dragged. Raises :class:`hfield.errors.LatticeError` where the file
