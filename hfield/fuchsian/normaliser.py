@@ -2,8 +2,7 @@
 
 For pᵉ exactly dividing the discriminant D·N, the two-sided ideal of this norm has a generator w of
 positive norm; these generate the normaliser of the order, modulo numbers and the units of norm 1
-(Voight, *Quaternion
-Algebras*, section 28.9). A domain of the larger group lies in one of the smaller.
+(Voight, *Quaternion Algebras*, section 28.9). A domain of the larger group lies in one of the smaller.
 """
 
 from __future__ import annotations

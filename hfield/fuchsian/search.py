@@ -1,11 +1,9 @@
 """Units of norm 1 that carry a point near others: short vectors of many definite forms at once, in arrays.
 
-For g of norm 1, the cosine ``cosh d(g·c, w)`` and the norms at the other real places are definite
-forms in g.
-Seen from the centre alone the units that are needed are long; seen from one random point w after
-the other they
-are short (Page, *Math. Comp.* 84, 2015, section 5; Rickards, *Math. Comp.* 91, 2022). The forms
-are computed in floats, which lose a unit now and then; whether enough were found is decided exactly, later.
+For g of norm 1, the cosine ``cosh d(g·c, w)`` and the norms at the other real places are definite forms in g.
+Seen from the centre alone the units that are needed are long; seen from one random point w after the other
+they are short (Page, *Math. Comp.* 84, 2015, section 5; Rickards, *Math. Comp.* 91, 2022). The forms are
+computed in floats, which lose a unit now and then; whether enough were found is decided exactly, later.
 """
 
 from __future__ import annotations

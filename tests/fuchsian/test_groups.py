@@ -317,6 +317,8 @@ def test_an_incomplete_domain_is_seen() -> None:
     P, area = whole.polygon, whole.area
     assert dirichlet.proof(Polygon(P.plane, P.units), area) is not None
     assert dirichlet.proof(Polygon(P.plane, P.units), area / 2) is None
+    assert not Polygon(P.plane, P.units * 2).is_closed()  # twice around
+    assert not Polygon(P.plane, P.units[::-1]).is_closed()
     for units in (
         P.units[1:],
         P.units[::-1],
