@@ -3,8 +3,8 @@
     python benchmarks/groups.py FOLDER
 
 FOLDER holds ``fdom.gp`` and ``libfdom.so`` of JamesRickards-Canada/Fundamental-Domains-for-Shimura-curves,
-built against this machine's libpari (before PARI 2.17 its three calls of ``gen_search`` need the older
-arguments). Ours includes the proof; the other works in floats of 38 digits. Times are the least of several, in
+built against this machine's libpari (before PARI 2.17 its three calls of ``gen_search`` are to be adapted).
+Ours includes the proof; the other works in floats of 38 digits. Times are the least of several, in
 milliseconds; that of a maximal order is in neither.
 """
 
@@ -50,7 +50,8 @@ def main() -> None:
         sides, ms = ours(a)
         line = f"({a},-1|QQ): {sides} sides, {ms:.1f} ms"
         if a in peers:
-            line += f"; theirs {peers[a][0]} sides, {peers[a][1]:.0f} ms, ratio {ms / max(peers[a][1], 1):.2f}"
+            sides, other = peers[a]
+            line += f"; theirs {sides} sides, {other:.0f} ms, ratio {ms / max(other, 1):.2f}"
         print(line)
 
 

@@ -61,5 +61,26 @@ def cusps(order: ZOrder) -> int | None:
     return sum(_phi(gcd(d, n // d)) for d in range(1, n + 1) if n % d == 0)
 
 
+def is_hyperbolic_trace(order: ZOrder, t: int) -> bool:
+    """Tell whether an Eichler order has a unit of norm 1 with the trace t, |t| > 2.
+
+    By strong approximation it does where ℤ[x]/(x² − tx + 1) embeds locally: no prime of D splits in its
+    field, and the polynomial has a root modulo N (Voight, theorems 28.5.5 and 30.6.16).
+    """
+    d = t * t - 4
+    for p in factorise(order.regular.discriminant):
+        e, rest = 0, d
+        while rest % (p * p) == 0:
+            e, rest = e + 1, rest // (p * p)
+        if p == 2 and e and rest % 4 != 1:
+            rest *= 4
+        if kronecker(rest, p) == 1:
+            return False
+    return all(
+        any((x * x - t * x + 1) % p**e == 0 for x in range(p**e))
+        for p, e in factorise(order.level).items()
+    )
+
+
 def _phi(n: int) -> int:
     return prod(p ** (e - 1) * (p - 1) for p, e in factorise(n).items())

@@ -6,16 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from math import sqrt
+from math import acosh, sqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.factorisation import factorise
-from hfield.fuchsian import presentation
+from hfield.fuchsian import area, presentation
 from hfield.fuchsian.presentation import Word
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
+from hfield.lattices.z_order import is_eichler
 
 if TYPE_CHECKING:
     from hfield.fuchsian import dirichlet
@@ -114,8 +115,8 @@ class Domain(Certified):
 
         return dirichlet.area_of(list(self.partners), list(self.cycles))
 
-    def draw(self, path: object, *, dark: bool = False, depth: int = 3) -> None:
-        """Draw the domain and its images under words of up to ``depth`` sides, to a file .svg, .png or .pdf.
+    def draw(self, path: object, *, dark: bool = False, depth: int | None = None) -> None:
+        """Draw the domain and its images, those under words of up to ``depth`` sides, to .svg, .png or .pdf.
 
         Sides of a pair have one colour; elliptic points and the centre are marked. To a file .html, a page on
         which the centre is dragged. Raises :class:`hfield.errors.LatticeError` where the file
@@ -218,6 +219,32 @@ class NormOneGroup(Certified):
                 return c
         raise LatticeError(f"no point near {z} that units do not fix was found")
 
+    # --- closed geodesics --------------------------------------------------------------------------
+
+    def traces(self, most: int) -> tuple[int, ...]:
+        """Return the traces t, 2 < t ≤ most, of hyperbolic elements, up to the sign.
+
+        A closed geodesic of the quotient that belongs to one has the length 2·arccosh(t/2). Raises
+        :class:`LatticeError` for all but Eichler orders over ℤ.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 11]).eichler_order(3).norm_one_group()
+        >>> G.traces(17), round(G.systole, 6)
+        ((5, 10, 11, 13, 16, 17), 3.133598)
+        """
+        if not isinstance(self.order, RationalOrder) or not is_eichler(self.order.order):
+            raise LatticeError("traces and the systole are known here for Eichler orders over ZZ")
+        value = self.order.order
+        return tuple(t for t in range(3, most + 1) if area.is_hyperbolic_trace(value, t))
+
+    @property
+    def systole(self) -> float:
+        """About the length of the shortest closed geodesic, ``2·arccosh(t/2)`` for the least trace t."""
+        most = 8
+        while not (found := self.traces(most)):
+            most *= 2
+        return 2 * acosh(found[0] / 2)
+
     # --- larger groups -----------------------------------------------------------------------------
 
     def quotient(self, *norms: int) -> Quotient:
@@ -241,6 +268,29 @@ class NormOneGroup(Certified):
         _, partners, cycles = normaliser.domain(self.order, elements, self.area)
         area = self.area / len(elements)
         return Quotient(signature_of(partners, cycles, area), area, elements)
+
+    def unit_of_norm(self, u: object) -> Quaternion | None:
+        """Return a unit of the order with a given norm, such as −1; None if none was found.
+
+        Units are looked for from many points. Where u is negative at a real place that ramifies there is
+        none; else Eichler orders have one. Raises :class:`LatticeError` where u is no unit.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra("QQ", 3, -1).maximal_order().norm_one_group()
+        >>> G.unit_of_norm(-1).norm()
+        -1
+        """
+        from hfield.fuchsian import search
+
+        ring = self.order.algebra.ring
+        x = ring(u)
+        q = self.order.algebra(x)
+        if ring.is_zero(x) or q not in self.order or 1 / q not in self.order:
+            raise LatticeError(f"{shorten(u)} is no unit of the integers of {ring.name}")
+        norm = self.order.scalar(x)
+        if any(value < 0 for value in self.order.elsewhere(norm)):
+            return None
+        return search.element_of_norm(self.order, self.order.basis, norm)
 
     # --- the presentation --------------------------------------------------------------------------
 

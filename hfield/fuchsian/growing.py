@@ -1,8 +1,7 @@
 """Dirichlet domains in floats, of what a search finds: which units bound, and whether they seem enough.
 
 Units are reduced by one another until those that bound a polygon pair its sides (Voight,
-*J. Théor. Nombres
-Bordeaux* 21, 2009). Nothing here is a proof; ``dirichlet`` has it.
+*J. Théor. Nombres Bordeaux* 21, 2009). Nothing here is a proof; ``dirichlet`` has it.
 """
 
 from __future__ import annotations

@@ -2,8 +2,7 @@
 
 For pᵉ exactly dividing the discriminant D·N, the two-sided ideal of this norm has a generator w of
 positive norm; these generate the normaliser of the order, modulo numbers and the units of norm 1
-(Voight, *Quaternion
-Algebras*, section 28.9). A domain of the larger group lies in one of the smaller.
+(Voight, *Quaternion Algebras*, section 28.9). A domain of the larger group lies in one of the smaller.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ from hfield.fuchsian import dirichlet
 from hfield.fuchsian.growing import grown
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.polygon import Polygon
-from hfield.fuchsian.search import Rows, Sight, free_centers
+from hfield.fuchsian.search import Rows, Sight, element_of_norm, free_centers
 from hfield.fuchsian.split_order import RationalOrder
 from hfield.lattices import z_lattice
 from hfield.lattices.ideals_of_norm import two_sided_prime
@@ -48,7 +47,7 @@ def involution(order: RationalOrder, m: int) -> Quaternion:
     ideal: Any = lattice
     for other in ideals:
         ideal = z_lattice.meet(ideal, other)
-    found = Sight(Plane(order, next(free_centers(order))), ideal.basis).of_norm(m)
+    found = element_of_norm(order, ideal.basis, order.scalar(Fraction(m)))
     if found is None:
         raise TooLargeError(f"no element of norm {m} that normalises the order was found")
     return found

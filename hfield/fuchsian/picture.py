@@ -14,7 +14,7 @@ from hfield.fuchsian.plane import Motion, Plane, Vector
 if TYPE_CHECKING:
     from hfield.fuchsian.group import Domain
 
-TILES = 1500
+TILES = 1200
 """So many images are drawn at most."""
 SMALLEST = 0.012
 """Images of a smaller diameter in the unit disc are left out."""
@@ -36,7 +36,7 @@ DARK = {
 }
 
 
-def draw(domain: Domain, path: object, *, dark: bool, depth: int) -> None:
+def draw(domain: Domain, path: object, *, dark: bool, depth: int | None) -> None:
     """Draw a domain to a file. Raises :class:`LatticeError` where it cannot be written."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.collections import PolyCollection
@@ -55,8 +55,8 @@ def draw(domain: Domain, path: object, *, dark: bool, depth: int) -> None:
     outline, corners = _sides(domain, 4 * STEPS)
     hues = _hues(domain)
     tiles, colors = [], []
-    for motion, first, length in _tiles(domain, outline, depth):
-        fine = outline if length == 1 else outline[:, :, ::4]
+    for motion, first, length, size in _tiles(domain, outline, depth):
+        fine = outline[:, :, :: 1 if length == 1 else 4 if size > 0.15 else 12]
         tiles.append(_disc(motion @ fine.reshape(3, -1)))
         colors.append(_shade(hues[first], length, dark))
     axes.add_collection(
@@ -89,8 +89,9 @@ def _write(figure: Any, domain: Domain, look: dict[str, str]) -> None:
     orders = ", ".join(map(str, signature.orders))
     elliptic = f"elliptic points of order {orders}" if orders else "no elliptic points"
     cusps = f" · {signature.cusps} cusp{'s' * (signature.cusps > 1)}" if signature.cusps else ""
-    figure.text(0.5, 0.966, f"Units of norm 1, {order.title} in {order.algebra}", ha="center", va="center",
-                color=look["ink"], fontsize=14)  # fmt: skip
+    title = f"Units of norm 1, {order.title} in {order.algebra}"
+    figure.text(0.5, 0.966, title, ha="center", va="center",
+                color=look["ink"], fontsize=min(14, 700 / len(title)))  # fmt: skip
     figure.text(0.5, 0.932, f"genus {signature.genus} · {elliptic}{cusps} · "
                 f"area 2π·{group.area} · {len(domain.partners)} sides",
                 ha="center", va="center", color=look["ink"], fontsize=10, alpha=0.75)  # fmt: skip
@@ -170,17 +171,17 @@ def _sides(domain: Domain, steps: int) -> tuple[Any, Any]:
     return corners[:, :-1, None] * (1 - along) + corners[:, 1:, None] * along, corners
 
 
-def _tiles(domain: Domain, outline: Any, depth: int) -> list[tuple[Any, int, int]]:
-    """Return images of the domain: the motion, the first side of its word, and the word's length."""
+def _tiles(domain: Domain, outline: Any, depth: int | None) -> list[tuple[Any, int, int, float]]:
+    """Return images of the domain: the motion, the first side of its word, the word's length, the size."""
     plane, count = domain.polygon.plane, len(domain.partners)
     # across side n lies the image by its unit
     steps = [_matrix(plane, plane.motion(unit)) for unit in domain.polygon.units]
     seen = {(0.0, 0.0)}
-    found: list[tuple[Any, int, int]] = []
-    queue: deque[tuple[Any, int, int]] = deque([(np.eye(3), -1, 0)])
+    found: list[tuple[Any, int, int, float]] = []
+    queue: deque[tuple[Any, int, int, float]] = deque([(np.eye(3), -1, 0, 2.0)])
     while queue and len(found) < TILES:
-        motion, first, length = queue.popleft()
-        for n in range(count if length < depth else 0):
+        motion, first, length, _ = queue.popleft()
+        for n in range(count if depth is None or length < depth else 0):
             image = motion @ steps[n]
             center = _disc(image[:, :1])[0]
             key = (round(float(center[0]), 6), round(float(center[1]), 6))
@@ -188,8 +189,9 @@ def _tiles(domain: Domain, outline: Any, depth: int) -> list[tuple[Any, int, int
                 continue
             seen.add(key)
             points = _disc(image @ outline[:, :, 0])
-            if np.ptp(points, axis=0).max() >= SMALLEST:
-                tile = (image, n if first < 0 else first, length + 1)
+            size = float(np.ptp(points, axis=0).max())
+            if size >= SMALLEST and len(found) < TILES:
+                tile = (image, n if first < 0 else first, length + 1, size)
                 found.append(tile)
                 queue.append(tile)
     return found

@@ -1,7 +1,6 @@
 """The hyperbolic plane inside an algebra that splits at one real place, without a single irrational number.
 
-The elements of trace 0 whose norm is positive at that place form, up to positive factors, one
-sheet of a
+The elements of trace 0 whose norm is positive at that place form, up to positive factors, one sheet of a
 hyperboloid: an element c of it stands for the point of the plane that c fixes, and a unit g of norm 1 carries
 it to ``g·c·g⁻¹``. So c, its images, the lines halfway between them and the points where these lines meet all
 have coordinates in the field, and every question about them is decided by the sign of a number of it; a point

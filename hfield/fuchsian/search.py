@@ -1,11 +1,9 @@
 """Units of norm 1 that carry a point near others: short vectors of many definite forms at once, in arrays.
 
-For g of norm 1, the cosine ``cosh d(g·c, w)`` and the norms at the other real places are definite
-forms in g.
-Seen from the centre alone the units that are needed are long; seen from one random point w after
-the other they
-are short (Page, *Math. Comp.* 84, 2015, section 5; Rickards, *Math. Comp.* 91, 2022). The forms
-are computed in floats, which lose a unit now and then; whether enough were found is decided exactly, later.
+For g of norm 1, the cosine ``cosh d(g·c, w)`` and the norms at the other real places are definite forms in g.
+Seen from the centre alone the units that are needed are long; seen from one random point w after the other
+they are short (Page, *Math. Comp.* 84, 2015, section 5; Rickards, *Math. Comp.* 91, 2022). The forms are
+computed in floats, which lose a unit now and then; whether enough were found is decided exactly, later.
 """
 
 from __future__ import annotations
@@ -30,6 +28,10 @@ Rows = Any
 MANY = 200
 """About so many vectors are looked at for each point."""
 NEAR = 1e-6
+TRIES = 200
+"""So often elements of a norm are looked for from eight points."""
+MANIFOLD = 7.0
+"""Lattices that have e⁷ times as many short vectors as another one are left out."""
 FAR = 1e9
 """Units that move the centre so far, by the hyperbolic cosine, are left out."""
 
@@ -41,7 +43,9 @@ class Sight:
     to b/conj(a).
     """
 
-    def __init__(self, plane: Plane, basis: Sequence[Quaternion] | None = None) -> None:
+    def __init__(
+        self, plane: Plane, basis: Sequence[Quaternion] | None = None, norm: Any = None
+    ) -> None:
         self.plane, order, real = plane, plane.order, plane.order.real
         self.basis = basis = order.basis if basis is None else tuple(basis)
         n, m = real(plane.norms[0]), -real(plane.norms[1])
@@ -58,6 +62,10 @@ class Sight:
         # the norms at the other places, one form each
         traces = np.array(order.traces_elsewhere(basis), dtype=float)
         self.elsewhere = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
+        if norm is not None:  # elements of this norm, of another lattice, look as units do
+            size = math.sqrt(abs(real(norm)))
+            self.a, self.b = self.a / size, self.b / size
+            self.elsewhere = self.elsewhere / np.reshape(order.elsewhere(norm), (-1, 1, 1))
         values, vectors = np.linalg.eigh(self.elsewhere.sum(axis=0))
         self._others = (vectors * np.sqrt(np.maximum(values, 0)))[:, 4:]
         covolume = abs(np.linalg.det(self.forms(np.zeros(1), 1.0)[0]))
@@ -101,20 +109,6 @@ class Sight:
         """Return units of norm 1, other than ±1 and up to the sign, that move the centre near some point."""
         return distinct(self.units(self.near(points, cosh)))
 
-    def of_norm(self, norm: int, tries: int = 100) -> Quaternion | None:
-        """Return an element of the lattice, one over ℤ, with this norm, short from somewhere, or None."""
-        rng = np.random.default_rng(1)
-        for n in range(tries):
-            radius, turn = np.sqrt(rng.random(16)) * (1 - 0.5 ** (n + 1)), rng.random(16)
-            rows = self.near(radius * np.exp(2j * np.pi * turn))
-            a, b = self.motions(rows)
-            for row in rows[abs(abs(a) ** 2 - abs(b) ** 2 - norm) < 0.5].tolist():
-                terms = (x * c for x, c in zip(self.basis, row, strict=True))
-                found: Quaternion = sum(terms, self.plane.order.algebra(0))
-                if found.norm() == norm:
-                    return found
-        return None
-
     def near(self, points: Any, cosh: float | None = None) -> Rows:
         """Return elements other than 0, up to the sign, that are short from some point of the disc."""
         forms = self.forms(points, self.cosh if cosh is None else cosh)
@@ -125,15 +119,37 @@ class Sight:
         rows = [vectors[s:e] @ steps[n] for n, (s, e) in enumerate(pairwise(starts))]
         return np.concatenate(rows)
 
+    def of_norm(self, rows: Rows, sign: int) -> Any:
+        """Tell of which elements the norm is ±1, at the place with this sign."""
+        a, b = self.motions(rows)
+        good = abs(abs(a) ** 2 - abs(b) ** 2 - sign) < 0.2
+        for form in self.elsewhere:
+            good &= abs(np.einsum("ni,ij,nj->n", rows, form, rows) - 1) < 0.2
+        return good
+
     def units(self, rows: Rows) -> Rows:
         """Return those of norm 1 that are not ±1 and do not go too far."""
         a, b = self.motions(rows)
-        size = abs(a) ** 2
-        good = (abs(size - abs(b) ** 2 - 1) < 0.2) & (size < FAR)
-        good &= (abs(b) > NEAR) | (abs(a.imag) > NEAR)
-        for form in self.elsewhere:
-            good &= abs(np.einsum("ni,ij,nj->n", rows, form, rows) - 1) < 0.2
-        return rows[good]
+        far = abs(a) ** 2 > FAR
+        return rows[self.of_norm(rows, 1) & ~far & ((abs(b) > NEAR) | (abs(a.imag) > NEAR))]
+
+
+def element_of_norm(order: SplitOrder, basis: Sequence[Quaternion], norm: Any) -> Quaternion | None:
+    """Return an element of a lattice with this norm, an exact number, that is short from somewhere, or None.
+
+    At the places that do not split the norm is positive. Every element is short from some points.
+    """
+    sight = Sight(Plane(order, next(free_centers(order))), basis, norm)
+    rng = np.random.default_rng(1)
+    for n in range(TRIES):
+        radius, turn = np.sqrt(rng.random(8)) * (1 - 0.5 ** (n % 7 + 1)), rng.random(8)
+        rows = sight.near(radius * np.exp(2j * np.pi * turn))
+        for row in rows[sight.of_norm(rows, order.sign(norm))].tolist():
+            terms = (x * c for x, c in zip(sight.basis, row, strict=True))
+            found: Quaternion = sum(terms, order.algebra(0))
+            if order.scalar(found.norm()) == norm:
+                return found
+    return None
 
 
 def is_fixed(order: SplitOrder, center: Quaternion) -> bool:
@@ -199,7 +215,10 @@ def short_vectors(bases: Any, bound: float) -> tuple[Any, Any]:
     lower = np.linalg.cholesky(bases @ bases.transpose(0, 2, 1))
     scale = np.einsum("nii->ni", lower)
     mu = lower / scale[:, None, :]  # q(x) = Σ scaleₖ²·(xₖ + Σ_{j>k} mu[j, k]·xⱼ)²
-    which = np.arange(count)
+    # near a cusp there are very many, and all tell the same
+    many = np.log1p(2 * math.sqrt(bound) / scale).sum(axis=1)
+    which = np.flatnonzero(many < many.min() + MANIFOLD)
+    count = len(which)
     chosen = np.zeros((count, rank), dtype=np.int64)
     left = np.full(count, bound)
     for k in range(rank - 1, -1, -1):

@@ -163,6 +163,57 @@ def test_some_involutions() -> None:
             G.quotient(m)
 
 
+def test_principal_ideals_over_fields() -> None:
+    """Generators are multiplied out; where the narrow class group forbids one, the answer is no."""
+    for field, real, p, expected in [
+        ("QQ(sqrt(5))", [0], 2, True),
+        ("QQ[s]/(s^3+s^2-2*s-1)", [0, 1], None, True),
+        ("QQ[s]/(s^2-10)", [0], 3, False),
+    ]:
+        O = over_field(field, real, p).maximal_order()
+        P = O.algebra.ring.primes_above(13)[0]
+        for I in O.ideals_of_norm(P, side="right")[:2]:
+            answer = I.is_principal()
+            assert bool(answer) == expected
+            assert not answer or O.right_ideal([answer.element]) == I
+            left = I.conjugate().is_principal()
+            assert not left or O.left_ideal([left.element]) == I.conjugate()
+    assert not answer
+    assert "not principal" in answer.reason
+
+
+def test_units_of_norms() -> None:
+    for D, N in ((6, 1), (46, 1), (1, 11), (10, 7)):
+        O = order(D, N)
+        x = O.norm_one_group().unit_of_norm(-1)
+        assert x.norm() == -1
+        assert x in O
+        for u in (0, 2):
+            with pytest.raises(LatticeError, match="no unit"):
+                O.norm_one_group().unit_of_norm(u)
+    G = over_field("QQ(sqrt(5))", [0], 2).maximal_order().norm_one_group()
+    golden = ring("QQ(sqrt(5))")("1/2+1/2*sqrt(5)")
+    signs = [v.sign(golden) for v in ring("QQ(sqrt(5))").real_places()]
+    assert signs == [-1, 1]  # negative at the place that ramifies
+    assert G.unit_of_norm(golden) is None
+    assert G.unit_of_norm(-golden).norm() == -golden
+    assert G.unit_of_norm(-1) is None
+
+
+@pytest.mark.parametrize(("D", "N"), [(10, 1), (6, 5), (10, 9), (1, 8), (22, 3)])
+def test_traces_of_words(D: int, N: int) -> None:
+    """Those of products of units are those that embeddings allow, each of them up to 20."""
+    G = order(D, N).norm_one_group()
+    rng = random.Random(1)
+    units = [side.element for side in G.domain().sides]
+    found = set()
+    for _ in range(6000):
+        word = rng.choices(units, k=rng.randrange(1, 6))
+        found.add(abs(int(math.prod(word, start=G.order.algebra(1)).trace())))
+    assert tuple(sorted(t for t in found if 2 < t <= 20)) == G.traces(20)
+    assert G.systole == 2 * math.acosh(G.traces(20)[0] / 2)
+
+
 def test_other_places_split() -> None:
     for field, b in (("QQ(sqrt(5))", 3), ("QQ(sqrt(5))", -1), ("QQ[s]/(s^3-2)", 3)):
         with pytest.raises(IndefiniteError, match="exactly one real place"):
@@ -266,6 +317,8 @@ def test_an_incomplete_domain_is_seen() -> None:
     P, area = whole.polygon, whole.area
     assert dirichlet.proof(Polygon(P.plane, P.units), area) is not None
     assert dirichlet.proof(Polygon(P.plane, P.units), area / 2) is None
+    assert not Polygon(P.plane, P.units * 2).is_closed()  # twice around
+    assert not Polygon(P.plane, P.units[::-1]).is_closed()
     for units in (
         P.units[1:],
         P.units[::-1],

@@ -739,7 +739,12 @@ class IntegersIdeal(IntegersLattice):
             )
         pair = (self.inverse(), other) if self.side == "left" else (other, self.inverse())
         between = pair[0] * pair[1]
-        return equivalence.element_generating(self.frame, between.rows, other.norm() / self.norm())
+        norm = other.norm() / self.norm()
+        if self.frame.is_definite:
+            return equivalence.element_generating(self.frame, between.rows, norm)
+        from hfield.lattices.over_integers.split_order import element_generating
+
+        return element_generating(self.order, between.rows, norm)
 
     def __repr__(self) -> str:
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"

@@ -9,13 +9,46 @@ from typing import TYPE_CHECKING, Any
 from flint import arb, ctx, fmpq
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import IndefiniteError, LatticeError, shorten
+from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
 from hfield.fields.number_fields.classes.zeta import zeta_minus_one
+from hfield.fuchsian.search import element_of_norm
 from hfield.fuchsian.split_order import SplitOrder
+from hfield.lattices.over_integers.equivalence import Comparison
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
+    from hfield.fields.number_fields.ideals import Ideal
     from hfield.lattices.over_integers.lattices import IntegersOrder
+
+
+def element_generating(order: IntegersOrder, rows: Any, norm: Ideal) -> Comparison:
+    """Return an element of a locally principal lattice whose norm generates an ideal, or why there is none.
+
+    By Eichler's theorem there is one where the ideal has a generator that is positive at the real places that
+    ramify (Voight, theorem 28.5.5). ``order`` is an order of the lattice, of Eichler's kind. Raises
+    :class:`IndefiniteError`, and :class:`UndecidedError` where no such element was found.
+    """
+    split, frame = SplitIntegersOrder(order), order.frame
+    generator = norm.is_principal().generator
+    if generator is None:
+        return Comparison(False, f"the norm would generate {norm}, which is not principal")
+    group = order.algebra.ring.unit_group()
+    units = [frame.field.one]
+    for u in map(frame.integers.inside, (-1, *group.generators)):
+        units += [u * v for v in units]
+    norms = [frame.integers.inside(generator) * u for u in units]
+    norms = [x for x in norms if all(value > 0 for value in split.elsewhere(x))]
+    if not norms:
+        return Comparison(
+            False,
+            f"the norm would be a generator of {norm} that is positive where the algebra ramifies",
+        )
+    basis = [frame.quaternion(row) for row in rows.tolist()]
+    for x in norms:
+        found = element_of_norm(split, basis, x)
+        if found is not None:
+            return Comparison(True, "the element is multiplied out", found)
+    raise UndecidedError(f"no element whose norm generates {norm} was found in this lattice")
 
 
 class SplitIntegersOrder(SplitOrder):
