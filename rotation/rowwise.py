@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from hfield.compiling import machine_code
-from hfield.compiling.memory import block, in_one_piece
+from hfield.compiling.memory import LARGE, block, in_one_piece
 from hfield.compiling.threads import in_pieces
 from rotation.namespaces import Array, quiet
 from rotation.native import builtins, tensors
@@ -89,7 +89,8 @@ class Formula:
             return self._plainly(arrays), True
         out = np.empty(batch + self._row)
         if out.size > _MUCH:
-            out = block(out.shape, "f8")[0]
+            if out.nbytes >= LARGE:
+                out = block(out.shape, "f8")[0]
             status = self._shared(function, arrays, batch, out)
         else:
             status = function(*arrays, out)
