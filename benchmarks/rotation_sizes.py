@@ -1,4 +1,4 @@
-"""Our time over scipy's, for one rotation and for 10, 10³, 10⁴ and 10⁵ of them, call by call.
+"""Our time over scipy's, for one rotation and for 10, 100, 10³, 10⁴ and 10⁵ of them, call by call.
 
     python benchmarks/rotation_sizes.py [SECONDS]
 
@@ -19,12 +19,13 @@ os.environ["OPENBLAS_NUM_THREADS"] = "1"  # its threads spin after a product, in
 import numpy as np
 from scipy.spatial.transform import RigidTransform as ScipyTransform
 from scipy.spatial.transform import Rotation as ScipyRotation
+from scipy.spatial.transform import RotationSpline as ScipySpline
 
 import rotation
 from rotation import Rotation
 
 Pair = tuple[Callable[[], Any], Callable[[], Any]]
-SIZES = (0, 10, 1000, 10_000, 100_000)
+SIZES = (0, 10, 100, 1000, 10_000, 100_000)
 RUN = 2e-4  # seconds of a run of calls
 
 FIRST = """
@@ -83,11 +84,35 @@ def rotations(n: int) -> dict[str, Pair]:
         "from_mrp": (lambda: Rotation.from_mrp(v), lambda: ScipyRotation.from_mrp(v)),
         "as_mrp": (lambda: r.as_mrp(), lambda: s.as_mrp()),
     }
+    axes = np.eye(3)
+    calls["as_davenport"] = (lambda: r.as_davenport(axes, "e"), lambda: s.as_davenport(axes, "e"))
     if n:
+        weights, u = rng.uniform(1, 2, n), one.apply(v) + 0.01 * a
         calls["mean"] = (lambda: r.mean(), lambda: s.mean())
+        calls["mean, weighted"] = (lambda: r.mean(weights), lambda: s.mean(weights))
+        calls["align"] = (lambda: rotation.align(v, u), lambda: ScipyRotation.align_vectors(u, v))
+    if 1 < n <= 10_000:
+        calls |= splines(n)
     if hasattr(rotation, "RigidTransform"):
         calls |= transforms(r, s, v)
     return calls
+
+
+def splines(n: int) -> dict[str, Pair]:
+    """Return the calls on splines through n keyframes, at as many times."""
+    rng = np.random.default_rng(1)
+    times = np.cumsum(rng.uniform(0.5, 1.5, n))
+    keys = Rotation.from_rotvec(rng.normal(size=(n, 3)) * 0.5).cumprod("body")
+    theirs, at = keys.to_scipy(), np.linspace(times[0], times[-1], n)
+    curve, other = rotation.RotationSpline(times, keys), ScipySpline(times, theirs)
+    return {
+        "spline made": (
+            lambda: rotation.RotationSpline(times, keys),
+            lambda: ScipySpline(times, theirs),
+        ),
+        "spline; rates": (lambda: curve(at, 1), lambda: other(at, 1)),
+        "spline; accelerations": (lambda: curve(at, 2), lambda: other(at, 2)),
+    }
 
 
 def transforms(r: Rotation, s: Any, v: Any) -> dict[str, Pair]:

@@ -13,6 +13,7 @@ from rotation.conversions import Conversions
 from rotation.errors import ForeignArrayError, RotationError
 from rotation.matrices import TO_MATRIX, to_matrix
 from rotation.namespaces import Array, expect_last, expect_numpy, floats, is_numpy, namespace, quiet
+from rotation.native import tensors
 
 
 @pytrees.holding("_q")
@@ -412,6 +413,8 @@ class Rotation(Conversions):
             from rotation.fused import rotate_quat
 
             return rotate_quat(v, q, out=out)
+        if tensors.readable((q, v)):
+            return BY_QUATERNION(q, v)
         # A product of matrices could be computed in reduced precision on a GPU; these sums are not.
         turned = xp.sum(to_matrix(q) * v[..., None, :], axis=-1)
         return xp.astype(turned, v.dtype)

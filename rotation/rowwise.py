@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 
 from hfield.compiling import machine_code
-from hfield.compiling.memory import block, in_one_piece
+from hfield.compiling.memory import LARGE, block, in_one_piece
 from hfield.compiling.threads import in_pieces
 from rotation.namespaces import Array, quiet
-from rotation.native import builtins
+from rotation.native import builtins, tensors
 from rotation.pool import threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
@@ -80,7 +80,7 @@ class Formula:
         batch: tuple[int, ...] = ()
         for a, axes in zip(arrays, self._axes, strict=True):
             if type(a) is not np.ndarray or a.dtype is not _FLOAT64:
-                return self._plainly(arrays), True
+                return self._elsewhere(arrays)
             own = a.shape[:axes]
             if own != batch:
                 batch = np.broadcast_shapes(own, batch) if batch and own else own or batch
@@ -89,7 +89,8 @@ class Formula:
             return self._plainly(arrays), True
         out = np.empty(batch + self._row)
         if out.size > _MUCH:
-            out = block(out.shape, "f8")[0]
+            if out.nbytes >= LARGE:
+                out = block(out.shape, "f8")[0]
             status = self._shared(function, arrays, batch, out)
         else:
             status = function(*arrays, out)
@@ -139,6 +140,15 @@ class Formula:
 
         threads()  # a wrong number is an error of ours
         return in_pieces(work, rows, _ROWS, 2 * _ROWS, (flat, result))
+
+    def _elsewhere(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
+        """Compute on arrays of other libraries: tensors whose memory numpy can read as numpy's are."""
+        if not tensors.readable(arrays) or not builtins.available():
+            return self._plainly(arrays), True
+        values, told = self.told(
+            *(a.detach().numpy().astype(np.float64, copy=False) for a in arrays)
+        )
+        return tensors.like(arrays[0], values), told
 
     @quiet
     def _plainly(self, arrays: tuple[Array, ...]) -> Array:

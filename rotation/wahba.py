@@ -169,13 +169,14 @@ def _best(xp: Any, a: Array, b: Array, w: Array) -> Array:
     )
     tiny = 16.0 * float(xp.finfo(m.dtype).eps) * s[..., 0]
     line = s[..., 1] <= tiny
-    sign = xp.sign(xp.linalg.det(xp.matmul(u, vt)))
+    one = xp.ones_like(s[..., 0])
+    sign = xp.where(xp.linalg.det(xp.matmul(u, vt)) < 0.0, -one, one)
     refuse_rows(
         ~line & (s[..., 1] + sign * s[..., 2] <= tiny),
         "the vectors",
         "determine no rotation: a reflection would align them, and several rotations do it equally well",
     )
-    signs = xp.stack([xp.ones_like(sign), xp.ones_like(sign), sign], axis=-1)
+    signs = xp.stack([one, one, sign], axis=-1)
     best = from_matrix(xp.matmul(u * signs[..., None, :], vt))
     if derived(m):
         nothing = xp.eye(3, dtype=m.dtype)

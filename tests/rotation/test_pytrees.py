@@ -16,6 +16,7 @@ from rotation import (
     Slerp,
     Squad,
     Uncertain,
+    align,
     pytrees,
 )
 
@@ -81,5 +82,9 @@ def test_torch_maps_over_them() -> None:
         vmap(lambda v: Rotation.from_matrix(v))(Rotation(q).as_matrix()).apply(v),
     ):
         np.testing.assert_allclose(found, R.apply(V), atol=1e-13)
+    pairs = torch.randn(4, 5, 3, dtype=torch.float64, generator=torch.Generator().manual_seed(1))
+    turned = torch.stack([Rotation(q[0]).apply(x) for x in pairs])
+    found = vmap(lambda a, b: align(a, b)[0].as_quat())(pairs, turned)
+    assert Rotation(found).approx_equal(Rotation(q[0]), atol=1e-13).all()
     with pytest.raises(ForeignArrayError, match=r"Rotation\(torch.asarray\(r.as_quat"):
         R.apply(v)

@@ -1,0 +1,39 @@
+"""Tensors of torch as numpy's arrays, where nobody but us would see the difference.
+
+In a processor's own memory a formula that is compiled takes a tenth of the time of the same formula in steps
+of torch. It can take a tensor that no derivative goes through and that nothing is tracing or mapping.
+"""
+
+import sys
+from typing import Any
+
+import numpy as np
+
+
+def readable(arrays: tuple[Any, ...]) -> bool:
+    """Tell whether these are plain tensors of one float type in memory that numpy reads, and nothing else."""
+    torch = sys.modules.get("torch")
+    if torch is None or any(type(a) is not torch.Tensor for a in arrays):
+        return False
+    kind = arrays[0].dtype
+    if kind not in (torch.float32, torch.float64) or torch.compiler.is_compiling():
+        return False
+    inside = torch._C  # what maps, traces or differentiates forward has no public sign
+    forward = torch.autograd.forward_ad._current_level >= 0
+    if torch.jit.is_tracing() or inside._len_torch_dispatch_stack() or forward:
+        return False
+    learning = torch.is_grad_enabled()
+    return not any(
+        a.dtype is not kind
+        or a.device.type != "cpu"
+        or (learning and a.requires_grad)
+        or inside._functorch.is_functorch_wrapped_tensor(a)
+        or a.is_conj()
+        for a in arrays
+    )
+
+
+def like(tensor: Any, values: Any) -> Any:
+    """Return numbers of numpy as a tensor of the type of another."""
+    torch = sys.modules["torch"]
+    return torch.from_numpy(np.asarray(values)).to(tensor.dtype)
