@@ -7,6 +7,7 @@ from .conventions import convert_points as convert_points
 from .conventions import convert_rotation as convert_rotation
 from .conventions import convert_transform as convert_transform
 from .conventions import look_at as look_at
+from .curves.angular_velocity import angular_velocity as angular_velocity
 from .curves.angular_velocity import integrate as integrate
 from .curves.cumulative import BSpline as BSpline
 from .curves.interpolation import Slerp as Slerp

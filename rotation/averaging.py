@@ -33,16 +33,25 @@ def mean(q: Array, weights: Any = None, axis: Any = None) -> Array:
         No rotations, an axis that does not exist, negative weights or weights that are all zero; or
         the largest eigenvalue is double, so that no mean is better than another.
     """
-    if weights is None and axis is None and type(q) is np.ndarray and q.size:
-        best = _of_all(q.reshape(-1, 4))
-        if best is not None:
-            return best
+    if axis is None and type(q) is np.ndarray and q.size:
+        w = weights if weights is None else np.asarray(weights)
+        if w is None or (w.dtype == np.float64 and w.shape == q.shape[:-1]):
+            best = _of_all(q.reshape(-1, 4), w if w is None else w.reshape(-1))
+            if best is not None:
+                return best
     return _weighted(q, weights, axis)
 
 
-def _of_all(q: Array) -> Array | None:
-    """The mean of quaternions (n, 4), or None where there is none or a row is not finite."""
-    moment = (q.T @ q) / len(q)
+@quiet
+def _of_all(q: Array, w: Array | None) -> Array | None:
+    """The mean of quaternions (n, 4), or None where there is none or a number is not such as is usual."""
+    if w is None:
+        moment = (q.T @ q) / len(q)
+    else:
+        total = float(w.sum())
+        if not (w.min() >= 0.0 and 1e-100 < total < 1e100):
+            return None
+        moment = (q.T * (w / total)) @ q
     if not math.isfinite(moment.sum()):
         return None
     values, vectors = np.linalg.eigh(moment)

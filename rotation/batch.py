@@ -11,6 +11,8 @@ from rotation.errors import DTypeError, MemberError, RotationError
 from rotation.immutable_arrays import ImmutableArray
 from rotation.namespaces import Array, is_numpy, namespace
 
+_new, _hold = object.__new__, vars(ImmutableArray)["_q"].__set__
+
 
 class Batch(ImmutableArray):
     """Holds unit quaternions (…, 4), scalar first, and nothing else."""
@@ -23,10 +25,10 @@ class Batch(ImmutableArray):
         """Wrap unit quaternions that nobody else will write to."""
         if "jax" in modules or "torch" in modules:
             pytrees.announce()
-        self = object.__new__(cls)
-        if isinstance(q, np.ndarray):
-            q.setflags(write=False)
-        object.__setattr__(self, "_q", q)
+        self = _new(cls)
+        if type(q) is np.ndarray or isinstance(q, np.ndarray):
+            q.setflags(False)  # type: ignore[call-arg]  # by position: three times as quick
+        _hold(self, q)
         return self
 
     def reshape(self, *shape: Any) -> Self:

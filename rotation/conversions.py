@@ -88,8 +88,8 @@ class Conversions(Batch):
 
         Parameters
         ----------
-        axes : array_like, shape (3,) or (n, 3), n at most 3
-            Of any length but 0.
+        axes : array_like, shape (3,) or (…, n, 3), n at most 3
+            Of any length but 0; the batch shapes of axes and angles broadcast.
         order : "extrinsic" or "intrinsic"
             About axes that stay, or that turn along; "e" and "i" are taken too.
         angles : array_like, shape (…, n)
@@ -231,7 +231,7 @@ class Conversions(Batch):
         return euler.to_euler(self._q, seq, degrees)
 
     def as_davenport(self, axes: Any, order: str, degrees: bool = False) -> Array:
-        """Return the angles about three axes, shape (…, 3); see `from_davenport`.
+        """Return the angles about three axes (…, 3, 3), shape (…, 3); see `from_davenport`.
 
         The first and third lie in [−π, π], the second in an interval of length π. In gimbal lock the third
         is 0.

@@ -5,17 +5,19 @@ E. Bernardes and S. Viollet, PLoS ONE 17 (2022).
 """
 
 import math
+from functools import cache, reduce
 from typing import Any
 
 import numpy as np
 
-from rotation import quaternions, vectors
-from rotation.angles import to_degrees
-from rotation.arrays import real, require_nonzero
-from rotation.coordinates import split
-from rotation.coordinates import unit as unit_of
+from rotation.angles import to_degrees, waves
+from rotation.arrays import common_batch, real, require_nonzero
+from rotation.coordinates import Coordinates, join, length, split, unit
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_last, expect_numpy, floats, quiet
+from rotation.namespaces import Array, expect_last, expect_numpy, floats, namespace, refuse_rows
+from rotation.quaternions import multiplied, steadied
+from rotation.rowwise import Formula
+from rotation.vectors import cross
 
 _ORDERS = ("extrinsic", "e", "intrinsic", "i")
 _ACROSS = 1e-7  # how far from perpendicular axes may be
@@ -23,7 +25,7 @@ _LOCK = 8.0 * float(np.finfo(np.float64).eps)
 
 
 def checked_axes(axes: Any, order: str) -> tuple[Array, bool]:
-    """Return the unit axes (n, 3), n at most 3, and whether they turn along.
+    """Return the unit axes (…, n, 3), n at most 3, and whether they turn along.
 
     Raises
     ------
@@ -36,25 +38,29 @@ def checked_axes(axes: Any, order: str) -> tuple[Array, bool]:
         raise RotationError(f"order {order!r}: 'extrinsic' or 'intrinsic' is expected")
     a = floats(real(axes, "axes"), "axes")
     a = a[None, :] if a.ndim == 1 else a
-    if a.ndim != 2 or a.shape[1] != 3 or not 1 <= len(a) <= 3:
+    if a.ndim < 2 or a.shape[-1] != 3 or not 1 <= a.shape[-2] <= 3:
         raise RotationError(
-            f"axes has shape {a.shape}; one to three axes of three coordinates are expected"
+            f"axes has shape {a.shape}; one to three axes of three coordinates are expected, (…, n, 3)"
         )
     require_nonzero(a, "axis")
-    unit = np.stack(unit_of(np, split(a)), axis=-1)
-    for n in range(1, len(unit)):
-        if abs(float(unit[n] @ unit[n - 1])) > _ACROSS:
-            raise RotationError(
-                "axes next to each other must be perpendicular, else not all can be reached"
-            )
+    unit = _UNITS(a)
+    leaning = np.abs(np.sum(unit[..., 1:, :] * unit[..., :-1, :], axis=-1)) > _ACROSS
+    if leaning.any():
+        refuse_rows(
+            leaning.any(axis=-1),
+            "the list of axes",
+            "has neighbours that are not perpendicular: not all rotations can be reached",
+        )
     return unit, order.lower()[0] == "i"
 
 
-@quiet
-def from_davenport(axes: Any, order: str, angles: Any, degrees: bool = False) -> Array:
-    """Return the unit quaternions of turns about one to three axes, by angles (…, n).
+_UNITS = Formula(lambda axis: join(namespace(axis), unit(namespace(axis), split(axis))), (3,))
 
-    For one axis also a number, or a one-dimensional array of angles.
+
+def from_davenport(axes: Any, order: str, angles: Any, degrees: bool = False) -> Array:
+    """Return the unit quaternions of turns about one to three axes (…, n, 3), by angles (…, n).
+
+    For one axis also a number, or a one-dimensional array of angles; the batch shapes broadcast.
 
     Raises
     ------
@@ -63,23 +69,35 @@ def from_davenport(axes: Any, order: str, angles: Any, degrees: bool = False) ->
     """
     unit, intrinsic = checked_axes(axes, order)
     expect_numpy("from_davenport", angles)
-    a = floats(angles, "angles")
-    if len(unit) == 1 and a.ndim < 2 and (a.ndim == 0 or a.shape[-1] != 1):
+    a, n = floats(angles, "angles"), unit.shape[-2]
+    if n == 1 and a.ndim < 2 and (a.ndim == 0 or a.shape[-1] != 1):
         a = a[..., None]
-    expect_last(a, (len(unit),), f"angles about {len(unit)} axes")
-    q: Any = None
-    for n, axis in enumerate(unit):
-        turn = vectors.from_axis_angle(axis, a[..., n], degrees)
-        pair = (q, turn) if intrinsic else (turn, q)
-        q = turn if q is None else quaternions.product(*pair)
-    return q
+    expect_last(a, (n,), f"angles about {n} axes")
+    common_batch(axes=unit.shape[:-2], angles=a.shape[:-1])
+    return _making(n, intrinsic, bool(degrees))(unit, a)
 
 
-@quiet
+@cache
+def _making(n: int, intrinsic: bool, degrees: bool) -> Formula:
+    return Formula(_from_davenport, (n, 3), (n,), parameters=(intrinsic, degrees))
+
+
+def _from_davenport(axes: Array, angles: Array, intrinsic: bool, degrees: bool) -> Array:
+    xp, turns = namespace(angles), list[Coordinates]()
+    for axis, angle in zip(_rows(axes, angles.shape[-1]), split(angles), strict=True):
+        s, c = waves(xp, 0.5 * angle, degrees)
+        turns.append((c, *(s * x for x in axis)))
+    return join(xp, steadied(reduce(multiplied, turns if intrinsic else turns[::-1])))
+
+
+def _rows(axes: Array, n: int) -> list[Coordinates]:
+    return [tuple(axes[..., r, c] for c in range(3)) for r in range(n)]
+
+
 def to_davenport(
     q: Array, axes: Any, order: str, degrees: bool = False, tolerance: float = _LOCK
 ) -> tuple[Array, Array]:
-    """Return the angles (…, 3) about three axes, and where they are in gimbal lock.
+    """Return the angles (…, 3) about three axes (…, 3, 3), and where they are in gimbal lock.
 
     The first and third lie in [−π, π]. With λ the angle about the second axis from the first to the third (of
     the extrinsic order), the second lies in [λ, λ + π] if λ ≤ 0, else in [λ − π, λ]: in [−π/2, π/2] for
@@ -92,26 +110,45 @@ def to_davenport(
     """
     unit, intrinsic = checked_axes(axes, order)
     expect_numpy("as_davenport", q)
-    if len(unit) != 3:
+    if unit.shape[-2] != 3:
         raise RotationError("three axes are needed to hold every rotation")
-    first, second, third = unit[::-1] if intrinsic else unit
-    across = np.cross(first, second)
-    lean = math.atan2(-float(across @ third), float(first @ third))
+    common_batch(rotations=q.shape[:-1], axes=unit.shape[:-2])
+    found = _reading(intrinsic, bool(degrees), tolerance)(q, unit)
+    return np.ascontiguousarray(found[..., :3]), found[..., 3] != 0.0
+
+
+@cache
+def _reading(intrinsic: bool, degrees: bool, tolerance: float) -> Formula:
+    return Formula(_to_davenport, (4,), (3, 3), parameters=(intrinsic, degrees, tolerance))
+
+
+def _to_davenport(q: Array, axes: Array, intrinsic: bool, degrees: bool, tolerance: float) -> Array:
+    """The three angles, and 1 in gimbal lock, else 0."""
+    xp, rows = namespace(q), _rows(axes, 3)
+    first, second, third = rows[::-1] if intrinsic else rows
+    across = cross(first, second)
+    lean = xp.atan2(-_dot(across, third), _dot(first, third))
     # The third axis is the first, turned by λ about the second. Turned back by λ the rotation is one about
     # the first, the second by the angle less λ, and the first again.
-    p = quaternions.product(vectors.from_axis_angle(second, -lean), q)
-    u = p[..., 1:]
-    a, b, c, d = p[..., 0], u @ first, u @ second, u @ across
-    ab, cd = np.hypot(a, b), np.hypot(c, d)
-    plus, minus = np.arctan2(b, a), np.arctan2(d, c)
+    s, c = waves(xp, -0.5 * lean, False)
+    a, *u = steadied(multiplied((c, *(s * x for x in second)), split(q)))
+    b, c, d = (_dot(tuple(u), axis) for axis in (first, second, across))
+    ab, cd = length(xp, (a, b)), length(xp, (c, d))
+    plus, minus = xp.atan2(b, a), xp.atan2(d, c)
     free = 1.0 if intrinsic else -1.0
     flat, upside = cd <= tolerance * ab, ab <= tolerance * cd
-    minus, plus = np.where(flat, free * plus, minus), np.where(upside, free * minus, plus)
-    start, end, middle = plus - minus, plus + minus, 2.0 * np.arctan2(cd, ab)
-    if lean > 1e-12:  # the same rotation, by the opposite turn about the second axis
-        middle, turned = -middle, ~(flat | upside)
-        start, end = np.where(turned, start + math.pi, start), np.where(turned, end - math.pi, end)
-    start, end = (np.remainder(x + math.pi, 2.0 * math.pi) - math.pi for x in (start, end))
-    middle = middle + lean
-    angles = np.stack([end, middle, start] if intrinsic else [start, middle, end], axis=-1)
-    return (to_degrees(np, angles) if degrees else angles), flat | upside
+    minus, plus = xp.where(flat, free * plus, minus), xp.where(upside, free * minus, plus)
+    start, end, middle = plus - minus, plus + minus, 2.0 * xp.atan2(cd, ab)
+    # Where λ > 0: the same rotation, by the opposite turn about the second axis.
+    over = lean > 1e-12
+    middle = xp.where(over, -middle, middle) + lean
+    turned = over & ~(flat | upside)
+    start, end = xp.where(turned, start + math.pi, start), xp.where(turned, end - math.pi, end)
+    start, end = (x - 2.0 * math.pi * xp.round(x / (2.0 * math.pi)) for x in (start, end))
+    angles = (end, middle, start) if intrinsic else (start, middle, end)
+    locked = xp.where(flat | upside, xp.ones_like(ab), xp.zeros_like(ab))
+    return join(xp, (*(to_degrees(xp, x) if degrees else x for x in angles), locked))
+
+
+def _dot(a: Coordinates, b: Coordinates) -> Array:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

@@ -7,6 +7,8 @@ rotation with quaternion curves", SIGGRAPH 1985.
 
 from typing import Any
 
+import numpy as np
+
 from hfield import product as formula
 from rotation.angles import to_degrees, waves
 from rotation.arrays import common_batch
@@ -75,8 +77,9 @@ def product(p: Array, q: Array) -> Array:
     p, q : array, shape (…, 4)
         Unit quaternions.
     """
-    namespace(p, q)  # of two libraries it raises
-    return _PRODUCT(p, q)
+    if not type(p) is type(q) is np.ndarray:
+        namespace(p, q)  # of two libraries it raises
+    return _PRODUCT.alike(p, q)
 
 
 def _product(p: Array, q: Array) -> Array:

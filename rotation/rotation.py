@@ -426,5 +426,6 @@ class Rotation(Conversions):
 
 def _paired(p: Rotation, q: Rotation, operation: Callable[[Array, Array], Array]) -> Array:
     """Apply an operation to quaternions whose batch shapes broadcast; say so where they do not."""
-    common_batch(left=p.shape, right=q.shape)
+    if p._q.shape != q._q.shape:
+        common_batch(left=p.shape, right=q.shape)
     return operation(p._q, q._q)

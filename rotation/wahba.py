@@ -24,6 +24,7 @@ from rotation.namespaces import (
 )
 from rotation.optimum import davenport, derived, following, held
 from rotation.quaternions import product
+from rotation.rowwise import Formula
 from rotation.vectors import between, from_axis_angle
 
 
@@ -133,10 +134,13 @@ def remaining(q: Array, a: Array, b: Array, w: Array) -> Array:
     """Return ``√(Σ w‖a − R·b‖²)``; no square overflows."""
     xp = namespace(a)
     turned = xp.matmul(b, xp.matrix_transpose(to_matrix(q)))
-    rests = xp.sqrt(w) * length(xp, split(a - turned))
+    rests = xp.sqrt(w) * _LENGTH(a - turned)
     longest = xp.max(rests, axis=-1, keepdims=True)
     longest = xp.where(longest > 0.0, longest, xp.ones_like(longest))
     return xp.sqrt(xp.sum((rests / longest) ** 2, axis=-1)) * longest[..., 0]
+
+
+_LENGTH = Formula(lambda v: length(namespace(v), split(v)), (3,))
 
 
 def _weights(xp: Any, weights: Any, vectors: Array) -> Array:
@@ -165,7 +169,7 @@ def _best(xp: Any, a: Array, b: Array, w: Array) -> Array:
     )
     tiny = 16.0 * float(xp.finfo(m.dtype).eps) * s[..., 0]
     line = s[..., 1] <= tiny
-    sign = xp.sign(xp.linalg.det(u) * xp.linalg.det(vt))
+    sign = xp.sign(xp.linalg.det(xp.matmul(u, vt)))
     refuse_rows(
         ~line & (s[..., 1] + sign * s[..., 2] <= tiny),
         "the vectors",
@@ -178,6 +182,8 @@ def _best(xp: Any, a: Array, b: Array, w: Array) -> Array:
         k = xp.where(line[..., None, None], nothing, m)
         first = xp.where(line[..., None], xp.eye(4, dtype=m.dtype)[0, :], best)
         best = following(first, davenport([[k[..., r, c] for c in range(3)] for r in range(3)]))
+    if is_numpy(xp) and not line.any():
+        return xp.where(finite[..., None], best, xp.nan)
     shortest = between(
         xp.matmul(u[..., None, :, 0], m)[..., 0, :], xp.matmul(m, vt[..., 0, :, None])[..., 0]
     )

@@ -1,8 +1,8 @@
-"""Groups of units of Eichler orders over QQ with D·N ≤ 500, and over real fields: each is proved, and compared.
+"""Groups of units of Eichler orders over QQ with D·N ≤ 500, and over real fields, each proved and compared.
 
-One line of JSON a group: area by the formula and of the polygon, signature, sides, whether the abelian quotient
-of the presentation is that of the signature, and seconds. ``--most 500 --seconds 150``; exit status 1 where
-something failed.
+One line of JSON a group: area by the formula and of the polygon, signature, sides, whether the abelian
+quotient of the presentation is that of the signature, and seconds.
+``--most 500 --seconds 150``; exit status 1 where something failed.
 """
 
 import argparse
@@ -84,7 +84,7 @@ def main() -> int:
         signal.alarm(EACH)
         try:
             found = facts(order)
-        except Exception as error:  # noqa: BLE001 - each failure is a line
+        except Exception as error:  # each failure is a line
             found = {"error": f"{type(error).__name__}: {error}", "agrees": False}
         signal.alarm(0)
         bad += not found["agrees"]

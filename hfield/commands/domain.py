@@ -29,7 +29,12 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--center", metavar="Z", help="a point of the upper half plane, such as 0.1+2j"
     )
-    parser.add_argument("-o", "--output", metavar="FILE", help="draw to FILE (.svg, .png, .pdf)")
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help="draw to FILE (.svg, .png, .pdf; .html, where the centre is dragged)",
+    )
     parser.add_argument("--dark", action="store_true", help="draw on a dark page")
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
     add_factors(parser)

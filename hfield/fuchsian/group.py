@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -9,11 +10,12 @@ from math import sqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import LatticeError, shorten
+from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.evidence import Certified, Claim
+from hfield.factorisation import factorise
 from hfield.fuchsian import presentation
 from hfield.fuchsian.presentation import Word
-from hfield.fuchsian.split_order import SplitOrder
+from hfield.fuchsian.split_order import RationalOrder, SplitOrder
 
 if TYPE_CHECKING:
     from hfield.fuchsian import dirichlet
@@ -26,6 +28,35 @@ class Signature(NamedTuple):
     genus: int
     orders: tuple[int, ...]
     cusps: int
+
+
+CENTERS = 4
+"""So many centres are tried for a domain."""
+
+
+def signature_of(
+    partners: Sequence[int], cycles: Sequence[dirichlet.Cycle], area: Fraction
+) -> Signature:
+    """Return the signature of the group with a domain."""
+    orders = [c.order for c in cycles if c.order > 1]
+    orders += [2 for n, partner in enumerate(partners) if n == partner]
+    cusps = sum(c.order == 0 for c in cycles)
+    twice = area + 2 - cusps - sum(1 - Fraction(1, m) for m in orders)
+    if twice % 2 or twice < 0:
+        raise ArithmeticError("the angles and the area of a domain do not agree")
+    return Signature(int(twice / 2), tuple(sorted(orders)), cusps)
+
+
+class Quotient(NamedTuple):
+    """The plane modulo a group between the units of norm 1 and the normaliser of an order.
+
+    ``elements`` has for each norm an element of the normaliser: these represent the larger group modulo the
+    smaller.
+    """
+
+    signature: Signature
+    area: Fraction
+    elements: dict[int, Quaternion]
 
 
 @dataclass(frozen=True)
@@ -86,9 +117,14 @@ class Domain(Certified):
     def draw(self, path: object, *, dark: bool = False, depth: int = 3) -> None:
         """Draw the domain and its images under words of up to ``depth`` sides, to a file .svg, .png or .pdf.
 
-        Sides of a pair have one colour; elliptic points and the centre are marked. Raises
-        :class:`hfield.errors.LatticeError` where the file cannot be written.
+        Sides of a pair have one colour; elliptic points and the centre are marked. To a file .html, a page on
+        which the centre is dragged. Raises :class:`hfield.errors.LatticeError` where the file
+        cannot be written.
         """
+        if str(path).endswith(".html"):
+            from hfield.fuchsian.page import write
+
+            return write(self, path)
         from hfield.fuchsian.picture import draw
 
         draw(self, path, dark=dark, depth=depth)
@@ -120,19 +156,13 @@ class NormOneGroup(Certified):
 
         For Eichler orders over ℤ they are counted by optimal embeddings too; both agree, or this raises.
         """
-        domain = self._domain
-        orders = [c.order for c in domain.cycles if c.order > 1]
-        orders += [2 for n, partner in enumerate(domain.partners) if n == partner]
-        cusps = sum(c.order == 0 for c in domain.cycles)
-        twice = self.area + 2 - cusps - sum(1 - Fraction(1, m) for m in orders)
+        found = signature_of(self._domain.partners, self._domain.cycles, self.area)
         counted = (self.order.elliptic_points(2), self.order.elliptic_points(3))
-        if (
-            twice % 2
-            or self.order.cusps() not in (None, cusps)
-            or any(n not in (None, orders.count(m)) for m, n in zip((2, 3), counted, strict=True))
+        if self.order.cusps() not in (None, found.cusps) or any(
+            n not in (None, found.orders.count(m)) for m, n in zip((2, 3), counted, strict=True)
         ):
             raise ArithmeticError("the domain and the formulas for the signature do not agree")
-        return Signature(int(twice / 2), tuple(sorted(orders)), cusps)
+        return found
 
     @property
     def claim(self) -> Claim:
@@ -157,7 +187,13 @@ class NormOneGroup(Certified):
     def _domain(self) -> Domain:
         from hfield.fuchsian import search
 
-        return self._around(search.free_center(self.order))
+        for n, c in enumerate(search.free_centers(self.order)):
+            try:
+                return self._around(c)
+            except TooLargeError:  # some centres see the plane worse than others
+                if n == CENTERS - 1:
+                    raise
+        raise TooLargeError("no centre that units do not fix was found; try center=")
 
     def _around(self, c: Quaternion) -> Domain:
         from hfield.fuchsian import dirichlet
@@ -181,6 +217,30 @@ class NormOneGroup(Certified):
             ):
                 return c
         raise LatticeError(f"no point near {z} that units do not fix was found")
+
+    # --- larger groups -----------------------------------------------------------------------------
+
+    def quotient(self, *norms: int) -> Quotient:
+        """Return the plane modulo this group and the Atkin–Lehner involutions with these norms, or all.
+
+        Norms are exact divisors of the discriminant of an Eichler order over ℤ. Raises
+        :class:`LatticeError` for others, and :class:`TooLargeError` where none was found.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 3]).maximal_order().norm_one_group()
+        >>> G.quotient().signature
+        Signature(genus=0, orders=(2, 4, 6), cusps=0)
+        """
+        if not isinstance(self.order, RationalOrder):
+            raise LatticeError("involutions of Atkin and Lehner are known here for orders over ZZ")
+        from hfield.fuchsian import normaliser
+
+        whole = self.order.order.discriminant
+        every = norms or tuple(p**e for p, e in factorise(whole).items())
+        elements = normaliser.generated(self.order, every)
+        _, partners, cycles = normaliser.domain(self.order, elements, self.area)
+        area = self.area / len(elements)
+        return Quotient(signature_of(partners, cycles, area), area, elements)
 
     # --- the presentation --------------------------------------------------------------------------
 

@@ -31,14 +31,16 @@ class Shape:
         a, b = sight.motions(rows)
         dual = np.concatenate([a / b.conj(), SQUARE])
         every = hull(dual)
+        # without lines that only touch the polygon, at a vertex or cusp
+        starts = corners(dual[every])
+        every = [
+            n for n, x in zip(every, abs(starts - np.roll(starts, -1)), strict=True) if x > NEAR
+        ]
         sides = [n for n in every if n < len(rows)]
         self.bounds = np.zeros(len(rows), dtype=bool)
         self.bounds[sides] = True
         self.rows, self.a, self.b, self.dual = rows[sides], a[sides], b[sides], dual[sides]
-        before = np.roll(self.dual, 1)
-        area = (before.conj() * self.dual).imag
-        area[abs(area) < 1e-12] = 1e-12
-        self.corners = 1j * (before - self.dual) / area
+        self.corners = corners(self.dual)
         """Where each side begins, in Klein's model."""
         self.closed = len(sides) == len(every) and bool((abs(self.corners) < 1 + NEAR).all())
         self._back = sight.left(self.rows @ sight.bar)
@@ -64,7 +66,8 @@ class Shape:
         angle, half = np.angle(self.dual), np.arccos(1 / abs(self.dual))
         start, end = angle + half, np.roll(angle - half, -1)
         width = (end - start + 1) % (2 * np.pi) - 1
-        return start[width > NEAR], width[width > NEAR]
+        wide = width > 100 * NEAR  # else it is a cusp, rounded
+        return start[wide], width[wide]
 
     def inside(self, points: Any) -> Any:
         """Return images of points of Klein's model in the polygon."""
@@ -82,7 +85,7 @@ class Shape:
             side = self.beyond(2 * a * b / (abs(a) ** 2 + abs(b) ** 2))
             done.append(rows[(side < 0) & (abs(b) > 1e-6)])
             rows, side = rows[side >= 0], side[side >= 0]
-            rows = np.einsum("nj,njk->nk", rows, self._back[side])
+            rows = self.sight.times(self._back[side], rows)
         return np.concatenate(done) if done else rows
 
     def cutting(self) -> Rows:
@@ -92,9 +95,7 @@ class Shape:
             inside = abs(corners) < 1 + NEAR
             side = self.beyond(moved(self.a.conj(), -self.b, corners))
             cut = inside & (side >= 0)
-            new.append(
-                np.einsum("nj,njk->nk", self.rows[side[cut]], self.sight.left(self.rows[cut]))
-            )
+            new.append(self.sight.times(self.sight.left(self.rows[cut]), self.rows[side[cut]]))
         return np.concatenate(new)
 
     def area(self) -> float:
@@ -103,7 +104,7 @@ class Shape:
         after, before = np.roll(z, -1), np.roll(z, 1)
         seen = (after - z) / (1 - z.conj() * after), (before - z) / (1 - z.conj() * before)
         angles = np.angle(seen[1] / seen[0]) % (2 * np.pi)
-        angles[abs(z) > 1 - 1e-7] = 0
+        angles[abs(self.corners) > 1 - 1e-10] = 0  # cusps
         return float((len(z) - 2) / 2 - angles.sum() / (2 * np.pi))
 
 
@@ -124,6 +125,14 @@ def grown(sight: Sight, rows: Rows, new: Rows) -> Shape:
             tried.update(map(tuple, new.tolist()))
         if not len(new):
             return shape
+
+
+def corners(dual: Any) -> Any:
+    """Return where each of the lines with these dual points meets the one before, in Klein's model."""
+    before = np.roll(dual, 1)
+    area = (before.conj() * dual).imag
+    area[abs(area) < 1e-12] = 1e-12
+    return 1j * (before - dual) / area
 
 
 def moved(a: Any, b: Any, z: Any) -> Any:

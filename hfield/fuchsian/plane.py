@@ -50,8 +50,8 @@ class Plane:
         return (a, b, c)
 
     def image(self, g: Quaternion) -> Vector:
-        """Return where g of norm 1 moves the centre."""
-        return self.vector(g * self.center * g.conjugate())
+        """Return where g, of positive norm, moves the centre."""
+        return self.vector(g * self.center * _inverse(g))
 
     def norm(self, x: Vector) -> Any:
         """Return the norm: positive in the plane, 0 on its circle at infinity."""
@@ -59,9 +59,9 @@ class Plane:
         return n * x[0] * x[0] + m * x[1] * x[1] + k * x[2] * x[2]
 
     def motion(self, g: Quaternion) -> Motion:
-        """Return the matrix of ``x ↦ g·x·g⁻¹`` for g of norm 1, acting on columns."""
-        bar = g.conjugate()
-        (a, b, c), (d, e, f), (p, q, r) = (self.vector(g * v * bar) for v in self.axes)
+        """Return the matrix of ``x ↦ g·x·g⁻¹`` for g of positive norm, acting on columns."""
+        inverse = _inverse(g)
+        (a, b, c), (d, e, f), (p, q, r) = (self.vector(g * v * inverse) for v in self.axes)
         return ((a, d, p), (b, e, q), (c, f, r))
 
     def halfway(self, image: Vector) -> Vector:
@@ -89,6 +89,11 @@ class Plane:
         y, z = round(scale * q.real / a), round(scale * q.imag / b)
         found: Quaternion = c * scale + u * y + w * z
         return found
+
+
+def _inverse(g: Quaternion) -> Quaternion:
+    bar, norm = g.conjugate(), g.norm()
+    return bar if norm == 1 else bar / norm
 
 
 def apply(motion: Motion, x: Vector) -> Vector:

@@ -14,7 +14,7 @@ from hfield.fuchsian.plane import Motion, Plane, Vector, apply, dot, meeting
 
 
 class Polygon:
-    """What lies nearer to the centre c than to ``g·c`` for some units g of norm 1, given counterclockwise.
+    """What lies nearer to the centre c than to ``g·c`` for some g of positive norm, given counterclockwise.
 
     ``images[n]`` is ``g·c`` for ``units[n]``, ``forms[n]`` is 0 on the side halfway there, which
     goes from ``starts[n]`` to

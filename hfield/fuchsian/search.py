@@ -13,7 +13,8 @@ from __future__ import annotations
 import cmath
 import math
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
@@ -40,9 +41,9 @@ class Sight:
     to b/conj(a).
     """
 
-    def __init__(self, plane: Plane) -> None:
-        self.plane, order = plane, plane.order
-        basis, real = order.basis, order.real
+    def __init__(self, plane: Plane, basis: Sequence[Quaternion] | None = None) -> None:
+        self.plane, order, real = plane, plane.order, plane.order.real
+        self.basis = basis = order.basis if basis is None else tuple(basis)
         n, m = real(plane.norms[0]), -real(plane.norms[1])
         w, p, q, r = (
             np.array([real(x) for x in column])
@@ -55,10 +56,8 @@ class Sight:
         self.rank = len(basis)
         self.empty = np.empty((0, self.rank), dtype=np.int64)
         # the norms at the other places, one form each
-        traces = np.array(order.traces_elsewhere, dtype=float)
+        traces = np.array(order.traces_elsewhere(basis), dtype=float)
         self.elsewhere = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
-        self.products = np.array(order.products).reshape(self.rank, self.rank, self.rank)
-        self.bar = np.array(order.bars)
         values, vectors = np.linalg.eigh(self.elsewhere.sum(axis=0))
         self._others = (vectors * np.sqrt(np.maximum(values, 0)))[:, 4:]
         covolume = abs(np.linalg.det(self.forms(np.zeros(1), 1.0)[0]))
@@ -67,6 +66,16 @@ class Sight:
         self.cosh = max(2.0, math.sqrt(MANY * covolume / ball))
         """Units within this distance of a point are found, by the hyperbolic cosine."""
 
+    @cached_property
+    def products(self) -> Any:
+        """The products of the basis of the order."""
+        return np.array(self.plane.order.products).reshape(self.rank, self.rank, self.rank)
+
+    @cached_property
+    def bar(self) -> Any:
+        """The matrix of the conjugation."""
+        return np.array(self.plane.order.bars)
+
     def motions(self, rows: Rows) -> tuple[Any, Any]:
         """Return a and b of elements."""
         return rows @ self.a, rows @ self.b
@@ -74,6 +83,10 @@ class Sight:
     def left(self, rows: Rows) -> Any:
         """Return the matrices by which these elements multiply rows from the left."""
         return np.einsum("ni,ijk->njk", rows, self.products)
+
+    def times(self, matrices: Any, rows: Rows) -> Rows:
+        """Return the products of rows with elements on the left, given by their matrices."""
+        return np.einsum("nj,njk->nk", rows, matrices)
 
     def forms(self, points: Any, cosh: float) -> Any:
         """Return linear forms, columns, whose squares sum to cosh d(g·0, w)/cosh plus the norms elsewhere."""
@@ -86,13 +99,31 @@ class Sight:
 
     def carrying(self, points: Any, cosh: float | None = None) -> Rows:
         """Return units of norm 1, other than ±1 and up to the sign, that move the centre near some point."""
+        return distinct(self.units(self.near(points, cosh)))
+
+    def of_norm(self, norm: int, tries: int = 100) -> Quaternion | None:
+        """Return an element of the lattice, one over ℤ, with this norm, short from somewhere, or None."""
+        rng = np.random.default_rng(1)
+        for n in range(tries):
+            radius, turn = np.sqrt(rng.random(16)) * (1 - 0.5 ** (n + 1)), rng.random(16)
+            rows = self.near(radius * np.exp(2j * np.pi * turn))
+            a, b = self.motions(rows)
+            for row in rows[abs(abs(a) ** 2 - abs(b) ** 2 - norm) < 0.5].tolist():
+                terms = (x * c for x, c in zip(self.basis, row, strict=True))
+                found: Quaternion = sum(terms, self.plane.order.algebra(0))
+                if found.norm() == norm:
+                    return found
+        return None
+
+    def near(self, points: Any, cosh: float | None = None) -> Rows:
+        """Return elements other than 0, up to the sign, that are short from some point of the disc."""
         forms = self.forms(points, self.cosh if cosh is None else cosh)
         steps = np.array([reduction(form) for form in forms])
         which, vectors = short_vectors(steps @ forms, len(self.elsewhere) + 1 + 1e-9)
         # in the order of the forms
         starts = np.searchsorted(which, np.arange(len(steps) + 1))
         rows = [vectors[s:e] @ steps[n] for n, (s, e) in enumerate(pairwise(starts))]
-        return distinct(self.units(np.concatenate(rows)))
+        return np.concatenate(rows)
 
     def units(self, rows: Rows) -> Rows:
         """Return those of norm 1 that are not ±1 and do not go too far."""
@@ -112,8 +143,8 @@ def is_fixed(order: SplitOrder, center: Quaternion) -> bool:
     return bool((abs(found) < NEAR).any())
 
 
-def free_center(order: SplitOrder) -> Quaternion:
-    """Return an element of trace 0, of positive norm at the place, that no unit but ±1 seems to fix."""
+def free_centers(order: SplitOrder) -> Iterator[Quaternion]:
+    """Yield elements of trace 0, of positive norm at the place, that no unit but ±1 seems to fix."""
     _, i, j, _ = order.algebra.basis
     u = i - i.trace() / 2
     first = next(c for c in (u, j, u * j) if order.sign(order.scalar(c.norm())) > 0)
@@ -124,7 +155,7 @@ def free_center(order: SplitOrder) -> Quaternion:
         rng = random.Random(1)
         turns = (2 * cmath.pi * rng.random() for _ in range(1000))
         candidates = (plane.nearby(cmath.rect(rng.random() / 2, turn), 5) for turn in turns)
-    return next(c for c in candidates if not is_fixed(order, c))
+    return (c for c in candidates if not is_fixed(order, c))
 
 
 def _small(order: SplitOrder, sight: Sight) -> Iterator[Quaternion]:
@@ -159,7 +190,7 @@ def distinct(rows: Rows) -> Rows:
 
 
 def short_vectors(bases: Any, bound: float) -> tuple[Any, Any]:
-    """Return the combinations of vectors, up to the sign, whose squares are at most a bound, in many lattices.
+    """Return the combinations of vectors, up to the sign, with squares up to a bound, in many lattices.
 
     The number of each one's lattice, ascending, and the coefficients. After Fincke and Pohst, breadth
     first: the last coefficient that is left is chosen for all at once.

@@ -93,11 +93,10 @@ class SplitOrder(ABC):
         """The products of each element of the basis by each, row after row."""
         return self.rows([x * y for x in self.basis for y in self.basis])
 
-    @cached_property
-    def traces_elsewhere(self) -> list[list[float]]:
-        """About the values of tr(x·conj(y)) at the other real places, for all x and y of the basis."""
-        bars = [x.conjugate() for x in self.basis]
-        return [self.elsewhere(self.scalar((x * y).trace())) for x in self.basis for y in bars]
+    def traces_elsewhere(self, basis: tuple[Quaternion, ...]) -> list[list[float]]:
+        """Return about the values of tr(x·conj(y)) at the other real places, for all x and y of a basis."""
+        bars = [x.conjugate() for x in basis]
+        return [self.elsewhere(self.scalar((x * y).trace())) for x in basis for y in bars]
 
     def element(self, row: list[int]) -> Quaternion:
         """Return the element with these coordinates with respect to the basis."""

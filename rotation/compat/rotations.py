@@ -102,20 +102,8 @@ class Rotation(Assignable):
     @classmethod
     def from_davenport(cls, axes: Any, order: str, angles: Any, degrees: bool = False) -> Self:
         """Make rotations from angles about one to three axes."""
-        e = np.atleast_2d(np.asarray(axes, dtype=np.float64))
-        a = _angles(angles, e.shape[-2])
-        batch = np.broadcast_shapes(e.shape[:-2], a.shape[:-1])
-        if e.ndim == 2:
-            unit = _davenport_axes(e, order)
-            return cls._of(davenport.from_davenport(unit, order, a[None], degrees)[0])
-        e, a = (
-            np.broadcast_to(e, (*batch, *e.shape[-2:])),
-            np.broadcast_to(a, (*batch, a.shape[-1])),
-        )
-        q = np.empty((*batch, 4))
-        for row in np.ndindex(batch):
-            q[row] = cls.from_davenport(e[row], order, a[row], degrees)._q
-        return cls._of(q)
+        e = _davenport_axes(axes, order)
+        return cls._of(davenport.from_davenport(e, order, _angles(angles, e.shape[-2]), degrees))
 
     @staticmethod
     def identity(num: int | None = None, *, shape: Any = None) -> "Rotation":
@@ -184,18 +172,6 @@ class Rotation(Assignable):
         self, axes: Any, order: str, degrees: bool = False, *, suppress_warnings: bool = False
     ) -> Array:
         """Return the angles about three axes; in gimbal lock the third is 0, with a warning."""
-        e = np.asarray(axes, dtype=np.float64)
-        if e.ndim > 2:
-            batch = np.broadcast_shapes(e.shape[:-2], self.shape)
-            e = np.broadcast_to(e, (*batch, *e.shape[-2:]))
-            turns = self._of(np.array(np.broadcast_to(self._q, (*batch, 4))))._q
-            found = np.empty((*batch, 3))
-            for row in np.ndindex(batch):
-                one = self._of(turns[row])
-                found[row] = one.as_davenport(
-                    e[row], order, degrees, suppress_warnings=suppress_warnings
-                )
-            return found
         unit = _davenport_axes(axes, order)
         angles, locked = davenport.to_davenport(self._q, unit, order, degrees, _LOCK)
         if np.any(locked) and not suppress_warnings:

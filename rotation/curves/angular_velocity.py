@@ -1,4 +1,4 @@
-"""Rotations in time: attitudes from an angular velocity.
+"""Rotations in time: attitudes from an angular velocity, and the angular velocity of attitudes.
 
 The attitude obeys ``q̇ = ½·ω·q`` with ω in the axes of the world, ``q̇ = ½·q·ω`` in those of the body
 (thesis, Theorem 6, differentiated). Each interval is one exponential: order 4, exact for a constant ω, and
@@ -14,6 +14,7 @@ from typing import Any
 from rotation import vectors
 from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
+from rotation.curves.interpolation import picked
 from rotation.curves.magnus import GAUSS, by_gauss, refined
 from rotation.errors import RotationError
 from rotation.namespaces import (
@@ -84,13 +85,8 @@ def integrate(
     known = None if callable(omega) else omega
     xp = namespace(known, times, None if initial is None else initial._q)
     t = floats(times, "times", xp)
-    steps = _steps(t) if t.ndim == 1 and t.shape[0] else xp.asarray([math.nan])
-    monotonic = xp.all(steps > 0.0) | xp.all(steps < 0.0)
-    if certainly(~(monotonic & xp.all(xp.isfinite(steps)))):
-        raise RotationError(
-            f"times of shape {tuple(t.shape)}: a list that strictly increases or decreases, in finite steps, "
-            "is expected"
-        )
+    _expect_monotonic(t)
+    steps = _steps(t)
     if tolerance is not None:
         if not callable(omega) or not tolerance > 0.0:
             raise RotationError(
@@ -108,6 +104,79 @@ def integrate(
     parts = (start[None, ...], (1, *batch, 4)), (turns, (turns.shape[0], *batch, 4))
     chain = xp.concat([xp.broadcast_to(*part) for part in parts], axis=0)
     return Rotation._of(running_products(chain, frame))
+
+
+_WINDOW = 5  # samples, whose polynomial is of the fourth degree
+
+
+@quiet
+def angular_velocity(rotations: Rotation, times: Any, frame: str = "body") -> Array:
+    """Return the angular velocities of a body whose attitudes at ``times`` are known.
+
+    At each time it is the derivative of the polynomial through the rotation vectors to five near samples
+    (fewer if there are fewer): exact for a constant velocity, else of fourth order in the steps.
+
+    Parameters
+    ----------
+    rotations : Rotation, shape (n, …)
+        At least two; they take the axes of the body to those of the world, as those of `integrate`. From each
+        to the four nearest it turns by less than π: more is not seen.
+    times : array_like, shape (n,)
+        Strictly monotonic.
+    frame : "body" or "world"
+        The axes in which the answer is given.
+
+    Returns
+    -------
+    array, shape (n, …, 3)
+        Radians per unit of time.
+
+    Raises
+    ------
+    RotationError
+        Less than two rotations, times that are not monotonic or do not fit them, or another frame.
+
+    Examples
+    --------
+    >>> top = integrate([0, 0, 3.0], [0.0, 0.1, 0.3, 0.4])
+    >>> angular_velocity(top, [0.0, 0.1, 0.3, 0.4]).round(12)[:, 2]
+    array([3., 3., 3., 3.])
+    """
+    check_frame(frame)
+    expect_rotations(rotations=rotations)
+    xp = namespace(times, rotations._q)
+    t = floats(times, "times", xp)
+    if rotations.single or len(rotations) < 2 or tuple(t.shape) != rotations.shape[:1]:
+        raise RotationError(
+            f"times of shape {tuple(t.shape)} for rotations of shape {rotations.shape}: "
+            "one time for each of at least two rotations is expected"
+        )
+    _expect_monotonic(t)
+    n = t.shape[0]
+    here, number = xp.arange(n), min(_WINDOW, n)
+    start = xp.clip(here - number // 2, 0, n - number)
+    knots = [xp.take(t, start + k) for k in range(number)]
+    back, one = rotations.inv(), xp.ones_like(t)
+    total: Array = 0.0
+    for j in range(number):
+        others = [k for k in range(number) if k != j]
+        away = (xp.where(start + k == here, one, t - knots[k]) for k in others)
+        weight = reduce(mul, (a / (knots[j] - knots[k]) for a, k in zip(away, others, strict=True)))
+        turn = (back * picked(rotations, start + j)).as_rotvec()
+        total = total + xp.reshape(weight, (-1, *(1,) * (turn.ndim - 1))) * turn
+    return total if frame == "body" else rotations.apply(total)
+
+
+def _expect_monotonic(t: Array) -> None:
+    """Raise `RotationError` unless times are a list that strictly increases or decreases."""
+    xp = namespace(t)
+    steps = _steps(t) if t.ndim == 1 and t.shape[0] else xp.asarray([math.nan])
+    monotonic = xp.all(steps > 0.0) | xp.all(steps < 0.0)
+    if certainly(~(monotonic & xp.all(xp.isfinite(steps)))):
+        raise RotationError(
+            f"times of shape {tuple(t.shape)}: a list that strictly increases or decreases, in finite steps, "
+            "is expected"
+        )
 
 
 @quiet

@@ -124,13 +124,13 @@ class Slerp:
         RotationError
             A time lies outside.
         """
-        x = self.within(times)
+        x = self._within(times)
         n, t = place(x, self.times)
         return self._between(
             n, namespace(t).reshape(t, (*t.shape, *(1,) * (self.rotations.ndim - 1)))
         )
 
-    def within(self, times: Any) -> Array:
+    def _within(self, times: Any) -> Array:
         """Return times (…) as an array; `RotationError` if one is outside the range of the keyframes."""
         xp = namespace(times, self.times)
         x = floats(times, "times", xp)

@@ -74,7 +74,7 @@ class RotationSpline:
         RotationError
             A time outside, or another order.
         """
-        return self.extended(self._keys.within(times), order)
+        return self.extended(self._keys._within(times), order)
 
     @quiet
     def extended(self, times: Any, order: int = 0) -> Any:

@@ -1,6 +1,7 @@
 """Units of norm 1 of indefinite orders: known curves, words against products, domains against brute force."""
 
 import cmath
+import json
 import math
 import random
 from fractions import Fraction
@@ -135,6 +136,33 @@ def test_eichler_orders_over_a_field() -> None:
         A.order(["2*i", "j"]).norm_one_group().area  # noqa: B018
 
 
+# the plane modulo the whole normaliser (Takeuchi; Elkies, ANTS III, 1998; X₀(11)⁺, X₀(37)⁺)
+STARS = {
+    (6, 1): (0, (2, 4, 6), 0), (10, 1): (0, (2, 2, 2, 3), 0), (14, 1): (0, (2, 2, 2, 4), 0),
+    (15, 1): (0, (2, 2, 2, 6), 0), (1, 11): (0, (2, 2, 2, 2), 1), (1, 37): (1, (2, 2, 2, 3), 1),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("D", "N"), STARS)
+def test_modulo_the_normaliser(D: int, N: int) -> None:
+    O = order(D, N)
+    star = O.norm_one_group().quotient()
+    assert star.signature == STARS[D, N]
+    for m, w in star.elements.items():
+        assert w.norm() == m
+        assert O.left_ideal([w]) == O.right_ideal([w])
+
+
+def test_some_involutions() -> None:
+    G = order(6).norm_one_group()
+    found = {m: G.quotient(m).signature.orders for m in (2, 3, 6)}
+    assert found == {2: (3, 4, 4), 3: (2, 6, 6), 6: (2, 2, 2, 3)}  # of index 2 in (2, 4, 6)
+    assert len(G.quotient(2, 3).elements) == 4
+    for m in (4, 5, 0):
+        with pytest.raises(LatticeError, match="exact divisor"):
+            G.quotient(m)
+
+
 def test_other_places_split() -> None:
     for field, b in (("QQ(sqrt(5))", 3), ("QQ(sqrt(5))", -1), ("QQ[s]/(s^3-2)", 3)):
         with pytest.raises(IndefiniteError, match="exactly one real place"):
@@ -249,6 +277,13 @@ def test_an_incomplete_domain_is_seen() -> None:
 
 def test_pictures(tmp_path) -> None:
     D = order(6).norm_one_group().domain()
+    D.draw(tmp_path / "c.html")
+    text = (tmp_path / "c.html").read_text(encoding="utf-8")
+    assert "{{" not in text
+    assert "://" not in text  # it asks nobody for anything
+    data = json.loads(text.split("const GROUP = ")[1].split(";\n")[0])
+    assert len(data["units"]) == len(D.sides)
+    assert all(abs(p * p + q * q - r * r - s * s - 1) < 1e-9 for p, q, r, s in data["units"])
     for name in ("a.svg", "b.png"):
         D.draw(tmp_path / name, dark=name == "b.png", depth=2)
         assert (tmp_path / name).stat().st_size > 5000

@@ -86,6 +86,28 @@ def test_davenport_angles_about_coordinate_axes_are_eulers() -> None:
     )
 
 
+@pytest.mark.parametrize("order", ["intrinsic", "e"])
+def test_every_rotation_may_have_its_own_davenport_axes(order: str) -> None:
+    frames, r = Rotation.random((4, 1), seed=6), Rotation.random((4, 5), seed=7)
+    axes = frames[..., None].apply([[2, 0, 0], [0, 1, 0], [0.6, 0, -0.8]])
+    angles = r.as_davenport(axes, order, degrees=True)
+    assert (axes.shape, angles.shape) == ((4, 1, 3, 3), (4, 5, 3))
+    for row in range(4):
+        one = r[row].as_davenport(axes[row, 0], order, degrees=True)
+        np.testing.assert_array_equal(angles[row], one)
+    again = Rotation.from_davenport(axes, order, angles, degrees=True)
+    assert again.approx_equal(r, atol=1e-14).all()
+    pairs = Rotation.from_davenport(axes[..., :2, :], order, [0.1, 0.2])
+    assert pairs.shape == (4, 1)
+    assert pairs[3, 0].approx_equal(Rotation.from_davenport(axes[3, 0, :2], order, [0.1, 0.2]))
+    with pytest.raises(RotationError, match="row 2"):
+        Rotation.from_davenport(
+            np.where(np.arange(4)[:, None, None] == 2, 1.0, axes[:, 0]), order, [0, 0, 0]
+        )
+    with pytest.raises(RotationError, match="broadcast"):
+        Rotation.random(3, seed=1).as_davenport(axes[:, 0], order)
+
+
 def test_davenport_axes_that_do_not_fit() -> None:
     x, y = np.eye(3)[:2]
     for axes, order in (

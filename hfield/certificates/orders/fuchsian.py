@@ -208,7 +208,9 @@ class Domain:
             if n not in letters:
                 letters[partner] = -1 - max(letters.values(), default=0)
                 letters[n] = -letters[partner]
-        relations: list[Word] = [(letters[n],) * 2 for n, partner in enumerate(self.partners) if n == partner]
+        relations: list[Word] = [
+            (letters[n],) * 2 for n, partner in enumerate(self.partners) if n == partner
+        ]
         relations += [tuple(letters[n] for n in c.sides) * c.order for c in self.cycles]
         left, relations = _simplified(sorted(x for x in letters.values() if x > 0), relations)
         numbers = {old: n for n, old in enumerate(left, 1)}

@@ -241,10 +241,7 @@ class IntegersLattice(Hinted):
         >>> len(O.elements_of_norm(1)), len(O.units()), len(O.shortest()), O.shortest()[0].norm()
         (120, 60, 120, 1)
         """
-        norm = self.frame.integers.inside(n)
-        if not norm or any(v.sign(norm) < 0 for v in self.field.real_places()):
-            return () if norm else (self.algebra(0),)
-        return tuple(all_of_norm(self.frame, self.rows, norm))
+        return tuple(all_of_norm(self.frame, self.rows, self.frame.integers.inside(n)))
 
     def shortest(self) -> tuple[Quaternion, ...]:
         """Return the elements x ≠ 0 with the least Tr(N(x)), the trace down to ℚ. Raises likewise."""
