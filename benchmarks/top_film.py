@@ -3,10 +3,10 @@
     python benchmarks/top_film.py [FRAMES]
 
 Renders a warm-up film, then the default one (500 frames of 640 × 480 as mp4, crf 18, preset medium) three
-times, with motion blur three times, and lets ffmpeg encode the same raw frames from a file three times. Prints
-the CPU seconds, the least of three, and their ratios; and how long 1080p takes in two processes. Then it renders
-500 and FRAMES frames (default 3000) as mp4 and gif, and prints the largest memory of the process tree
-(proportional set size, sampled). With FRAMES 0 the memory is left out.
+times, with motion blur three times, and lets ffmpeg encode the same raw frames from a file three times.
+Prints the CPU seconds, the least of three, and their ratios; and how long 1080p takes in two processes. Then
+it renders 500 and FRAMES frames (default 3000) as mp4 and gif, and prints the largest memory of the process
+tree (proportional set size, sampled). With FRAMES 0 the memory is left out.
 """
 
 import os

@@ -17,6 +17,10 @@ Floats = NDArray[np.float64]
 Light = NDArray[np.float32]
 
 
+THICK = 0.03
+"""Half of a slice's thickness, where its nearness is what counts."""
+
+
 @called
 def smoothstep(low: float, high: float, x: float) -> float:
     """Return Hermite's step from 0 at ``low`` to 1 at ``high``."""
@@ -118,6 +122,7 @@ def shade(
                 high = vx * axis[0] + vy * axis[1] + cz * axis[2]
                 square = vx * vx + vy * vy + cz * cz
                 out = max(0.0, math.sqrt(max(0.0, square - high * high)) - radius)
+                high = max(0.0, abs(high) - THICK)
                 nearest[row, column] = min(nearest[row, column], high * high + out * out)
     for row in range(rows):
         for column in range(columns):

@@ -141,11 +141,13 @@ def scan(
         near = xs[u] + (middle - ys[u]) * long
         k, side = (u, upper) if middle < ys[m] else (m, lower)
         far = xs[k] + (middle - ys[k]) * side
-        begin, end = math.ceil(min(near, far) - 0.5), math.ceil(max(near, far) - 0.5)
+        # Rows of samples lie a little to one side by turns: a steep edge has twice as many levels then.
+        place = 0.5 if s == 1 else 0.25 + 0.5 * (y % 2)
+        begin, end = math.ceil(min(near, far) - place), math.ceil(max(near, far) - place)
         begin, end = max(0, begin), min(wide, end)
         if begin >= end:
             continue
-        across, down = begin + 0.5 - xs[0], middle - ys[0]
+        across, down = begin + place - xs[0], middle - ys[0]
         z = z0 + zx * across + zy * down
         p = p0 + px * across + py * down
         g = g0 + gx * across + gy * down

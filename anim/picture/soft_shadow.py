@@ -12,12 +12,12 @@ from anim.picture.room import room, to_ground
 Floats = NDArray[np.float64]
 Light = NDArray[np.float32]
 
-SPACING = 0.075
+SPACING = 0.05
 """How far apart slices are, at most."""
 STEP = 0.035
 """How far apart on the ground the light is reckoned."""
-AROUND = 0.45
-"""How far beyond the sharp shadow the soft one reaches."""
+BEHIND = 0.02
+"""Ground at less of the camera's distance than this is beside or behind it."""
 
 
 def slices(profile: tuple[tuple[float, float], ...]) -> Floats:
@@ -58,12 +58,19 @@ class SoftShadow:
         height, radius, _ = self._slices.T
         centres = tip + height[:, None] * axis
         falls = centres[:, :2] - centres[:, 2:] / self._light[2] * self._light[:2]
-        wide = radius[:, None] / self._light[2]
-        low = np.minimum(falls - wide, centres[:, :2] - radius[:, None]).min(axis=0) - AROUND
-        high = np.maximum(falls + wide, centres[:, :2] + radius[:, None]).max(axis=0) + AROUND
+        _, sharp, soft, _, reach = self._numbers
+        wide = radius + sharp + soft * (np.abs(centres[:, 2]) + radius) / self._light[2]
+        near = centres[:, 2] < radius + 3 * reach
+        middles = np.concatenate([falls, centres[near, :2]])
+        far = np.concatenate([wide / self._light[2], radius[near] + 3 * reach])[:, None]
+        low, high = (middles - far).min(axis=0), (middles + far).max(axis=0)
         columns, rows = np.ceil((high - low) / STEP).astype(int) + 1
         grid = np.empty((rows, columns), np.float32)
         shade(grid, low, STEP, self._slices, tip, axis, self._light, self._numbers)
         corners = np.array([(x, y, 0.0) for x in (low[0], high[0]) for y in (low[1], high[1])])
-        box = canvas.touch(self._view.project(corners), 0)
+        if (corners @ self._view.matrix[3, :3] + self._view.matrix[3, 3]).min() > BEHIND:
+            seen = self._view.project(corners)
+        else:
+            seen = np.array([[0.0, 0.0], [canvas.width, canvas.height]])
+        box = canvas.touch(seen, 0)
         lay(canvas.pixels, box, self._background, self._to_ground, grid, low, STEP)

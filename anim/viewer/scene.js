@@ -49,7 +49,7 @@ attribute vec3 position; uniform mat4 matrix; uniform vec2 shift; varying vec3 a
 void main() { at = position + vec3(shift, 0.); gl_Position = matrix * vec4(at, 1.); }`;
 // The top as slices along its axis, discs or, where it is thin, balls: how much of each a ray to the light meets, softer
 // the farther away it is; and darker near the top, as anim/picture/ground has it. Dark paper is lit by a pool of light.
-const SLICES = 44;
+const SLICES = 44; // fewer than the 64 uniforms that any phone has
 const groundFragment = () => `${DITHER}
 varying vec3 at; uniform vec3 light, axis, place; uniform vec3 slices[${SLICES}]; uniform vec2 focus; uniform float above;
 void main() {
@@ -60,7 +60,7 @@ void main() {
     vec3 v = place + axis * slices[k].x - at;
     float high = dot(v, axis), s = slices[k].z > 0. ? dot(v, light) : high / along;
     float out_ = max(sqrt(max(0., dot(v, v) - high * high)) - radius, 0.);
-    nearest = min(nearest, high * high + out_ * out_);
+    nearest = min(nearest, pow(max(abs(high) - .035, 0.), 2.) + out_ * out_);
     float wide = ${number("shadow", "sharp")} + ${number("shadow", "soft")} * abs(s), d = length(s * light - v);
     if (s > 0.) shade = max(shade, smoothstep(radius + wide, radius - wide, d) * min(1., radius / wide));
   }

@@ -309,6 +309,13 @@ def test_the_default_film_tells_how_a_top_falls(capsys, tmp_path: Path) -> None:
     assert (status, "--friction belongs to --model free" in err) == (2, True)
 
 
+def test_dark_paper(capsys, tmp_path: Path) -> None:
+    words = ("--frame", "3", "--size", "64x48", "--dark")
+    assert picture(capsys, tmp_path / "x.png", *words)[1][0, 0].tolist() == [0x17, 0x18, 0x1B]
+    white = picture(capsys, tmp_path / "x.png", *words, "--background", "white")[1]
+    assert white[0, 0].tolist() == [255] * 3
+
+
 def test_captions_on_request(capsys, tmp_path: Path) -> None:
     path = tmp_path / "x.png"
     words = ("--frame", "3", "--model", "product", "--size", "320x240")
