@@ -369,9 +369,7 @@ class Polynomial:
             return NoFactors(
                 f"{search.rest} has no root in {A}, and f is its product with linear factors{each}"
             )
-        raise UndecidedError(
-            "roots were tried of which there are infinitely many, and other ones may do"
-        )
+        raise UndecidedError("of some roots one in a family or sphere was tried, and others may do")
 
 
 class _Factoring:
