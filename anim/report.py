@@ -59,6 +59,7 @@ PLAYER = {  # what the page says, and where: tags and quotes tell a word from th
             "pokaże inna przeglądarka albo włączenie przyspieszenia sprzętowego w ustawieniach."
         ),
         "The graphics were taken away for a moment.": "Grafika jest chwilowo niedostępna.",
+        '<section id="curves" aria-label="over time"': '<section id="curves" aria-label="w czasie"',
         '"label":"quaternions"': '"label":"kwaterniony"',
     },
 }

@@ -41,7 +41,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
             *(
                 f"hfield/certificates/{name}.py"
                 for name in (
-                    *("check", "clauses", "evaluate", "finding", "ideal_membership"),
+                    *("check", "clauses", "evaluate", "finding"),
                     *("json_text", "kinds", "over_field", "statement", "values"),
                 )
             ),

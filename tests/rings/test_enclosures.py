@@ -13,7 +13,7 @@ from sympy import I, Pow, Rational, cos, exp, pi, sin, sqrt, tan
 from hfield.errors import HFieldError, NotInvertibleError
 from hfield.rings import ring
 from hfield.rings.balls import fingerprint, precision
-from hfield.rings.closed_fields.closed_forms import evaluate, is_known
+from hfield.rings.closed_fields.evaluate import evaluate, is_known
 from hfield.rings.closed_fields.heights import bounds
 from hfield.rings.closed_fields.radicals import surd_of, sympy_of
 from hfield.rings.closed_fields.surds import (

@@ -1,7 +1,4 @@
-"""Closed forms: numbers that sympy holds as expressions, with a test for 0 that does not guess.
-
-sympy numbers in flint's complex balls, to any precision and with rigorous error bounds.
-"""
+"""Closed forms: numbers that sympy holds as expressions, with a test for 0 that does not guess."""
 
 from __future__ import annotations
 
@@ -12,7 +9,6 @@ from math import ceil, log
 from typing import TYPE_CHECKING
 
 import flint
-import sympy
 
 from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
 from hfield.rings.balls import MAX_BITS, fingerprint, precision
@@ -127,6 +123,7 @@ class Closed:
 
     def ball(self, bits: int) -> flint.acb:
         """Return a complex ball of flint around the number, computed with that many bits."""
+        from hfield.rings.closed_fields.evaluate import evaluate
 
         expr = self.expr
         with precision(bits):
@@ -242,6 +239,8 @@ def number(expr: sympy.Expr) -> Surd | Closed:
     if surd is not None:
         return surd
 
+    from hfield.rings.closed_fields.evaluate import is_known
+
     if not is_known(expr):
         known = ", ".join(FUNCTIONS)
         raise CoercionError(f"{shorten(expr)} has a part that is not known here; expected {known}")
@@ -264,6 +263,8 @@ def from_sympy(x: object) -> Surd | Closed | None:
     Raises :class:`UndecidedError` for a transcendental number that cannot.
     """
     import sympy
+
+    from hfield.rings.closed_fields.evaluate import is_known
 
     if not isinstance(x, sympy.Expr) or not is_known(x):
         return None
@@ -310,55 +311,3 @@ def _simplifies_to_zero(expr: sympy.Expr, imaginary: bool) -> bool:
     if imaginary:
         expr = sympy.im(expr)
     return bool(expr.count_ops() <= SIMPLIFIED and sympy.simplify(expr) == 0)
-
-
-_FUNCTIONS = {getattr(sympy, name): name for name in FUNCTIONS}
-
-
-def is_known(expr: sympy.Expr) -> bool:
-    """Tell whether :func:`evaluate` can enclose the expression: no symbols, floats, other functions."""
-    if expr.is_Rational or expr is sympy.I or expr is sympy.pi or expr is sympy.E:
-        return True
-    if expr.is_Add or expr.is_Mul or expr.is_Pow or expr.func in _FUNCTIONS:
-        return all(is_known(arg) for arg in expr.args)
-    return False
-
-
-def evaluate(expr: sympy.Expr, known: dict[sympy.Expr, flint.acb] | None = None) -> flint.acb:
-    """Return a ball around a number of known parts, at flint's current precision; each is enclosed once."""
-    known = {} if known is None else known
-    if expr not in known:
-        known[expr] = _evaluated(expr, known)
-    return known[expr]
-
-
-def _evaluated(expr: sympy.Expr, known: dict[sympy.Expr, flint.acb]) -> flint.acb:
-    if expr.is_Rational:
-        return flint.acb(flint.arb(flint.fmpq(int(expr.p), int(expr.q))))
-    if expr is sympy.I:
-        return flint.acb(0, 1)
-    if expr is sympy.pi:
-        return flint.acb(flint.arb.pi())
-    if expr is sympy.E:
-        return flint.acb(flint.arb.const_e())
-    if expr.is_Add or expr.is_Mul:
-        out = flint.acb(0 if expr.is_Add else 1)
-        for arg in expr.args:
-            part = evaluate(arg, known)
-            out = out + part if expr.is_Add else out * part
-        return out
-    if expr.is_Pow and not isinstance(expr, sympy.exp):
-        return _power(expr, known)
-    return getattr(evaluate(expr.args[0], known), _FUNCTIONS[expr.func])()
-
-
-def _power(expr: sympy.Expr, known: dict[sympy.Expr, flint.acb]) -> flint.acb:
-    """Enclose baseᵉˣᵖ, the principal value."""
-    base = evaluate(expr.base, known)
-    if expr.exp.is_Integer:
-        return base ** int(expr.exp)
-    if expr.base.is_real and not base.imag.is_zero():
-        base = flint.acb(base.real)  # or the branch cut would run through the ball
-    if expr.exp.is_Rational and base.imag.is_zero() and base.real > 0:
-        return flint.acb(base.real.root(int(expr.exp.q)) ** int(expr.exp.p))
-    return (evaluate(expr.exp, known) * base.log()).exp()

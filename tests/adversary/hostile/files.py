@@ -5,6 +5,7 @@ to the sizes at which it is tried: one for tests, and one at which it is as dear
 """
 
 from tests.adversary.hostile import (
+    arithmetic,
     elements,
     evidence,
     identities,
@@ -21,4 +22,5 @@ HOSTILE: dict[str, Hostile] = {
     **rings.FILES,
     **evidence.FILES,
     **words.FILES,
+    **arithmetic.FILES,
 }

@@ -1,0 +1,38 @@
+"""Dear certificates about fields, groups of units and class sets: of large discriminant or level."""
+
+import json
+
+from hfield import QuaternionAlgebra, ring
+from tests.adversary.hostile.writing import Hostile
+
+
+def class_group(d: int) -> str:
+    return json.dumps(ring(f"QQ(sqrt(-{d}))").class_group().certificate)
+
+
+def unit_group(d: int) -> str:
+    return json.dumps(ring(f"QQ(sqrt({d}))").unit_group().certificate)
+
+
+def norm_one_group(level: int) -> str:
+    order = QuaternionAlgebra("QQ", 1, 1).eichler_order(level)
+    return json.dumps(order.norm_one_group().certificate)
+
+
+def dirichlet_domain(level: int) -> str:
+    order = QuaternionAlgebra("QQ", 1, 1).eichler_order(level)
+    return json.dumps(order.norm_one_group().domain().certificate)
+
+
+def ideal_classes(p: int) -> str:
+    A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    return json.dumps(A.eichler_order(A.ring.primes_above(p)[0]).class_set().certificate)
+
+
+FILES: dict[str, Hostile] = {
+    "class-group: a large discriminant": (class_group, 5, 40_031),
+    "unit-group: a large discriminant": (unit_group, 2, 9_973),
+    "norm-one-group: a large level": (norm_one_group, 2, 100),
+    "dirichlet-domain: a large level": (dirichlet_domain, 2, 100),
+    "ideal-classes: a large level": (ideal_classes, 11, 401),
+}
