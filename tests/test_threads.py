@@ -1,4 +1,4 @@
-"""What threads call at once for the first time: 40 fresh processes of `scripts/stress_threads.py`."""
+"""What threads call at once for the first time: 16 fresh processes of `scripts/stress_threads.py`."""
 
 import importlib.util
 import os
@@ -58,7 +58,7 @@ def test_every_operation_on_arrays_is_called(stress: ModuleType) -> None:
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
 def test_threads_that_call_for_the_first_time_get_what_one_gets() -> None:
     done = subprocess.run(
-        [sys.executable, SCRIPT, "--processes", "40"], capture_output=True, text=True, check=False
+        [sys.executable, SCRIPT, "--processes", "16"], capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    assert done.stdout.startswith("40 processes (10 cold, 10 warm, 10 fork, 10 spawn) of 8 threads")
+    assert done.stdout.startswith("16 processes (4 cold, 4 warm, 4 fork, 4 spawn) of 8 threads")
