@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from itertools import islice, product
 from typing import Any
 
-from hfield.rings.roots import common_divisor, divided
+from hfield.rings.roots import common_divisor, divided, multiplied, stripped
 
 Row = list[list[Any]]
 Matrix = tuple[tuple[Any, Any], tuple[Any, Any]]
@@ -25,11 +25,11 @@ def other_root(F: Any, f: Sequence[Matrix], spheres: Sequence[tuple[Any, Any]]) 
     whole: list[Any] = []
     for entry in (*rows[0], *rows[1]):
         whole = common_divisor(F, whole, entry)
-    primitive = [_trimmed(F, divided(F, entry, content)[0]) for entry in row]
+    primitive = [stripped(F, divided(F, entry, content)[0]) for entry in row]
     if all(len(entry) < 2 for entry in primitive):
         v = [(*entry, F.zero)[0] for entry in primitive]
         return _with_a_left_eigenvector(F, whole, v, spheres)
-    w = [_times(F, entry, whole) for entry in primitive]
+    w = [multiplied(F, entry, whole) for entry in primitive]
     known = {(F.key(t), F.key(n)) for t, n in spheres}
     for t, n in _traces_and_norms(F, 2 * max(map(len, w))):
         a, b = zip(*(_reduced(F, entry, t, n) for entry in w), strict=True)
@@ -96,17 +96,3 @@ def _elements(F: Any, count: int) -> Iterator[Any]:
 def _reduced(F: Any, f: list[Any], t: Any, n: Any) -> tuple[Any, Any]:
     rest = [*divided(F, f, [n, -t, F.one])[1], F.zero, F.zero]
     return rest[0], rest[1]
-
-
-def _times(F: Any, f: list[Any], g: list[Any]) -> list[Any]:
-    out = [F.zero] * max(len(f) + len(g) - 1, 0)
-    for m, x in enumerate(f):
-        for n, y in enumerate(g):
-            out[m + n] = out[m + n] + x * y
-    return out
-
-
-def _trimmed(F: Any, f: list[Any]) -> list[Any]:
-    while f and F.is_zero(f[-1]):
-        f.pop()
-    return f

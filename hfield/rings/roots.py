@@ -152,9 +152,7 @@ def by_square_roots(ring: Any, coefficients: Sequence[Any]) -> list[list[Any]]:
 
 def monic(ring: Ring, coefficients: Sequence[Any]) -> list[Any]:
     """Return the coefficients of a polynomial that is not 0, divided by the last that is not 0."""
-    c = list(coefficients)
-    while ring.is_zero(c[-1]):
-        c.pop()
+    c = stripped(ring, coefficients)
     back = ring.inverse(c[-1])
     return [x * back for x in c[:-1]] + [ring.one]
 
@@ -185,17 +183,29 @@ def divided(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> tuple[list[Any], 
         for k, x in enumerate(g, len(rest) - len(g)):
             rest[k] = rest[k] - quotient[-1] * x
         rest.pop()
-    while rest and ring.is_zero(rest[-1]):
-        rest.pop()
-    return quotient[::-1], rest
+    return quotient[::-1], stripped(ring, rest)
+
+
+def multiplied(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
+    """Return the product of two polynomials."""
+    out = [ring.zero] * max(len(f) + len(g) - 1, 0)
+    for m, x in enumerate(f):
+        for n, y in enumerate(g, m):
+            out[n] = out[n] + x * y
+    return out
+
+
+def stripped(ring: Ring, f: Sequence[Any]) -> list[Any]:
+    """Return the coefficients without zeros at the end."""
+    out = list(f)
+    while out and ring.is_zero(out[-1]):
+        out.pop()
+    return out
 
 
 def common_divisor(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
     """Return the monic greatest common divisor, [] of two polynomials that are 0."""
-    one, two = ([*f], [*g])
-    for h in (one, two):
-        while h and ring.is_zero(h[-1]):
-            h.pop()
+    one, two = stripped(ring, f), stripped(ring, g)
     while two:
         one, two = two, divided(ring, one, two)[1]
     return monic(ring, one) if one else []

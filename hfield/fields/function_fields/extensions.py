@@ -23,6 +23,7 @@ from hfield.rings.finite import ExtensionField, FiniteField, PrimeField
 from hfield.rings.operators import Element, Overfield
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, from_unicode, sum_text
+from hfield.rings.roots import divided, multiplied, stripped
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.quotients import Quotient
@@ -53,7 +54,7 @@ class ExtensionElement(Element):
 
     def times(self, other: ExtensionElement) -> ExtensionElement:
         """Return the product."""
-        product = _product(self.coefficients, other.coefficients, self.field.base.zero)
+        product = multiplied(self.field.base, self.coefficients, other.coefficients)
         return self.field.reduced(product)
 
     def same(self, other: ExtensionElement) -> bool:
@@ -155,9 +156,9 @@ class SimpleExtension(Overfield[ExtensionElement]):
         f, g = list(self.modulus_coefficients), stripped(base, x.coefficients)
         u, v = [base.zero], [base.one]  # g = v·x modulo f throughout
         while len(g) > 1:
-            quotient, rest = _divmod(base, f, g)
+            quotient, rest = divided(base, f, g)
             f, g = g, rest
-            product = _product(quotient, v, base.zero)
+            product = multiplied(base, quotient, v)
             size = max(len(u), len(product))
             padded = ([*p, *[base.zero] * (size - len(p))] for p in (u, product))
             u, v = v, [r - s for r, s in zip(*padded, strict=True)]
@@ -198,36 +199,6 @@ class SimpleExtension(Overfield[ExtensionElement]):
             if not self.base.is_zero(c)
         )
         return sum_text(reversed(list(terms)), style)
-
-
-def _product(f: Sequence[Quotient], g: Sequence[Quotient], zero: Quotient) -> list[Quotient]:
-    out = [zero] * (len(f) + len(g) - 1)
-    for m, x in enumerate(f):
-        for n, y in enumerate(g, m):
-            out[n] = out[n] + x * y
-    return out
-
-
-def stripped(base: Ring, f: Sequence[Quotient]) -> list[Quotient]:
-    """Return the coefficients, low degree first, without zeros at the end."""
-    out = list(f)
-    while out and base.is_zero(out[-1]):
-        out.pop()
-    return out
-
-
-def _divmod(
-    base: Ring, f: list[Quotient], g: list[Quotient]
-) -> tuple[list[Quotient], list[Quotient]]:
-    """Return quotient and rest of polynomials without leading zeros, low degree first."""
-    rest, scale = list(f), base.inverse(g[-1])
-    quotient = [base.zero] * max(len(f) - len(g) + 1, 1)
-    for shift in range(len(f) - len(g), -1, -1):
-        c = rest[shift + len(g) - 1] * scale
-        quotient[shift] = c
-        for m, y in enumerate(g):
-            rest[shift + m] = rest[shift + m] - c * y
-    return quotient, stripped(base, rest)
 
 
 def rational_functions(base: Ring, names: tuple[str, ...]) -> Ring:

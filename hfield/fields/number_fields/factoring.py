@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.sums import times
-from hfield.rings.roots import common_divisor, divided, monic
+from hfield.rings.roots import common_divisor, divided, monic, multiplied
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
@@ -46,7 +45,7 @@ def _substituted(field: NumberField, f: Coefficients, shift: FieldElement) -> Co
     """Return f(x + shift)."""
     line, out = [shift, field.one], [field.zero]
     for c in reversed(f):
-        out = times(out, line)
+        out = multiplied(field, out, line)
         out[0] = out[0] + c
     return out
 

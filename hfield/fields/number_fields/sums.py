@@ -10,7 +10,7 @@ import flint
 
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.rings.balls import precision
-from hfield.rings.roots import common_divisor
+from hfield.rings.roots import common_divisor, multiplied
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
@@ -100,25 +100,10 @@ def common_root(
     first = [field(c) for c in f.coeffs()]
     second = [field(0)]
     for c in reversed(g.coeffs()):
-        second = times(second, line)
+        second = multiplied(field, second, line)
         second[0] = second[0] + c
     root: FieldElement = -common_divisor(field, first, second)[0]
     return root
-
-
-def times(f: list[FieldElement], g: list[FieldElement]) -> list[FieldElement]:
-    """Return the product of two polynomials, [0] for 0."""
-    out = [f[0] - f[0]] * (len(f) + len(g) - 1)
-    for i, x in enumerate(f):
-        for j, y in enumerate(g):
-            out[i + j] = out[i + j] + x * y
-    return _trimmed(out)
-
-
-def _trimmed(f: list[FieldElement]) -> list[FieldElement]:
-    while len(f) > 1 and not f[-1]:
-        f.pop()
-    return f
 
 
 def evaluate(field: NumberField, poly: flint.fmpq_poly, x: FieldElement) -> FieldElement:
