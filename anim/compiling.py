@@ -4,6 +4,7 @@ The loops of `anim` branch on what they compute, point by point, which a tracer 
 """
 
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 from numba import njit
@@ -27,15 +28,23 @@ def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return ``function`` compiled at its first call for each set of argument types.
 
     The machine code is kept where `hfield.compiling.disk_cache` keeps its own, if that folder is this user's
-    alone: numba reads pickles, whoever wrote them. Else it is compiled anew in each process.
+    alone: numba reads pickles, whoever wrote them. Else, and on a full disk, each process compiles it anew.
     """
     place = keeping.private_directory()
     with lock:
         given, config.CACHE_DIR = config.CACHE_DIR, str(place)
         try:
-            return njit(cache=place is not None, **OPTIONS)(function)  # type: ignore[no-any-return]
+            compiled: Any = njit(cache=place is not None, **OPTIONS)(function)
         finally:
             config.CACHE_DIR = given
+    keep = compiled._cache.save_overload
+
+    def save(signature: Any, code: Any) -> None:
+        with suppress(OSError):
+            keep(signature, code)
+
+    compiled._cache.save_overload = save
+    return compiled  # type: ignore[no-any-return]
 
 
 def called(function: Callable[..., Any]) -> Callable[..., Any]:

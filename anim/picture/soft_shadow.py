@@ -24,7 +24,7 @@ def slices(profile: tuple[tuple[float, float], ...]) -> Floats:
     """Return an outline as slices (k, 3): height, radius, and 1 for a ball where it is thin, 0 for a disc.
 
     >>> slices(((0.0, 0.0), (1.0, 1.0)))[-1].round(3).tolist()
-    [0.964, 0.964, 0.0]
+    [0.976, 0.976, 0.0]
     """
     found = []
     for (r0, z0), (r1, z1) in pairwise(profile):

@@ -19,7 +19,7 @@ def no_zero(F: Any, form: Sequence[Any]) -> str | None:
     >>> from hfield import ring
     >>> F = ring("QQ(x,y)")
     >>> no_zero(F, [F(1), F(1), F("x"), F("y")])
-    'at x its residue forms are <1, 1, y> and <1>; over QQ(y), at y they are <1, 1> and <1>'
+    'at x its residue forms are <1, 1, y> and <1>; over QQ(y), at inf its residue forms are <1, 1> and <1>'
     """
     if F.characteristic == 2:
         return None
