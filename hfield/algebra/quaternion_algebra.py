@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Order
     from hfield.lattices.over_integers.lattices import IntegersOrder
+    from hfield.lattices.ternary_forms import TernaryForm
     from hfield.modules.equations import LinearSolutions
     from hfield.modules.matrix import Matrix
     from hfield.modules.polynomials import Polynomials
@@ -842,3 +843,19 @@ def H(ring: Ring | str) -> QuaternionAlgebra:
     0
     """
     return QuaternionAlgebra(ring, -1, -1)
+
+
+def ternary_form(coefficients: Iterable[object], ring: Ring | str = "QQ") -> TernaryForm:
+    """Return the form ``a·x² + b·y² + c·z² + r·yz + s·xz + t·xy`` with the coefficients [a, b, c, r, s, t].
+
+    They are integers, or those of a number field; ``order()`` of a form is its even Clifford algebra, and
+    ``O.ternary_form()`` leads back. Raises :class:`LatticeError` for what is no such form, or degenerate.
+
+    >>> f = ternary_form([1, 1, 3, 1, 0, 1])
+    >>> f, f.discriminant(), f.order().is_maximal(), f.automorphism_count()
+    (x²+y²+3·z²+y·z+x·y, 8, False, 12)
+    """
+    from hfield.lattices.ternary_forms import TernaryForm
+
+    F = ring if isinstance(ring, Ring) else read_ring(ring)
+    return TernaryForm(F, coefficients, QuaternionAlgebra)
