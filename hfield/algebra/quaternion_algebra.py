@@ -30,7 +30,7 @@ from hfield.structure.global_field import field_named_by, global_field, known_fi
 from hfield.syntax.other_systems import written
 
 if TYPE_CHECKING:
-    from hfield.algebra.brauer import Embedding, TensorProduct
+    from hfield.algebra.brauer import Corestriction, Embedding, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Order
@@ -563,6 +563,20 @@ class QuaternionAlgebra(Hinted):
         from hfield.algebra.brauer import TensorProduct
 
         return TensorProduct(self, other)
+
+    def corestriction(self, base: Ring | str = "QQ") -> Corestriction:
+        """Return the corestriction from a number field to a subfield: ``.algebra``, ``.brauer_class``, ``.above``.
+
+        It ramifies at the places of the base below an odd number of ramified ones. Raises :class:`RingError`
+        for fields of another kind, :class:`CoercionError` for a base that is no subfield.
+
+        >>> found = QuaternionAlgebra("QQ(sqrt(3))", -1, "1 + sqrt(3)").corestriction()
+        >>> found.algebra, found.above
+        ((-1,-2|QQ), {2: (2,), 'inf': (inf-,)})
+        """
+        from hfield.algebra.brauer import corestriction
+
+        return corestriction(self, base if isinstance(base, Ring) else read_ring(base))
 
     def embed(self, d: object) -> Embedding:
         """Return an embedding of F(√d): true with ``.element``, whose square is d, or false with ``.place``.
