@@ -231,7 +231,7 @@ def corestriction(A: Parent, base: Any) -> Corestriction:
     """
     F: Any = A.ring
     for K in (F, base):
-        if not isinstance(K, WithIntegers) or K.characteristic:
+        if K.characteristic or not isinstance(K, WithIntegers):
             raise RingError(
                 f"corestrictions are from number fields to their subfields, not from {F.name} to {base.name}"
             )
@@ -254,7 +254,10 @@ def _below(w: Any, base: Any, image: Callable[[Any], Any]) -> Hashable:
     if base.degree == 1:
         return "inf" if not finite else w if isinstance(w, int) else w.p
     if finite:
-        return next(v for v in base.primes_above(w.p) if all(image(x) in w for x in v.generators))
+        below: Iterator[Hashable] = (
+            v for v in base.primes_above(w.p) if all(image(x) in w for x in v.generators)
+        )
+        return next(below)
     places = base.real_places()
     signs: list[list[int]] = [[] for _ in places]
     own: list[int] = []
