@@ -25,6 +25,7 @@ from hfield.modules.singular_polynomials import other_root
 from hfield.rings.roots import common_divisor
 from hfield.structure import is_central_simple, is_division, split
 from hfield.structure.linear_algebra.echelon import null_space, solution
+from hfield.structure.single_elements.trace_and_norm import element_of
 from hfield.syntax import Reader, plain_element
 
 MOST_DEGREE = 1000
@@ -430,18 +431,8 @@ def _some(A: Parent, found: Roots) -> Iterator[Quaternion]:
 
 def _point(A: Parent, t: Any, n: Any) -> Quaternion | None:
     """Return an element of trace t and norm n that is no scalar, or None. Raises :class:`UndecidedError`."""
-    F = A.ring
-    matrices = split(F, A.constants)
-    if matrices is not None:
-        return A(*matrices.from_matrix(((F.zero, -n), (F.one, t))))
-    if F.characteristic == 2:
-        raise UndecidedError(
-            f"whether {A} has elements of a given trace and norm is not decided: 2 = 0 in {F.name}"
-        )
-    half = t / F(2)
-    roots = A.scalar(half * half - n).square_roots()
-    root = next((x for x in roots if x.vector_part), None)
-    return None if root is None else root + A.scalar(half)
+    q = element_of(A.ring, A.constants, t, n)
+    return None if q is None else A(*q)
 
 
 def _on_line(
