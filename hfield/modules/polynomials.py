@@ -44,8 +44,8 @@ class Polynomials:
             return self.parse(coefficients)
         if not isinstance(coefficients, Iterable):
             raise CoercionError(
-                f"a polynomial takes a list of coefficients, low degree first, or a text such as 'x^2 + i', not "
-                f"{shorten(coefficients)}"
+                "a polynomial takes a list of coefficients, low degree first, or a text such as 'x^2 + i', "
+                f"not {shorten(coefficients)}"
             )
         found = [self.algebra(c) for c in coefficients]
         while found and not found[-1]:
