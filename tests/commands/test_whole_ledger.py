@@ -98,7 +98,7 @@ def test_the_report_fits_100_columns(tmp_path):
     assert all("theorem-1" not in line or "✗" in line for line in headline[:20])
 
 
-@pytest.mark.parametrize("field", ["GF(4)(t)", "GF(9, x^2+1)", "QQ(sqrt(-3))", "ZZ/6"])
+@pytest.mark.parametrize("field", ["GF(4)(t)", "ZZ/6"])
 def test_rings_outside_the_panel_end_well(field):
     done = shell("verify", "--field", field, "--format", "json")
     assert done.returncode in (0, 1), done.stderr
