@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from hfield.cli import main
 from tests.commands.running import run
 
 
