@@ -222,7 +222,7 @@ def given_factors(args: Namespace) -> AbstractContextManager[None]:
 
 
 def add_algebra(parser: ArgumentParser, first: bool = False) -> None:
-    """Declare ``--field`` and ``--algebra``, and the same as a ``first`` argument; one of them may be given."""
+    """Declare ``--field`` and ``--algebra``, and the same as a ``first`` argument; one may be given."""
     group = parser.add_mutually_exclusive_group()
     if first:
         group.add_argument(
