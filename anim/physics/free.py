@@ -162,7 +162,7 @@ class FreeTop:
 
         body, launch, contact = self.body, self.launch, self.contact
         pace, sink = sqrt(self.pull * body.height), SINK * body.height
-        return Ground(
+        constants = (
             self.central / body.mass,
             body.axial / body.mass,
             launch.gravity,
@@ -174,6 +174,8 @@ class FreeTop:
             CREEP * pace,
             contact.rolling,
         )
+        # A whole number among them would be another signature: numba would load its code at each call.
+        return Ground(*map(float, constants))
 
     @property
     def start(self) -> Floats:

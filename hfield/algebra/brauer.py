@@ -1,18 +1,18 @@
-"""Tensor products in the Brauer group, quadratic fields inside an algebra, and corestrictions."""
+"""Tensor products in the Brauer group, and corestrictions."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import count, product
 from typing import Any
 
 from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError, shorten
+from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError
 from hfield.product import Constants
-from hfield.rings.base import Ring, WithIntegers
+from hfield.rings.base import WithIntegers
 from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
 from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms.residue_forms import no_zero
@@ -70,7 +70,7 @@ class TensorProduct:
             return 2, GLOBAL
         if self._searched is not None:
             return 2, ALBERT
-        reason = no_zero(F, [*_pure_form(F, one), *(-c for c in _pure_form(F, other))])
+        reason = no_zero(F, [*pure_form(F, one), *(-c for c in pure_form(F, other))])
         if reason is not None:
             return 4, f"Albert's form has no zero but 0: {reason}"
         raise UndecidedError(
@@ -93,7 +93,7 @@ class TensorProduct:
         F = self.first.ring
         field = global_field(F)
         always = field is not None and field.splits_if_unramified  # a slot then exists, and is met
-        for x in _pure(self.first, MOST if always else BOUND):
+        for x in pure_elements(self.first, MOST if always else BOUND):
             a = -x.norm()
             if F.is_zero(a):
                 continue
@@ -117,13 +117,13 @@ class TensorProduct:
         return self._searched
 
 
-def _pure_form(F: Any, c: Constants) -> list[Any]:
+def pure_form(F: Any, c: Constants) -> list[Any]:
     """Return the squares of three pure elements that are orthogonal, in a characteristic that is not 2."""
     a = c.a if F.is_zero(c.t) else c.t * c.t + c.a * F(4)
     return [a, c.b, -a * c.b]
 
 
-def _pure(A: Parent, bound: int) -> Iterator[Quaternion]:
+def pure_elements(A: Parent, bound: int) -> Iterator[Quaternion]:
     """Run through small elements of trace 0, not 0, one of ±x."""
     e, i, j, k = A.basis
     t = A.constants.t  # the trace of i, and of k it is 0
@@ -143,61 +143,6 @@ def _square_root(A: Parent, d: Any) -> Quaternion | None:
     except UndecidedError:
         return None
     return next((x for x in roots if x.vector_part), None)
-
-
-@dataclass(frozen=True)
-class Embedding:
-    """An element with the square ``d``, or the root of a field's polynomial, of discriminant 4d; or none.
-
-    ``place`` is then one at which there is none locally, where the field has places.
-    """
-
-    d: Any
-    element: Quaternion | None
-    place: Hashable | None = None
-    reason: str = ""
-
-    def __bool__(self) -> bool:
-        return self.element is not None
-
-
-def embed(A: Parent, d: object) -> Embedding:
-    """Return an embedding of F(√d), or of a quadratic field over ℚ, into a central simple algebra over F.
-
-    F(√d) embeds exactly where no ramified place of A splits in it: d is a square in no completion at one
-    (Voight, *Quaternion Algebras*, 14.6.7). Raises :class:`RingError` for a square d and in characteristic 2,
-    :class:`UndecidedError`.
-    """
-    F: Any = A.ring
-    if isinstance(d, Ring):
-        field: Any = d
-        if getattr(field, "degree", None) != 2 or getattr(F, "degree", None) != 1:
-            raise RingError(
-                f"expected a quadratic field over {F.name}, or d for F(√d); found {field.name}"
-            )
-        trace, norm = (F(x) for x in (field.trace(field.gen), field.norm(field.gen)))
-        found = embed(A, trace * trace / 4 - norm)
-        if found.element is None:
-            return found
-        return replace(found, element=found.element + A.scalar(trace / 2))
-    if F.characteristic == 2:
-        raise RingError(f"F(√d) is no separable extension of {F.name}: 2 = 0 there")
-    if not is_central_simple(F, A.constants):
-        raise CoercionError(f"{A} is not central simple")
-    x = F(d)
-    if F.is_zero(x) or F.is_square(x):
-        raise RingError(f"{shorten(F.text(x))} is a square in {F.name}, and adjoins nothing")
-    root = next((q for q in A.scalar(x).square_roots() if q.vector_part), None)
-    if root is not None:
-        return Embedding(x, root)
-    for place in ramified_places(F, A.constants) if global_field(F) is not None else ():
-        completion: Any = F.completion(place)
-        if completion.is_square(completion(x)):
-            why = (
-                f"{F.text(x)} is a square in the completion at {place}, where the algebra ramifies"
-            )
-            return Embedding(x, None, place, why)
-    return Embedding(x, None, None, f"no element of {A} has the square {F.text(x)}")
 
 
 @dataclass(frozen=True)

@@ -30,8 +30,9 @@ from hfield.structure.global_field import field_named_by, global_field, known_fi
 from hfield.syntax.other_systems import written
 
 if TYPE_CHECKING:
-    from hfield.algebra.brauer import Corestriction, Embedding, TensorProduct
+    from hfield.algebra.brauer import Corestriction, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
+    from hfield.algebra.quadratic_fields import Embedding
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Order
     from hfield.lattices.over_integers.lattices import IntegersOrder
@@ -578,20 +579,23 @@ class QuaternionAlgebra(Hinted):
 
         return corestriction(self, base if isinstance(base, Ring) else read_ring(base))
 
-    def embed(self, d: object) -> Embedding:
-        """Return an embedding of F(√d): true with ``.element``, whose square is d, or false with ``.place``.
+    def embed(self, extension: object) -> Embedding:
+        """Return an embedding of a quadratic extension: true with ``.element``, or false with ``.place``.
 
-        Over ℚ d may be a quadratic field, of whose polynomial ``.element`` is a root. Raises
-        :class:`RingError` for a square d, and in characteristic 2.
+        d stands for F(√d), and ``.element`` is a root of x² − d; else a field or a polynomial is given, as in
+        ``"x^2+x+3"``, which has the root. In characteristic 2 x² − d is inseparable.
+        Raises :class:`RingError` for what is no quadratic extension, and :class:`UndecidedError`.
 
         >>> A = QuaternionAlgebra(-1, -3)
-        >>> found = A.embed(-7)
-        >>> found.element**2, A.embed(7).place, A.embed(read_ring("QQ(zeta3)")).element
+        >>> A.embed(-7).element ** 2, A.embed(7).place, A.embed("QQ(zeta3)").element
         (−7, 3, −1/2 + 1/2j)
+        >>> B = QuaternionAlgebra.from_text("[1,t|GF(2)(t))")
+        >>> x = B.embed("y^2 + y + (t+1)/t").element; x*x + x
+        (t+1)/t
         """
-        from hfield.algebra.brauer import embed
+        from hfield.algebra.quadratic_fields import embed
 
-        return embed(self, d)
+        return embed(self, extension)
 
     # --- matrices and equations: their room is imported on use ---------------------------------
 

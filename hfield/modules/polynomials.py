@@ -25,6 +25,7 @@ from hfield.modules.singular_polynomials import other_root
 from hfield.rings.roots import common_divisor
 from hfield.structure import is_central_simple, is_division, split
 from hfield.structure.linear_algebra.echelon import null_space, solution
+from hfield.structure.single_elements.trace_and_norm import element_of
 from hfield.syntax import Reader, plain_element
 
 MOST_DEGREE = 1000
@@ -37,11 +38,14 @@ class Polynomials:
     algebra: Parent
     variable: str = "x"
 
-    def __call__(self, coefficients: Iterable[object]) -> Polynomial:
-        """Return the polynomial with these coefficients, low degree first."""
-        if isinstance(coefficients, str) or not isinstance(coefficients, Iterable):
+    def __call__(self, coefficients: str | Iterable[object]) -> Polynomial:
+        """Return the polynomial with these coefficients, low degree first, or of this text."""
+        if isinstance(coefficients, str):
+            return self.parse(coefficients)
+        if not isinstance(coefficients, Iterable):
             raise CoercionError(
-                f"a polynomial takes a list of coefficients, not {shorten(coefficients)}"
+                "a polynomial takes a list of coefficients, low degree first, or a text such as 'x^2 + i', "
+                f"not {shorten(coefficients)}"
             )
         found = [self.algebra(c) for c in coefficients]
         while found and not found[-1]:
@@ -427,18 +431,8 @@ def _some(A: Parent, found: Roots) -> Iterator[Quaternion]:
 
 def _point(A: Parent, t: Any, n: Any) -> Quaternion | None:
     """Return an element of trace t and norm n that is no scalar, or None. Raises :class:`UndecidedError`."""
-    F = A.ring
-    matrices = split(F, A.constants)
-    if matrices is not None:
-        return A(*matrices.from_matrix(((F.zero, -n), (F.one, t))))
-    if F.characteristic == 2:
-        raise UndecidedError(
-            f"whether {A} has elements of a given trace and norm is not decided: 2 = 0 in {F.name}"
-        )
-    half = t / F(2)
-    roots = A.scalar(half * half - n).square_roots()
-    root = next((x for x in roots if x.vector_part), None)
-    return None if root is None else root + A.scalar(half)
+    q = element_of(A.ring, A.constants, t, n)
+    return None if q is None else A(*q)
 
 
 def _on_line(
