@@ -13,6 +13,8 @@ import pytest
 from hfield import QuaternionAlgebra, Rejected, check
 from hfield.certificates.language import parse as parse_for_checker
 from hfield.certificates.matrices import without_matrices
+from hfield.certificates.statement import read_setting
+from hfield.certificates.statement import read_statement as read_for_checker
 from hfield.errors import NotationError
 from hfield.ledger.document import read_ledger
 from hfield.modules.matrix import Matrix
@@ -225,7 +227,7 @@ def test_shapes_and_names() -> None:
         with pytest.raises(NotationError, match=why):
             prove(text)
         with pytest.raises(Rejected):
-            check({**prove("q == q").certificate, "statement": text})
+            read_for_checker(text, read_setting("(-1,-1|F)", None))
     # where M is an element of the field it is that; where an entry is, there is no matrix of this name
     assert prove("M*q == q*M", "QQ(M)").verdict == "proved"
     assert prove("M*q == q*M", "QQ").verdict == "refuted"
