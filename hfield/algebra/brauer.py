@@ -1,15 +1,18 @@
-"""Tensor products of two quaternion algebras in the Brauer group."""
+"""Tensor products in the Brauer group, and corestrictions."""
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator
+from dataclasses import dataclass
 from functools import cached_property
-from itertools import product
+from itertools import count, product
 from typing import Any
 
+from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.errors import CoercionError, MixedParentsError, UndecidedError
+from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError
 from hfield.product import Constants
+from hfield.rings.base import WithIntegers
 from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
 from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms.residue_forms import no_zero
@@ -140,3 +143,78 @@ def _square_root(A: Parent, d: Any) -> Quaternion | None:
     except UndecidedError:
         return None
     return next((x for x in roots if x.vector_part), None)
+
+
+@dataclass(frozen=True)
+class Corestriction:
+    """The corestriction of an algebra: ``algebra`` over the base field, which is one of its class.
+
+    ``above`` lists for each place of the base below a ramified one the ramified ones above it: invariants are
+    added up, so that ``brauer_class``, where it ramifies, are those with an odd number.
+    """
+
+    algebra: Any
+    above: dict[Hashable, tuple[Hashable, ...]]
+
+    @property
+    def brauer_class(self) -> tuple[Hashable, ...]:
+        """The places of the base where it ramifies."""
+        return tuple(v for v, places in self.above.items() if len(places) % 2)
+
+    @property
+    def index(self) -> int:
+        """The index: 1 where it splits, else 2, as over a number field the index of a class is its order."""
+        return 2 if self.brauer_class else 1
+
+
+def corestriction(A: Parent, base: Any) -> Corestriction:
+    """Return the corestriction of an algebra over a number field to ℚ or another subfield.
+
+    Invariants of places are added over each place below (J.-P. Serre, *Local Fields*, XI.2.1 and XIII.3.7).
+    Raises :class:`RingError` for fields of another kind, :class:`CoercionError` where the base is no subfield
+    that is known, or the algebra is degenerate.
+    """
+    F: Any = A.ring
+    for K in (F, base):
+        if K.characteristic or not isinstance(K, WithIntegers):
+            raise RingError(
+                f"corestrictions are from number fields to their subfields, not from {F.name} to {base.name}"
+            )
+    if not is_central_simple(F, A.constants):
+        raise CoercionError(f"{A} is not central simple")
+    image = embedding(base, F)
+    above: dict[Hashable, list[Hashable]] = {}
+    for w in ramified_places(F, A.constants):
+        above.setdefault(_below(w, base, image), []).append(w)
+    field: Any = global_field(base)
+    odd = [v for v, places in above.items() if len(places) % 2]
+    found = type(A)(base, *field.with_ramification(odd))  # type: ignore[call-arg]
+    places = {v: tuple(places) for v, places in above.items()}
+    return Corestriction(found, places)
+
+
+def _below(w: Any, base: Any, image: Callable[[Any], Any]) -> Hashable:
+    """Return the place of the base that lies under a finite or real place of an extension."""
+    finite = isinstance(w, int) or getattr(w, "is_finite", False)
+    if base.degree == 1:
+        return "inf" if not finite else w if isinstance(w, int) else w.p
+    if finite:
+        below: Iterator[Hashable] = (
+            v for v in base.primes_above(w.p) if all(image(x) in w for x in v.generators)
+        )
+        return next(below)
+    places = base.real_places()
+    signs: list[list[int]] = [[] for _ in places]
+    own: list[int] = []
+    for n in count(
+        1
+    ):  # signs of multiples of the generator less whole numbers tell real places apart
+        for m in range(-n * n, n * n + 1):
+            x = base.gen * n - m
+            own.append(w.sign(image(x)))
+            for v, known in zip(places, signs, strict=True):
+                known.append(v.sign(x))
+        left = [v for v, known in zip(places, signs, strict=True) if known == own]
+        if len(left) == 1:
+            return left[0]  # type: ignore[no-any-return]
+    raise AssertionError("different real places give the generator different values")

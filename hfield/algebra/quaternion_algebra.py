@@ -30,12 +30,13 @@ from hfield.structure.global_field import field_named_by, global_field, known_fi
 from hfield.syntax.other_systems import written
 
 if TYPE_CHECKING:
-    from hfield.algebra.brauer import TensorProduct
+    from hfield.algebra.brauer import Corestriction, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.algebra.quadratic_fields import Embedding
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Order
     from hfield.lattices.over_integers.lattices import IntegersOrder
+    from hfield.lattices.ternary_forms import TernaryForm
     from hfield.modules.equations import LinearSolutions, SystemSolutions
     from hfield.modules.matrix import Matrix
     from hfield.modules.polynomials import Polynomials
@@ -564,6 +565,20 @@ class QuaternionAlgebra(Hinted):
 
         return TensorProduct(self, other)
 
+    def corestriction(self, base: Ring | str = "QQ") -> Corestriction:
+        """Return the corestriction to a subfield of a number field, with ``.algebra`` and ``.brauer_class``.
+
+        It ramifies at the places of the base below an odd number of ramified ones. Raises :class:`RingError`
+        for fields of another kind, :class:`CoercionError` for a base that is no subfield.
+
+        >>> found = QuaternionAlgebra("QQ(sqrt(3))", -1, "1 + sqrt(3)").corestriction()
+        >>> found.algebra, found.above
+        ((-1,-2|QQ), {2: (2,), 'inf': (inf-,)})
+        """
+        from hfield.algebra.brauer import corestriction
+
+        return corestriction(self, base if isinstance(base, Ring) else read_ring(base))
+
     def embed(self, extension: object) -> Embedding:
         """Return an embedding of a quadratic extension: true with ``.element``, or false with ``.place``.
 
@@ -591,7 +606,7 @@ class QuaternionAlgebra(Hinted):
 
         >>> H("GF(3)").matrix([["1", "i"], ["j", "1"]]).rank()
         2
-        >>> H("QQ").matrix("inv([[1, i], [j, k]])"), H("QQ").matrix("[[1, i], [j, k]] * [[2], [[i, j]]]")
+        >>> H("QQ").matrix("inv([[1, i], [j, k]])"), H("QQ").matrix("[[1, i], [j, k]] * [[2], [comm(i, j)]]")
         ([[1/2, -1/2*j], [-1/2*i, -1/2*k]], [[2 - 2*j], [-2 + 2*j]])
         """
         if isinstance(rows, str):
@@ -870,3 +885,19 @@ def H(ring: Ring | str) -> QuaternionAlgebra:
     0
     """
     return QuaternionAlgebra(ring, -1, -1)
+
+
+def ternary_form(coefficients: Iterable[object], ring: Ring | str = "QQ") -> TernaryForm:
+    """Return the form ``a·x² + b·y² + c·z² + r·yz + s·xz + t·xy`` with the coefficients [a, b, c, r, s, t].
+
+    They are integers, or those of a number field; ``order()`` of a form is its even Clifford algebra, and
+    ``O.ternary_form()`` leads back. Raises :class:`LatticeError` for what is no such form, or degenerate.
+
+    >>> f = ternary_form([1, 1, 3, 1, 0, 1])
+    >>> f, f.discriminant(), f.order().is_maximal(), f.automorphism_count()
+    (x²+y²+3·z²+y·z+x·y, 8, False, 12)
+    """
+    from hfield.lattices.ternary_forms import TernaryForm
+
+    F = ring if isinstance(ring, Ring) else read_ring(ring)
+    return TernaryForm(F, coefficients, QuaternionAlgebra)

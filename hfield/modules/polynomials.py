@@ -41,11 +41,14 @@ class Polynomials:
     algebra: Parent
     variable: str = "x"
 
-    def __call__(self, coefficients: Iterable[object]) -> Polynomial:
-        """Return the polynomial with these coefficients, low degree first."""
-        if isinstance(coefficients, str) or not isinstance(coefficients, Iterable):
+    def __call__(self, coefficients: str | Iterable[object]) -> Polynomial:
+        """Return the polynomial with these coefficients, low degree first, or of this text."""
+        if isinstance(coefficients, str):
+            return self.parse(coefficients)
+        if not isinstance(coefficients, Iterable):
             raise CoercionError(
-                f"a polynomial takes a list of coefficients, not {shorten(coefficients)}"
+                "a polynomial takes a list of coefficients, low degree first, or a text such as 'x^2 + i', "
+                f"not {shorten(coefficients)}"
             )
         found = [self.algebra(c) for c in coefficients]
         while found and not found[-1]:

@@ -10,6 +10,7 @@ from hfield import (
     H,
     MixedParentsError,
     QuaternionAlgebra,
+    RingError,
     ring,
 )
 from hfield.structure.norm_forms.residue_forms import no_zero
@@ -101,3 +102,70 @@ def test_slots_exist_over_the_rationals_however_many_places_ramify():
     A, B = over((2, 3, 5, 7, 11, 13)), over((17, 19, 23, 29, 31, "inf"))
     a, x, y = A.tensor(B).common_slot
     assert (x * x, y * y) == (a, a)
+
+
+NUMBER_FIELDS = (
+    "QQ(sqrt(-7))",
+    "QQ(sqrt(3))",
+    "QQ[s]/(s^3-s-1)",
+    "QQ(sqrt(2),sqrt(3))",
+    "QQ[s]/(s^4-s-1)",
+)
+
+
+def small(K, rng):
+    """A small integer of a number field, not 0."""
+    while True:
+        x = sum((w * rng.randint(-4, 4) for w in K.integral_basis()), K(0))
+        if not K.is_zero(x):
+            return x
+
+
+@pytest.mark.parametrize("name", NUMBER_FIELDS)
+def test_corestriction_and_the_projection_formula(name: str):
+    """The corestriction of (x, b) with b in ℚ is (N(x), b)."""
+    rng, K = Random(4), ring(name)
+    ramified = 0
+    for _ in range(12):
+        x, b = small(K, rng), rng.choice([-1, 2, 3, -5, 7, -11, 15])
+        found = QuaternionAlgebra(K, x, b).corestriction()
+        expected = QuaternionAlgebra("QQ", K.norm(x), b)
+        assert set(found.brauer_class) == set(expected.ramified_places())
+        assert found.algebra.is_isomorphic(expected)
+        assert found.index == (2 if expected.is_division_algebra() else 1)
+        ramified += found.index == 2
+    assert ramified
+
+
+def test_corestriction_in_two_steps():
+    rng = Random(6)
+    K, F = ring("QQ(sqrt(2),sqrt(3))"), ring("QQ(sqrt(2))")
+    for _ in range(12):
+        A = QuaternionAlgebra(K, small(K, rng), small(K, rng))
+        step = A.corestriction(F)
+        assert set(step.algebra.ramified_places()) == set(step.brauer_class)
+        assert step.algebra.corestriction().algebra.is_isomorphic(A.corestriction().algebra)
+        x = small(F, rng)  # from F and back it is doubled
+        B = QuaternionAlgebra(F, x, -3).change_ring(K)
+        assert B.corestriction(F).brauer_class == ()
+    A = QuaternionAlgebra(ring("QQ[s]/(s^3-2)"), -1, -3)
+    assert A.corestriction().algebra.is_isomorphic(QuaternionAlgebra(-1, -3))  # three times is once
+
+
+def test_real_places_are_told_apart():
+    K, F = ring("QQ(sqrt(2),sqrt(3))"), ring("QQ(sqrt(2))")
+    for w in K.real_places():
+        other = next(v for v in K.real_places() if v != w)
+        A = QuaternionAlgebra.from_ramification(K, [w, other])
+        below = {F.gen * v.sign(K("sqrt(2)")) for v in (w, other)}
+        found = A.corestriction(F).brauer_class
+        assert {F.gen * v.sign(F.gen) for v in found} == (below if len(below) == 2 else set())
+
+
+def test_no_corestriction():
+    with pytest.raises(RingError, match="number fields"):
+        H("GF(7)").corestriction()
+    with pytest.raises(CoercionError):
+        H("QQ(sqrt(2))").corestriction("QQ(sqrt(3))")
+    with pytest.raises(CoercionError, match="central simple"):
+        QuaternionAlgebra("QQ(sqrt(2))", 0, 1).corestriction()

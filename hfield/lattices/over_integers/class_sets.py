@@ -36,6 +36,7 @@ from hfield.lattices.over_integers.equivalence import conjugator
 from hfield.lattices.over_integers.positive_generators import narrow_classes, units_modulo_squares
 from hfield.lattices.over_integers.trace_forms import trace_forms
 from hfield.primality import primes
+from hfield.progress import along, tell
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
@@ -242,6 +243,7 @@ class Classes:
             rows: list[Counter[int]] = []
             while len(rows) < len(self.lattices) and self._left:
                 rows.append(self.neighbours_of(len(rows), prime))
+                tell(self.mass - self._left, self.mass, "the mass")
             if len(rows) == len(self.lattices) and not self._left:
                 self._rows[prime] = rows
 
@@ -345,7 +347,8 @@ class Classes:
             rows, norm = ideal.rows, ideal.norm()
             product = self.frame.product
             self._exchanged[P] = [
-                self._times(n, lambda I: product(I, rows), norm) for n in range(len(self))
+                self._times(n, lambda I: product(I, rows), norm)
+                for n in along(range(len(self)), len(self), "types")
             ]
         return self._exchanged[P]
 
@@ -397,7 +400,9 @@ class Classes:
         """Return for each class how many right ideals of relative norm P in it belong to which class."""
         P = self.frame.prime(prime)
         if P not in self._rows:
-            self._rows[P] = [self.neighbours_of(n, P) for n in range(len(self))]
+            self._rows[P] = [
+                self.neighbours_of(n, P) for n in along(range(len(self)), len(self), "rows")
+            ]
         return self._rows[P]
 
     def brandt_matrix(self, prime: object) -> list[list[int]]:
