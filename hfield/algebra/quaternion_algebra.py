@@ -566,7 +566,7 @@ class QuaternionAlgebra(Hinted):
         return TensorProduct(self, other)
 
     def corestriction(self, base: Ring | str = "QQ") -> Corestriction:
-        """Return the corestriction to a subfield of a number field, with ``.algebra`` and ``.brauer_class``.
+        """Return the corestriction to a subfield: ``.algebra``, ``.brauer_class``, and the places ``.above``.
 
         It ramifies at the places of the base below an odd number of ramified ones. Raises :class:`RingError`
         for fields of another kind, :class:`CoercionError` for a base that is no subfield.
