@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from hfield.lattices.lattice import Order
     from hfield.lattices.over_integers.lattices import IntegersOrder
     from hfield.lattices.ternary_forms import TernaryForm
-    from hfield.modules.equations import LinearSolutions
+    from hfield.modules.equations import LinearSolutions, SystemSolutions
     from hfield.modules.matrix import Matrix
     from hfield.modules.polynomials import Polynomials
 
@@ -599,12 +599,20 @@ class QuaternionAlgebra(Hinted):
 
     # --- matrices and equations: their room is imported on use ---------------------------------
 
-    def matrix(self, rows: Iterable[Iterable[object]]) -> Matrix:
-        """Return the matrix with these rows of elements. Raises :class:`CoercionError`.
+    def matrix(self, rows: Iterable[Iterable[object]] | Quaternion | str) -> Matrix:
+        """Return the matrix with these rows of elements, or that a text means. Raises :class:`CoercionError`.
+
+        Of an array of quaternions the last two axes are rows and columns; others number matrices.
 
         >>> H("GF(3)").matrix([["1", "i"], ["j", "1"]]).rank()
         2
+        >>> H("QQ").matrix("inv([[1, i], [j, k]])"), H("QQ").matrix("[[1, i], [j, k]] * [[2], [comm(i, j)]]")
+        ([[1/2, -1/2*j], [-1/2*i, -1/2*k]], [[2 - 2*j], [-2 + 2*j]])
         """
+        if isinstance(rows, str):
+            from hfield.modules.texts import read_matrix
+
+            return read_matrix(self, rows)
         from hfield.modules.matrix import Matrix
 
         return Matrix(self, rows)
@@ -646,6 +654,22 @@ class QuaternionAlgebra(Hinted):
         from hfield.modules.equations import solve_linear
 
         return solve_linear(self, list(terms), c)
+
+    def solve(self, *equations: str, unknowns: str | None = None) -> SystemSolutions:
+        """Return all solutions of equations, linear over the field, by the names of the unknowns.
+
+        ``.particular`` and ``.kernel``; falsy with ``.reason`` where there is none. ``unknowns``, as in
+        ``"x, y"``, are by default the letters from p to z that mean nothing else. ``conj``, ``trace``,
+        ``scalar`` and ``vector`` of an unknown are linear, too. Raises :class:`NotationError`.
+
+        >>> found = H("QQ").solve("i*x + y = j", "x - y*i = 0")
+        >>> found.particular, found.kernel[0], bool(H("QQ").solve("i*x + y = j", "x - y*i = 1"))
+        ({'x': −1/2k, 'y': 1/2j}, {'x': i, 'y': 1}, False)
+        """
+        from hfield.modules.equations import read_system, unknowns_in
+
+        names = unknowns_in(self, equations) if unknowns is None else unknowns.split(",")
+        return read_system(self, equations, [x.strip() for x in names])
 
     # --- lattices and orders: their room is imported on use ------------------------------------
 

@@ -23,10 +23,13 @@ from hfield.fuchsian.plane import Plane, apply, same_point
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Sight
 from hfield.fuchsian.split_order import SplitOrder
+from hfield.progress import tell
 
 ROUNDS = 50
 """So often at most units are looked for from more points."""
-DEEPEST = 1e6
+IDLE = 12
+"""So many searches in a row that find no new side are the last ones."""
+DEEPEST = 1e8
 """Points are this far from the centre at most, by the hyperbolic cosine: floats do not go farther."""
 
 
@@ -55,16 +58,25 @@ def domain(order: SplitOrder, center: Quaternion, area: Fraction) -> Found:
     sight = Sight(plane)
     rng = np.random.default_rng(1)
     shape = grown(sight, sight.empty, sight.carrying(np.zeros(1)))
+    total, known, idle = float(area), 0, 0
     for _ in range(ROUNDS):
+        idle = 0 if len(shape.rows) > known else idle + 1
+        if idle == IDLE:
+            break
+        known = max(known, len(shape.rows))
+        tell(min(known / (5.5 * total + 10), 0.99), 1, "the domain")
         shape = grown(sight, shape.rows, sight.carrying(places(shape, float(area), rng)))
         # at cusps rounding may add a side that only touches, and its angles to the area
         if shape.closed and (order.cusps() != 0 or abs(shape.area() - float(area)) < 0.02):
             sides = Polygon(plane, [order.element(row) for row in shape.rows.tolist()])
             proved = proof(sides.without_points(), area)
             if proved is not None and all(g.norm() == 1 for g in sides.units):
+                tell(1, 1, "the domain")
                 return proved
+    tell(1, 1, "the domain")
     raise TooLargeError(
-        f"the domain, of area 2π·{area}, was not completed in {ROUNDS} searches; try another center="
+        f"the domain, of area 2π·{area}, has more sides than the {known} that were found; groups of an area "
+        "up to 2π·200 are within reach, and perhaps another center= helps"
     )
 
 
@@ -74,15 +86,17 @@ def places(shape: Shape, area: float, rng: np.random.Generator) -> Any:
     Where it reaches the circle, so deep that there are such units, and a few evenly in it; what lies outside
     the polygon tells nothing new.
     """
-    start, width = np.tile(shape.gaps(), 2)
+    start, width = shape.gaps()
+    times = 2 + min(int(area), 64) // max(1, len(width))  # the last ones are hard to close
+    start, width = np.tile([start, width], times)
     # a line between the ends of a gap is at a distance with the cosine 1/sin(width/2)
-    deep = 1 + 4 * area * rng.random(len(width)) / np.sin(np.minimum(width, np.pi) / 2)
+    deep = 1 + 4 * area * rng.random(len(width)) ** 3 / np.sin(np.minimum(width, np.pi) / 2)
     deep = np.minimum(deep, DEEPEST)
-    gaps = np.sqrt(1 - deep**-2) * np.exp(1j * (start + width * rng.random(len(width))))
+    gaps = np.sqrt((deep - 1) / (deep + 1)) * np.exp(1j * (start + width * rng.random(len(width))))
     high = 1 + 4 * area * rng.random(6 if len(width) else 6 + int(area))
     klein = np.sqrt(1 - high**-2) * np.exp(2j * np.pi * rng.random(len(high)))
-    points = np.concatenate([shape.inside(klein), gaps])
-    return points / (1 + np.sqrt(1 - abs(points) ** 2))
+    points = shape.inside(klein)
+    return np.concatenate([points / (1 + np.sqrt(1 - abs(points) ** 2)), gaps])
 
 
 def proof(found: Polygon, area: Fraction) -> Found | None:

@@ -33,6 +33,8 @@ class Signature(NamedTuple):
 
 CENTERS = 4
 """So many centres are tried for a domain."""
+LARGE = 200
+"""For groups with more area, in units of 2π, only one is tried."""
 
 
 def signature_of(
@@ -192,7 +194,7 @@ class NormOneGroup(Certified):
             try:
                 return self._around(c)
             except TooLargeError:  # some centres see the plane worse than others
-                if n == CENTERS - 1:
+                if n == CENTERS - 1 or self.area > LARGE:
                     raise
         raise TooLargeError("no centre that units do not fix was found; try center=")
 

@@ -13,6 +13,8 @@ import numpy as np
 from hfield.fuchsian.search import Rows, Sight, distinct
 
 NEAR = 1e-9
+BESIDE = 24
+"""So many sides on either side of a direction are looked at to find the one that a point lies beyond."""
 SQUARE = np.array([0.9, 0.9j, -0.9, -0.9j])
 """Dual points of lines beyond the disc, so that there is always a polygon."""
 
@@ -46,17 +48,32 @@ class Shape:
         self._weight = 2 * abs(self.b) ** 2  # cosh d − 1
 
     def beyond(self, points: Any) -> Any:
-        """Return the number of the side beyond which each point lies, nearest to its image; −1 inside."""
+        """Return the number of a side beyond which each point lies, about that nearest to its image; −1 inside.
+
+        A point beyond any side lies beyond the one in its direction, seen from 0; sides beside it may be better.
+        """
         found = np.full(len(points), -1)
-        if not len(self.rows):
+        count = len(self.rows)
+        if not count:
             return found
+        every = np.arange(count) if count <= 2 * BESIDE else np.arange(-BESIDE, BESIDE)
         for n in range(0, len(points), 4096):
-            some = points[n : n + 4096, None]
-            value = self._weight * ((some * self.dual.conj()).real - 1)
+            some = points[n : n + 4096]
+            which = every[None, :]
+            if count > len(every):
+                which = (which + self._towards(some)[:, None]) % count
+            value = self._weight[which] * ((some[:, None] * self.dual[which].conj()).real - 1)
             best = value.argmax(axis=1)
-            over = value[np.arange(len(some)), best] > 1e-7
-            found[n : n + 4096] = np.where(over, best, -1)
+            rows = np.arange(len(some))
+            side = np.broadcast_to(which, value.shape)[rows, best]
+            found[n : n + 4096] = np.where(value[rows, best] > 1e-7, side, -1)
         return found
+
+    def _towards(self, points: Any) -> Any:
+        """Return the number of the side in the direction of each point, or of one beside it."""
+        turns = np.angle(self.corners)
+        first = int(turns.argmin())
+        return np.searchsorted(np.roll(turns, -first), np.angle(points)) - 1 + first
 
     def gaps(self) -> tuple[Any, Any]:
         """Return the arcs of the circle that belong to the polygon: where each begins, and how wide it is."""

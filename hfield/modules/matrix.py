@@ -54,8 +54,10 @@ class Matrix:
     algebra: Parent
     rows: Entries
 
-    def __init__(self, algebra: Parent, rows: Iterable[Iterable[object]] | Matrix) -> None:
-        given = rows.rows if isinstance(rows, Matrix) else rows
+    def __init__(
+        self, algebra: Parent, rows: Iterable[Iterable[object]] | Matrix | Quaternion
+    ) -> None:
+        given: Any = rows.rows if isinstance(rows, Matrix) else rows
         if isinstance(given, Quaternion) and len(given.shape) > 1:
             m, n = given.shape[-2:]
             given = [[given[..., r, s] for s in range(n)] for r in range(m)]
@@ -490,13 +492,21 @@ class Matrix:
 
     # --- text ----------------------------------------------------------------------------------
 
-    def __repr__(self) -> str:
-        rows = (", ".join(map(str, row)) for row in self.rows)
+    def text(self, style: str = "plain") -> str:
+        """Write the rows in the style ``plain``, which ``A.matrix`` reads, ``unicode`` or ``latex``."""
+        if style == "latex":
+            body = r" \\ ".join(" & ".join(q.text(style) for q in row) for row in self.rows)
+            return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
+        rows = (", ".join(q.text(style) for q in row) for row in self.rows)
         return f"[{', '.join(f'[{row}]' for row in rows)}]"
 
+    def __str__(self) -> str:
+        return self.text()
+
+    __repr__ = __str__
+
     def _repr_latex_(self) -> str:
-        body = r" \\ ".join(" & ".join(q.text("latex") for q in row) for row in self.rows)
-        return rf"$\begin{{pmatrix}} {body} \end{{pmatrix}}$"
+        return f"${self.text('latex')}$"
 
 
 def _dot(row: Sequence[Quaternion], column: Sequence[Quaternion]) -> Quaternion:

@@ -216,8 +216,10 @@ class _Unicode(Writer):
         if function == "inv":
             return self.write(x, POSTFIX) + "⁻¹"
         inside = ", ".join(self.write(x) for x in arguments)
-        if function == "comm":
-            return f"[{inside}]"
+        if function == "comm" and not all(
+            isinstance(y, Call) and y.function == "comm" for y in arguments
+        ):
+            return f"[{inside}]"  # [[p, q], [r, s]] would be a matrix
         return f"{SHORT_FUNCTIONS.get(function, function)}({inside})"
 
     def exists(self, names: tuple[str, ...], body: str) -> str:
