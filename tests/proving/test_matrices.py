@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from hfield import QuaternionAlgebra, Rejected, check
+from hfield.certificates.check import Pin
 from hfield.certificates.language import parse as parse_for_checker
 from hfield.certificates.matrices import without_matrices
 from hfield.certificates.statement import read_setting
@@ -237,3 +238,16 @@ def test_shapes_and_names() -> None:
     assert to_latex(parse("transpose(M) == matrix(M11, 0, 1, i)")) == (
         r"{M}^{\mathsf{T}} = \begin{pmatrix} M_{11} & 0 \\ 1 & i \end{pmatrix}"
     )
+
+
+def test_names_of_matrices_that_a_field_has() -> None:
+    """Neither a pin nor evidence over another field takes an element of it for an unknown matrix."""
+    data = prove("M*q == q*M", "QQ(M)").certificate
+    with pytest.raises(Rejected, match="an unknown of the statement"):
+        check(data, Pin(("M*q == q*M",), "QQ(M)"))
+    over = prove("trace(M) == trace(M11) + trace(M22)", "QQ(M)").certificate
+    everywhere = prove(
+        "M*N == N*M"
+    ).certificate  # of the same statement over all fields it is no witness
+    with pytest.raises(Rejected):
+        check({**everywhere, "statement": over["statement"], "evidence": over["evidence"]})
