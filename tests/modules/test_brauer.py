@@ -171,6 +171,13 @@ def test_corestriction_to_a_quadratic_field(root):
     assert len(found) > 4
 
 
+def test_real_places_of_a_generator_with_values_that_are_near():
+    F = ring("QQ[s]/(s^2-2000*s+999998)")  # 1000 ± √2
+    for b in (-1, -3):
+        A = QuaternionAlgebra(F, F.gen - 1000, b)
+        assert set(A.corestriction(F).brauer_class) == set(A.ramified_places())
+
+
 def test_no_corestriction():
     with pytest.raises(RingError, match="number fields"):
         H("GF(7)").corestriction()
