@@ -48,9 +48,10 @@ class Shape:
         self._weight = 2 * abs(self.b) ** 2  # cosh d − 1
 
     def beyond(self, points: Any) -> Any:
-        """Return the number of a side beyond which each point lies, about that nearest to its image; −1 inside.
+        """Return the number of a side beyond which each point lies, −1 for one inside.
 
-        A point beyond any side lies beyond the one in its direction, seen from 0; sides beside it may be better.
+        It is about that nearest to the point's image: what lies beyond any side lies beyond the one in its
+        direction, seen from 0, and sides beside that may be better.
         """
         found = np.full(len(points), -1)
         count = len(self.rows)
