@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import ceil, cos, hypot, inf, sin, sqrt
+from math import cos, hypot, inf, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from anim.checks import real
 from anim.errors import AnimationError
 from anim.physics.inertia import Body
-from anim.physics.launch import EVERY, Launch, attitude_of, refuse_long
+from anim.physics.launch import EVERY, Launch, Stepped, attitude_of
 from rotation.matrices import to_matrix
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class Contact:
 
 
 @dataclass(frozen=True)
-class FreeTop:
+class FreeTop(Stepped):
     """A body on the ground, launched, and followed for ``seconds``: the sampler of its motion.
 
     It starts upon its tip, whose ball is at rest in the middle; the launch's decay times are those of the air
@@ -79,7 +79,7 @@ class FreeTop:
         lowest = min(z * cos(tilt) - r * sin(tilt) for r, z in self.body.outline[1:])
         if lowest - ball * (cos(tilt) - 1) < 0 or tilt > np.pi / 2:
             raise AnimationError(f"tilt is {tilt:.4g} rad; the rim is in the ground there")
-        refuse_long(self.seconds, self.longest_step)
+        self.refuse_long()
         arm = self.contact.rolling * self.pull * self.longest_step
         if ball > 100 * self.body.height or arm * self.body.mass > self.body.axial:
             raise AnimationError(
@@ -137,16 +137,6 @@ class FreeTop:
         turning = hypot(self.spin, launch.precession * sin(launch.tilt))
         rates = (turning, 1 / launch.spin_decay, 1 / launch.tilt_decay, 1e-9)
         return min(STEP * sqrt(self.body.height / self.pull), TURN / max(rates))
-
-    @property
-    def steps(self) -> int:
-        """The number of equal steps that are taken."""
-        return max(1, ceil(self.seconds / self.longest_step))
-
-    @property
-    def step(self) -> float:
-        """Their length in s."""
-        return self.seconds / self.steps
 
     @property
     def edges(self) -> Floats:
