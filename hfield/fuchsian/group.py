@@ -191,7 +191,7 @@ class NormOneGroup(Certified):
     def _domain(self) -> Domain:
         from hfield.fuchsian import search
 
-        for n, c in enumerate(search.free_centers(self.order)):
+        for n, c in enumerate(search.free_centers(self._above or self.order)):
             try:
                 return self._around(c)
             except TooLargeError:  # some centres see the plane worse than others
@@ -199,10 +199,26 @@ class NormOneGroup(Certified):
                     raise
         raise TooLargeError("no centre that units do not fix was found; try center=")
 
+    @cached_property
+    def _above(self) -> RationalOrder | None:
+        """A maximal order above, where the index is so large that its domain is needed."""
+        from hfield.fuchsian import dirichlet
+
+        return dirichlet.order_above(self.order)
+
+    @cached_property
+    def _known(self) -> Any:
+        """Coordinates of units that generate the group, in the same case."""
+        from hfield.fuchsian import dirichlet
+
+        return (
+            None if self._above is None else dirichlet.generators_by_cosets(self.order, self._above)
+        )
+
     def _around(self, c: Quaternion) -> Domain:
         from hfield.fuchsian import dirichlet
 
-        found, partners, cycles = dirichlet.domain(self.order, c, self.area)
+        found, partners, cycles = dirichlet.domain(self.order, c, self.area, self._known)
         return Domain(self, found, tuple(partners), tuple(cycles))
 
     def _nearby(self, z: complex) -> Quaternion:

@@ -106,12 +106,14 @@ class Shape:
         return np.concatenate(done) if done else rows
 
     def cutting(self) -> Rows:
-        """Return units that cut off vertices which the inverse of a side's unit maps outside."""
+        """Return units that cut off ends of sides which the inverse of the side's unit maps outside."""
         new = []
-        for corners in (self.corners, np.roll(self.corners, -1)):
-            inside = abs(corners) < 1 + NEAR
-            side = self.beyond(moved(self.a.conj(), -self.b, corners))
-            cut = inside & (side >= 0)
+        angle, half = np.angle(self.dual), np.arccos(np.minimum(1, 1 / abs(self.dual)))
+        for corners, turn in ((self.corners, -half), (np.roll(self.corners, -1), half)):
+            # where the next side is not met, the end is on the circle
+            ends = np.where(abs(corners) < 1 + NEAR, corners, np.exp(1j * (angle + turn)))
+            side = self.beyond(moved(self.a.conj(), -self.b, ends))
+            cut = side >= 0
             new.append(self.sight.times(self.sight.left(self.rows[cut]), self.rows[side[cut]]))
         return np.concatenate(new)
 
@@ -169,7 +171,8 @@ def hull(points: Any) -> list[int]:
         for n in sweep:
             while len(found) >= start + 2:
                 p, q = found[-2], found[-1]
-                if (x[q] - x[p]) * (y[n] - y[p]) > (y[q] - y[p]) * (x[n] - x[p]) + 1e-13:
+                dx, dy = x[n] - x[p], y[n] - y[p]
+                if (x[q] - x[p]) * dy > (y[q] - y[p]) * dx + 1e-15 * (abs(dx) + abs(dy)):
                     break
                 found.pop()
             found.append(n)

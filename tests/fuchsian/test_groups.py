@@ -10,7 +10,7 @@ from itertools import product
 import pytest
 
 from hfield import QuaternionAlgebra, ring
-from hfield.errors import IndefiniteError, LatticeError
+from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.factorisation import factorise
 from hfield.fuchsian import area, dirichlet, presentation
 from hfield.fuchsian.polygon import Polygon
@@ -309,6 +309,19 @@ def test_local_index_against_counting() -> None:
         O = A.order([p * b for b in M.basis])  # ℤ + p·M: modulo p the matrices ±1 among SL₂(𝔽ₚ)
         index = p * (p * p - 1) // (1 if p == 2 else 2)
         assert area.area(O.value) == index * area.area(M.value)
+
+
+def test_orders_of_large_index() -> None:
+    """Their domains come from that of a maximal order; the narrow cusps are all there."""
+    G = QuaternionAlgebra("QQ", 1, 1).order(["3*i", "5*j"]).norm_one_group()
+    assert G.area == 180
+    assert G.domain().area == 180
+    assert len(G.generators) == 2 * G.signature.genus + G.signature.cusps - 1  # a free group
+    assert G.relations == ()
+    rows = dirichlet.generators_by_cosets(G.order, dirichlet.order_above(G.order)).tolist()
+    assert all((x := G.order.element(row)) in G.order and x.norm() == 1 for row in rows)
+    with pytest.raises(TooLargeError, match="of index 5040"):
+        QuaternionAlgebra("QQ", 1, 1).order(["5*i", "7*j"]).norm_one_group().domain()
 
 
 def test_an_incomplete_domain_is_seen() -> None:
