@@ -36,7 +36,7 @@ FEW_COSETS = 30
 """Up to this index units are found quicker by the search."""
 MOST_COSETS = 3_000
 """Cosets, at most."""
-DEEPEST = 1e8
+DEEPEST = 1e6
 """Points are this far from the centre at most, by the hyperbolic cosine: floats do not go farther."""
 
 

@@ -15,6 +15,10 @@ from hfield.fuchsian.search import Rows, Sight, distinct
 NEAR = 1e-9
 BESIDE = 24
 """So many sides on either side of a direction are looked at to find the one that a point lies beyond."""
+ROUNDED = 1e-14
+"""Where a point lies is wrong by so much for each unit that a side is far away."""
+STEPS = 200
+"""So often a unit is multiplied by those of sides."""
 SQUARE = np.array([0.9, 0.9j, -0.9, -0.9j])
 """Dual points of lines beyond the disc, so that there is always a polygon."""
 
@@ -67,7 +71,8 @@ class Shape:
             best = value.argmax(axis=1)
             rows = np.arange(len(some))
             side = np.broadcast_to(which, value.shape)[rows, best]
-            found[n : n + 4096] = np.where(value[rows, best] > 1e-7, side, -1)
+            over = value[rows, best] > 1e-7 + ROUNDED * self._weight[side]
+            found[n : n + 4096] = np.where(over, side, -1)
         return found
 
     def _towards(self, points: Any) -> Any:
@@ -89,15 +94,23 @@ class Shape:
     def inside(self, points: Any) -> Any:
         """Return images of points of Klein's model in the polygon."""
         points = points.copy()
-        while (far := np.flatnonzero((side := self.beyond(points)) >= 0)).size:
+        for _ in range(STEPS):
+            far = np.flatnonzero((side := self.beyond(points)) >= 0)
+            if not far.size:
+                break
             n = side[far]
             points[far] = moved(self.a[n].conj(), -self.b[n], points[far])
         return points
 
     def reduced(self, rows: Rows) -> Rows:
-        """Multiply units by those of sides until they move the centre into the polygon; drop ±1."""
+        """Multiply units by those of sides until they move the centre into the polygon; drop ±1.
+
+        Units so far away that rounding turns them around for ever are left out.
+        """
         done = []
-        while len(rows):
+        for _ in range(STEPS):
+            if not len(rows):
+                break
             a, b = self.sight.motions(rows)
             side = self.beyond(2 * a * b / (abs(a) ** 2 + abs(b) ** 2))
             done.append(rows[(side < 0) & (abs(b) > 1e-6)])

@@ -355,3 +355,8 @@ def test_pictures(tmp_path) -> None:
         assert (tmp_path / name).stat().st_size > 5000
     with pytest.raises(LatticeError, match=r"try a file \.svg"):
         D.draw(tmp_path / "nowhere" / "a.svg")
+
+
+def test_far_units_end_no_search() -> None:
+    """With eight cusps some units are so far away that rounding turned them around for ever."""
+    assert len(order(1, 248).norm_one_group().domain().sides) > 64
