@@ -104,7 +104,7 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["classes", "(-1,-1|QQ(sqrt(-5)))"], "not totally real"),
         (["classes", "(-1,-1|QQ(sqrt(5)))", "--formula"], "over QQ"),
         (["classes", "11", "--formula", "--newforms"], "enumerates none"),
-        (["brandt", "(-1,-1|QQ(sqrt(5)))", "--prime", "11"], "no prime ideal"),
+        (["brandt", "(-1,-1|QQ(sqrt(5)))", "--prime", "1/2"], "an ideal of the integers"),
         (["classes", str(2**61 - 1)], "Eichler's formula"),
         (["brandt", "37", "--prime", "x"], "expected a positive number, a prime"),
         (["brandt", "37", "0"], "positive integer"),
