@@ -20,7 +20,7 @@ extensions = [
     "checker_page",
 ]
 sys.path.insert(0, str(Path(__file__).parent / "extensions"))
-myst_enable_extensions = ["dollarmath", "deflist"]
+myst_enable_extensions = ["attrs_inline", "dollarmath", "deflist"]
 myst_heading_anchors = 4
 exclude_patterns = ["extensions", "_build"]
 

@@ -1,6 +1,7 @@
 from . import errors as errors
 from .algebra import H as H
 from .algebra import QuaternionAlgebra as QuaternionAlgebra
+from .algebra import ternary_form as ternary_form
 from .algebra.quaternion import Quaternion as Quaternion
 from .certificates.check import check as check
 from .certificates.rejection import Rejected as Rejected

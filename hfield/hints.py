@@ -111,7 +111,7 @@ ALGEBRA = {
     "class_set": "maximal_order().class_set()",
     "right_class_set": "maximal_order().class_set()",
     "brandt_matrix": "maximal_order().class_set().brandt_matrix(n)",
-    "ternary_quadratic_form": "maximal_order().ternary_theta_series(n)",
+    "ternary_quadratic_form": "maximal_order().ternary_form()",
 }
 """Sage, Magma, PARI."""
 
@@ -154,7 +154,7 @@ ORDER = LATTICE | {
     "left_ideals": "class_set().left_ideals()",
     "brandt_matrix": "class_set().brandt_matrix(n)",
     "type_set": "class_set().types",
-    "ternary_quadratic_form": "ternary_theta_series(n)",
+    "ternary_quadratic_form": "ternary_form(), or ternary_theta_series(n) of the trace-0 part of ℤ + 2O",
     "maximal_order": "maximal_overorder()",
     "is_conjugate": "is_isomorphic(other)",
     "embed": "embeddings(discriminant)",
@@ -171,6 +171,20 @@ ORDER = LATTICE | {
     "one": "algebra.one",
 }
 """Sage, Magma: orders."""
+
+FORM = {
+    "disc": "discriminant()",
+    "polynomial": "latex()",
+    "matrix": "gram_matrix()",
+    "is_positive_definite": "is_definite()",
+    "number_of_automorphisms": "automorphism_count()",
+    "reduced_form_eisenstein": "reduced()",
+    "is_isometric": "is_equivalent(other)",
+    "genus_representatives": "genus()",
+    "clifford_algebra": "order(), the even part",
+    "even_clifford_algebra": "order()",
+}
+"""Sage, Magma: ternary forms."""
 
 CLASSES = {
     "class_number": "len(classes)",

@@ -68,6 +68,17 @@ def real(value: object, name: str) -> Array:
     )
 
 
+def precision(dtype: object) -> "np.dtype[Any]":
+    """Return float32 or float64, in which rotations are stored; raises `DTypeError` for anything else."""
+    try:
+        kind: np.dtype[Any] = np.dtype(dtype)  # type: ignore[call-overload]
+    except TypeError:
+        kind = np.dtype(object)
+    if kind not in (np.float32, np.float64):
+        raise DTypeError(f"dtype {dtype!r}: rotations are stored in np.float32 or np.float64")
+    return kind
+
+
 def expect_numbers(value: object, name: str) -> None:
     """Raise `DTypeError` for a rotation or a transform where an array is expected."""
     refusal = hints.numbers_expected(value, name)

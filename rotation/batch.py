@@ -7,9 +7,10 @@ from typing import Any, Self
 import numpy as np
 
 from rotation import hints, pytrees
-from rotation.errors import DTypeError, MemberError, RotationError
+from rotation.arrays import precision
+from rotation.errors import DTypeError, ForeignArrayError, MemberError, RotationError
 from rotation.immutable_arrays import ImmutableArray
-from rotation.namespaces import Array, is_numpy, namespace
+from rotation.namespaces import Array, floats, is_numpy, namespace
 
 _new, _hold = object.__new__, vars(ImmutableArray)["_q"].__set__
 
@@ -30,6 +31,57 @@ class Batch(ImmutableArray):
             q.setflags(False)  # type: ignore[call-arg]  # by position: three times as quick
         _hold(self, q)
         return self
+
+    @classmethod
+    def _stored(cls, q: Array, dtype: Any) -> Self:
+        """Wrap unit quaternions in the precision asked for, or in their own if that is None."""
+        if dtype is None:
+            return cls._of(q)
+        kind = precision(dtype)
+        if not is_numpy(namespace(q)):
+            raise ForeignArrayError(
+                f"dtype is for numpy arrays; those of {namespace(q).__name__} keep their precision, so "
+                "convert them before"
+            )
+        return cls._of(q.astype(kind, copy=False))
+
+    def _alike(self, q: Array) -> Self:
+        """Wrap unit quaternions computed from `_double` in the precision of these."""
+        return self._stored(q, self._q.dtype) if is_numpy(namespace(q)) else self._of(q)
+
+    @property
+    def _double(self) -> Array:
+        """The quaternions, in float64 if they are numpy's: for what is no formula on rows."""
+        return floats(self._q, "rotations")
+
+    @property
+    def dtype(self) -> Any:
+        """The type of float that the quaternions are stored in, and results are given in."""
+        return self._q.dtype
+
+    def astype(self, dtype: Any) -> Self:
+        """Return the same rotations stored in float32 or float64, each coordinate rounded once.
+
+        Rotations in float32 take half the memory, and storing turns one by at most 2⁻²³ radians. What is read
+        from them, and their products, powers and means, is computed in double and rounded once to float32:
+        entries of matrices within 2⁻²⁴, all numbers x within 2⁻²³·max(1, |x|). Products with rotations in
+        float64 are in float64; the dtype of points decides about theirs. Motions and curves are in float64.
+
+        Raises
+        ------
+        DTypeError
+            Another type.
+        ForeignArrayError
+            Arrays that are not numpy's: these keep the precision they have.
+
+        Examples
+        --------
+        >>> from rotation import Rotation
+        >>> r = Rotation.from_euler("Z", 90, degrees=True).astype(np.float32)
+        >>> (r * r).as_quat()
+        array([0., 0., 0., 1.], dtype=float32)
+        """
+        return self._stored(self._q, dtype)
 
     def reshape(self, *shape: Any) -> Self:
         """Return the same rotations in another batch shape; one axis may be −1."""
@@ -92,7 +144,9 @@ class Batch(ImmutableArray):
                 self._q, separator=", ", prefix="Rotation.from_quat(", threshold=40
             )
         )
-        return f"Rotation.from_quat({array})"
+        plain = isinstance(self._q, np.ndarray)
+        kind = ", dtype='float32'" if plain and self._q.dtype == np.float32 else ""
+        return f"Rotation.from_quat({array}{kind})"
 
     def _repr_html_(self) -> str | None:
         from rotation.html_table import table

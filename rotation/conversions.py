@@ -22,7 +22,7 @@ class Conversions(Batch):
     __slots__ = ()
 
     @classmethod
-    def from_quat(cls, quat: Any, *, scalar_first: bool = True) -> Self:
+    def from_quat(cls, quat: Any, *, scalar_first: bool = True, dtype: Any = None) -> Self:
         """Make rotations from quaternions, which are normalised.
 
         Parameters
@@ -31,20 +31,25 @@ class Conversions(Batch):
             (w, x, y, z), the coordinates over e, i, j, k; of any length from 1e-300 to 1e300.
         scalar_first : bool
             ``False`` takes (x, y, z, w), as scipy does by default.
+        dtype : float32 or float64, optional
+            In what numpy rotations are stored, float64 unless said; float32 is rounded to at the end and
+            kept by all that follows (see `astype`).
 
         Raises
         ------
         RotationError
             A quaternion is zero (the message names its row), or the shape is wrong.
+        DTypeError, ForeignArrayError
+            Another dtype, or one for arrays that are not numpy's.
         """
         if not scalar_first:
             quat = floats(quat, "quaternions")
             expect_last(quat, (4,), "quaternions")
             quat = namespace(quat).roll(quat, 1, axis=-1)
-        return cls._of(quaternions.normalised(quat))
+        return cls._stored(quaternions.normalised(quat), dtype)
 
     @classmethod
-    def from_matrix(cls, matrix: Any, *, orthonormalize: bool = False) -> Self:
+    def from_matrix(cls, matrix: Any, *, orthonormalize: bool = False, dtype: Any = None) -> Self:
         """Make rotations from matrices.
 
         Parameters
@@ -53,16 +58,18 @@ class Conversions(Batch):
             Orthogonal to within 1e-6 (float32: 1e-3), of determinant 1.
         orthonormalize : bool
             Take the rotation nearest to each matrix, which needs only a positive determinant.
+        dtype
+            As in `from_quat`.
 
         Raises
         ------
         RotationError
             A reflection; a matrix too far from orthogonal, or with ``orthonormalize`` a singular one.
         """
-        return cls._of(matrices.from_matrix(matrix, orthonormalize))
+        return cls._stored(matrices.from_matrix(matrix, orthonormalize), dtype)
 
     @classmethod
-    def from_euler(cls, seq: str, angles: Any, degrees: bool = False) -> Self:
+    def from_euler(cls, seq: str, angles: Any, degrees: bool = False, *, dtype: Any = None) -> Self:
         """Make rotations from Euler angles in any of the 24 conventions, or about one or two axes.
 
         Parameters
@@ -74,16 +81,20 @@ class Conversions(Batch):
             For one letter also a number, or a one-dimensional array of angles.
         degrees : bool
             The angles are in degrees, not radians.
+        dtype
+            As in `from_quat`.
 
         Raises
         ------
         RotationError
             No such sequence, or angles that do not fit it.
         """
-        return cls._of(euler.from_euler(seq, angles, degrees))
+        return cls._stored(euler.from_euler(seq, angles, degrees), dtype)
 
     @classmethod
-    def from_davenport(cls, axes: Any, order: str, angles: Any, degrees: bool = False) -> Self:
+    def from_davenport(
+        cls, axes: Any, order: str, angles: Any, degrees: bool = False, *, dtype: Any = None
+    ) -> Self:
         """Make rotations from angles about one to three axes, each perpendicular to the next.
 
         Parameters
@@ -96,18 +107,23 @@ class Conversions(Batch):
             For one axis also a number, or a one-dimensional array of angles.
         degrees : bool
             The angles are in degrees, not radians.
+        dtype
+            As in `from_quat`.
 
         Raises
         ------
         RotationError
             Axes, an order or angles that do not fit.
         """
-        return cls._of(davenport.from_davenport(axes, order, angles, degrees))
+        return cls._stored(davenport.from_davenport(axes, order, angles, degrees), dtype)
 
     @classmethod
-    def from_rotvec(cls, rotvec: Any, degrees: bool = False) -> Self:
-        """Make rotations from vectors (…, 3) whose length is the angle and direction the axis."""
-        return cls._of(vectors.from_rotvec(rotvec, degrees))
+    def from_rotvec(cls, rotvec: Any, degrees: bool = False, *, dtype: Any = None) -> Self:
+        """Make rotations from vectors (…, 3) whose length is the angle and direction the axis.
+
+        ``dtype`` as in `from_quat`.
+        """
+        return cls._stored(vectors.from_rotvec(rotvec, degrees), dtype)
 
     @classmethod
     def exp(cls, tangent: Any) -> Self:
@@ -123,34 +139,42 @@ class Conversions(Batch):
         return self.as_matrix()
 
     @classmethod
-    def from_axis_angle(cls, axis: Any, angle: Any, degrees: bool = False) -> Self:
+    def from_axis_angle(
+        cls, axis: Any, angle: Any, degrees: bool = False, *, dtype: Any = None
+    ) -> Self:
         """Make rotations by ``angle`` (…) about ``axis`` (…, 3); the batch shapes broadcast.
+
+        ``dtype`` as in `from_quat`.
 
         Raises
         ------
         RotationError
             An axis is zero; any other length is allowed.
         """
-        return cls._of(vectors.from_axis_angle(axis, angle, degrees))
+        return cls._stored(vectors.from_axis_angle(axis, angle, degrees), dtype)
 
     @classmethod
-    def from_mrp(cls, mrp: Any) -> Self:
-        """Make rotations from modified Rodrigues parameters (…, 3), ``tan(angle/4)·axis``."""
-        return cls._of(vectors.from_mrp(mrp))
+    def from_mrp(cls, mrp: Any, *, dtype: Any = None) -> Self:
+        """Make rotations from modified Rodrigues parameters (…, 3), ``tan(angle/4)·axis``.
+
+        ``dtype`` as in `from_quat`.
+        """
+        return cls._stored(vectors.from_mrp(mrp), dtype)
 
     @classmethod
-    def from_6d(cls, numbers: Any) -> Self:
+    def from_6d(cls, numbers: Any, *, dtype: Any = None) -> Self:
         """Make rotations from six numbers (…, 6): two vectors, made orthonormal one after the other.
 
         They are the first two columns of the matrix. The map is continuous, unlike any from three or four
         numbers: Y. Zhou et al., "On the continuity of rotation representations in neural networks" (2019).
+        ``dtype`` as in `from_quat`.
 
         Raises
         ------
         RotationError
             The first vector is zero, or the second is a multiple of it.
         """
-        return cls._of(matrices.from_columns(numbers))
+        return cls._stored(matrices.from_columns(numbers), dtype)
 
     @classmethod
     def between(cls, source: Any, target: Any) -> Self:

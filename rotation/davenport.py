@@ -114,7 +114,7 @@ def to_davenport(
         raise RotationError("three axes are needed to hold every rotation")
     common_batch(rotations=q.shape[:-1], axes=unit.shape[:-2])
     found = _reading(intrinsic, bool(degrees), tolerance)(q, unit)
-    return np.ascontiguousarray(found[..., :3]), found[..., 3] != 0.0
+    return np.ascontiguousarray(found[..., :3], q.dtype), found[..., 3] != 0.0
 
 
 @cache

@@ -129,7 +129,7 @@ def rotate_quat(
     p, points_batch = components(points, 3, "points", layout)
     if isinstance(q, Batch):
         expect_numpy("rotate_quat", q._q)
-        r, q_batch = q._q, q.shape
+        r, q_batch = q._double, q.shape
     else:
         r, q_batch = components(q, 4, "q", layout)
     batch = common_batch(points=points_batch, q=q_batch)

@@ -184,11 +184,15 @@ def direct_power(q: Array, exponent: Any) -> Array:
 
 def _raised(q: Array, exponent: Any, shorter: bool) -> Array:
     if isinstance(exponent, int | float):
-        exponent = namespace(q).asarray(number(exponent, "exponent"), dtype=q.dtype)
+        exponent = namespace(q).asarray(
+            number(exponent, "exponent"), dtype=None if type(q) is np.ndarray else q.dtype
+        )
     else:
         namespace(q, exponent)  # of two libraries it raises
         common_batch(rotations=tuple(q.shape[:-1]), exponents=tuple(getattr(exponent, "shape", ())))
-    return _POWER[shorter](q, exponent)
+    raised = _POWER[shorter](q, exponent)
+    # What exponents are stored in does not decide for numpy; floats of Python are of every precision.
+    return raised.astype(q.dtype, copy=False) if type(q) is np.ndarray else raised
 
 
 def _power(q: Array, exponent: Array, shorter: bool) -> Array:

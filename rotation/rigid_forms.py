@@ -74,7 +74,8 @@ class Forms(ImmutableArray):
     def from_rotation(cls, rotation: Rotation) -> Self:
         """Make transforms that turn and do not shift."""
         expect_rotations(rotation=rotation)
-        return cls._of(rotation._q, 0.0 * rotation._q[..., 1:])
+        q = rotation._double
+        return cls._of(q, 0.0 * q[..., 1:])
 
     @classmethod
     def from_translation(cls, translation: Any) -> Self:
@@ -90,7 +91,7 @@ class Forms(ImmutableArray):
         expect_rotations(rotation=rotation)
         t = _copied(translation, "translations")
         common_batch(translation=tuple(t.shape[:-1]), rotation=rotation.shape)
-        return cls._of(rotation._q, t)
+        return cls._of(rotation._double, t)
 
     @classmethod
     def from_exp_coords(cls, exp_coords: Any) -> Self:

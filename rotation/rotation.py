@@ -7,7 +7,7 @@ import numpy as np
 
 from rotation import groups, hints, pytrees, quaternions, sampling
 from rotation.action import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW
-from rotation.arrays import common_batch, real
+from rotation.arrays import common_batch, precision, real
 from rotation.batch import Batch, expect_rotations
 from rotation.conversions import Conversions
 from rotation.errors import ForeignArrayError, RotationError
@@ -22,13 +22,14 @@ class Rotation(Conversions):
 
     A single rotation has the shape ``()``; batches have any number of axes. Method names are those of
     scipy, conventions are those of the thesis: quaternions are (w, x, y, z), angles radians,
-    ``p * q`` applies q first. Numpy rotations are stored in float64; arrays of other libraries keep
-    their library, device and precision. Rows with NaN or inf are NaN, and no other row is.
+    ``p * q`` applies q first. Numpy rotations are stored in float64, or in float32 where ``dtype`` says so;
+    arrays of other libraries keep their library, device and precision. Rows with NaN or inf are NaN, and no
+    other row is.
 
     Parameters
     ----------
     quat : array_like, shape (…, 4)
-        As in `from_quat`.
+        This and all others as in `from_quat`.
 
     Examples
     --------
@@ -42,22 +43,30 @@ class Rotation(Conversions):
     __slots__ = ()
     elsewhere = hints.ROTATION
 
-    def __new__(cls, quat: Any, *, scalar_first: bool = True) -> Self:
+    def __new__(cls, quat: Any, *, scalar_first: bool = True, dtype: Any = None) -> Self:
         """Make rotations from quaternions, as `from_quat` does."""
-        return cls.from_quat(quat, scalar_first=scalar_first)
+        return cls.from_quat(quat, scalar_first=scalar_first, dtype=dtype)
 
     # Making
 
     @classmethod
-    def identity(cls, shape: int | Sequence[int] | None = None) -> Self:
-        """Return the rotation that moves nothing, or a batch of it: ``shape`` is a number or a tuple."""
-        q = np.zeros((*sampling.as_shape(shape), 4))
+    def identity(cls, shape: int | Sequence[int] | None = None, *, dtype: Any = None) -> Self:
+        """Return the rotation that moves nothing, or a batch of it: ``shape`` is a number or a tuple.
+
+        ``dtype`` as in `from_quat`.
+        """
+        q = np.zeros((*sampling.as_shape(shape), 4), dtype and precision(dtype))
         q[..., 0] = 1.0
         return cls._of(q)
 
     @classmethod
     def random(
-        cls, shape: int | Sequence[int] | None = None, rng: Any = None, *, seed: Any = None
+        cls,
+        shape: int | Sequence[int] | None = None,
+        rng: Any = None,
+        *,
+        seed: Any = None,
+        dtype: Any = None,
     ) -> Self:
         """Return rotations distributed uniformly (by Haar measure).
 
@@ -68,13 +77,16 @@ class Rotation(Conversions):
         rng, seed : int or numpy.random.Generator, optional
             Either name, not both: whatever `numpy.random.default_rng` takes. The same seed gives
             the same rotations.
+        dtype
+            As in `from_quat`.
 
         Raises
         ------
         RotationError
             No shape, no seed, or two.
         """
-        return cls._of(sampling.uniform(sampling.as_shape(shape), sampling.generator(rng, seed)))
+        q = sampling.uniform(sampling.as_shape(shape), sampling.generator(rng, seed))
+        return cls._stored(q, dtype)
 
     @classmethod
     def super_fibonacci(cls, n: int) -> Self:
@@ -238,7 +250,7 @@ class Rotation(Conversions):
         """
         from rotation.averaging import mean
 
-        return self._of(mean(self._q, weights, axis))
+        return self._alike(mean(self._double, weights, axis))
 
     def median(self, weights: Any = None, axis: Any = None) -> Self:
         """Return the geodesic median, the rotation with the least sum of angles to these.
@@ -267,7 +279,7 @@ class Rotation(Conversions):
         """
         from rotation.averaging import median
 
-        return self._of(median(self._q, weights, axis))
+        return self._alike(median(self._double, weights, axis))
 
     def cumprod(self, frame: str = "world") -> Self:
         """Return the running products along the first axis, each of norm 1 to rounding.
@@ -280,7 +292,7 @@ class Rotation(Conversions):
         """
         from rotation.products import running_products
 
-        return self._of(running_products(self._q, frame))
+        return self._alike(running_products(self._double, frame))
 
     def reduce(
         self,
@@ -310,8 +322,10 @@ class Rotation(Conversions):
         expect_numpy("reduce", self._q, ls._q, rs._q)
         if ls.ndim != 1 or rs.ndim != 1 or not ls.size or not rs.size:
             raise RotationError("left and right are lists, each of at least one rotation")
-        m, n = groups.nearest(self._q, ls._q, rs._q)
-        reduced = self._of(quaternions.product(quaternions.product(ls._q[m], self._q), rs._q[n]))
+        left_q, q, right_q = ls._double, self._double, rs._double
+        m, n = groups.nearest(q, left_q, right_q)
+        found = quaternions.product(quaternions.product(left_q[m], q), right_q[n])
+        reduced = self._alike(found)
         return (reduced, m, n) if return_indices else reduced
 
     def disorientation(
@@ -353,10 +367,15 @@ class Rotation(Conversions):
         expect_rotations(other=other)
         expect_numpy("disorientation", self._q, other._q)
         sides = [
-            groups.elements(g) if isinstance(g, str) else g._q if isinstance(g, Rotation) else g
+            groups.elements(g)
+            if isinstance(g, str)
+            else g._double
+            if isinstance(g, Rotation)
+            else g
             for g in (group, group if other_group is None else other_group)
         ]
-        return self._of(least((self.inverse() * other)._q, *sides))
+        between = quaternions.product(quaternions.inverse(self._double), other._double)
+        return self._stored(least(between, *sides), np.result_type(self._q, other._q))
 
     # Points
 
@@ -386,6 +405,7 @@ class Rotation(Conversions):
             v = points if type(points) is np.ndarray else real(points, "points")
             if (
                 v.dtype.char in "df"
+                and q.dtype.char == "d"
                 and v.ndim
                 and v.shape[-1] == 3
                 and v.size <= 3 * FEW
@@ -402,7 +422,7 @@ class Rotation(Conversions):
 
     @quiet
     def _applied(self, points: Any, inverse: bool, out: Any) -> Array:
-        q = quaternions.inverse(self._q) if inverse else self._q
+        q = quaternions.inverse(self._double) if inverse else self._double
         xp = namespace(q, points)
         if not is_numpy(xp) and out is not None:
             raise ForeignArrayError("out is for numpy arrays; other libraries return new ones")

@@ -3,6 +3,9 @@
 A formula of a hundred operations on numpy arrays is a hundred calls, and on long ones a hundred passes over
 memory. `Formula` compiles it on its first use, in some hundredths of a second, into one loop
 over rows: for one rotation and for a million. Arrays of other libraries take the formula as it stands.
+
+What is stored in single precision is read, computed in double and rounded once, by a loop of its own for
+each combination; the result is in single precision where all arrays are.
 """
 
 import itertools
@@ -19,8 +22,12 @@ from rotation.native import builtins, tensors
 from rotation.pool import threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
-_MUCH = 200_000  # numbers that are worth a second thread
-_FLOAT64 = np.dtype(np.float64)
+_MUCH = 200_000  # numbers that are worth asking whether a second thread pays
+_WORTH = 750_000  # nanoseconds of work that pay for a thread; a row takes about 3, and 0.04 for each step
+_FLOAT32, _FLOAT64 = np.dtype(np.float32), np.dtype(np.float64)
+_WORDS = {_FLOAT32: "float", _FLOAT64: "double"}
+
+Kinds = tuple[np.dtype[Any], ...]
 
 
 def compile_all() -> None:
@@ -42,9 +49,23 @@ class Formula:
         What is the same for all rows, and no array.
     single : tuple of int
         Which of the arrays always have one row: it is read once for all rows of the others.
+    kinds : tuple of dtypes, optional
+        In which the arrays are stored; by default all in double. For others it makes others itself.
     """
 
-    __slots__ = ("_axes", "_formula", "_function", "_parameters", "_row", "_shapes", "_single")
+    __slots__ = (
+        "_axes",
+        "_formula",
+        "_function",
+        "_kind",
+        "_kinds",
+        "_others",
+        "_parameters",
+        "_row",
+        "_shapes",
+        "_shortest",
+        "_single",
+    )
 
     def __init__(
         self,
@@ -52,8 +73,12 @@ class Formula:
         *shapes: tuple[int, ...],
         parameters: tuple[Any, ...] = (),
         single: tuple[int, ...] = (),
+        kinds: Kinds | None = None,
     ) -> None:
         self._single = single
+        self._kinds = kinds or (_FLOAT64,) * len(shapes)
+        self._kind = max(self._kinds, key=_size)  # that of the result
+        self._others: dict[Kinds, Formula] = {}
         self._formula, self._shapes, self._parameters = formula, shapes, parameters
         self._axes = tuple(-len(shape) or None for shape in shapes)  # where those of a row begin
         self._function: Callable[..., int] | None = None
@@ -78,8 +103,8 @@ class Formula:
     def told(self, *arrays: Array) -> tuple[Array, bool]:
         """Return the values, and whether a row may be one of which the formula has something to tell."""
         batch: tuple[int, ...] = ()
-        for a, axes in zip(arrays, self._axes, strict=True):
-            if type(a) is not np.ndarray or a.dtype is not _FLOAT64:
+        for a, axes, kind in zip(arrays, self._axes, self._kinds, strict=True):
+            if type(a) is not np.ndarray or a.dtype is not kind:
                 return self._elsewhere(arrays)
             own = a.shape[:axes]
             if own != batch:
@@ -87,10 +112,10 @@ class Formula:
         function = self._function or self._compiled()
         if function is None:
             return self._plainly(arrays), True
-        out = np.empty(batch + self._row)
+        out = np.empty(batch + self._row, self._kind)
         if out.size > _MUCH:
             if out.nbytes >= LARGE:
-                out = block(out.shape, "f8")[0]
+                out = block(out.shape, self._kind.str)[0]
             status = self._shared(function, arrays, batch, out)
         else:
             status = function(*arrays, out)
@@ -104,9 +129,14 @@ class Formula:
             return None
         with machine_code.lock:
             if self._function is None:
-                function, self._row = builtins.assembled(
-                    self._formula, self._shapes, self._parameters, self._single
+                function, self._row, steps = builtins.assembled(
+                    self._formula,
+                    self._shapes,
+                    self._parameters,
+                    self._single,
+                    tuple(_WORDS[kind] for kind in (*self._kinds, self._kind)),
                 )
+                self._shortest = int(_WORTH / (3.0 + 0.04 * steps))
                 self._function = function
         return self._function
 
@@ -139,20 +169,39 @@ class Formula:
             return function(*(a[piece] if len(a) == rows else a for a in flat), result[piece])
 
         threads()  # a wrong number is an error of ours
-        return in_pieces(work, rows, _ROWS, 2 * _ROWS, (flat, result))
+        return in_pieces(work, rows, _ROWS, self._shortest, (flat, result))
 
     def _elsewhere(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
-        """Compute on arrays of other libraries: tensors whose memory numpy can read as numpy's are."""
+        """Compute on arrays stored otherwise, or of other libraries: tensors in memory as numpy's are."""
+        if all(isinstance(a, np.ndarray | np.generic) for a in arrays):
+            kinds = tuple(_FLOAT32 if a.dtype == _FLOAT32 else _FLOAT64 for a in arrays)
+            plain = (np.array(a, k, copy=None) for a, k in zip(arrays, kinds, strict=True))
+            return self._of(kinds).told(*map(np.asarray, plain))
         if not tensors.readable(arrays) or not builtins.available():
             return self._plainly(arrays), True
-        values, told = self.told(
-            *(a.detach().numpy().astype(np.float64, copy=False) for a in arrays)
-        )
+        values, told = self.told(*(a.detach().numpy() for a in arrays))
         return tensors.like(arrays[0], values), told
+
+    def _of(self, kinds: Kinds) -> "Formula":
+        """Return the same formula for arrays stored in these kinds of floats."""
+        if kinds == self._kinds:
+            return self
+        if kinds not in self._others:
+            self._others[kinds] = Formula(
+                self._formula,
+                *self._shapes,
+                parameters=self._parameters,
+                single=self._single,
+                kinds=kinds,
+            )
+        return self._others[kinds]
 
     @quiet
     def _plainly(self, arrays: tuple[Array, ...]) -> Array:
-        """Compute by the arrays' own library; long numpy arrays piece by piece."""
+        """Compute by the arrays' own library; long numpy arrays piece by piece, always in double."""
+        if _FLOAT32 in self._kinds:
+            doubles = self._of((_FLOAT64,) * len(arrays))
+            return doubles._plainly(tuple(a.astype(_FLOAT64) for a in arrays)).astype(self._kind)
         parameters = self._parameters
         rows = max(
             int(np.prod(a.shape[: a.ndim - len(shape)], dtype=np.int64))
@@ -178,6 +227,10 @@ class Formula:
             )
         result = np.concatenate(parts)
         return result.reshape(*batch, *result.shape[1:])
+
+
+def _size(kind: np.dtype[Any]) -> int:
+    return kind.itemsize
 
 
 _made: list[Formula] = []

@@ -11,5 +11,6 @@ done
 hfield figures --format svg -o .
 hfield brandt 83 --prime 2 --plot isogenies.svg >/dev/null
 hfield domain '(3,-1|QQ)' -o domain-6.svg >/dev/null
+hfield domain '(3,-1|QQ)' --dark -o domain-6-dark.svg >/dev/null # of the first page
 hfield domain '(2,-13|QQ)' --dark -o domain-26.png >/dev/null
 hfield domain '(-1+s-s^2,1+3*s+s^2|QQ[s]/(s^3+s^2-2*s-1))' -o domain-237.png >/dev/null

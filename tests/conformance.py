@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from hfield import Quaternion, QuaternionAlgebra, ring
 from hfield.errors import NotInvertibleError
 from tests.rings.axioms import CHECKS
+from tests.thorough import cases
 
 RINGS = (
     "QQ", "ZZ", "RR", "CC", "RDF",
@@ -96,7 +97,9 @@ def test_rings(name: str, check: Callable[..., None]) -> None:
 
 
 @pytest.mark.parametrize("name", [name for name in RINGS if ring(name).is_exact])
-@settings(max_examples=4, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
+@settings(
+    max_examples=cases(10), deadline=None, suppress_health_check=list(HealthCheck), derandomize=True
+)
 @given(seeds=st.tuples(*[st.integers(0, 999)] * 3), constants=st.sampled_from(CONSTANTS))
 def test_algebras(name: str, seeds: tuple[int, int, int], constants: tuple[int, int, int]) -> None:
     a, b, t = constants

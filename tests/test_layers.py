@@ -24,6 +24,7 @@ FLOORS = [
         "hfield.executors",
         "hfield.atomic",
         "hfield.primality",
+        "hfield.progress",
         "hfield.straight_line",
         "hfield.rotation",
         "hfield.anim",

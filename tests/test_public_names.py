@@ -18,7 +18,8 @@ NAMES = {
         LedgerError MixedParentsError NoSolutionError NotFiniteError NotInvertibleError NotationError
         NumberField Order QQ Quaternion QuaternionAlgebra RDF RR Rejected Ring RingError SelectionError
         TooLargeError UndecidedError UnfactoredError UnknownClaimError ZZ Zmod check conj conjugator
-        errors explain four_squares hilbert_symbol info inv norm places prove ring trace verify
+        errors explain four_squares hilbert_symbol info inv norm places prove ring
+        ternary_form trace verify
     """,
     "rotation": """
         BSpline DTypeError ForeignArrayError R2 R_x R_y R_z RigidTransform Rotation RotationError

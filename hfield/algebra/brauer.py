@@ -1,17 +1,19 @@
-"""Tensor products of two quaternion algebras in the Brauer group, and quadratic fields inside one."""
+"""Tensor products in the Brauer group, and corestrictions."""
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Hashable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from itertools import product
 from typing import Any
 
+from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError, shorten
+from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError
 from hfield.product import Constants
-from hfield.rings.base import Ring
+from hfield.rings.base import WithIntegers
 from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
 from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms.residue_forms import no_zero
@@ -69,7 +71,7 @@ class TensorProduct:
             return 2, GLOBAL
         if self._searched is not None:
             return 2, ALBERT
-        reason = no_zero(F, [*_pure_form(F, one), *(-c for c in _pure_form(F, other))])
+        reason = no_zero(F, [*pure_form(F, one), *(-c for c in pure_form(F, other))])
         if reason is not None:
             return 4, f"Albert's form has no zero but 0: {reason}"
         raise UndecidedError(
@@ -92,7 +94,7 @@ class TensorProduct:
         F = self.first.ring
         field = global_field(F)
         always = field is not None and field.splits_if_unramified  # a slot then exists, and is met
-        for x in _pure(self.first, MOST if always else BOUND):
+        for x in pure_elements(self.first, MOST if always else BOUND):
             a = -x.norm()
             if F.is_zero(a):
                 continue
@@ -116,13 +118,13 @@ class TensorProduct:
         return self._searched
 
 
-def _pure_form(F: Any, c: Constants) -> list[Any]:
+def pure_form(F: Any, c: Constants) -> list[Any]:
     """Return the squares of three pure elements that are orthogonal, in a characteristic that is not 2."""
     a = c.a if F.is_zero(c.t) else c.t * c.t + c.a * F(4)
     return [a, c.b, -a * c.b]
 
 
-def _pure(A: Parent, bound: int) -> Iterator[Quaternion]:
+def pure_elements(A: Parent, bound: int) -> Iterator[Quaternion]:
     """Run through small elements of trace 0, not 0, one of ±x."""
     e, i, j, k = A.basis
     t = A.constants.t  # the trace of i, and of k it is 0
@@ -145,55 +147,71 @@ def _square_root(A: Parent, d: Any) -> Quaternion | None:
 
 
 @dataclass(frozen=True)
-class Embedding:
-    """An element with the square ``d``, or the root of a field's polynomial, of discriminant 4d; or none.
+class Corestriction:
+    """The corestriction of an algebra: ``algebra`` over the base field, which is one of its class.
 
-    ``place`` is then one at which there is none locally, where the field has places.
+    ``above`` lists for each place of the base below a ramified one the ramified ones above it: invariants are
+    added up, so that ``brauer_class``, where it ramifies, are those with an odd number.
     """
 
-    d: Any
-    element: Quaternion | None
-    place: Hashable | None = None
-    reason: str = ""
+    algebra: Any
+    above: dict[Hashable, tuple[Hashable, ...]]
 
-    def __bool__(self) -> bool:
-        return self.element is not None
+    @property
+    def brauer_class(self) -> tuple[Hashable, ...]:
+        """The places of the base where it ramifies."""
+        return tuple(v for v, places in self.above.items() if len(places) % 2)
+
+    @property
+    def index(self) -> int:
+        """The index: 1 where it splits, else 2, as over a number field the index of a class is its order."""
+        return 2 if self.brauer_class else 1
 
 
-def embed(A: Parent, d: object) -> Embedding:
-    """Return an embedding of F(√d), or of a quadratic field over ℚ, into a central simple algebra over F.
+def corestriction(A: Parent, base: Any) -> Corestriction:
+    """Return the corestriction of an algebra over a number field to ℚ or another subfield.
 
-    F(√d) embeds exactly where no ramified place of A splits in it: d is a square in no completion at one
-    (Voight, *Quaternion Algebras*, 14.6.7). Raises :class:`RingError` for a square d and in characteristic 2,
-    :class:`UndecidedError`.
+    Invariants of places are added over each place below (J.-P. Serre, *Local Fields*, XI.2.1 and XIII.3.7).
+    Raises :class:`RingError` for fields of another kind, :class:`CoercionError` where the base is no subfield
+    that is known, or the algebra is degenerate.
     """
     F: Any = A.ring
-    if isinstance(d, Ring):
-        field: Any = d
-        if getattr(field, "degree", None) != 2 or getattr(F, "degree", None) != 1:
+    for K in (F, base):
+        if K.characteristic or not isinstance(K, WithIntegers):
             raise RingError(
-                f"expected a quadratic field over {F.name}, or d for F(√d); found {field.name}"
+                f"corestrictions are from number fields to their subfields, not from {F.name} to {base.name}"
             )
-        trace, norm = (F(x) for x in (field.trace(field.gen), field.norm(field.gen)))
-        found = embed(A, trace * trace / 4 - norm)
-        if found.element is None:
-            return found
-        return replace(found, element=found.element + A.scalar(trace / 2))
-    if F.characteristic == 2:
-        raise RingError(f"F(√d) is no separable extension of {F.name}: 2 = 0 there")
     if not is_central_simple(F, A.constants):
         raise CoercionError(f"{A} is not central simple")
-    x = F(d)
-    if F.is_zero(x) or F.is_square(x):
-        raise RingError(f"{shorten(F.text(x))} is a square in {F.name}, and adjoins nothing")
-    root = next((q for q in A.scalar(x).square_roots() if q.vector_part), None)
-    if root is not None:
-        return Embedding(x, root)
-    for place in ramified_places(F, A.constants) if global_field(F) is not None else ():
-        completion: Any = F.completion(place)
-        if completion.is_square(completion(x)):
-            why = (
-                f"{F.text(x)} is a square in the completion at {place}, where the algebra ramifies"
-            )
-            return Embedding(x, None, place, why)
-    return Embedding(x, None, None, f"no element of {A} has the square {F.text(x)}")
+    image = embedding(base, F)
+    above: dict[Hashable, list[Hashable]] = {}
+    for w in ramified_places(F, A.constants):
+        above.setdefault(_below(w, base, image), []).append(w)
+    field: Any = global_field(base)
+    odd = [v for v, places in above.items() if len(places) % 2]
+    found = type(A)(base, *field.with_ramification(odd))  # type: ignore[call-arg]
+    places = {v: tuple(places) for v, places in above.items()}
+    return Corestriction(found, places)
+
+
+def _below(w: Any, base: Any, image: Callable[[Any], Any]) -> Hashable:
+    """Return the place of the base that lies under a finite or real place of an extension."""
+    finite = isinstance(w, int) or getattr(w, "is_finite", False)
+    if base.degree == 1:
+        return "inf" if not finite else w if isinstance(w, int) else w.p
+    if finite:
+        below: Iterator[Hashable] = (
+            v for v in base.primes_above(w.p) if all(image(x) in w for x in v.generators)
+        )
+        return next(below)
+    left, bound = list(base.real_places()), 1
+    while w.sign(image(base.gen - bound)) > 0 or w.sign(image(base.gen + bound)) < 0:
+        bound *= 2
+    low, high = Fraction(-bound), Fraction(bound)
+    while len(left) > 1:  # different places give the generator different values
+        middle = (low + high) / 2
+        x = base.gen - base(middle)
+        own = w.sign(image(x))
+        left = [v for v in left if v.sign(x) == own]
+        low, high = (low, middle) if own < 0 else (middle, high)
+    return left[0]  # type: ignore[no-any-return]

@@ -30,12 +30,14 @@ from hfield.structure.global_field import field_named_by, global_field, known_fi
 from hfield.syntax.other_systems import written
 
 if TYPE_CHECKING:
-    from hfield.algebra.brauer import Embedding, TensorProduct
+    from hfield.algebra.brauer import Corestriction, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
+    from hfield.algebra.quadratic_fields import Embedding
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Order
     from hfield.lattices.over_integers.lattices import IntegersOrder
-    from hfield.modules.equations import LinearSolutions
+    from hfield.lattices.ternary_forms import TernaryForm
+    from hfield.modules.equations import LinearSolutions, SystemSolutions
     from hfield.modules.matrix import Matrix
     from hfield.modules.polynomials import Polynomials
 
@@ -563,29 +565,54 @@ class QuaternionAlgebra(Hinted):
 
         return TensorProduct(self, other)
 
-    def embed(self, d: object) -> Embedding:
-        """Return an embedding of F(√d): true with ``.element``, whose square is d, or false with ``.place``.
+    def corestriction(self, base: Ring | str = "QQ") -> Corestriction:
+        """Return the corestriction to a subfield: ``.algebra``, ``.brauer_class``, and the places ``.above``.
 
-        Over ℚ d may be a quadratic field, of whose polynomial ``.element`` is a root. Raises
-        :class:`RingError` for a square d, and in characteristic 2.
+        It ramifies at the places of the base below an odd number of ramified ones. Raises :class:`RingError`
+        for fields of another kind, :class:`CoercionError` for a base that is no subfield.
+
+        >>> found = QuaternionAlgebra("QQ(sqrt(3))", -1, "1 + sqrt(3)").corestriction()
+        >>> found.algebra, found.above
+        ((-1,-2|QQ), {2: (2,), 'inf': (inf-,)})
+        """
+        from hfield.algebra.brauer import corestriction
+
+        return corestriction(self, base if isinstance(base, Ring) else read_ring(base))
+
+    def embed(self, extension: object) -> Embedding:
+        """Return an embedding of a quadratic extension: true with ``.element``, or false with ``.place``.
+
+        d stands for F(√d), and ``.element`` is a root of x² − d; else a field or a polynomial is given, as in
+        ``"x^2+x+3"``, which has the root. In characteristic 2 x² − d is inseparable.
+        Raises :class:`RingError` for what is no quadratic extension, and :class:`UndecidedError`.
 
         >>> A = QuaternionAlgebra(-1, -3)
-        >>> found = A.embed(-7)
-        >>> found.element**2, A.embed(7).place, A.embed(read_ring("QQ(zeta3)")).element
+        >>> A.embed(-7).element ** 2, A.embed(7).place, A.embed("QQ(zeta3)").element
         (−7, 3, −1/2 + 1/2j)
+        >>> B = QuaternionAlgebra.from_text("[1,t|GF(2)(t))")
+        >>> x = B.embed("y^2 + y + (t+1)/t").element; x*x + x
+        (t+1)/t
         """
-        from hfield.algebra.brauer import embed
+        from hfield.algebra.quadratic_fields import embed
 
-        return embed(self, d)
+        return embed(self, extension)
 
     # --- matrices and equations: their room is imported on use ---------------------------------
 
-    def matrix(self, rows: Iterable[Iterable[object]]) -> Matrix:
-        """Return the matrix with these rows of elements. Raises :class:`CoercionError`.
+    def matrix(self, rows: Iterable[Iterable[object]] | Quaternion | str) -> Matrix:
+        """Return the matrix with these rows of elements, or that a text means. Raises :class:`CoercionError`.
+
+        Of an array of quaternions the last two axes are rows and columns; others number matrices.
 
         >>> H("GF(3)").matrix([["1", "i"], ["j", "1"]]).rank()
         2
+        >>> H("QQ").matrix("inv([[1, i], [j, k]])"), H("QQ").matrix("[[1, i], [j, k]] * [[2], [comm(i, j)]]")
+        ([[1/2, -1/2*j], [-1/2*i, -1/2*k]], [[2 - 2*j], [-2 + 2*j]])
         """
+        if isinstance(rows, str):
+            from hfield.modules.texts import read_matrix
+
+            return read_matrix(self, rows)
         from hfield.modules.matrix import Matrix
 
         return Matrix(self, rows)
@@ -627,6 +654,22 @@ class QuaternionAlgebra(Hinted):
         from hfield.modules.equations import solve_linear
 
         return solve_linear(self, list(terms), c)
+
+    def solve(self, *equations: str, unknowns: str | None = None) -> SystemSolutions:
+        """Return all solutions of equations, linear over the field, by the names of the unknowns.
+
+        ``.particular`` and ``.kernel``; falsy with ``.reason`` where there is none. ``unknowns``, as in
+        ``"x, y"``, are by default the letters from p to z that mean nothing else. ``conj``, ``trace``,
+        ``scalar`` and ``vector`` of an unknown are linear, too. Raises :class:`NotationError`.
+
+        >>> found = H("QQ").solve("i*x + y = j", "x - y*i = 0")
+        >>> found.particular, found.kernel[0], bool(H("QQ").solve("i*x + y = j", "x - y*i = 1"))
+        ({'x': −1/2k, 'y': 1/2j}, {'x': i, 'y': 1}, False)
+        """
+        from hfield.modules.equations import read_system, unknowns_in
+
+        names = unknowns_in(self, equations) if unknowns is None else unknowns.split(",")
+        return read_system(self, equations, [x.strip() for x in names])
 
     # --- lattices and orders: their room is imported on use ------------------------------------
 
@@ -842,3 +885,19 @@ def H(ring: Ring | str) -> QuaternionAlgebra:
     0
     """
     return QuaternionAlgebra(ring, -1, -1)
+
+
+def ternary_form(coefficients: Iterable[object], ring: Ring | str = "QQ") -> TernaryForm:
+    """Return the form ``a·x² + b·y² + c·z² + r·yz + s·xz + t·xy`` with the coefficients [a, b, c, r, s, t].
+
+    They are integers, or those of a number field; ``order()`` of a form is its even Clifford algebra, and
+    ``O.ternary_form()`` leads back. Raises :class:`LatticeError` for what is no such form, or degenerate.
+
+    >>> f = ternary_form([1, 1, 3, 1, 0, 1])
+    >>> f, f.discriminant(), f.order().is_maximal(), f.automorphism_count()
+    (x²+y²+3·z²+y·z+x·y, 8, False, 12)
+    """
+    from hfield.lattices.ternary_forms import TernaryForm
+
+    F = ring if isinstance(ring, Ring) else read_ring(ring)
+    return TernaryForm(F, coefficients, QuaternionAlgebra)

@@ -1,4 +1,4 @@
-"""``hfield solve``: all solutions of an equation that is linear in one unknown quaternion."""
+"""``hfield solve``: all solutions of linear equations in unknown quaternions, and of those with a matrix."""
 
 from __future__ import annotations
 
@@ -11,16 +11,24 @@ from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.parser import add_algebra, add_output, algebra_of
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
     from hfield.algebra import QuaternionAlgebra
+    from hfield.algebra.quaternion import Quaternion
+    from hfield.modules.matrix import Matrix
+
+    Value = Quaternion | Matrix
 
 HELP = (
-    "Solve an equation that is linear over the field in one unknown, such as 'i*x - x*j = k', with conj, "
-    "trace, scalar and vector of it. Exit status: 0 there are solutions, 1 there are none, 2 bad usage."
+    "Solve an equation that is linear over the field, such as 'i*x - x*j = k', with conj, trace, scalar and "
+    "vector of the unknown; a system, 'i*x + y = j; x - y*i = 0'; or a matrix's, '[[1,i],[j,k]]*x = [i,j]'. "
+    "Exit status: 0 there are solutions, 1 there are none, 2 bad usage."
 )
 DOING = "solving"
 EXAMPLES = (
     "hfield solve 'i*x - x*j == i - j'",
-    "hfield solve 'i*q + conj(q)*j = 1' --field GF7 --unknown q",
+    "hfield solve 'i*x + y = j; x - y*i = 0' --field GF7",
+    "hfield solve '[[1,i],[j,k]]*x = [i,j]'",
 )
 COLUMNS = ("equation", "algebra", "field", "particular", "kernel", "reason", "error")
 
@@ -29,7 +37,9 @@ def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_inputs(parser, "EQUATION", "the equation, in quotes", "plain", "unicode", "json")
     parser.add_argument(
-        "--unknown", metavar="X", default="x", help="the name of the unknown (default: x)"
+        "--unknown",
+        metavar="X,…",
+        help="the names of the unknowns (default: the letters from p to z that mean nothing else)",
     )
     add_algebra(parser)
     add_output(parser)
@@ -40,10 +50,28 @@ def run(args: Namespace) -> int:
     return answer_all(args, partial(_solve, algebra_of(args), args.unknown), COLUMNS, apart=False)
 
 
-def _solve(A: QuaternionAlgebra, unknown: str, text: str) -> Answer:
-    from hfield.modules.equations import read_equation
+def _solve(A: QuaternionAlgebra, unknown: str | None, text: str) -> Answer:
+    from hfield.modules.equations import read_system, unknowns_in
+    from hfield.modules.texts import has_matrix, read_matrix_equation
 
-    found = read_equation(A, text, unknown)
+    particular: Mapping[str, Value] | None
+    kernel: Sequence[Mapping[str, Value]]
+    if has_matrix(text):
+        one = unknown or next(iter(unknowns_in(A, [text])), "x")
+        solved = read_matrix_equation(A, text, one)
+        reason, kernel = solved.reason, [{one: x} for x in solved.kernel]
+        particular = None if solved.particular is None else {one: solved.particular}
+        scalars = f"{A} on the {'left' if solved.from_right else 'right'}"
+    else:
+        equations = [part for part in text.split(";") if part.strip()]
+        names = unknowns_in(A, equations) or ["x"] if unknown is None else unknown.split(",")
+        found = read_system(A, equations, [name.strip() for name in names])
+        particular, kernel, reason, scalars = (
+            found.particular,
+            found.kernel,
+            found.reason,
+            A.ring.name,
+        )
 
     def data() -> dict[str, object]:
         return {
@@ -51,19 +79,28 @@ def _solve(A: QuaternionAlgebra, unknown: str, text: str) -> Answer:
             "equation": text,
             "algebra": A.name,
             "field": A.ring.name,
-            "particular": None if found.particular is None else found.particular.text(),
-            "kernel": [q.text() for q in found.kernel],
-            "reason": found.reason or None,
+            "particular": None if particular is None else _plain(particular),
+            "kernel": [_plain(v) for v in kernel],
+            "reason": reason or None,
         }
 
     def page(style: str) -> str:
-        if found.particular is None:
-            return f"no solution: {found.reason}"
-        lines = [f"{unknown} = {found.particular.text(style)}"]
-        if found.kernel:
-            lines.append(f"and plus any combination over {A.ring.name} of")
-            lines += [f"    {q.text(style)}" for q in found.kernel]
+        if particular is None:
+            return f"no solution: {reason}"
+        lines = [f"{name} = {x.text(style)}" for name, x in particular.items()]
+        if kernel:
+            lines.append(f"and plus any combination over {scalars} of")
+            for v in kernel:
+                shown = [x.text(style) for x in v.values()]
+                pairs = [f"{name} = {x}" for name, x in zip(v, shown, strict=True)]
+                lines.append(f"    {', '.join(pairs) if len(v) > 1 else shown[0]}")
         return "\n".join(lines)
 
     forms = {"unicode": partial(page, "unicode")}
-    return Answer(data, lambda _: page("plain"), forms, 0 if found else 1)
+    return Answer(data, lambda _: page("plain"), forms, 1 if particular is None else 0)
+
+
+def _plain(v: Mapping[str, Value]) -> object:
+    """Return texts by names, or the one there is."""
+    shown = {name: x.text() for name, x in v.items()}
+    return shown if len(shown) > 1 else next(iter(shown.values()))

@@ -7,6 +7,8 @@ from threading import Event, RLock, Thread
 from types import TracebackType
 from typing import TextIO
 
+from hfield.progress import told
+
 WIDTH = 79
 PATIENCE = 0.5  # seconds before a command says what it is at
 _ERASE = "\r\x1b[K"
@@ -44,6 +46,15 @@ class StatusLine:
 
 
 STATUS = StatusLine()
+
+
+def _how_far() -> str:
+    """Return what the loop that runs has told of itself, and how long it will take at this rate."""
+    if (now := told()) is None:
+        return ""
+    what, share, seconds = now
+    left = f", some {seconds / share * (1 - share):.0f} s left" if share else ""
+    return f" ({int(100 * share)} % of {what}{left})"
 
 
 class Progress:
@@ -112,5 +123,5 @@ class Waiting:
     def _tell(self) -> None:
         seconds, pause = 0, PATIENCE
         while not self._over.wait(pause):
-            STATUS.show(f"{self._what} …" + (f" {seconds} s" if seconds else ""))
+            STATUS.show(f"{self._what} …" + (f" {seconds} s" if seconds else "") + _how_far())
             seconds, pause = seconds + 1, 1.0 if seconds else 1.0 - PATIENCE

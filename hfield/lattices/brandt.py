@@ -11,6 +11,7 @@ from hfield.factorisation import factorise
 from hfield.lattices.ideals_of_norm import MOST, number_maximal
 from hfield.lattices.z_order import eichler_symbol
 from hfield.primality import is_prime, primes
+from hfield.progress import along
 
 if TYPE_CHECKING:
     from hfield.lattices.classes import Classes
@@ -181,7 +182,8 @@ def by_theta_series(classes: Classes, n: int) -> Matrix:
     """Return the Brandt matrix by counting vectors of norm n between all pairs of classes."""
     units = classes.unit_counts
     h = range(len(classes))
-    return [[classes.theta_series(i, j, n)[n] // units[j] for j in h] for i in h]
+    rows = along(h, len(h), "rows")
+    return [[classes.theta_series(i, j, n)[n] // units[j] for j in h] for i in rows]
 
 
 def number_of_ideals(classes: Classes, n: int) -> int:

@@ -45,6 +45,7 @@ from hfield.lattices.z_lattice import (
 )
 from hfield.lattices.z_order import ZOrder, order_of
 from hfield.primality import is_prime, primes
+from hfield.progress import along, tell
 
 Key = tuple[int, ...]
 Row = tuple[int, ...]
@@ -121,6 +122,7 @@ class Classes(Certified):
             while len(rows) < len(self._lattices):
                 row, left = self._row(len(rows), p, left, back)
                 rows.append(row)
+                tell(self.mass - left, self.mass, "the mass")
             self.rows[p] = rows
             if left < 0:
                 raise AssertionError("the classes found exceed the mass")
@@ -211,7 +213,7 @@ class Classes(Certified):
         if p in self._exchanged:
             return self._exchanged[p]
         ideal, moved = two_sided_prime(self.ring, p), [-1] * len(self)
-        for n, lattice in enumerate(self._lattices):
+        for n, lattice in enumerate(along(self._lattices, len(self), "types")):
             if moved[n] < 0:  # the square of the ideal is a number, so this is an involution
                 m = self._index(product(lattice, ideal))
                 moved[n], moved[m] = m, n
@@ -233,7 +235,9 @@ class Classes(Certified):
         p = prime(p)
         if p not in self.rows:
             if self.ring.discriminant % p:
-                self.rows[p] = [self.neighbours_of(n, p) for n in range(len(self))]
+                self.rows[p] = [
+                    self.neighbours_of(n, p) for n in along(range(len(self)), len(self), "rows")
+                ]
             else:
                 self.rows[p] = self.power_neighbours(p, 1)
         return self.rows[p]
@@ -254,7 +258,10 @@ class Classes(Certified):
         """
         local = of_prime_power_norm(self.ring, p, e)
         around = (prime_to(lattice, p) for lattice in self._lattices)
-        return [Counter(self._index(meet(J, K)) for K in local) for J in around]
+        return [
+            Counter(self._index(meet(J, K)) for K in local)
+            for J in along(around, len(self), "rows")
+        ]
 
     def brandt_matrix(self, n: int) -> list[list[int]]:
         """Return the Brandt matrix: entry (i, j) counts the ideals of class j of relative norm n in I_i.

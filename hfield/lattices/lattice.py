@@ -34,6 +34,7 @@ from hfield.lattices import (
     maximal_orders,
     quadratic_orders,
     short_elements,
+    ternary_forms,
     z_lattice,
     z_order,
 )
@@ -52,6 +53,7 @@ from hfield.lattices.eigensystems import WithForms
 from hfield.lattices.hecke_modules import RationalModule
 from hfield.lattices.quadratic_orders import Embeddings
 from hfield.lattices.short_elements import expect_definite
+from hfield.lattices.ternary_forms import TernaryForm
 from hfield.lattices.z_lattice import ZLattice, rows_json
 from hfield.lattices.z_order import ZOrder
 from hfield.rings.whole_numbers import fraction
@@ -377,6 +379,22 @@ class Order(Certified, Lattice):
         return enumeration.theta_series(
             self.value.reduced_ternary[2], natural(n, "a theta series goes up to")
         )
+
+    def ternary_form(self) -> TernaryForm:
+        """Return the form whose even Clifford algebra is the order, reduced where it is definite.
+
+        Its discriminant is that of the order (Voight, *Quaternion Algebras*, chapter 22).
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); f = O.ternary_form()
+        >>> f, f.discriminant(), f.genus()
+        (x²+y²+3·z²+y·z, 11, (x²+y²+3·z²+y·z, x²+y²+4·z²+x·z+x·y))
+        """
+        value = self.value
+        den, rows, _ = value.reduced_ternary if value.regular.definite else value.ternary
+        i, j, k = (self.algebra(*x) / (2 * den) for x in rows.tolist())  # up to scalars
+        found = ternary_forms.form_of((i, j, k), type(self.algebra))
+        return found.reduced() if found.is_definite() else found
 
     def maximal_overorder(self) -> Order:
         """Return a maximal order that contains this one, always the same."""

@@ -1,14 +1,18 @@
-"""Linear equations with one unknown quaternion: Σ aₙ·x·bₙ = c, by coordinates over the base ring."""
+"""Linear equations Σ aₙ·x·bₙ = c, and systems of them, by coordinates over the base ring."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import NotationError, UndecidedError, shorten
+from hfield.modules.vocabulary import vocabulary
 from hfield.structure.linear_algebra.echelon import null_space, solution
 from hfield.syntax import Reader, plain_element
+
+Vector = tuple[Quaternion, ...]
 
 
 @dataclass(frozen=True)
@@ -46,30 +50,78 @@ def solve_linear(
 
 
 def _solved(algebra: Parent, of_basis: Sequence[Quaternion], right: Quaternion) -> LinearSolutions:
+    found = _solve(algebra, [(of_basis, right)])
+    particular = None if found.particular is None else found.particular[0]
+    return LinearSolutions(
+        particular, tuple(v[0] for v in found.kernel), found.reason, found.functional
+    )
+
+
+@dataclass(frozen=True)
+class _Vectors:
+    """Solutions as :class:`LinearSolutions`, for as many unknowns as there are."""
+
+    particular: Vector | None
+    kernel: tuple[Vector, ...]
+    reason: str = ""
+    functional: tuple[object, ...] = ()
+
+
+def _solve(
+    algebra: Parent, equations: Sequence[tuple[Sequence[Quaternion], Quaternion]]
+) -> _Vectors:
+    """Solve equations, each the images of e, i, j, k for each unknown in turn, and the right side."""
     F = algebra.ring
     if not F.is_field:
         raise UndecidedError(f"linear equations are solved over fields, and {F.name} is none")
-    images = [q.coordinates for q in of_basis]
-    rows = [list(row) for row in zip(*images, strict=True)]
-    found = solution(F, rows, [[x] for x in right.coordinates])
-    kernel = tuple(algebra(*v) for v in null_space(F, rows, 4))
+    rows = [
+        list(row)
+        for images, _ in equations
+        for row in zip(*(q.coordinates for q in images), strict=True)
+    ]
+    right = [x for _, q in equations for x in q.coordinates]
+    found, width = solution(F, rows, [[x] for x in right]), len(rows[0])
+    kernel = tuple(_vector(algebra, v) for v in null_space(F, rows, width))
     if found is not None:
-        return LinearSolutions(algebra(*(row[0] for row in found)), kernel)
-    for y in null_space(F, [list(v) for v in images], 4):
-        value = sum((s * x for s, x in zip(y, right.coordinates, strict=True)), F.zero)
+        return _Vectors(_vector(algebra, [row[0] for row in found]), kernel)
+    columns = [list(column) for column in zip(*rows, strict=True)]
+    for y in null_space(F, columns, len(rows)):
+        value = sum((s * x for s, x in zip(y, right, strict=True)), F.zero)
         if not F.is_zero(value):
             weights = ", ".join(map(F.text, y))
+            several = len(equations) > 1
+            what = "the right sides" if several else f"c = {equations[0][1]}"
             reason = (
-                f"({weights}) times the coordinates of the left side is 0 for every x, "
-                f"and {F.text(value)} for c = {right}"
+                f"({weights}) times the coordinates of the left side{'s' * several} is 0 for every "
+                f"{'choice of the unknowns' if several else 'x'}, and {F.text(value)} for {what}"
             )
-            return LinearSolutions(None, kernel, reason, tuple(y))
+            return _Vectors(None, kernel, reason, tuple(y))
     raise AssertionError("a system without solution has a functional that says so")
+
+
+def _vector(algebra: Parent, v: Sequence[object]) -> Vector:
+    return tuple(algebra(*v[n : n + 4]) for n in range(0, len(v), 4))
+
+
+@dataclass(frozen=True)
+class SystemSolutions:
+    """All solutions of a system, by the names of the unknowns; else as :class:`LinearSolutions`.
+
+    ``functional`` are four scalars for each equation.
+    """
+
+    particular: dict[str, Quaternion] | None
+    kernel: tuple[dict[str, Quaternion], ...]
+    reason: str = ""
+    functional: tuple[object, ...] = ()
+
+    def __bool__(self) -> bool:
+        return self.particular is not None
 
 
 @dataclass(frozen=True)
 class Affine:
-    """A constant plus a map linear over the base ring, known by the images of e, i, j, k."""
+    """A constant plus a map linear over the base ring, known by the images of e, i, j, k for each unknown."""
 
     constant: Quaternion
     images: tuple[Quaternion, ...] = ()
@@ -97,7 +149,10 @@ class Affine:
     def known(self, what: str) -> Quaternion:
         """Return the constant. Raises :class:`NotationError` where the unknown is in it."""
         if self.images:
-            raise NotationError(f"{what} has the unknown in it, so that the equation is not linear")
+            raise NotationError(
+                f"{what} has the unknown in it, so that the equation is not linear; roots() of a polynomial "
+                "and `hfield roots` find those of coefficients on the left"
+            )
         return self.constant
 
 
@@ -108,14 +163,51 @@ def read_equation(algebra: Parent, text: str, unknown: str = "x") -> LinearSolut
     Raises :class:`NotationError` for what cannot be read or is not linear, and :class:`UndecidedError` over
     rings that are no fields.
     """
+    both = _read(algebra, text, [unknown])
+    if not both.images:
+        raise NotationError(f"the unknown {unknown} does not occur in {shorten(text)!r}")
+    return _solved(algebra, both.images, -both.constant)
+
+
+def read_system(algebra: Parent, texts: Sequence[str], unknowns: Sequence[str]) -> SystemSolutions:
+    """Solve equations in several unknowns; as :func:`read_equation`.
+
+    >>> from hfield import H
+    >>> read_system(H("QQ"), ["i*x + y = j", "x - y*i = 0"], ["x", "y"]).particular
+    {'x': −1/2k, 'y': 1/2j}
+    """
+    if not texts or not unknowns:
+        raise NotationError("expected equations, and the names of their unknowns")
+    if len(set(unknowns)) < len(unknowns):
+        raise NotationError(f"an unknown is named twice: {', '.join(unknowns)}")
+    for x in unknowns:
+        if not any(re.search(rf"\b{re.escape(x)}\b", text) for text in texts):
+            raise NotationError(f"the unknown {x} does not occur in the equations")
+    zeros = (algebra.scalar(0),) * (4 * len(unknowns))
+    read = [_read(algebra, text, unknowns) for text in texts]
+    found = _solve(algebra, [(f.images or zeros, -f.constant) for f in read])
+
+    def named(v: Vector) -> dict[str, Quaternion]:
+        return dict(zip(unknowns, v, strict=True))
+
+    particular = None if found.particular is None else named(found.particular)
+    return SystemSolutions(
+        particular, tuple(map(named, found.kernel)), found.reason, found.functional
+    )
+
+
+def unknowns_in(algebra: Parent, texts: Sequence[str]) -> list[str]:
+    """Return the letters from p to z in equations that mean nothing else."""
+    words = {x for text in texts for x in re.findall(r"[^\W\d]\w*", text)}
+    return [x for x in "xyzuvwpqrst" if x in words and x not in algebra.ring.names()]
+
+
+def _read(algebra: Parent, text: str, unknowns: Sequence[str]) -> Affine:
+    """Return the left side of an equation less the right one."""
     F = algebra.ring
     sides = plain_element(text).replace("==", "=").split("=")
     if len(sides) != 2:
         raise NotationError(f"an equation has one =, as in i*x - x*j = k; found {shorten(text)!r}")
-    if unknown in F.names():
-        raise NotationError(
-            f"{unknown} is an element of {F.name}; name the unknown otherwise (q, say)"
-        )
 
     def linear(f: Callable[[Quaternion], Quaternion]) -> Callable[[Affine], Affine]:
         return lambda x: x.each(f)
@@ -123,10 +215,17 @@ def read_equation(algebra: Parent, text: str, unknown: str = "x") -> LinearSolut
     def alone(f: Callable[..., Quaternion]) -> Callable[..., Affine]:
         return lambda x, *more: Affine(f(x.known("its argument"), *more))
 
-    names = {name: Affine(algebra.scalar(x)) for name, x in F.names().items()}
-    names |= {name: Affine(q) for name, q in zip("eijk", algebra.basis, strict=True)}
-    names[unknown] = Affine(algebra.scalar(0), algebra.basis)
-    functions: dict[str, Callable[..., Affine]] = {
+    zero = algebra.scalar(0)
+    names, functions = vocabulary(algebra, Affine, lambda x: x.known("its argument"))
+    for n, x in enumerate(unknowns):
+        if x in names:
+            where = algebra if x in "eijk" else F.name
+            raise NotationError(
+                f"{x} is an element of {where}; name the unknown otherwise (q, say)"
+            )
+        before, after = (zero,) * (4 * n), (zero,) * (4 * (len(unknowns) - n - 1))
+        names[x] = Affine(zero, (*before, *algebra.basis, *after))
+    functions |= {
         "/": lambda x, y: x.each(lambda q: q / y.known("a divisor")),
         "**": alone(lambda q, n: q**n),
         "conj": linear(Quaternion.conjugate),
@@ -135,12 +234,11 @@ def read_equation(algebra: Parent, text: str, unknown: str = "x") -> LinearSolut
         "vector": linear(lambda q: q.vector_part),
         "norm": alone(lambda q: algebra.scalar(q.norm())),
         "inv": alone(Quaternion.inverse),
+        "comm": lambda x, y: x * y - y * x,
     }
     reader = Reader(
         lambda n: Affine(algebra.scalar(n)), names, functions, str(algebra), F.parse_limit
     )
     left, right = map(reader.read, sides)
-    both = left - right
-    if not both.images:
-        raise NotationError(f"the unknown {unknown} does not occur in {shorten(text)!r}")
-    return _solved(algebra, both.images, -both.constant)
+    both: Affine = left - right
+    return both

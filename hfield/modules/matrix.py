@@ -25,6 +25,8 @@ from hfield.structure.linear_algebra.echelon import echelon, null_space, solutio
 from hfield.structure.linear_algebra.kernels import kernel
 
 if TYPE_CHECKING:
+    from hfield.modules.decompositions import SVD, Polar, Schur
+    from hfield.modules.hermitian import DiagonalForm, Signature
     from hfield.rings.base import Ring
 
 Vector = tuple[Quaternion, ...]
@@ -52,8 +54,13 @@ class Matrix:
     algebra: Parent
     rows: Entries
 
-    def __init__(self, algebra: Parent, rows: Iterable[Iterable[object]] | Matrix) -> None:
-        given = rows.rows if isinstance(rows, Matrix) else rows
+    def __init__(
+        self, algebra: Parent, rows: Iterable[Iterable[object]] | Matrix | Quaternion
+    ) -> None:
+        given: Any = rows.rows if isinstance(rows, Matrix) else rows
+        if isinstance(given, Quaternion) and len(given.shape) > 1:
+            m, n = given.shape[-2:]
+            given = [[given[..., r, s] for s in range(n)] for r in range(m)]
         if isinstance(given, str) or not isinstance(given, Iterable):
             raise CoercionError(f"a matrix takes a list of rows, not {shorten(given)}")
         found = []
@@ -92,6 +99,18 @@ class Matrix:
         """The transpose; of a product it is the product of transposes only where entries commute."""
         return self._like(zip(*self.rows, strict=True))
 
+    def change_ring(self, ring: Ring | str) -> Matrix:
+        """Return the matrix over another ring, which must contain the constants and coordinates.
+
+        >>> from hfield import H
+        >>> H("QQ").matrix([["i/2", 3]]).change_ring("GF(7)")
+        [[4*i, 3]]
+        """
+        rows = [[q.change_ring(ring) for q in row] for row in self.rows]
+        made = self._like(rows)
+        made.algebra = rows[0][0].algebra
+        return made
+
     def conjugate(self) -> Matrix:
         """Return the matrix of the conjugates."""
         return self._like([[q.conjugate() for q in row] for row in self.rows])
@@ -103,6 +122,42 @@ class Matrix:
     def is_hermitian(self) -> bool:
         """Tell whether the matrix is its own adjoint."""
         return self == self.conjugate_transpose()
+
+    def diagonal_form(self) -> DiagonalForm:
+        """Return ``.diagonal`` and ``.transformation``, P, of a hermitian matrix: P*·M·P is diagonal.
+
+        Its entries lie in the base field, unless 2 = 0 there. Raises :class:`CoercionError` unless M* = M and
+        :class:`UndecidedError` where none is found, which needs zero divisors in characteristic 2.
+
+        >>> from hfield import H
+        >>> A = H("QQ"); e, i, j, k = A.basis
+        >>> M = A.matrix([[0, i], [-i, 1]]); d, P = M.diagonal_form()
+        >>> d, P.conjugate_transpose() @ M @ P
+        ((1, −1), [[1, 0], [0, -1]])
+        """
+        from hfield.modules.hermitian import diagonal_form
+
+        return diagonal_form(self)
+
+    def signature(self, ordering: int = 0) -> Signature:
+        """Return how many entries of a diagonal form are positive, negative and 0 in an ordering of F.
+
+        Raises :class:`CoercionError` unless M* = M, :class:`RingError` where the norm of the algebra takes
+        both signs in the ordering, or there is none.
+
+        >>> from hfield import H
+        >>> H("QQ").matrix([[0, "i"], ["-i", 1]]).signature()
+        Signature(positive=1, negative=1, zero=0)
+        """
+        from hfield.modules.hermitian import signature
+
+        return signature(self, ordering)
+
+    def is_positive_definite(self, ordering: int = 0) -> bool:
+        """Tell whether x*·M·x > 0 for every x ≠ 0, in an ordering of F, for a hermitian matrix."""
+        from hfield.modules.hermitian import is_positive_definite
+
+        return is_positive_definite(self, ordering)
 
     # --- arithmetic ----------------------------------------------------------------------------
 
@@ -379,15 +434,79 @@ class Matrix:
                 )
         raise AssertionError("a system without solution has a functional that says so")
 
+    # --- eigenvalues ---------------------------------------------------------------------------
+
+    def right_eigenvalues(self) -> Any:
+        """Return the complex λ, Im λ ≥ 0, with M·x = x·λ for an x ≠ 0, n of them with multiplicity.
+
+        Each stands for its class, all q⁻¹·λ·q; in (a, b | F) i/√−a is the imaginary unit. Over RR a tuple of
+        elements of CC, exact; over RDF an array of complex128, by LAPACK, for each of an array of matrices.
+        Raises :class:`CoercionError` over algebras with zero divisors, :class:`UndecidedError` over others,
+        and where the characteristic polynomial is not factored.
+
+        >>> from hfield import H
+        >>> H("RR").matrix([[0, "i"], ["j", 0]]).right_eigenvalues()
+        (1/2*sqrt(2)+1/2*I*sqrt(2), -1/2*sqrt(2)+1/2*I*sqrt(2))
+        >>> H("RDF").matrix([[0, 1], [-1, 0]]).right_eigenvalues().round(6) + 0
+        array([0.+1.j, 0.+1.j])
+        """
+        from hfield.modules.decompositions import right_eigenvalues
+
+        return right_eigenvalues(self)
+
+    def schur(self) -> Schur:
+        """Return ``.unitary`` U and ``.triangular`` T over RDF: M = U·T·U*, complex numbers on T's diagonal.
+
+        Entries may be arrays; residuals are checked. Raises as :meth:`right_eigenvalues` does.
+
+        >>> from hfield import H
+        >>> M = H("RDF").matrix([["i", "1+k"], ["j", 2]]); U, T = M.schur()
+        >>> (U @ T @ U.conjugate_transpose() - M)[0, 1].norm() < 1e-28, T[1, 0]
+        (True, 0)
+        """
+        from hfield.modules.decompositions import schur
+
+        return schur(self)
+
+    def svd(self) -> SVD:
+        """Return ``.left`` U, ``.values``, descending, and ``.right`` V over RDF: M = U·diag(values)·V*.
+
+        >>> from hfield import H
+        >>> H("RDF").matrix([["3*i", 0], [0, "4*j"], [0, 0]]).svd().values
+        array([4., 3.])
+        """
+        from hfield.modules.decompositions import svd
+
+        return svd(self)
+
+    def polar(self) -> Polar:
+        """Return ``.unitary`` W and ``.positive`` P over RDF: M = W·P, W*·W = 1, P hermitian, not negative.
+
+        >>> from hfield import H
+        >>> W, P = H("RDF").matrix([["2*i"]]).polar(); W, P
+        ([[i]], [[2.0]])
+        """
+        from hfield.modules.decompositions import polar
+
+        return polar(self)
+
     # --- text ----------------------------------------------------------------------------------
 
-    def __repr__(self) -> str:
-        rows = (", ".join(map(str, row)) for row in self.rows)
+    def text(self, style: str = "plain") -> str:
+        """Write the rows in the style ``plain``, which ``A.matrix`` reads, ``unicode`` or ``latex``."""
+        if style == "latex":
+            body = r" \\ ".join(" & ".join(q.text(style) for q in row) for row in self.rows)
+            return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
+        rows = (", ".join(q.text(style) for q in row) for row in self.rows)
         return f"[{', '.join(f'[{row}]' for row in rows)}]"
 
+    def __str__(self) -> str:
+        return self.text()
+
+    __repr__ = __str__
+
     def _repr_latex_(self) -> str:
-        body = r" \\ ".join(" & ".join(q.text("latex") for q in row) for row in self.rows)
-        return rf"$\begin{{pmatrix}} {body} \end{{pmatrix}}$"
+        return f"${self.text('latex')}$"
 
 
 def _dot(row: Sequence[Quaternion], column: Sequence[Quaternion]) -> Quaternion:

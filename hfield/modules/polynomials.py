@@ -7,7 +7,8 @@ a + b·q = 0 is linear.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any, ClassVar
@@ -22,12 +23,15 @@ from hfield.errors import (
     shorten,
 )
 from hfield.modules.singular_polynomials import other_root
+from hfield.modules.vocabulary import vocabulary
 from hfield.rings.roots import common_divisor
 from hfield.structure import is_central_simple, is_division, split
 from hfield.structure.linear_algebra.echelon import null_space, solution
+from hfield.structure.single_elements.trace_and_norm import element_of
 from hfield.syntax import Reader, plain_element
 
 MOST_DEGREE = 1000
+SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 @dataclass(frozen=True)
@@ -37,11 +41,14 @@ class Polynomials:
     algebra: Parent
     variable: str = "x"
 
-    def __call__(self, coefficients: Iterable[object]) -> Polynomial:
-        """Return the polynomial with these coefficients, low degree first."""
-        if isinstance(coefficients, str) or not isinstance(coefficients, Iterable):
+    def __call__(self, coefficients: str | Iterable[object]) -> Polynomial:
+        """Return the polynomial with these coefficients, low degree first, or of this text."""
+        if isinstance(coefficients, str):
+            return self.parse(coefficients)
+        if not isinstance(coefficients, Iterable):
             raise CoercionError(
-                f"a polynomial takes a list of coefficients, not {shorten(coefficients)}"
+                "a polynomial takes a list of coefficients, low degree first, or a text such as 'x^2 + i', "
+                f"not {shorten(coefficients)}"
             )
         found = [self.algebra(c) for c in coefficients]
         while found and not found[-1]:
@@ -60,10 +67,9 @@ class Polynomials:
             raise NotationError(
                 f"{self.variable} is an element of {F.name}; name the variable otherwise"
             )
-        names = {name: self([x]) for name, x in F.names().items()}
-        names |= {name: self([q]) for name, q in zip("eijk", A.basis, strict=True)}
+        names, functions = vocabulary(A, lambda q: self([q]), _constant)
         names[self.variable] = self([0, 1])
-        functions: dict[str, Callable[..., Any]] = {"**": Polynomial.__pow__, "/": _over_constant}
+        functions |= {"**": Polynomial.__pow__, "/": lambda f, g: f * _constant(g).inverse()}
         reader = Reader(
             lambda n: self([A.scalar(n)]), names, functions, f"polynomials over {A}", F.parse_limit
         )
@@ -268,18 +274,31 @@ class Polynomial:
         back = self.parent([self.coefficients[-1].inverse()])
         return self * back if left else back * self
 
-    def __repr__(self) -> str:
-        x, shown = self.parent.variable, []
+    def text(self, style: str = "plain") -> str:
+        """Write f, high degree first, in the style ``plain``, which is read, ``unicode`` or ``latex``."""
+        x, out = self.parent.variable, ""
         for n, c in reversed(list(enumerate(self.coefficients))):
-            power = ("", x)[n] if n < 2 else f"{x}^{n}"
-            text = str(c)
-            if c and text != "1" and power and any(s in text[1:] for s in "+- /"):
-                text = f"({text})"
-            if c:
-                shown.append(
-                    power if power and text == "1" else f"{text}*{power}" if power else text
-                )
-        return " + ".join(shown) or "0"
+            if not c:
+                continue
+            term, power = c.text(style), ("", x)[n] if n < 2 else _power(x, n, style)
+            sign = " - " if _is_negative(term) else " + "
+            if sign == " - ":
+                term = term[1:].lstrip()
+            elif power and re.search(r"(?<=.)[-+−/ ]", term):
+                term = rf"\left({term}\right)" if style == "latex" else f"({term})"
+            if power:
+                dot = {"plain": "*", "unicode": "·"}.get(style, " ")
+                term = power if term == "1" else f"{term}{dot}{power}"
+            out = out + sign + term if out else sign.strip().replace("+", "") + term
+        return out or "0"
+
+    def __str__(self) -> str:
+        return self.text()
+
+    __repr__ = __str__
+
+    def _repr_latex_(self) -> str:
+        return f"${self.text('latex')}$"
 
     # --- roots ---------------------------------------------------------------------------------
 
@@ -410,10 +429,23 @@ def _quadratic_divisors(F: Any, f: list[Any]) -> Iterator[tuple[Any, Any]]:
             yield r + r, r * r
 
 
-def _over_constant(f: Polynomial, g: Polynomial) -> Polynomial:
-    if g.degree > 0:
-        raise NotationError(f"polynomials are divided by elements alone, not by {g}")
-    return f * g(0).inverse()
+def _power(x: str, n: int, style: str) -> str:
+    if style == "unicode":
+        return x + str(n).translate(SUPERSCRIPTS)
+    return f"{x}^{{{n}}}" if style == "latex" else f"{x}^{n}"
+
+
+def _is_negative(term: str) -> bool:
+    """Tell whether a term is one with a minus before it."""
+    return term[:1] in "-−" and not re.search(r"[-+−]", term[1:])
+
+
+def _constant(f: Polynomial) -> Quaternion:
+    if f.degree > 0:
+        raise NotationError(
+            f"{f} stands where an element is expected, as a divisor or in a function"
+        )
+    return f(0)
 
 
 def _some(A: Parent, found: Roots) -> Iterator[Quaternion]:
@@ -427,18 +459,8 @@ def _some(A: Parent, found: Roots) -> Iterator[Quaternion]:
 
 def _point(A: Parent, t: Any, n: Any) -> Quaternion | None:
     """Return an element of trace t and norm n that is no scalar, or None. Raises :class:`UndecidedError`."""
-    F = A.ring
-    matrices = split(F, A.constants)
-    if matrices is not None:
-        return A(*matrices.from_matrix(((F.zero, -n), (F.one, t))))
-    if F.characteristic == 2:
-        raise UndecidedError(
-            f"whether {A} has elements of a given trace and norm is not decided: 2 = 0 in {F.name}"
-        )
-    half = t / F(2)
-    roots = A.scalar(half * half - n).square_roots()
-    root = next((x for x in roots if x.vector_part), None)
-    return None if root is None else root + A.scalar(half)
+    q = element_of(A.ring, A.constants, t, n)
+    return None if q is None else A(*q)
 
 
 def _on_line(

@@ -115,6 +115,8 @@ def _need_small(coefficients: Sequence[Scalar]) -> None:
 def by_square_roots(ring: Any, coefficients: Sequence[Any]) -> list[list[Any]]:
     """Factor a polynomial of degree 1 or 2, or of degree 4 in x², over a field whose squares are known.
 
+    In characteristic 0 that is asked of the polynomial that has each of its roots once.
+
     Raises :class:`UndecidedError` for others, and in characteristic 2 where roots are not computed.
     """
     *c, _ = monic(ring, coefficients)
@@ -135,6 +137,12 @@ def by_square_roots(ring: Any, coefficients: Sequence[Any]) -> list[list[Any]]:
         half = ring.inverse(ring(2))
         return distinct(ring, [[(p - root) * half, one], [(p + root) * half, one]])
     if ring.characteristic == 2 or len(c) != 4 or not all(map(ring.is_zero, c[1::2])):
+        whole = [*c, one]
+        if not ring.characteristic:
+            slope = [ring(n) * x for n, x in enumerate(whole)][1:]
+            multiple = common_divisor(ring, whole, slope)
+            if len(multiple) > 1:
+                return by_square_roots(ring, divided(ring, whole, multiple)[0])
         raise UndecidedError(
             f"a polynomial of degree {len(c)} over {ring.name} is not factored here: over others than number "
             "fields, fields of functions and finite fields, those of degree 2, and of degree 4 in x^2, are"

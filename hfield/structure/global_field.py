@@ -227,7 +227,23 @@ class GlobalField(ABC):
         """
         raise UndecidedError(f"square roots of trace 0 over {self.ring} are not sought")
 
+    def obstruction(self, form: NormalForm, t: Any, n: Any) -> Hashable | None:
+        """Return a place where no element has trace t and norm n, for x² − t·x + n without root; or None.
+
+        No field splits a division algebra into which it does not embed, and F_v is no larger than itself.
+        """
+        return next((v for v in self.ramified(form) if self._has_root_at(v, t, n)), None)
+
+    def _has_root_at(self, place: Any, t: Any, n: Any) -> bool:
+        """Tell whether x² − t·x + n has a root in the completion; in characteristic 2 t = 0 is asked, too."""
+        local = self.ring.completion(place)
+        return bool(local.is_square(local(t * t - n * self.ring(4))))
+
     # --- characteristic 2, where [F : F²] = 2 --------------------------------------------------
+
+    def of_trace_one(self, form: NormalForm, n: Any) -> Coordinates | None:
+        """Return some x of trace 1 and norm n in a division algebra [a, b | F), in its basis, or None."""
+        raise UndecidedError(f"elements of trace 1 over {self.ring} are not sought")
 
     def square_parts(self, x: Any) -> tuple[Scalar, Scalar]:
         """Return ``(u, v)`` with ``x = u² + g·v²``, g the generator of the field."""

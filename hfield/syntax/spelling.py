@@ -3,6 +3,8 @@
 import re
 import unicodedata
 
+from hfield.errors import NotationError, shorten
+
 _SIGNS = {"≠": "!=", "⇒": "=>", "⇔": "<=>", "∧": " and ", "∨": " or ", "¬": " not ", "∃": "exists "}
 _SIGNS |= {"−": "-", "·": "*", "×": "*"}
 _FUNCTIONS = {"N": "norm", "tr": "trace", "Sc": "scalar", "Vec": "vector"}
@@ -50,27 +52,71 @@ def plain_element(text: str) -> str:
     return _MULTIPLE.sub(r"\1*\2", plain(text))
 
 
+class _Bracket:
+    """An open bracket: where, what closes it, and whether all its parts so far are commutators or rows."""
+
+    def __init__(self, place: int, closing: str) -> None:
+        self.place, self.closing = place, closing
+        self.of_brackets, self.empty = (
+            True,
+            True,
+        )  # all parts are; nothing of this part has come yet
+
+    def begin(self, is_bracket: bool) -> None:
+        """Note that a part begins, or goes on after a bracket."""
+        self.of_brackets = self.of_brackets and self.empty and is_bracket
+        self.empty = False
+
+    @property
+    def is_matrix(self) -> bool:
+        """Whether it is written as the rows of a matrix, once it closes."""
+        return self.closing == ")" and self.of_brackets and not self.empty
+
+
 def _commutators(text: str) -> str:
-    """Write ``[x, y]`` as ``comm(x, y)``; a bracket after a name or a parenthesis is a coordinate's."""
+    """Write ``[x, y]`` as ``comm(x, y)``; a bracket after a name or a parenthesis is a coordinate's.
+
+    Raises :class:`NotationError` for what could as well be the rows of a matrix.
+    """
     letters: list[str] = []
-    closing: list[str] = []
+    opened: list[_Bracket] = []
     last, spaced = "", False  # the word or the sign before, and whether a blank came after it
-    for char in text:
+    for place, char in enumerate(text):
+        shown = char
         if char == "[":
             after_operand = last not in _WORDS and (
                 last[-1:].isalnum() or last[-1:] in ("_", ")", "]")
             )
-            closing.append("]" if after_operand else ")")
-            char = "[" if after_operand else "comm("
-        elif char == "]" and closing:
-            char = closing.pop()
-        letters.append(char)
+            if opened:
+                opened[-1].begin(not after_operand)
+            opened.append(_Bracket(place, "]" if after_operand else ")"))
+            shown = "[" if after_operand else "comm("
+        elif char == "]" and opened:
+            bracket = opened.pop()
+            if bracket.is_matrix:
+                raise _may_be_a_matrix(text[bracket.place : place + 1])
+            shown = bracket.closing
+        elif opened and char == ",":
+            opened[-1].of_brackets &= not opened[-1].empty
+            opened[-1].empty = True
+        elif opened and not char.isspace():
+            opened[-1].begin(False)
+        letters.append(shown)
         if char.isalnum() or char == "_":
             last = last + char if not spaced and last[-1:].isalnum() else char
         elif not char.isspace():
-            last = char[-1]
+            last = shown[-1]
         spaced = char.isspace()
     return "".join(letters)
+
+
+def _may_be_a_matrix(text: str) -> NotationError:
+    inside = shorten(text[1:-1].strip())
+    return NotationError(
+        f"{shorten(text)} is a matrix, or a commutator: for the commutator write comm({inside}); the matrix "
+        f"is A.matrix({shorten(text)!r}) or, on the command line, hfield matrix; in a statement "
+        "matrix(p, q, r, u)"
+    )
 
 
 ELSEWHERE = {

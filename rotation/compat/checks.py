@@ -20,7 +20,7 @@ def quaternions(value: Any) -> Array | None:
         return None
     if found.home == hints.COMPAT:
         return value._q
-    q = value._q if found.home == hints.OURS else Rotation.from_scipy(value)._q
+    q = value._double if found.home == hints.OURS else Rotation.from_scipy(value)._q
     expect_numpy("rotation.compat", q)
     return np.array(q)
 

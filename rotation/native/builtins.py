@@ -26,6 +26,8 @@ FREE = 2048  # rows for which it pays to free the interpreter lock
 _HEAD = object.__basicsize__
 DATA, NDIM, LENGTHS, FLAGS = (_HEAD + n for n in (0, 8, 16, 48))  # where numpy's header has them
 USABLE = 0x0001 | 0x0100  # C order, aligned
+BYTES = {"double": 8, "float": 4}
+HALVES = vector("float", WIDTH)
 
 Function = Callable[..., int]
 Shape = tuple[int, ...]
@@ -84,11 +86,12 @@ def assembled(
     formula: Callable[..., Any],
     shapes: tuple[Shape, ...],
     parameters: tuple[Any, ...],
-    single: tuple[int, ...] = (),
-) -> tuple[Function, Shape]:
+    single: tuple[int, ...],
+    words: tuple[str, ...],
+) -> tuple[Function, Shape, int]:
     """Return the function ``f(*arrays, out)`` that fills ``out`` with ``formula(*arrays, *parameters)``.
 
-    Second comes the shape of a row of ``out``.
+    Second comes the shape of a row of ``out``, third how many steps eight rows take.
 
     Parameters
     ----------
@@ -96,47 +99,64 @@ def assembled(
         Of one row of each array.
     single : tuple of int
         Which of the arrays have but one row, the same for all rows of the others.
+    words : tuple of str
+        LLVM's word for the numbers of each array, and last of the result: ``double`` or ``float``. All is
+        computed in double.
     """
     with machine_code.lock:
         introduce()
-        block, row = _block(formula, shapes, parameters, single)
-        sizes, width = [int(np.prod(shape)) for shape in shapes], int(np.prod(row))
-        text = module(block, _elements(), _entry(sizes, width, single))
+        block, row = _block(formula, shapes, parameters, single, words)
+        sizes = [int(np.prod(shape)) for shape in (*shapes, row)]
+        text = module(block, _elements(), _entry(sizes, single, words))
         address = machine_code.compiled(text, "entry")
     method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype = ctypes.py_object
     make.argtypes = (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
-    return make(ctypes.addressof(method), method, None), row  # it keeps its ``self`` alive
+    return (
+        make(ctypes.addressof(method), method, None),
+        row,
+        len(block.lines),
+    )  # it keeps its ``self`` alive
 
 
 # --- eight rows ----------------------------------------------------------------------------------
 
 
 def _block(
-    formula: Any, shapes: tuple[Shape, ...], parameters: tuple[Any, ...], single: tuple[int, ...]
+    formula: Any,
+    shapes: tuple[Shape, ...],
+    parameters: tuple[Any, ...],
+    single: tuple[int, ...],
+    words: tuple[str, ...],
 ) -> tuple[Program, Shape]:
     """Write the formula for eight rows in one piece; return that, and the shape of a row of the result."""
     pointers = ", ".join(f"ptr noalias %in{n}" for n in range(len(shapes)))
     program = Program(f"internal i1 @block({pointers}, ptr noalias %out) alwaysinline")
     arguments = []
     for number, shape in enumerate(shapes):
-        size, pointer = int(np.prod(shape)), f"%in{number}"
+        size, pointer, word = int(np.prod(shape)), f"%in{number}", words[number]
         if number in single:
             numbers = (
-                program.load("double", program.at("double", pointer, n), 8) for n in range(size)
+                program.load(word, program.at(word, pointer, n), BYTES[word]) for n in range(size)
             )
-            columns = [program.spread("double", x, WIDTH) for x in numbers]
+            columns = [program.spread(word, x, WIDTH) for x in numbers]
         else:
-            kind = vector("double", size * WIDTH)
-            whole = program.load(kind, pointer, 8)
+            kind = vector(word, size * WIDTH)
+            whole = program.load(kind, pointer, BYTES[word])
             columns = [
                 program.shuffled(kind, whole, "poison", range(n, size * WIDTH, size))
                 for n in range(size)
             ]
-        arguments.append(Rows(shape, [Lanes(program, name) for name in columns]))
+        if word == "float":
+            columns = [program.value(f"fpext {HALVES} {x} to {program.kind}") for x in columns]
+        rows = Rows(shape, [Lanes(program, x) for x in columns], np.dtype(f"f{BYTES[word]}"))
+        arguments.append(rows)
     answer = formula(*arguments, *parameters)
-    _store(program, [program.name_of(r) for r in _flat(answer)])
+    names = [program.name_of(r) for r in _flat(answer)]
+    if words[-1] == "float":
+        names = [program.value(f"fptrunc {program.kind} {x} to {HALVES}") for x in names]
+    _store(program, names, words[-1])
     told = "false"
     for condition in program.told:
         told = program.value(f"or i1 {told}, {program.some(condition)}")
@@ -152,28 +172,28 @@ def _shape(values: Any) -> Shape:
     return (len(values), *_shape(values[0])) if isinstance(values, tuple) else ()
 
 
-def _store(program: Program, names: list[str]) -> None:
+def _store(program: Program, names: list[str], word: str) -> None:
     """Write the columns as rows, one after the other: eights of them by themselves, then the rest."""
-    width = len(names)
+    width, size, kind = len(names), BYTES[word], vector(word, WIDTH)
     whole = width - width % WIDTH if width >= WIDTH else 0
     if not whole:
-        _store_few(program, names)
+        _store_few(program, names, word)
         return
-    for line in range(width):
-        program.ahead(program.at(program.kind, "%out", AHEAD * width + line), writing=True)
+    lines = width * size // 8
+    for line in range(lines):
+        program.ahead(program.at("[64 x i8]", "%out", AHEAD * lines + line), writing=True)
     for first in range(0, whole, WIDTH):
-        for row, name in enumerate(_transposed(program, names[first : first + WIDTH])):
-            place = program.at("double", "%out", row * width + first)
-            program.store(program.kind, name, place, 8)
+        for row, name in enumerate(_transposed(program, names[first : first + WIDTH], kind)):
+            program.store(kind, name, program.at(word, "%out", row * width + first), size)
     for k in range(whole, width):
         for row in range(WIDTH):
-            one = program.value(f"extractelement {program.kind} {names[k]}, i32 {row}")
-            program.store("double", one, program.at("double", "%out", row * width + k), 8)
+            one = program.value(f"extractelement {kind} {names[k]}, i32 {row}")
+            program.store(word, one, program.at(word, "%out", row * width + k), size)
 
 
-def _transposed(program: Program, columns: list[str]) -> list[str]:
+def _transposed(program: Program, columns: list[str], kind: str) -> list[str]:
     """Return eight rows of eight columns, by exchanging halves, quarters and eighths."""
-    v, kind = list(columns), program.kind
+    v = list(columns)
     for d in (1, 2, 4):
         for i in range(WIDTH):
             if i & d:
@@ -185,7 +205,7 @@ def _transposed(program: Program, columns: list[str]) -> list[str]:
     return v
 
 
-def _store_few(program: Program, names: list[str]) -> None:
+def _store_few(program: Program, names: list[str], word: str) -> None:
     """Write fewer than eight columns in one piece."""
     width = len(names)
     parts = [(n, WIDTH) for n in names]
@@ -194,16 +214,16 @@ def _store_few(program: Program, names: list[str]) -> None:
         for (a, length), (b, other) in zip(parts[::2], parts[1::2], strict=False):
             if other < length:
                 filled = (n if n < other else 0 for n in range(length))
-                b = program.shuffled(vector("double", other), b, "poison", filled)
-            whole = program.shuffled(vector("double", length), a, b, range(length + other))
+                b = program.shuffled(vector(word, other), b, "poison", filled)
+            whole = program.shuffled(vector(word, length), a, b, range(length + other))
             joined.append((whole, length + other))
         if len(parts) % 2:
             joined.append(parts[-1])
         parts = joined
     ((whole, length),) = parts
     order = [c * WIDTH + r for r in range(WIDTH) for c in range(width)]
-    kind = vector("double", length)
-    program.store(kind, program.shuffled(kind, whole, "poison", order), "%out", 8)
+    kind = vector(word, length)
+    program.store(kind, program.shuffled(kind, whole, "poison", order), "%out", BYTES[word])
 
 
 # --- all rows ------------------------------------------------------------------------------------
@@ -224,7 +244,7 @@ def _elements() -> Code:
     return code
 
 
-def _entry(sizes: list[int], width: int, single: tuple[int, ...]) -> Code:
+def _entry(sizes: list[int], single: tuple[int, ...], words: tuple[str, ...]) -> Code:
     """Write the builtin: it reads the arrays' headers and runs through blocks of eight rows.
 
     The rows left over at the end go through a buffer, as does the one row of an array that is the same
@@ -232,19 +252,19 @@ def _entry(sizes: list[int], width: int, single: tuple[int, ...]) -> Code:
     """
     code = Code("ptr @entry(ptr %self, ptr %args, i64 %nargs)")
     v = code.value
-    every = [*sizes, width]
-    arrays = code.entries("ptr", "%args", len(every))
+    bytes_of = [n * BYTES[word] for n, word in zip(sizes, words, strict=True)]  # of one row
+    arrays = code.entries("ptr", "%args", len(sizes))
     data = [code.load("ptr", code.at("i8", array, DATA)) for array in arrays]
-    moving = [(n, size) for n, size in enumerate(sizes) if n not in single]
-    buffers = [code.room(vector("double", size * WIDTH)) for size in every]
+    moving = [n for n in range(len(sizes) - 1) if n not in single]
+    buffers = [code.room(vector(w, n * WIDTH)) for n, w in zip(sizes, words, strict=True)]
     counts = [
         v(f"sdiv i64 {code.once(f'call i64 @elements(ptr {array})')}, {size}")
-        for array, size in zip(arrays, every, strict=True)
+        for array, size in zip(arrays, sizes, strict=True)
     ]
     bits = [code.load("i32", code.at("i8", array, FLAGS)) for array in arrays]
     usable = [v(f"icmp eq i32 {v(f'and i32 {b}, {USABLE}')}, {USABLE}") for b in bits]
     rows, good, moves = counts[-1], usable[-1], list[str]()
-    for n in range(len(sizes)):
+    for n in range(len(sizes) - 1):
         moves.append(v(f"icmp eq i64 {counts[n]}, {rows}"))
         one = v(f"icmp eq i64 {counts[n]}, 1")
         fits = one if n in single else v(f"or i1 {moves[n]}, {one}")
@@ -256,12 +276,12 @@ def _entry(sizes: list[int], width: int, single: tuple[int, ...]) -> Code:
 
     code.leave(v(f"xor i1 {good}, true"), lambda: number("1"))
 
-    def spread(n: int, size: int, start: str) -> None:
+    def spread(n: int, start: str) -> None:
         for row in range(WIDTH):
-            code.copy(code.at("double", buffers[n], row * size), start, size * 8)
+            code.copy(code.at("i8", buffers[n], row * bytes_of[n]), start, bytes_of[n])
 
-    for n, size in moving:
-        code.when(fixed[n], lambda n=n, size=size: spread(n, size, data[n]))  # type: ignore[misc]
+    for n in moving:
+        code.when(fixed[n], lambda n=n: spread(n, data[n]))  # type: ignore[misc]
     long = v(f"icmp sge i64 {rows}, {FREE}")
     (state,) = code.when(long, lambda: [("ptr", code.call("ptr", "PyEval_SaveThread"), "null")])
 
@@ -269,26 +289,26 @@ def _entry(sizes: list[int], width: int, single: tuple[int, ...]) -> Code:
         left = v(f"sub i64 {rows}, {i}")
         full = v(f"icmp sge i64 {left}, {WIDTH}")
         few = v(f"xor i1 {full}, true")
-        here = [code.at("double", data[n], v(f"mul i64 {i}, {size}")) for n, size in moving]
+        here = [code.at("i8", data[n], v(f"mul i64 {i}, {bytes_of[n]}")) for n in moving]
 
-        def filled(n: int, size: int, start: str) -> None:
-            spread(n, size, start)  # so that no row of the buffer is what nobody wrote
-            code.copy(buffers[n], start, v(f"mul i64 {left}, {size * 8}"))
+        def filled(n: int, start: str) -> None:
+            spread(n, start)  # so that no row of the buffer is what nobody wrote
+            code.copy(buffers[n], start, v(f"mul i64 {left}, {bytes_of[n]}"))
 
         def partly() -> None:
-            for (n, size), start in zip(moving, here, strict=True):
-                code.when(moves[n], lambda n=n, size=size, s=start: filled(n, size, s))  # type: ignore[misc]
+            for n, start in zip(moving, here, strict=True):
+                code.when(moves[n], lambda n=n, s=start: filled(n, s))  # type: ignore[misc]
 
         code.when(few, partly)
         sources = list(data[:-1])
-        for (n, _), start in zip(moving, here, strict=True):
+        for n, start in zip(moving, here, strict=True):
             row = v(f"select i1 {full}, ptr {start}, ptr {buffers[n]}")
             sources[n] = v(f"select i1 {fixed[n]}, ptr {buffers[n]}, ptr {row}")
-        there = code.at("double", data[-1], v(f"mul i64 {i}, {width}"))
+        there = code.at("i8", data[-1], v(f"mul i64 {i}, {bytes_of[-1]}"))
         target = v(f"select i1 {full}, ptr {there}, ptr {buffers[-1]}")
         given = ", ".join(f"ptr {x}" for x in (*sources, target))
         told = v(f"or i1 {told}, {code.once(f'call i1 @block({given})')}")
-        code.when(few, lambda: code.copy(there, buffers[-1], v(f"mul i64 {left}, {width * 8}")))
+        code.when(few, lambda: code.copy(there, buffers[-1], v(f"mul i64 {left}, {bytes_of[-1]}")))
         return [told]
 
     (told,) = code.loop("0", rows, turn, WIDTH, [("i1", "false")])

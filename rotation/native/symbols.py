@@ -185,12 +185,14 @@ class Condition(Lanes):
 
 
 class Rows:
-    """Eight rows of an array: what a formula takes for its argument."""
+    """Eight rows of an array: what a formula takes for its argument, with the type they are stored in."""
 
-    def __init__(self, shape: tuple[int, ...], values: list[Lanes]) -> None:
+    def __init__(
+        self, shape: tuple[int, ...], values: list[Lanes], dtype: np.dtype[Any] = float64
+    ) -> None:
         self.shape, self.values = shape, values
         self.ndim = len(shape)
-        self.dtype = float64
+        self.dtype = dtype
 
     def __getitem__(self, index: Any) -> Lanes:
         """Return the numbers at ``[...]``, ``[..., n]`` or ``[..., r, c]``."""

@@ -28,6 +28,7 @@ from tests.adversary.names.numbers import Data, modulus_of
 from tests.adversary.names.places import NUMBER_FIELDS
 from tests.adversary.names.reader import read
 from tests.adversary.names.voices import checker_contradicts, prover_contradicts
+from tests.thorough import cases
 
 # Names that once meant one field to the prover, another to the checker or to a reader; or a ring by mistake.
 MEAN = {
@@ -53,7 +54,7 @@ REFUSED = (
     *("GF(2³3)", "ZZ/2¹0", "ZZ/1 0", "QQ(sqrt 2 3)", "QQ(x y)", "QQ[s]/(s³3-2)", "QQ(zeta5)_(5"),
     *("QQ[s]/(s^3-2)_5, s+2", "QQ_-5", "QQ(sqrt(2))_inf", "Qp(5)_5", "GF(3)(t)_inf_inf"),
 )  # fmt: skip
-CHUNKS = range(5)
+CHUNKS = range(cases(5))
 
 
 @pytest.mark.parametrize("text", MEAN)

@@ -1,6 +1,6 @@
-"""2 000 random statements: no verdict, scope, witness or certificate is wrong.
+"""500 random statements: no verdict, scope, witness or certificate is wrong.
 
-scripts/try_statements.py asks as many as one likes.
+HFIELD_THOROUGH=1 asks 2 500, scripts/try_statements.py as many as one likes.
 """
 
 import random
@@ -11,8 +11,9 @@ from hfield.errors import HFieldError
 from hfield.proving.prove import prove
 from tests.adversary.interrogation import interrogate
 from tests.adversary.statement_generator import plain_statements
+from tests.thorough import cases
 
-CHUNKS, SIZE = 40, 50
+CHUNKS, SIZE = cases(50), 50
 
 
 @pytest.mark.parametrize("chunk", range(CHUNKS))

@@ -8,7 +8,7 @@ import pytest
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.rationals import has_no_rational_root
-from hfield.certificates.work import bounded
+from hfield.certificates.work import Work, bounded
 from tests.certificates import ring_data as data
 from tests.certificates.ring_data import Data, read_field
 
@@ -227,8 +227,8 @@ def test_levels() -> None:
 def grown(name: str, text: str) -> None:
     field = read_field(name)
     x = field.read(text)
-    with bounded():
-        for _ in range(40):
+    with bounded(Work(20)):
+        for _ in range(40):  # numbers of 2⁴⁰ digits, if nothing bounded them
             x = field.mul(x, x)
 
 

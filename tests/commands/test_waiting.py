@@ -102,3 +102,27 @@ def test_export_counts_its_claims():
     assert status == 0
     assert re.search(r"\[#{10} {10}\] 1 of 2 claims, C1\.3\.1-z", screen.seen)
     assert "claims," not in out
+
+
+def test_classes_tell_how_far_they_are():
+    code = """
+import sys, time
+from hfield.cli import main
+from hfield.commands.status import STATUS
+import hfield.lattices.classes as classes
+shown, show, tell = [], STATUS.show, classes.tell
+STATUS.show = lambda text: (show(text), shown.append(text))
+def slow(done, total, what):
+    tell(done, total, what)
+    while 0 < done < total and not any("some" in text for text in shown):
+        time.sleep(0.01)
+classes.tell = slow
+sys.exit(main(["classes", "163"]))
+"""
+    screen = Screen(code)
+    status, out = screen.finish()
+    assert status == 0
+    assert re.search(
+        r"enumerating classes …( \d s)? \(\d+ % of the mass, some \d+ s left\)", screen.seen
+    )
+    assert "% of" not in out

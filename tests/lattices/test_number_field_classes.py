@@ -1,5 +1,6 @@
 """Ideal classes of definite orders over totally real fields: known values, identities, other formulas."""
 
+from collections import Counter
 from fractions import Fraction
 from itertools import product
 
@@ -81,6 +82,26 @@ def test_brandt_matrices(name: str, level: int) -> None:
             times = [C.index(I * K.ideal(P)) for I in C]
             assert all(B[i][j] * C.units[j] == B[j][times[i]] * C.units[i] for i in h for j in h)
     assert all(S * T == T * S for S, T in product(matrices, repeat=2))
+
+
+@pytest.mark.parametrize(
+    ("name", "level", "p"), [("s^2-5", 31, 2), ("s^2-5", 31, 5), ("s^2-10", 1, 2), ("s^2-10", 1, 3)]
+)
+def test_brandt_matrices_of_powers(name: str, level: int, p: int) -> None:
+    """They count the ideals of that norm, listed; those of coprime ideals multiply."""
+    A = unramified(name)
+    K = A.ring
+    O = A.eichler_order([(K.primes_above(level)[0], 1)] if level > 1 else 1)
+    C, P = O.class_set(), K.ideal(K.primes_above(p)[0])
+    for k in (2, 3):
+        found = Counter(C.index(J.conjugate()) for J in O.ideals_of_norm(P**k))
+        assert C.brandt_matrix(P**k)[0] == [found[j] for j in range(len(C))]
+    Q = K.ideal(K.primes_above(7)[0])
+    S, T = (flint.fmpz_mat(C.brandt_matrix(a)) for a in (P**2, Q))
+    assert C.brandt_matrix(P**2 * Q) == (S * T).table()
+    if level > 1:
+        with pytest.raises(LatticeError, match="not maximal at"):
+            C.brandt_matrix(K.ideal(K.primes_above(level)[0]) ** 2)
 
 
 def test_equivalence_and_index() -> None:
@@ -168,6 +189,8 @@ def test_refusals() -> None:
         QuaternionAlgebra("QQ(sqrt(5))", 2, 3).maximal_order().class_set()
     C = icosians().maximal_order().class_set()
     with pytest.raises(LatticeError, match="no prime ideal"):
-        C.brandt_matrix(11)
+        C.neighbours(11)
+    with pytest.raises(LatticeError, match="an ideal of the integers"):
+        C.brandt_matrix("1/2")
     with pytest.raises(LatticeError, match="right ideal"):
         C.index(C.order.left_ideal([2]))

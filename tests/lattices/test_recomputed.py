@@ -6,8 +6,9 @@
 import pytest
 
 from tests.lattices.recomputed import OPERATIONS, run
+from tests.thorough import cases
 
-CASES = 40
+CASES = cases(80)
 
 
 @pytest.mark.parametrize("name", OPERATIONS)

@@ -8,8 +8,10 @@ from hfield.rings import GF
 from tests.adversary.falsify import is_true
 from tests.adversary.meaning import read_claim
 from tests.adversary.small_rings import galois
+from tests.thorough import cases
 
-CASES, CASES_LATER = 10**6, 2 * 10**5  # for chapter 1; for the others, which have longer statements
+CASES = cases(10**6)
+CASES_LATER = cases(2 * 10**5)  # for the chapters after the first, which have longer statements
 
 
 def statements(proposition):

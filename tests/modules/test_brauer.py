@@ -1,4 +1,4 @@
-"""Tensor products and embeddings: against ramification, symbols, and the maps themselves."""
+"""Tensor products: against ramification, symbols, and the elements themselves."""
 
 from itertools import combinations
 from random import Random
@@ -11,9 +11,9 @@ from hfield import (
     MixedParentsError,
     QuaternionAlgebra,
     RingError,
-    hilbert_symbol,
     ring,
 )
+from hfield.algebra.embedding import embedding
 from hfield.structure.norm_forms.residue_forms import no_zero
 
 
@@ -58,38 +58,9 @@ def test_products_elsewhere():
     assert S.common_slot[1] ** 2 == S.common_slot[0]
 
 
-@pytest.mark.parametrize("primes", [(2, 3), (2, "inf"), (3, "inf"), (5, 7), (2, 3, 5, "inf"), ()])
-def test_embeddings_over_the_rationals(primes):
-    A = over(primes)
-    for d in (-1, -2, -3, 2, 3, 5, -7, 6, -15, 21, -23):
-        found = A.embed(d)
-        field = ring(f"QQ(sqrt({d}))")
-        assert bool(found) == A.change_ring(field).is_isomorphic(QuaternionAlgebra(field, 1, 1)), d
-        if found:
-            assert found.element**2 == d
-        else:
-            assert found.place in A.ramified_places()
-            assert all(hilbert_symbol(d, n, found.place) == 1 for n in (-1, 2, 3, 5, 7))
-
-
-def test_fields_embed():
-    A = over((2, "inf"))
-    L = ring("QQ[s]/(s^2-s+3)")
-    x = A.embed(L).element
-    assert x * x - x + 3 == 0
-    assert A.embed(ring("QQ(I)")).element ** 2 == -1
-    assert not A.embed(ring("QQ(sqrt(2))"))
-
-
 def test_what_is_refused():
-    A = H("QQ")
-    for d in (4, 0, ring("QQ[s]/(s^3-2)")):
-        with pytest.raises(RingError):
-            A.embed(d)
-    with pytest.raises(RingError, match="2 = 0"):
-        QuaternionAlgebra.from_text("[1,t|GF(2)(t))").embed("t")
     with pytest.raises(MixedParentsError):
-        A.tensor(H("GF(3)"))
+        H("QQ").tensor(H("GF(3)"))
     with pytest.raises(CoercionError, match="not central simple"):
         H("GF(2)").tensor(H("GF(2)"))
 
@@ -132,3 +103,85 @@ def test_slots_exist_over_the_rationals_however_many_places_ramify():
     A, B = over((2, 3, 5, 7, 11, 13)), over((17, 19, 23, 29, 31, "inf"))
     a, x, y = A.tensor(B).common_slot
     assert (x * x, y * y) == (a, a)
+
+
+NUMBER_FIELDS = (
+    "QQ(sqrt(-7))",
+    "QQ(sqrt(3))",
+    "QQ[s]/(s^3-s-1)",
+    "QQ(sqrt(2),sqrt(3))",
+    "QQ[s]/(s^4-s-1)",
+)
+
+
+def small(K, rng):
+    """A small integer of a number field, not 0."""
+    while True:
+        x = sum((w * rng.randint(-4, 4) for w in K.integral_basis()), K(0))
+        if not K.is_zero(x):
+            return x
+
+
+@pytest.mark.parametrize("name", NUMBER_FIELDS)
+def test_corestriction_and_the_projection_formula(name: str):
+    """The corestriction of (x, b) with b in ℚ is (N(x), b)."""
+    rng, K = Random(4), ring(name)
+    ramified = 0
+    for _ in range(12):
+        x, b = small(K, rng), rng.choice([-1, 2, 3, -5, 7, -11, 15])
+        found = QuaternionAlgebra(K, x, b).corestriction()
+        expected = QuaternionAlgebra("QQ", K.norm(x), b)
+        assert set(found.brauer_class) == set(expected.ramified_places())
+        assert found.algebra.is_isomorphic(expected)
+        assert found.index == (2 if expected.is_division_algebra() else 1)
+        ramified += found.index == 2
+    assert ramified
+
+
+def test_corestriction_in_two_steps():
+    rng = Random(6)
+    K, F = ring("QQ(sqrt(2),sqrt(3))"), ring("QQ(sqrt(2))")
+    for _ in range(12):
+        A = QuaternionAlgebra(K, small(K, rng), small(K, rng))
+        step = A.corestriction(F)
+        assert set(step.algebra.ramified_places()) == set(step.brauer_class)
+        assert step.algebra.corestriction().algebra.is_isomorphic(A.corestriction().algebra)
+        x = small(F, rng)  # from F and back it is doubled
+        B = QuaternionAlgebra(F, x, -3).change_ring(K)
+        assert B.corestriction(F).brauer_class == ()
+    A = QuaternionAlgebra(ring("QQ[s]/(s^3-2)"), -1, -3)
+    assert A.corestriction().algebra.is_isomorphic(QuaternionAlgebra(-1, -3))  # three times is once
+
+
+@pytest.mark.parametrize("root", [3, -1])
+def test_corestriction_to_a_quadratic_field(root):
+    """The corestriction of (x, y) with y in the subfield is (N(x), y), x = a + b·√root."""
+    rng = Random(8)
+    F = ring("QQ(sqrt(2))")
+    K = ring(f"QQ(sqrt(2),sqrt({root}))") if root > 0 else ring("QQ(zeta8)")
+    image = embedding(F, K)
+    s = K.sqrt(K(root))
+    found = set()
+    for _ in range(25):
+        a, b, y = small(F, rng), small(F, rng), small(F, rng)
+        over = QuaternionAlgebra(K, image(a) + image(b) * s, image(y)).corestriction(F)
+        places = QuaternionAlgebra(F, a * a - root * b * b, y).ramified_places()
+        assert set(over.brauer_class) == set(places)
+        found |= set(places)
+    assert len(found) > 4
+
+
+def test_real_places_of_a_generator_with_values_that_are_near():
+    F = ring("QQ[s]/(s^2-2000*s+999998)")  # 1000 ± √2
+    for b in (-1, -3):
+        A = QuaternionAlgebra(F, F.gen - 1000, b)
+        assert set(A.corestriction(F).brauer_class) == set(A.ramified_places())
+
+
+def test_no_corestriction():
+    with pytest.raises(RingError, match="number fields"):
+        H("GF(7)").corestriction()
+    with pytest.raises(CoercionError):
+        H("QQ(sqrt(2))").corestriction("QQ(sqrt(3))")
+    with pytest.raises(CoercionError, match="central simple"):
+        QuaternionAlgebra("QQ(sqrt(2))", 0, 1).corestriction()

@@ -183,7 +183,7 @@ def test_linear_equations():
 def test_what_is_refused():
     A = H("QQ")
     for rows in ([], [[]], [[1, 2], [3]], "i", [1, 2], ["ij"]):
-        with pytest.raises(CoercionError):
+        with pytest.raises((CoercionError, NotationError)):
             A.matrix(rows)
     M = A.matrix([[1, 2]])
     with pytest.raises(CoercionError, match="M @ N"):

@@ -7,7 +7,7 @@ from hfield.certificates.check import Rejected, check
 from hfield.proving.decide import decide
 
 
-@pytest.mark.parametrize("field", [None, "ZZ", "QQ", "GF(4)", "ZZ/6", "RR"])
+@pytest.mark.parametrize("field", [None, "GF(4)", "ZZ/6"])
 @pytest.mark.parametrize(
     "statement",
     [
@@ -38,7 +38,7 @@ def test_exponents_add_up(statement, field):
     ],
 )
 def test_other_exponents_are_others(statement):
-    for field in (None, "ZZ", "GF(5)"):
+    for field in (None, "GF(5)"):
         assert decide(statement, field=field, timeout=2).verdict != "proved"
 
 

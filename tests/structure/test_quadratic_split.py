@@ -28,6 +28,7 @@ from hfield.rings import ring
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
 from hfield.structure.minimal_conics import Conic
 from hfield.structure.single_elements.square_roots import square_roots
+from tests.thorough import cases
 
 FIELDS = [2, 3, 5, 10, 17, -1, -3, -7, -23, -163]
 
@@ -79,7 +80,7 @@ def is_square_at(v, x):
 @pytest.mark.parametrize("size", [300, 10**9])
 def test_conics_with_large_coefficients(d, size):
     F, rng = field(d), random.Random(d * size)
-    for _ in range(2):
+    for _ in range(cases(5)):
         c = algebra(F, rng, size, division=False)
         x, y, z = point(F, c.a, c.b)
         assert not all(map(F.is_zero, (x, y, z)))
@@ -218,7 +219,7 @@ def test_no_common_slot():
 @pytest.mark.parametrize("size", [20, 100])
 def test_isomorphisms_of_division_algebras(d, size):
     F, rng = field(d), random.Random(d + size)
-    for _ in range(2):
+    for _ in range(cases(5)):
         c = algebra(F, rng, size, division=True)
         o = other_basis(F, c, rng)
         assert is_isomorphic(F, c, o)
@@ -232,7 +233,7 @@ def test_isomorphisms_of_division_algebras(d, size):
 @pytest.mark.parametrize("d", [2, 5, -1, -7, -23])
 def test_square_roots_of_scalars_in_division_algebras(d):
     F, rng = field(d), random.Random(d)
-    for _ in range(4):
+    for _ in range(cases(10)):
         c = algebra(F, rng, 20, division=True)
         p = (F.zero, *(number(F, rng, 5) for _ in range(3)))
         s = multiply(c, p, p)[0]
@@ -254,7 +255,7 @@ def test_local_squares(d):
     for p in (0, 2, 3, 5):
         for v in places_above(F, p):
             others = [pair(F, y) for z in some for y in (z, z * (p or 1), z * F.gen)]
-            for _ in range(12):
+            for _ in range(cases(20)):
                 x = number(F, rng, 20) * F(rng.choice((1, 2, 4, 3, 9)))
                 symbols = [hilbert_symbol_quadratic(F, pair(F, x), y, v) for y in others]
                 assert is_square_at(v, x) == (min(symbols) == 1)

@@ -38,7 +38,7 @@ from hfield.certificates.rejection import a_list, an_integer, an_object, kind_of
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.scalars.surds import Reals
-from hfield.certificates.statement import HAMILTON, QUATERNIONS, SCALARS, Setting, read_statement
+from hfield.certificates.statement import HAMILTON, UNKNOWNS, Setting, read_statement
 from hfield.certificates.vocabulary import linear_algebra, of_fields
 from hfield.certificates.vocabulary.presentation import establish_presentation, read_presentation
 
@@ -217,7 +217,7 @@ def _with_the_same_names(text: str, setting: Setting) -> Setting:
     assert setting.field is not None
     read_statement(text, replace(setting, field=None))
     for node in walk(parse(text)):
-        unknown = node[0] == "name" and node[1] in (*QUATERNIONS, *SCALARS)
+        unknown = node[0] == "name" and node[1] in UNKNOWNS
         if unknown and setting.field.constant(node) is not None:
             reject(f"{node[1]!r} means an element of {setting.field.name} there")
     return replace(setting, moved=False)

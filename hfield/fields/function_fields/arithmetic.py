@@ -22,6 +22,7 @@ import flint
 
 from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import Factors
+from hfield.fields.function_fields.artin_schreier import has_solution_at, of_trace_one
 from hfield.fields.function_fields.conics import (
     RamifiedError,
     artin_schreier,
@@ -114,8 +115,9 @@ class FunctionArithmetic(GlobalField):
 
     def residues(self, place: FunctionPlace) -> ResidueField | None:
         """Return k[t] modulo a polynomial, or k at infinity, for a finite k."""
-        if self.ring.base.order is None:
-            return None
+        return None if self.ring.base.order is None else self._at(place)
+
+    def _at(self, place: FunctionPlace) -> ResidueField:
         return AtInfinity(self.ring) if place.poly is None else ResidueField(self.ring, place.poly)
 
     def residue_forms(
@@ -128,7 +130,7 @@ class FunctionArithmetic(GlobalField):
             str(v): v for v in (FunctionPlace(F, p / p.leading_coefficient()) for p in factors)
         }
         for place in (FunctionPlace(F), *finite.values()):
-            at = AtInfinity(F) if place.poly is None else ResidueField(F, place.poly)
+            at = self._at(place)
             k: Any = F.base
             if place.degree > 1:
                 if F.base.order is not None:
@@ -181,6 +183,15 @@ class OverEven(FunctionArithmetic):
         """Return y from the leading terms down."""
         return artin_schreier(self.ring, x)
 
+    def _has_root_at(self, place: FunctionPlace, t: Quotient, n: Quotient) -> bool:
+        """Tell whether x² − t·x + n has a root there; x² + n has its root in every division algebra."""
+        return t.num != 0 and has_solution_at(self._at(place), n / (t * t))
+
+    def of_trace_one(self, form: NormalForm, n: Quotient) -> Coordinates | None:
+        """Return x by a conic, unless y² + y = n has a solution where the algebra ramifies."""
+        one = self.ring.one
+        return None if self.obstruction(form, one, n) else of_trace_one(self.ring, form, n)
+
 
 class OverRationals(FunctionArithmetic):
     """The arithmetic of ℚ(x): residues decide up to an algebra over ℚ (Faddeev's exact sequence)."""
@@ -221,6 +232,10 @@ class OverRationals(FunctionArithmetic):
         """Return x where a rational point of the line does not forbid it and one is found."""
         found = traceless_root_functions(self.ring, form, s)
         return None if found is None else (self.ring.zero, *found)
+
+    def obstruction(self, form: NormalForm, t: Quotient, n: Quotient) -> FunctionPlace | None:
+        """Return a place where the residue is not taken away, or a rational one where a form has no zero."""
+        return _obstruction(self.ring, form, _squarefree(self.ring, t * t / 4 - n)[1])
 
 
 def specialised_evidence(c: Constants) -> Iterator[Evidence]:
@@ -269,7 +284,7 @@ def traceless_root_functions(
     """
     a, b = form.constants
     square, free = _squarefree(field, s)
-    if _obstructed(field, form, free):
+    if _obstruction(field, form, free) is not None:
         return None
     found = _quadratic(field, a, b, free) if _is_constant(a) and _is_constant(b) else None
     if found == ():
@@ -305,7 +320,8 @@ def _squarefree(field: FunctionField, s: Quotient) -> tuple[Quotient, Quotient]:
 # --- obstructions ---------------------------------------------------------------------------------
 
 
-def _obstructed(field: FunctionField, form: NormalForm, f: Quotient) -> bool:
+def _obstruction(field: FunctionField, form: NormalForm, f: Quotient) -> FunctionPlace | None:
+    """Return a place over whose completion no element of trace 0 has the square f, if one is found."""
     a, b = form.constants
     coefficients = [a, b, field.zero - a * b, field.zero - f]
     special: list[Fraction | None] = [None]  # infinity
@@ -314,16 +330,17 @@ def _obstructed(field: FunctionField, form: NormalForm, f: Quotient) -> bool:
             linear = [p for p, _ in poly.factor()[1] if p.degree() == 1]
             special += [-fraction(p[0]) / fraction(p[1]) for p in linear]
     points = itertools.chain(special, (Fraction(n) for n in _small(PATTERNS)))
-    if any(not _isotropic_at(coefficients, c) for c in dict.fromkeys(points)):
-        return True
+    for c in dict.fromkeys(points):
+        if not _isotropic_at(coefficients, c):
+            return FunctionPlace(field, None if c is None else (field.gen - field(c)).num)
     for place in ramified_places_functions(field, form):
         if place.poly is None or place.poly.degree() == 1 or f.num % place.poly == 0:
             continue
         kappa, residue = tame_residue(field, a, b, place)
         # the residue, which is no square, must become one in the extension by the root of f
         if not kappa.is_square(kappa.multiply(residue, kappa.reduce(f))):
-            return True
-    return False
+            return place
+    return None
 
 
 def _small(count: int) -> Iterator[int]:

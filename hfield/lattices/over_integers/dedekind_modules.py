@@ -5,18 +5,23 @@ Rows are coordinates in an integral basis of K, n for each of the m coordinates.
 
 from __future__ import annotations
 
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import LatticeError
+from hfield.errors import LatticeError, UndecidedError
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.ring import NumberField
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
+    from hfield.fields.number_fields.ideals import Ideal
+    from hfield.lattices.over_integers.frames import Frame
 
     PseudoBasis = tuple[tuple[tuple[Any, ...], Quaternion], ...]
+
+COEFFICIENTS = 12  # of b in Steinitz's step that are tried; most are good
 
 
 def hermite(rows: list[list[int]], size: int) -> flint.fmpz_mat:
@@ -95,3 +100,64 @@ def pseudo_basis(
 def _turned(row: list[flint.fmpq], n: int) -> list[flint.fmpq]:
     """Return the coordinates, n numbers each, in the opposite order."""
     return [c for k in range(len(row) - n, -1, -n) for c in row[k : k + n]]
+
+
+def free_basis(frame: Frame, pairs: PseudoBasis) -> tuple[Quaternion, ...]:
+    """Return a basis of a module that is given by ideals and vectors, one that is free.
+
+    ``I·x + J·y`` is ``ℤ_K·(a·x + b·y) + I·J·(s·y − t·x)`` for a in I and b in J with a·s + b·t = 1, s in I⁻¹
+    and t in J⁻¹ (Steinitz): what is left at last is principal exactly where the module is free. Raises
+    :class:`LatticeError` for another one.
+    """
+    found: list[Quaternion] = []
+    left: list[tuple[Ideal, Quaternion]] = []
+    for basis, x in pairs:
+        ideal = frame.ideal(list(basis))
+        principal = ideal.is_principal()
+        if principal:
+            found.append(x * principal.generator)
+        else:
+            left.append((ideal, x))
+    while left:
+        if len(left) == 1:
+            raise LatticeError(
+                f"this lattice is no free module over the integers of {frame.integers.ring.name}: it is one "
+                f"with a factor {left[0][0]}, which is not principal"
+            )
+        (I, x), (J, y), *left = left
+        a, b, s, t = _combination(frame, I, J)
+        found.append(x * a + y * b)
+        rest, vector = I * J, y * s - x * t
+        principal = rest.is_principal()
+        if principal:
+            found.append(vector * principal.generator)
+        else:
+            left.append((rest, vector))
+    return tuple(found)
+
+
+def _combination(frame: Frame, I: Ideal, J: Ideal) -> tuple[Any, Any, Any, Any]:
+    """Return a in I, b in J, s in I⁻¹ and t in J⁻¹ with a·s + b·t = 1."""
+    a = I.elements[0]
+    U, inverse = frame.integers.principal(a) / I, J.inverse()
+    digits = sorted(range(-COEFFICIENTS, COEFFICIENTS + 1), key=abs)
+    for c in product(digits, repeat=frame.n):
+        b = sum((y * n for y, n in zip(J.elements, c, strict=True)), frame.field.zero)
+        if b == frame.field.zero:
+            continue
+        V = frame.integers.principal(b) * inverse
+        if U + V == 1:
+            break
+    else:
+        raise UndecidedError(f"no small element of {J} was found that generates it modulo {U}")
+    # 1 as a sum of elements of U and V: a reduced basis of all integers, and how it is made of both
+    rows = flint.fmpz_mat([*U.rows.numer_denom()[0].tolist(), *V.rows.numer_denom()[0].tolist()])
+    reduced, change = rows.lll(transform=True)
+    n = frame.n
+    own = flint.fmpq_mat(flint.fmpz_mat(reduced.tolist()[n:]))
+    one = coordinate_rows(frame.field, [frame.field.one]) * own.inv()
+    steps = one * flint.fmpq_mat(flint.fmpz_mat(change.tolist()[n:]))
+    y = element_of(frame.field, (flint.fmpq_mat(1, n, steps.entries()[:n]) * U.rows).entries())
+    s, t = y * a.inverse(), (frame.field.one - y) * b.inverse()
+    out = frame.integers.outside
+    return out(a), out(b), out(s), out(t)

@@ -34,12 +34,13 @@ from hfield.lattices.over_integers import (
     quadratic_orders,
     related_orders,
 )
-from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
+from hfield.lattices.over_integers.dedekind_modules import free_basis, meet, unique_rows
 from hfield.lattices.over_integers.frames import Frame, frame_of
 from hfield.lattices.over_integers.hecke_modules import IntegersModule
 from hfield.lattices.over_integers.local_orders import Local, Rows
 from hfield.lattices.over_integers.quadratic_orders import IntegersEmbeddings
 from hfield.lattices.over_integers.trace_forms import all_of_norm, trace_forms
+from hfield.lattices.ternary_forms import TernaryForm, form_of
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -368,6 +369,20 @@ class IntegersOrder(IntegersLattice):
             return Because(True, f"its discriminant {self.discriminant()} is that of the algebra")
         whole = f"its discriminant {self.discriminant()} is that of the algebra"
         return Because(False, f"{whole}, {self.frame.discriminant}, times {level}")
+
+    def ternary_form(self) -> TernaryForm:
+        """Return a form whose even Clifford algebra is the order; up to units its discriminant is that.
+
+        Raises :class:`LatticeError` for an order that is no free module, see :meth:`pseudo_basis`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> f = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().ternary_form()
+        >>> f.order().is_maximal().holds, f.ring.norm(f.discriminant())
+        (True, 1)
+        """
+        _, *pairs = self.pseudo_basis()  # the first are the integers of the field
+        i, j, k = free_basis(self.frame, tuple(pairs))
+        return form_of((i, j, k), type(self.algebra))
 
     def maximal_overorder(self) -> IntegersOrder:
         """Return a maximal order that contains this one, always the same.

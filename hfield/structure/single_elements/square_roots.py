@@ -78,7 +78,7 @@ def _of_scalar(ring: Ring, c: Constants, s: Scalar) -> SquareRoots:
 
 
 def _squares_to(ring: Ring, c: Constants, root: Coordinates, q: Coordinates) -> bool:
-    return all(ring.equal(x, y) for x, y in zip(multiply(c, root, root), q, strict=True))
+    return all(ring.agree(x, y) for x, y in zip(multiply(c, root, root), q, strict=True))
 
 
 def nilpotent_element(ring: Ring, c: Constants) -> Coordinates | None:

@@ -1,0 +1,189 @@
+"""Quadratic extensions of the base field inside a quaternion algebra."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from hfield.algebra.brauer import BOUND, pure_elements, pure_form
+from hfield.algebra.embedding import embedding
+from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.errors import CoercionError, HFieldError, RingError, UndecidedError, shorten
+from hfield.fields.names import ring as read_ring
+from hfield.rings.base import Ring
+from hfield.structure import is_central_simple
+from hfield.structure.global_field import global_field
+from hfield.structure.norm_forms.residue_forms import no_zero
+from hfield.structure.single_elements.trace_and_norm import element_of, obstruction
+from hfield.syntax import plain_element
+
+EXPECTED = "a quadratic extension of {}, its polynomial, as in 'x^2+x+3', or d for F(√d)"
+
+
+@dataclass(frozen=True)
+class Embedding:
+    """A root of x² − trace·x + norm in the algebra, ``element``; or none, and then it is false.
+
+    ``place`` is then one at which there is none locally, where the field has places.
+    """
+
+    trace: Any
+    norm: Any
+    element: Quaternion | None
+    place: Hashable | None = None
+    reason: str = ""
+
+    def __bool__(self) -> bool:
+        return self.element is not None
+
+
+def embed(A: Parent, extension: object) -> Embedding:
+    """Return an embedding of a quadratic extension into a central simple algebra over the field F.
+
+    It is given as a field, by its polynomial (a text, three coefficients, low degree first, or a polynomial),
+    or by d for F(√d). It embeds exactly where no ramified place of A splits in it (Voight, *Quaternion
+    Algebras*, 14.6.7). Raises :class:`RingError` for what is no such extension, :class:`UndecidedError`.
+    """
+    F: Any = A.ring
+    if not is_central_simple(F, A.constants):
+        raise CoercionError(f"{A} is not central simple")
+    if not F.is_exact:
+        raise UndecidedError(f"{F.name} is inexact: ask over an exact field what embeds")
+    t, n = _trace_and_norm(A, extension)
+    place = None if F.order is not None else obstruction(F, A.constants, t, n)
+    if place is not None:
+        why = f"{_shown(A, t, n)}, not even over the completion at {place}"
+        return Embedding(t, n, None, place, why)
+    try:
+        q = element_of(F, A.constants, t, n)
+    except UndecidedError:
+        found = _by_search(A, t, n)
+        if found is None:
+            raise
+        return found
+    return Embedding(t, n, None, None, _shown(A, t, n)) if q is None else Embedding(t, n, A(*q))
+
+
+def _shown(A: Any, t: Any, n: Any) -> str:
+    return f"{A.polynomials('x')([n, -t, 1])} has no root in {A}"
+
+
+def _by_search(A: Parent, t: Any, n: Any) -> Embedding | None:
+    """Look among small pure elements, and for residues that forbid one; None where neither is found."""
+    F: Any = A.ring
+    if F.characteristic == 2:
+        return None
+    half = t / F(2)
+    d = half * half - n
+    for x in pure_elements(A, BOUND):
+        square = -x.norm()
+        root = None if F.is_zero(square) else F.sqrt(F.divide(d, square))
+        if root is not None:
+            return Embedding(t, n, x * root + A.scalar(half))
+    reason = no_zero(F, [*pure_form(F, A.constants), -d])
+    return None if reason is None else Embedding(t, n, None, None, f"{_shown(A, t, n)}: {reason}")
+
+
+def _trace_and_norm(A: Any, given: object) -> tuple[Any, Any]:
+    """Return t and n for which x² − t·x + n has no root in F and a root of it generates the extension."""
+    F = A.ring
+    if isinstance(given, str):
+        given = _read(A, given)
+    if isinstance(given, Ring):
+        c = _relative(F, given)
+    elif (listed := _coefficients(given)) is not None:
+        c = [F(x) for x in listed]
+    else:
+        c = [-F(given), F.zero, F.one]
+    if len(c) != 3 or F.is_zero(c[2]):
+        raise RingError(
+            f"{shorten(given)} is no polynomial of degree 2; expected {EXPECTED.format(F.name)}"
+        )
+    t, n = -F.divide(c[1], c[2]), F.divide(c[0], c[2])
+    if _has_root(F, t, n):
+        what = f"x^2 - ({F.text(t)})*x + {F.text(n)} has a root"
+        if F.is_zero(t):
+            what = f"{F.text(-n)} is a square"
+        raise RingError(f"{shorten(what)} in {F.name}, and adjoins nothing")
+    return t, n
+
+
+def _read(A: Any, text: str) -> object:
+    """Return what a text means: an element of F, a field, or a polynomial in another variable."""
+    F, text = A.ring, plain_element(text)
+    words = {*re.findall(r"[^\W\d]\w*", text)} - {*F.names(), *F.functions()}
+    if not words:
+        return F(text)
+    try:
+        return read_ring(text)
+    except HFieldError as error:
+        if len(words) != 1:
+            raise RingError(
+                f"{shorten(text)!r} is no quadratic extension: expected {EXPECTED.format(F.name)}"
+            ) from error
+    (x,) = words
+    return A.polynomials(x).parse(text)
+
+
+def _coefficients(given: Any) -> list[Any] | None:
+    """Return the coefficients, low degree first, of a polynomial of ours or of flint's, or of a list."""
+    if isinstance(given, list | tuple):
+        return list(given)
+    if hasattr(given, "coeffs"):
+        return list(given.coeffs())
+    found = getattr(given, "coefficients", None)
+    if not isinstance(found, Iterable):
+        return None
+    listed = list(found)
+    if any(not isinstance(q, Quaternion) or q.vector_part for q in listed):
+        raise RingError(f"{shorten(given)} has coefficients outside the base field")
+    return [q.coordinates[0] for q in listed]
+
+
+def _has_root(F: Any, t: Any, n: Any) -> bool:
+    if F.characteristic != 2:
+        return bool(F.is_square(t * t - n * F(4)))
+    if F.is_zero(t):
+        return F.sqrt(n) is not None
+    field = global_field(F)
+    if F.order is None and field is not None:
+        return field.artin_schreier(F.divide(n, t * t)) is not None
+    return bool(F.roots([n, -t, F.one]))
+
+
+def _relative(F: Any, L: Any) -> list[Any]:
+    """Return the polynomial over F of the generator of a field L above it: of degree 2."""
+    refusal = RingError(f"{shorten(L.name)} is no quadratic extension of {F.name}")
+    if F.characteristic != L.characteristic:
+        raise refusal
+    if F.closure == "real closed" and L.closure == "algebraically closed":
+        return [F.one, F.zero, F.one]
+    base, modulus = getattr(L, "base", None), getattr(L, "modulus_coefficients", None)
+    if base == F and modulus is not None:
+        return list(modulus)
+    if base is not None and base != F and getattr(F, "base", None) is not None:
+        embedding(F, L)
+        return [F.constant(x) for x in _relative(F.base, base)]
+    try:
+        into = embedding(F, L)
+        absolute = _absolute(L)
+    except CoercionError as error:
+        raise refusal from error
+    for f in F.irreducible_factors([F(x) for x in absolute] if absolute else []):
+        value = L.zero
+        for c in reversed(f):
+            value = value * L.gen + into(c)
+        if len(f) == 3 and L.is_zero(value):
+            return list(f)
+    raise refusal
+
+
+def _absolute(L: Any) -> list[Any]:
+    """Return the coefficients over the prime field of the polynomial of the generator, () where not known."""
+    if hasattr(L, "polynomial"):
+        return list(L.polynomial.coeffs())
+    if getattr(L, "degree", None) == 2 and not L.characteristic and hasattr(L, "norm"):
+        return [L.norm(L.gen), -L.trace(L.gen), 1]
+    return list(getattr(L, "coefficients", ()))
