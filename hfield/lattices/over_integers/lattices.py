@@ -43,7 +43,6 @@ from hfield.lattices.over_integers.trace_forms import all_of_norm, trace_forms
 from hfield.lattices.ternary_forms import TernaryForm, form_of
 
 if TYPE_CHECKING:
-    from hfield.algebra import QuaternionAlgebra
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.lattices.over_integers.dedekind_modules import PseudoBasis
 
@@ -632,7 +631,7 @@ class IntegersOrder(IntegersLattice):
         return IntegersClassSet(self)
 
 
-def number_by_signs(algebra: QuaternionAlgebra) -> int:
+def number_by_signs(algebra: Any) -> int:
     """Return the order of the class group of K modulo generators positive at the ramified real places.
 
     So many right ideal classes has an Eichler order of an algebra that splits at an infinite place
