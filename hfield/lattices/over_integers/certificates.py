@@ -17,6 +17,7 @@ from hfield.lattices.over_integers.trace_forms import trace_forms
 from hfield.primality import is_prime
 
 if TYPE_CHECKING:
+    from hfield.fields.number_fields.ideals import Ideal
     from hfield.lattices.over_integers.lattices import IntegersClassSet
 
 
@@ -26,9 +27,6 @@ def of_class_set(classes: IntegersClassSet) -> Claim:
     ring, algebra = frame.integers.ring, frame.algebra
     text = " | ".join(",".join(map(ring.text, q.coordinates)) for q in order.basis)
     statement = f"ideal-classes{{{text}; {len(classes)}}}"
-    if ring.narrow_class_group().order > 1:
-        why = "class sets are certified over fields of narrow class number 1"
-        return Claim(algebra, statement, {}, BY_MASS, refusal=why)
     s = s_units(ring)
     # σ₁ is summed over ideals of norm at most the discriminant, whose square factors have to be known
     wanted = {p for p in range(2, math.isqrt(s.field.discriminant()) + 1) if is_prime(p)}
@@ -38,11 +36,18 @@ def of_class_set(classes: IntegersClassSet) -> Claim:
         "kind": "ideal-classes",
         "units": evidence.evidence(s),
         "fundamental": [frame.field.coordinates(u) for u in units],
+        "narrow": [_product(ring, a) for a in classes.keys.narrow.ideals],
         "primes": [[p, evidence.seconds_above(s, p)] for p in sorted(wanted)],
         "classes": [_ideal(classes, n) for n in range(len(classes))],
     }
     cited = (*evidence.cited(s), SIEGEL, MASS_OVER_FIELDS)
     return Claim(algebra, statement, shown, BY_MASS, assumes=cited)
+
+
+def _product(ring: Any, a: Ideal) -> list[Any]:
+    """Return x and exponents with a = x·∏P^e, P in S."""
+    x, exponents = ring.class_group().factors(a)
+    return [x.field.coordinates(x), list(map(int, exponents))]
 
 
 def _ideal(classes: IntegersClassSet, n: int) -> dict[str, Any]:
@@ -62,4 +67,5 @@ def _ideal(classes: IntegersClassSet, n: int) -> dict[str, Any]:
         "den": int(den),
         "rows": [list(map(int, row)) for row in numbers.tolist()],
         "norm": frame.field.coordinates(nu),
+        "narrow": classes.norms[n].number,
     }
