@@ -9,6 +9,7 @@ import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
 from hfield.errors import IndefiniteError
+from hfield.lattices.over_integers.lattices import number_by_signs
 
 # discriminant of K: polynomial, classes and types of the maximal order of discriminant 1, mass
 KNOWN = {
@@ -182,10 +183,33 @@ def test_other_orders() -> None:
     assert len(different) == C.type_number
 
 
+@pytest.mark.parametrize(
+    "name", ["QQ(sqrt(3))", "QQ(sqrt(15))", "QQ[s]/(s^3-s^2-4*s-1)", "QQ[s]/(s^4-6*s^2+4)"]
+)
+def test_strong_approximation_counts_classes_of_ideals_by_signs(name: str) -> None:
+    K = ring(name)
+    places = list(K.real_places())
+    odd = list(K.primes_above(2)[:1])
+    whole = QuaternionAlgebra.from_ramification(K, places + odd * (len(places) % 2))
+    assert number_by_signs(whole) == K.narrow_class_group().order
+    split = QuaternionAlgebra(K, 1, 1)
+    assert split.class_number() == split.class_number(3) == K.class_group().order
+    some = QuaternionAlgebra.from_ramification(K, places[:-1] + odd * ((len(places) - 1) % 2))
+    between = some.class_number()
+    assert K.narrow_class_group().order % between == between % K.class_group().order == 0
+    with pytest.raises(IndefiniteError, match=f"ramifies, {between}, told by the reduced norm"):
+        some.maximal_order().class_set()
+
+
+def test_class_numbers_of_definite_algebras_are_counted() -> None:
+    A = icosians()
+    assert A.class_number(A.ring("6 + sqrt(5)")) == 2
+
+
 def test_refusals() -> None:
-    with pytest.raises(IndefiniteError, match="not totally real"):
+    with pytest.raises(IndefiniteError, match="ramifies, 2, told"):
         QuaternionAlgebra("QQ(sqrt(-5))", -1, -1).maximal_order().class_set()
-    with pytest.raises(IndefiniteError, match="split at a real place"):
+    with pytest.raises(IndefiniteError, match="split at an infinite place"):
         QuaternionAlgebra("QQ(sqrt(5))", 2, 3).maximal_order().class_set()
     C = icosians().maximal_order().class_set()
     with pytest.raises(LatticeError, match="no prime ideal"):
