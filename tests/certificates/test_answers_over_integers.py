@@ -109,6 +109,61 @@ def test_a_quotient_of_norms_with_a_generator_is_found_out() -> None:
     rejects(data, "totally positive generator")
 
 
+def test_what_is_run_through_is_all() -> None:
+    """A sublattice has no such element, and an element outside the order no image, though there is one."""
+    order, ideal, x = ideals("QQ(sqrt(5))")
+    moved = conjugated(order, x)
+    lie = established_data(certificates.of_equivalence(ideal, x * ideal, None))
+    for key, data in (
+        ("between", lie),
+        ("order", established_data(certificates.of_isomorphism(order, moved, None))),
+    ):
+        basis = data["evidence"][key]
+        twice = {**basis, "rows": [[2 * c for c in row] for row in basis["rows"]]}
+        rejects({**data, "evidence": {**data["evidence"], key: twice}}, "another lattice")
+    pair = [{**y, "den": 7 * y["den"]} for y in data["evidence"]["pair"]]
+    rejects({**data, "evidence": {**data["evidence"], "pair": pair}}, "elements of the first order")
+
+
+def test_an_ideal_that_is_not_locally_principal_is_rejected() -> None:
+    order, _, _ = ideals("QQ(sqrt(5))")
+    smaller = order.suborders(order.algebra.ring.primes_above(3)[0])[0]
+    data = order.right_ideal([1]).certificate
+    statement = "; ".join(
+        [
+            f"ideal-over-integers{{{certificates.text(order)}",
+            "right",
+            certificates.text(smaller),
+            "1}",
+        ]
+    )
+    rejects({**data, "statement": statement}, "not locally principal")
+
+
+def test_norms_that_are_not_totally_positive_need_a_definite_algebra() -> None:
+    """√3 generates no ideal with a totally positive generator, and is a norm from M₂(ℚ(√3))."""
+    A = QuaternionAlgebra("QQ(sqrt(3))", 1, -1)
+    order = A.order(["i", "j"])
+    c = A("1/2 + 1/2*sqrt(3)", "1/2*sqrt(3) - 1/2", 0, 0)
+    assert c.norm() == A.ring.gen
+    one = order.left_ideal([1])
+    lie = certificates.of_equivalence(one, order.left_ideal([c]), None)
+    assert lie.method == "norm"
+    rejects(established_data(lie), "indefinite")
+
+
+def test_lattices_that_are_compared_are_modules() -> None:
+    """A lattice that is none goes into its multiple by a unit u, of norm u², and by no element of norm 1."""
+    order, _, _ = ideals("QQ(sqrt(3))")
+    basis = ["1,0,0,0", "5*sqrt(3),0,0,0"]
+    basis += [f"{'0,' * k}{w}{',0' * (3 - k)}" for k in (1, 2, 3) for w in ("1", "sqrt(3)")]
+    moved = ["2+sqrt(3),0,0,0", "15+10*sqrt(3),0,0,0", *basis[2:]]
+    one = order.right_ideal([1])
+    lie = established_data(certificates.of_equivalence(one, one, None))
+    about = f"left; {' | '.join(basis)}; {' | '.join(moved)}"
+    rejects({**lie, "statement": f"equivalent-over-integers{{{about}}}"}, "no module")
+
+
 def test_nothing_is_exhausted_in_an_indefinite_algebra() -> None:
     order, ideal, _ = ideals("QQ(sqrt(5))")
     for claim in (order.units_claim, certificates.of_isomorphism(order, ideal.left_order(), None)):
