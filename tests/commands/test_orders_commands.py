@@ -101,7 +101,7 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["order", "11", "--generators", "i/2, j"], "generate no order"),
         (["order", "(2,3|QQ)", "--extremal"], "prime discriminant"),
         (["classes", "(2,3|QQ)"], "definite"),
-        (["classes", "(-1,-1|QQ(sqrt(-5)))"], "not totally real"),
+        (["classes", "(-1,-1|QQ(sqrt(-5)))"], "split at an infinite place"),
         (["classes", "(-1,-1|QQ(sqrt(5)))", "--formula"], "over QQ"),
         (["classes", "11", "--formula", "--newforms"], "enumerates none"),
         (["brandt", "(-1,-1|QQ(sqrt(5)))", "--prime", "1/2"], "an ideal of the integers"),

@@ -12,13 +12,14 @@ from typing import Any
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import BY_MASS, FIELD, MASS_OVER_FIELDS, SIEGEL
 from hfield.certificates.number_fields.classes import Element, field_of
-from hfield.certificates.number_fields.integers import Factors, Prime, determinant, unit
+from hfield.certificates.number_fields.integers import Factors, Prime, unit
 from hfield.certificates.number_fields.lattices import (
     Frame,
     Lattice,
     Row,
     need_locally_principal,
     times,
+    traces,
 )
 from hfield.certificates.number_fields.modular import echelon, remainder
 from hfield.certificates.number_fields.narrow import Narrow
@@ -28,7 +29,6 @@ from hfield.certificates.orders.lattice import Key, hermite, reduced
 from hfield.certificates.orders.local_types import factored
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
 from hfield.certificates.scalars.matrices import inverse_matrix
-from hfield.certificates.scalars.rationals import root
 from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge
 
@@ -124,14 +124,6 @@ def _keys(narrow: Narrow, ideal: Lattice, inverse: Any) -> tuple[set[Key], int]:
     return {key for key, _ in counts}, next(iter(counts.values()))
 
 
-def traces(base: Frame, c: Any) -> list[Fraction]:
-    """Return Tr(c·w) for the integral basis."""
-    return [
-        sum((row[m] for m, row in enumerate(base.scalar(base.field.mul(tuple(w), c)))), Fraction(0))
-        for w in base.integers.rows
-    ]
-
-
 def _divided(ideal: Lattice, x: Row, size: Row) -> Key:
     """Return x⁻¹·I = N(x)⁻¹·conj(x)·I; size is 2·N(x) in the integral basis, ``unit`` times too large."""
     base = ideal.base
@@ -155,21 +147,9 @@ def _divided(ideal: Lattice, x: Row, size: Row) -> Key:
 def _mass(order: Lattice, factors: Factors) -> Fraction:
     """Return the mass of all classes over h_K, by ζ_K(−1) and Eichler symbols; both formulas are cited."""
     base = order.base
-    d = abs(base.integers.discriminant)
-    traces = [base.integers.trace(unit(base.n, k)) for k in range(base.n)]
-    form = [
-        [
-            sum(t * g[a][b] for t, g in zip(traces, order.gram, strict=True))
-            for b in range(base.size)
-        ]
-        for a in range(base.size)
-    ]
-    square = Fraction(abs(determinant(form)), order.unit**base.size * d**4)
-    size = root(square)
-    if size is None or size.denominator != 1 or not size:
-        reject("this order has no integral discriminant")
+    size = order.discriminant
     found: Fraction = abs(zeta_minus_one(base.integers, factors)) / 2 ** (base.n - 1) * size
-    for p in factored(size.numerator):
+    for p in factored(size):
         if p not in factors.above:
             reject(f"the prime ideals above {p} are missing")
         for k in factors.above[p]:

@@ -3,22 +3,27 @@
 They are rows over ℤ: coordinates of w, x, y, z in the integral basis, for w + x·i + y·j + z·k.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import lcm, prod
+from typing import Any
 
 from hfield.certificates.language import split
 from hfield.certificates.number_fields.classes import coefficients
 from hfield.certificates.number_fields.integers import (
     Integers,
     Prime,
+    determinant,
     integer_row,
     unit,
 )
 from hfield.certificates.orders.algebra import Rows
+from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import Key, hermite, reduced
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
+from hfield.certificates.scalars.matrices import inverse_matrix
+from hfield.certificates.scalars.rationals import root
 from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge
 
@@ -225,6 +230,35 @@ class Lattice:
         return Lattice(self.base, self.den * den * self.base.scale, tuple(times(self.rows, by)))
 
     @cached_property
+    def discriminant(self) -> int:
+        """The norm down to ℚ of the reduced discriminant of an order."""
+        base = self.base
+        weights = [Fraction(base.integers.trace(unit(base.n, k))) for k in range(base.n)]
+        d = abs(base.integers.discriminant)
+        size = root(Fraction(abs(determinant(self.form(weights))), self.unit**base.size * d**4))
+        if size is None or size.denominator != 1 or not size:
+            reject("this order has no integral discriminant")
+        return size.numerator
+
+    def into(self, other: "Lattice") -> "Lattice":
+        """Return {x: L·x ⊆ M}, M being ``other``."""
+        base = self.base
+        charge(base.size**4 // 4)
+        back = inverse_matrix([[Fraction(c) for c in row] for row in other.rows])
+        assert back is not None, "a lattice has full rank"
+        bottom = lcm(*(c.denominator for row in back for c in row))
+        whole = [[int(c * bottom) for c in row] for row in back]
+        columns: list[Sequence[int]] = []
+        for row in self.rows:  # row·x lies in M where x goes to integers
+            columns += zip(*times(base.left(row), whole), strict=True)
+        dual = inverse_matrix([[Fraction(c) for c in row] for row in hermite(columns)])
+        assert dual is not None, "Hermite forms have full rank"
+        factor = Fraction(self.den * base.scale * bottom, other.den)
+        found = [[c * factor for c in column] for column in zip(*dual, strict=True)]
+        den = lcm(*(c.denominator for row in found for c in row))
+        return Lattice(base, den, tuple(tuple(int(c * den) for c in row) for row in found))
+
+    @cached_property
     def norm(self) -> Key:
         """The ideal that the reduced norms generate, by those of sums and their differences."""
         base, unit_, size = self.base, self.unit, range(self.base.size)
@@ -262,6 +296,33 @@ def need_locally_principal(lattice: Lattice, order: Lattice, side: str) -> None:
         reject(f"a lattice is no {side} ideal of the order")
     if lattice.volume != order.volume * index(lattice.norm) ** 2:
         reject("an ideal is not locally principal: its index is not the square of its norm")
+
+
+def traces(base: Frame, c: Any) -> list[Fraction]:
+    """Return Tr(c·w) for the integral basis."""
+    return [
+        sum((row[m] for m, row in enumerate(base.scalar(base.field.mul(tuple(w), c)))), Fraction(0))
+        for w in base.integers.rows
+    ]
+
+
+def of_norm(lattice: Lattice, inverse: Any) -> Iterator[Row]:
+    """Yield, by coordinates in the rows, one of ±x for each x of norm ν, totally positive; 1/ν is given.
+
+    Tr(N(x)/ν) is then the degree of the field.
+    """
+    base, weights = lattice.base, traces(lattice.base, inverse)
+    den, part = base.integers.coordinates(inverse)
+    one = tuple(c * den * 2 * lattice.unit for c in base.integers.one)
+    bound = 2 * lattice.unit * base.n * lcm(*(w.denominator for w in weights))
+    for x, value in short_vectors(lattice.form(weights), bound):
+        if value == bound and base.integers.mul(lattice.norm_of(x), part) == one:
+            yield x
+
+
+def need_definite(lattice: Lattice) -> None:
+    """Reject unless the norm is totally definite, over a totally real field: Tr(N(x)) is positive."""
+    any(short_vectors(lattice.form(traces(lattice.base, lattice.base.field.one)), 0))
 
 
 def need_same(first: Lattice, second: Lattice) -> None:

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -304,7 +304,7 @@ class IntegersLattice(Hinted):
         return found if left else flint.fmpq_mat(self.frame.conjugate(found.tolist()))
 
 
-class IntegersOrder(IntegersLattice):
+class IntegersOrder(IntegersLattice, Certified):
     """A lattice over the integers of a number field that is a ring with 1.
 
     >>> from hfield import QuaternionAlgebra
@@ -611,8 +611,20 @@ class IntegersOrder(IntegersLattice):
         if ring != other:
             raise LatticeError(f"{shorten(repr(other))} is no order")
         if self.discriminant() != ring.discriminant():
-            return equivalence.Comparison(False, "their discriminants differ")
-        return equivalence.conjugator(self.frame, self.rows, ring.rows)
+            found = equivalence.Comparison(False, "their discriminants differ")
+        else:
+            found = equivalence.conjugator(self.frame, self.rows, ring.rows)
+        return replace(found, claimed=partial(certificates.of_isomorphism, self, ring))
+
+    @property
+    def claim(self) -> Claim:
+        """That this is an order of its discriminant, as a statement with its evidence."""
+        return certificates.of_order(self)
+
+    @property
+    def units_claim(self) -> Claim:
+        """How many units there are modulo those of the field, likewise."""
+        return certificates.of_unit_index(self)
 
     def mass(self) -> Fraction:
         """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, by a formula. Raises likewise."""
@@ -645,7 +657,7 @@ def number_by_signs(algebra: Any) -> int:
     return int(K.class_group().order << (len(places) - rank))
 
 
-class IntegersIdeal(IntegersLattice):
+class IntegersIdeal(IntegersLattice, Certified):
     """A lattice with O·I = I for the order O (``side="left"``), or I·O = I (``side="right"``).
 
     >>> from hfield import QuaternionAlgebra
@@ -778,10 +790,17 @@ class IntegersIdeal(IntegersLattice):
         between = pair[0] * pair[1]
         norm = other.norm() / self.norm()
         if self.frame.is_definite:
-            return equivalence.element_generating(self.frame, between.rows, norm)
-        from hfield.lattices.over_integers.split_order import element_generating
+            found = equivalence.element_generating(self.frame, between.rows, norm)
+        else:
+            from hfield.lattices.over_integers.split_order import element_generating
 
-        return element_generating(self.order, between.rows, norm)
+            found = element_generating(self.order, between.rows, norm)
+        return replace(found, claimed=partial(certificates.of_equivalence, self, other))
+
+    @property
+    def claim(self) -> Claim:
+        """That this is a locally principal ideal of its order, as a statement with its evidence."""
+        return certificates.of_ideal(self)
 
     def __repr__(self) -> str:
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
