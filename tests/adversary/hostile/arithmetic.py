@@ -32,7 +32,7 @@ def ideal_classes(p: int) -> str:
 
 
 def over_integers(answer: Callable[[Any, Any, Any], Any]) -> Callable[[int], str]:
-    """Return certificates of what is told of an Eichler order over ℤ[(1 + √5)/2], an ideal and a moved order."""
+    """Return certificates about an Eichler order over the integers of ℚ(√5), an ideal and a moved order."""
 
     def make(p: int) -> str:
         A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
