@@ -142,6 +142,15 @@ def test_a_suborder_has_more_area_than_the_domain_of_the_order() -> None:
     rejects({**data, "evidence": {**data["evidence"], "primes": []}}, "missing")
 
 
+def test_a_conjugate_order_has_the_same_area_and_other_units() -> None:
+    order = group(*ORDERS[0]).order.order
+    x = order.algebra(1, 2, 0, 1)
+    other = (x * order * x.inverse()).left_order().claim.statement
+    text = other.partition("{")[2].split("; ")[0]
+    for data in both(*ORDERS[0]):
+        rejects(restated(data, 0, text), "no unit")
+
+
 def test_integers_are_ordered_by_the_place() -> None:
     """The signs are those of floats, which tell these apart; near 0 more bits are found."""
     data, _ = both(HURWITZ, 1)
@@ -160,6 +169,7 @@ def test_integers_are_ordered_by_the_place() -> None:
         low, high = (int(c * far) for c in ends)
         assert low - 10 < Real(place, (0, far, 0)) < high + 10
         assert not Real(place, (0, far, 0)) < low - 10
+        assert -high - 10 < Real(place, (0, -far, 0)) < 10 - low
 
 
 def test_no_number_can_be_changed() -> None:
