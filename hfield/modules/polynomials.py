@@ -468,10 +468,14 @@ def _on_line(
 ) -> tuple[list[Quaternion], bool]:
     """Return roots of a + b·q of trace t and norm n, all unless they are a whole line, and whether they are.
 
-    b is not 0 or a is not. If b is a zero divisor, its annihilator is a right ideal of dimension 2, on which
-    the trace is not 0 throughout: a point, or a line, on which the norm is a quadratic polynomial.
+    b is not 0 or a is not. If b is a unit, there is one q, and x² − t·x + n divides N(a + b·x), which is
+    N(b)·(x² − tr(q)·x + N(q)). If b is a zero divisor, its annihilator is a right ideal of dimension 2, on
+    which the trace is not 0 throughout: a point, or a line, on which the norm is a quadratic polynomial.
     """
     F = A.ring
+    if b.is_unit():
+        double = F.characteristic != 2 and F.equal(t * t, n * 4) and is_division(F, A.constants)
+        return [A.scalar(t / F(2)) if double else -(b.inverse() * a)], False
     rows: list[list[Any]] = [list(row) for row in b.matrix()]
     rows.append([F(2), A.constants.t, F.zero, F.zero])
     start = solution(F, rows, [*([-x] for x in a.coordinates), [t]])

@@ -4,6 +4,7 @@ import json
 from itertools import product
 from random import Random
 
+import numpy as np
 import pytest
 
 from hfield import (
@@ -124,12 +125,40 @@ def test_over_the_reals_and_number_fields():
     )
 
 
+@pytest.mark.parametrize(
+    ("text", "isolated", "spheres"),
+    [
+        ("x^3 + (i+j)*x + 1", 3, 0),
+        ("x^2 + (1+i)*x + j", 2, 0),
+        ("x^3 + i*x + j", 3, 0),
+        ("x^5 - x - 1", 1, 2),
+        ("x^3 - x + 1", 1, 1),
+    ],
+)
+def test_roots_over_the_reals_that_are_no_radicals(text, isolated, spheres):
+    P = H("RR").polynomials()
+    f = P.parse(text)
+    found = f.roots()
+    assert (len(found.isolated), len(found.spheres), found.families) == (isolated, spheres, ())
+    norm = [complex(c.coordinates[0].ball(64).real.mid(), 0) for c in f.norm().coefficients]
+    near = [complex(z) for z in np.roots(norm[::-1])]
+    floating = [[float(c.ball(64).real.mid()) for c in q.coordinates] for q in found.isolated]
+    for q in floating:  # x² − tx + n divides the norm: its roots are among those of numpy
+        z = complex(q[0], sum(c * c for c in q[1:]) ** 0.5)
+        assert min(abs(z - w) for w in near) < 1e-6
+    for q in found.isolated[:1] if f.degree == 2 or spheres else ():
+        assert not f(q)
+    for t, n in found.spheres:
+        rest = f.divmod_right(P([n, -t, 1]))[1]
+        assert not rest
+
+
 def test_what_is_refused():
     P = H("QQ").polynomials()
     with pytest.raises(CoercionError, match="root of 0"):
         P([]).roots()
-    with pytest.raises(UndecidedError, match="no radicals"):
-        H("RR").polynomials()([1, "i+j", 0, 1]).roots()
+    with pytest.raises(UndecidedError, match="not factored"):
+        H("RR").polynomials()(["sqrt(2)", "i+j", 0, 1]).roots()
     with pytest.raises(UndecidedError, match="central simple"):
         H("GF(2)").polynomials()([1, 1]).roots()
 
