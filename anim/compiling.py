@@ -37,14 +37,32 @@ def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
             compiled: Any = njit(cache=place is not None, **OPTIONS)(function)
         finally:
             config.CACHE_DIR = given
-    keep = compiled._cache.save_overload
-
-    def save(signature: Any, code: Any) -> None:
-        with suppress(OSError):
-            keep(signature, code)
-
-    compiled._cache.save_overload = save
+    if place is not None:
+        compiled._cache = _Cache(compiled._cache)
     return compiled  # type: ignore[no-any-return]
+
+
+class _Cache:
+    """numba's cache of a function on disk, where what cannot be written or is for other types is left alone.
+
+    Two processes that compile for different types at once may number their files alike, so that the index
+    names the code of the other: run, it would take a float for an integer.
+    """
+
+    def __init__(self, own: Any) -> None:
+        self._own = own
+
+    def load_overload(self, signature: Any, context: Any) -> Any:
+        found = self._own.load_overload(signature, context)
+        wanted = getattr(signature, "args", signature)
+        return found if found is not None and found.signature.args == tuple(wanted) else None
+
+    def save_overload(self, signature: Any, code: Any) -> None:
+        with suppress(OSError):
+            self._own.save_overload(signature, code)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._own, name)
 
 
 def called(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -64,7 +64,7 @@ class Batch(ImmutableArray):
 
         Rotations in float32 take half the memory, and storing turns one by at most 2⁻²³ radians. What is read
         from them, and their products, powers and means, is computed in double and rounded once to float32:
-        entries of matrices within 2⁻²⁴, all numbers x within 2⁻²³·max(1, |x|). Products with rotations in
+        entries of matrices within 2⁻²⁴, all numbers x within ``2⁻²³·max(1, |x|)``. Products with rotations in
         float64 are in float64; the dtype of points decides about theirs. Motions and curves are in float64.
 
         Raises

@@ -11,11 +11,11 @@ from itertools import pairwise, product
 from typing import Any, NamedTuple
 
 from rotation.angles import to_degrees, waves
-from rotation.coordinates import Coordinates, join, length, split
+from rotation.coordinates import Coordinates, join, length, root, split
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_last, floats, namespace
+from rotation.namespaces import Array, expect_last, finfo, floats, namespace
 from rotation.quaternions import multiplied, steadied
-from rotation.rowwise import Formula
+from rotation.rowwise import Formula, rarely
 
 SEQUENCES = [
     "".join(letters)
@@ -142,11 +142,21 @@ def _reading(axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Formula:
 def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -> Array:
     xp = namespace(q)
     (a, b, c, d), sine, sign = _folded(q, axes[::-1] if intrinsic else axes)
-    ab, cd = length(xp, (a, b)), length(xp, (c, d))
-    middle = 2.0 * xp.atan2(cd, ab) if sine is None else xp.atan2(sine, ab * cd)
+    ab, cd = a * a + b * b, c * c + d * d
+    both = root(xp, ab * cd)
+    if sine is None:
+        small = both < float(finfo(xp, a).smallest_normal) ** 0.5
+
+        def scaled() -> Coordinates:
+            return (xp.where(small, length(xp, (a, b)) * length(xp, (c, d)), both),)
+
+        (both,) = rarely(xp, small, scaled, (both,))
+        middle = xp.atan2(2.0 * both, ab - cd)
+    else:
+        middle = xp.atan2(sine, both)
     # Where one of the pairs is nothing but rounding its angle is free: choose it so that the third
     # angle as the user counts, which is the first of the extrinsic order if intrinsic, is 0.
-    tiny = 8.0 * float(xp.finfo(q.dtype).eps)
+    tiny = (8.0 * float(xp.finfo(q.dtype).eps)) ** 2
     free = 1.0 if intrinsic else -1.0
     plus_free, minus_free = ab <= tiny * cd, cd <= tiny * ab
     plus, minus = _angle(xp, b, a, plus_free), _angle(xp, d, c, minus_free)

@@ -22,7 +22,8 @@ from rotation.native import builtins, tensors
 from rotation.pool import threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
-_MUCH = 200_000  # numbers that are worth a second thread
+_MUCH = 200_000  # numbers that are worth asking whether a second thread pays
+_WORTH = 750_000  # nanoseconds of work that pay for a thread; a row takes about 3, and 0.04 for each step
 _FLOAT32, _FLOAT64 = np.dtype(np.float32), np.dtype(np.float64)
 _WORDS = {_FLOAT32: "float", _FLOAT64: "double"}
 
@@ -62,6 +63,7 @@ class Formula:
         "_parameters",
         "_row",
         "_shapes",
+        "_shortest",
         "_single",
     )
 
@@ -127,13 +129,14 @@ class Formula:
             return None
         with machine_code.lock:
             if self._function is None:
-                function, self._row = builtins.assembled(
+                function, self._row, steps = builtins.assembled(
                     self._formula,
                     self._shapes,
                     self._parameters,
                     self._single,
                     tuple(_WORDS[kind] for kind in (*self._kinds, self._kind)),
                 )
+                self._shortest = int(_WORTH / (3.0 + 0.04 * steps))
                 self._function = function
         return self._function
 
@@ -166,7 +169,7 @@ class Formula:
             return function(*(a[piece] if len(a) == rows else a for a in flat), result[piece])
 
         threads()  # a wrong number is an error of ours
-        return in_pieces(work, rows, _ROWS, 2 * _ROWS, (flat, result))
+        return in_pieces(work, rows, _ROWS, self._shortest, (flat, result))
 
     def _elsewhere(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
         """Compute on arrays stored otherwise, or of other libraries: tensors in memory as numpy's are."""

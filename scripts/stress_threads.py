@@ -89,6 +89,7 @@ ROTATION = (
     "(threads() > 0, Rotation.identity(3), RigidTransform.identity(3))",
     # of rotations
     "Rotation(Q).as_quat(canonical=True)",
+    "Rotation(Q, dtype='float32').astype('float64').dtype.itemsize",
     "Rotation.from_quat(Q, scalar_first=False).as_matrix()",
     "Rotation.from_matrix(Rotation(Q).as_matrix())",
     "Rotation.from_matrix(1.1 * Rotation(Q).as_matrix(), orthonormalize=True)",

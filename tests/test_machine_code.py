@@ -251,6 +251,20 @@ def test_numba_keeps_its_files_where_nobody_else_may_write(
     assert kernel(answer)(41) == 42
 
 
+def test_what_numba_kept_for_other_types_is_not_run(place: Path) -> None:
+    from anim.compiling import kernel
+
+    def halved(x: float) -> float:
+        return x / 2
+
+    first = kernel(halved)
+    assert first(3) == 1.5
+    (whole,) = first.overloads.values()  # type: ignore[attr-defined]
+    second = kernel(halved)
+    second._cache._own.load_overload = lambda *_: whole  # type: ignore[attr-defined]
+    assert second(3.5) == 1.75
+
+
 PROPERTY = """
 import os, threading
 from hfield import H

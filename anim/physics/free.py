@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import ceil, cos, hypot, inf, sin, sqrt
+from math import cos, hypot, inf, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from anim.checks import real
 from anim.errors import AnimationError
 from anim.physics.inertia import Body
-from anim.physics.launch import EVERY, Launch, attitude_of, refuse_long
+from anim.physics.launch import EVERY, Launch, Stepped, attitude_of
 from rotation.matrices import to_matrix
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class Contact:
 
 
 @dataclass(frozen=True)
-class FreeTop:
+class FreeTop(Stepped):
     """A body on the ground, launched, and followed for ``seconds``: the sampler of its motion.
 
     It starts upon its tip, whose ball is at rest in the middle; the launch's decay times are those of the air
@@ -79,7 +79,7 @@ class FreeTop:
         lowest = min(z * cos(tilt) - r * sin(tilt) for r, z in self.body.outline[1:])
         if lowest - ball * (cos(tilt) - 1) < 0 or tilt > np.pi / 2:
             raise AnimationError(f"tilt is {tilt:.4g} rad; the rim is in the ground there")
-        refuse_long(self.seconds, self.longest_step)
+        self.refuse_long()
         arm = self.contact.rolling * self.pull * self.longest_step
         if ball > 100 * self.body.height or arm * self.body.mass > self.body.axial:
             raise AnimationError(
@@ -139,16 +139,6 @@ class FreeTop:
         return min(STEP * sqrt(self.body.height / self.pull), TURN / max(rates))
 
     @property
-    def steps(self) -> int:
-        """The number of equal steps that are taken."""
-        return max(1, ceil(self.seconds / self.longest_step))
-
-    @property
-    def step(self) -> float:
-        """Their length in s."""
-        return self.seconds / self.steps
-
-    @property
     def edges(self) -> Floats:
         """What can touch the ground, the tip first, (k, 3): radius, height above the centre, rounding."""
         ball, height = self.contact.radius, self.body.height
@@ -162,7 +152,7 @@ class FreeTop:
 
         body, launch, contact = self.body, self.launch, self.contact
         pace, sink = sqrt(self.pull * body.height), SINK * body.height
-        return Ground(
+        constants = (
             self.central / body.mass,
             body.axial / body.mass,
             launch.gravity,
@@ -174,6 +164,8 @@ class FreeTop:
             CREEP * pace,
             contact.rolling,
         )
+        # A whole number among them would be another signature: numba would load its code at each call.
+        return Ground(*map(float, constants))
 
     @property
     def start(self) -> Floats:

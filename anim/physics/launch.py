@@ -1,7 +1,8 @@
 """How a top is set going, and how long a motion may be."""
 
+from abc import abstractmethod
 from dataclasses import dataclass, replace
-from math import cos, inf, sin
+from math import ceil, cos, inf, sin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,14 +17,34 @@ MOST_STEPS = 20_000_000
 EVERY = 32  # steps from one kept state to the next
 
 
-def refuse_long(seconds: float, step: float) -> None:
-    """Raise an error for a motion of more than 20 million steps."""
-    steps = seconds / step
-    if not steps <= MOST_STEPS:
-        raise AnimationError(
-            f"{seconds:g} s of this motion take {steps:.3g} steps, expected {MOST_STEPS:.0e} "
-            "at most: choose less spin, a larger top or a shorter film"
-        )
+class Stepped:
+    """A motion of so many ``seconds`` that is followed in equal steps, none longer than ``longest_step``."""
+
+    seconds: float
+
+    @property
+    @abstractmethod
+    def longest_step(self) -> float:
+        """The longest step in s that follows the motion."""
+
+    @property
+    def steps(self) -> int:
+        """The number of equal steps that are taken."""
+        return max(1, ceil(self.seconds / self.longest_step))
+
+    @property
+    def step(self) -> float:
+        """Their length in s."""
+        return self.seconds / self.steps
+
+    def refuse_long(self) -> None:
+        """Raise an error for a motion of more than 20 million steps."""
+        steps = self.seconds / self.longest_step
+        if not steps <= MOST_STEPS:
+            raise AnimationError(
+                f"{self.seconds:g} s of this motion take {steps:.3g} steps, expected {MOST_STEPS:.0e} "
+                "at most: choose less spin, a larger top or a shorter film"
+            )
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import ceil, cos, inf, sin, sqrt
+from math import cos, inf, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,7 +14,7 @@ from anim.model import Model
 from anim.motion import Motion, Record
 from anim.physics.free import Contact, FreeTop
 from anim.physics.inertia import Body
-from anim.physics.launch import EVERY, Launch, attitude_of, refuse_long
+from anim.physics.launch import EVERY, Launch, Stepped, attitude_of
 from rotation.matrices import to_matrix
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ ACCURACY = 0.02
 
 
 @dataclass(frozen=True)
-class HeavyTop:
+class HeavyTop(Stepped):
     """A body on its tip, launched, and followed for ``seconds``: the sampler of its motion.
 
     Raises :class:`~anim.errors.AnimationError` for a tilt beyond that at which the rim is on the ground, and
@@ -44,7 +44,7 @@ class HeavyTop:
                 f"tilt is {self.launch.tilt:.4g} rad; the rim is on the ground "
                 f"at {self.body.reach:.4g} rad"
             )
-        refuse_long(self.seconds, self.longest_step)
+        self.refuse_long()
 
     @property
     def torque(self) -> float:
@@ -73,16 +73,6 @@ class HeavyTop:
             1 / launch.tilt_decay,
         )
         return ACCURACY / fastest if fastest > 0 else inf
-
-    @property
-    def steps(self) -> int:
-        """The number of equal steps that are taken."""
-        return max(1, ceil(self.seconds / self.longest_step))
-
-    @property
-    def step(self) -> float:
-        """Their length in s."""
-        return self.seconds / self.steps
 
     @property
     def start(self) -> Floats:

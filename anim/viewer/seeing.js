@@ -140,7 +140,10 @@ class Seeing {
     for (const [m, n] of this.edges) stroke(points[m], points[n], 210);
     strokes.sort((a, b) => a[0] - b[0]);
     for (const [depth, u, v, hue] of strokes) {
-      c.strokeStyle = `hsl(${hue} ${this.prime ? 25 : 75}% ${dark ? 62 : 45}% / ${(this.prime === 5 ? 0.1 : 0.35) + 0.3 * (depth + 1) * (this.prime === 5 ? 0.6 : 1)})`;
+      // Circles are opaque, paler with distance: of what shines through, the ends of the pieces would show as beads.
+      const near = (depth + 1) / 2, seen = 0.35 + 0.65 * near;
+      c.strokeStyle = this.prime ? `hsl(${hue} 25% ${dark ? 62 : 45}% / ${this.prime === 5 ? 0.1 + 0.36 * near : 0.35 + 0.6 * near})`
+        : `hsl(${hue} ${75 * seen}% ${dark ? 12 + 50 * seen : 91 - 46 * seen}%)`;
       c.lineWidth = (this.prime ? 0.8 : 1.6) + (depth + 1) * 0.7;
       c.beginPath();
       c.moveTo(u[0], u[1]);

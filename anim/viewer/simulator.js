@@ -21,7 +21,7 @@ class Simulator {
     this.trace = new Float32Array(3 * TRACE);
     this.pulled = null; // where the hand holds the apex, in space
     this.fields = Object.fromEntries(SLIDERS.map((slider) => [slider[0], this.slider(slider)]));
-    this.readings = ["tilt", "spin", "energy", "lost", "L about the vertical", "time"].map((name) => {
+    this.readings = ["tilt", "spin", "energy", "lost", "L vertical", "time"].map((name) => {
       const row = $("readings").appendChild(document.createElement("tr"));
       Object.assign(row.appendChild(document.createElement("th")), { textContent: name, scope: "row" });
       return row.appendChild(document.createElement("td"));

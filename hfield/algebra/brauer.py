@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
-from itertools import count, product
+from itertools import product
 from typing import Any
 
 from hfield.algebra.embedding import embedding
@@ -203,18 +204,14 @@ def _below(w: Any, base: Any, image: Callable[[Any], Any]) -> Hashable:
             v for v in base.primes_above(w.p) if all(image(x) in w for x in v.generators)
         )
         return next(below)
-    places = base.real_places()
-    signs: list[list[int]] = [[] for _ in places]
-    own: list[int] = []
-    for n in count(
-        1
-    ):  # signs of multiples of the generator less whole numbers tell real places apart
-        for m in range(-n * n, n * n + 1):
-            x = base.gen * n - m
-            own.append(w.sign(image(x)))
-            for v, known in zip(places, signs, strict=True):
-                known.append(v.sign(x))
-        left = [v for v, known in zip(places, signs, strict=True) if known == own]
-        if len(left) == 1:
-            return left[0]  # type: ignore[no-any-return]
-    raise AssertionError("different real places give the generator different values")
+    left, bound = list(base.real_places()), 1
+    while w.sign(image(base.gen - bound)) > 0 or w.sign(image(base.gen + bound)) < 0:
+        bound *= 2
+    low, high = Fraction(-bound), Fraction(bound)
+    while len(left) > 1:  # different places give the generator different values
+        middle = (low + high) / 2
+        x = base.gen - base(middle)
+        own = w.sign(image(x))
+        left = [v for v in left if v.sign(x) == own]
+        low, high = (low, middle) if own < 0 else (middle, high)
+    return left[0]  # type: ignore[no-any-return]

@@ -566,7 +566,7 @@ class QuaternionAlgebra(Hinted):
         return TensorProduct(self, other)
 
     def corestriction(self, base: Ring | str = "QQ") -> Corestriction:
-        """Return the corestriction to a subfield of a number field, with ``.algebra`` and ``.brauer_class``.
+        """Return the corestriction to a subfield: ``.algebra``, ``.brauer_class``, and the places ``.above``.
 
         It ramifies at the places of the base below an odd number of ramified ones. Raises :class:`RingError`
         for fields of another kind, :class:`CoercionError` for a base that is no subfield.
@@ -782,12 +782,21 @@ class QuaternionAlgebra(Hinted):
 
         return HurwitzOrder(hurwitz_order(self))
 
-    def class_number(self, level: int = 1) -> int:
-        """Return the number of ideal classes of an Eichler order, by Eichler's formula without enumeration.
+    def class_number(self, level: object = 1) -> int:
+        """Return the number of ideal classes of an Eichler order, over QQ by Eichler's formula.
 
-        In an indefinite algebra it is 1, by strong approximation. Raises :class:`LatticeError` for a
-        level that is not prime to the discriminant.
+        Over the integers of a number field the classes are enumerated. In an indefinite algebra strong
+        approximation tells it: 1 over QQ. Raises :class:`LatticeError` for a level that is not prime to the
+        discriminant.
+
+        >>> QuaternionAlgebra("QQ(sqrt(3))", -1, 1).class_number()
+        1
         """
+        if self.over_integers:
+            from hfield.lattices.over_integers.lattices import number_by_signs
+
+            order: Any = self.eichler_order(level)
+            return len(order.class_set()) if order.is_definite() else number_by_signs(self)
         from hfield.lattices.named_orders import class_number
 
         return class_number(self, level)

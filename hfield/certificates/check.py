@@ -23,7 +23,7 @@ from hfield.certificates.rejection import (
     texts,
 )
 from hfield.certificates.scalars.fields import read_ring
-from hfield.certificates.statement import QUATERNIONS, SCALARS, Setting, read_setting
+from hfield.certificates.statement import SCALARS, UNKNOWNS, Setting, read_setting
 from hfield.certificates.vocabulary.logic import establish_any, meaning
 from hfield.certificates.work import Work, bounded
 
@@ -118,7 +118,7 @@ class Pin:
         wanted = read_ring(self.field).name if isinstance(self.field, Mapping) else self.field
         if not self.any_field and here != wanted:
             reject(f"this is about {here or 'all fields'}, not about {wanted or 'all fields'}")
-        letters = {*QUATERNIONS, *(SCALARS if self.claim or self.any_field else "")}
+        letters = set(UNKNOWNS) - set("" if self.claim or self.any_field else SCALARS)
         for name in sorted(_unknowns(said) & letters):
             if ring is not None and ring.constant(("name", name)) is not None:
                 reject(f"{name} is an unknown of the statement, and an element of {shown(here)}")
@@ -130,7 +130,7 @@ class Pin:
 def _unknowns(tree: Tree) -> set[str]:
     """Return the letters in a tree that are unknowns where no field is named."""
     if len(tree) == 2 and tree[0] == "name":
-        return {tree[1]} & {*QUATERNIONS, *SCALARS}
+        return {tree[1]} & set(UNKNOWNS)
     return {name for part in tree if isinstance(part, tuple) for name in _unknowns(part)}
 
 

@@ -8,11 +8,14 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from hfield.certificates.language import FUNCTIONS, Tree, parse, split, substitute, walk
+from hfield.certificates.matrices import ENTRIES, MATRICES, without_matrices
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.work import charge
 
-QUATERNIONS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"
+LETTERS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"
+QUATERNIONS = (*LETTERS, *ENTRIES)
+UNKNOWNS = (*QUATERNIONS, *MATRICES, *SCALARS)
 MAX_CONSTANT_SIZE = 200
 
 
@@ -63,7 +66,7 @@ def _letters(tree: Tree, field: Ring | None) -> list[str]:
     out = []
     for node in nodes:
         if node[0] == "name" and (field is None or field.constant(node) is None):
-            if not re.fullmatch("[a-z]", node[1]) or node[1] in QUATERNIONS + BASIS:
+            if not re.fullmatch("[a-z]", node[1]) or node[1] in LETTERS + BASIS:
                 reject(f"a structure constant may not use {shown(node[1])!r}")
             out.append(node[1])
         elif node[0] not in ("num", "name", "call", "neg", "+", "-", "*", "/", "pow"):
@@ -130,6 +133,7 @@ class _Reader:
 
     def read(self, tree: Tree) -> Statement:
         """Return the statement."""
+        tree = without_matrices(tree, self.is_constant)
         hypotheses: list[Tree] = []
         while tree[0] == "=>":
             hypotheses.append(tree[1])
@@ -159,11 +163,15 @@ class _Reader:
             self.unequal,
         )
 
+    def is_constant(self, tree: Tree) -> bool:
+        """Tell whether a tree means an element of the field."""
+        return self.field is not None and self.field.constant(tree) is not None
+
     def unknown(self, name: str) -> str | None:
         """Return the sort of an unknown, None for any other name."""
-        if self.field is not None and self.field.constant(("name", name)) is not None:
+        if self.is_constant(("name", name)):
             return None
-        if len(name) == 1 and name in QUATERNIONS:
+        if name in QUATERNIONS:
             return "q"
         return "s" if (len(name) == 1 and name in SCALARS) or name in self.letters else None
 

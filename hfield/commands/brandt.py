@@ -46,7 +46,7 @@ def configure(parser: ArgumentParser) -> None:
         "--prime",
         metavar="N",
         default="2",
-        help="which matrix: of a prime, or of any N; over a number field of a prime ideal (default: 2)",
+        help="which matrix: of a prime, or of any N; over a number field of an ideal (default: 2)",
     )
     parser.add_argument("--plot", metavar="FILE", help="draw the graph to FILE (.svg, .png, .pdf)")
     add_factors(parser)

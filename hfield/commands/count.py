@@ -19,14 +19,14 @@ HELP = (
     "over a field and over ZZ/n, confirmed by going through all elements where they are not too many."
 )
 DOING = "counting"
-EXAMPLES = ("hfield count --field GF9",)
+EXAMPLES = ("hfield count GF9", "hfield count '[1,1|GF(4))'")
 QUICK = 13**4  # elements that the page of `hfield info` goes through
 NORMS = 32  # of so many norms over a ring that is no field the counts are shown
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    add_algebra(parser)
+    add_algebra(parser, first=True)
     parser.add_argument(
         "--formulas", action="store_true", help="do not go through the elements, however few"
     )

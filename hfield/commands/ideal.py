@@ -15,7 +15,6 @@ from hfield.commands.orders import (
     elements_of,
     ideal_json,
     level_of,
-    no_certificate,
     sum_text,
     summands,
 )
@@ -63,7 +62,8 @@ def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim | Verdict]]:
     I, answer = _asked(args)
     if I.algebra.over_integers:
         data, pages = data_over_integers, parts_over_integers
-        return of_parts(lambda: data(I, answer), lambda: pages(I, answer)), no_certificate
+        shown = of_parts(lambda: data(I, answer), lambda: pages(I, answer))
+        return shown, lambda: (I if answer is None else answer).claim
     found = of_parts(lambda: to_json(I, answer), lambda: parts(I, answer))
     return found, lambda: I.claim if answer is None else answer
 

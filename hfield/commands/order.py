@@ -15,7 +15,6 @@ from hfield.commands.orders import (
     elements_of,
     ideal_json,
     level_of,
-    no_certificate,
     sum_text,
     summands,
 )
@@ -59,9 +58,8 @@ def run(args: Namespace) -> int:
 def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
     O = _made(args)
     if O.algebra.over_integers:
-        return of_parts(
-            lambda: data_over_integers(O), lambda: parts_over_integers(O)
-        ), no_certificate
+        shown = of_parts(lambda: data_over_integers(O), lambda: parts_over_integers(O))
+        return shown, lambda: O.claim
     return of_parts(lambda: to_json(O), lambda: parts(O)), lambda: O.claim
 
 

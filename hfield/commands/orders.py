@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any
 
 from hfield.commands.answers import Answer, answer_one
 from hfield.commands.output import note, open_output
@@ -145,10 +145,3 @@ def ideal_json(ideal: Any) -> dict[str, object]:
         "norm": str(ideal.norm()),
         "factorisation": [[str(P), e] for P, e in ideal.factorisation()],
     }
-
-
-def no_certificate() -> NoReturn:
-    """Raise :class:`UsageError`: what is over the integers of a number field has no certificate here."""
-    raise UsageError(
-        "certificates of this are written over QQ only; leave --certificate out, or take an algebra over QQ"
-    )

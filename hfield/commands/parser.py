@@ -221,9 +221,13 @@ def given_factors(args: Namespace) -> AbstractContextManager[None]:
     return known_primes([int(word) for word in words], "--factors")
 
 
-def add_algebra(parser: ArgumentParser) -> None:
-    """Declare ``--field`` and ``--algebra``, of which one may be given."""
+def add_algebra(parser: ArgumentParser, first: bool = False) -> None:
+    """Declare ``--field`` and ``--algebra``, and the same as a ``first`` argument; one may be given."""
     group = parser.add_mutually_exclusive_group()
+    if first:
+        group.add_argument(
+            "where", metavar="F|A", nargs="?", help="a field or an algebra, as in the options"
+        )
     group.add_argument(
         "--field", metavar="F", help="work in H(F), such as GF(9) or QQ(sqrt(2)) (default: QQ)"
     )
@@ -236,6 +240,8 @@ def algebra_of(args: Namespace) -> QuaternionAlgebra:
     """Return the algebra that ``--field`` or ``--algebra`` names; H(QQ) by default."""
     from hfield.algebra import H, QuaternionAlgebra
 
-    if args.algebra is not None:
-        return QuaternionAlgebra.from_text(args.algebra)
-    return H(args.field if args.field is not None else "QQ")
+    where = getattr(args, "where", None)
+    algebra = where if where is not None and where.startswith(("(", "[", "H(")) else args.algebra
+    if algebra is not None:
+        return QuaternionAlgebra.from_text(algebra)
+    return H(where or args.field or "QQ")

@@ -18,7 +18,7 @@ EXAMPLES = (
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    add_algebra(parser)
+    add_algebra(parser, first=True)
 
 
 def run(args: Namespace) -> int:

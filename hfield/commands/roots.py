@@ -38,7 +38,9 @@ def run(args: Namespace) -> int:
 
 
 def _roots(A: QuaternionAlgebra, variable: str, text: str) -> Answer:
-    found = A.polynomials(variable).parse(text).roots()
+    P = A.polynomials(variable)
+    left, _, right = text.replace("==", "=").partition("=")
+    found = (P.parse(left) - P.parse(right or "0")).roots()
     scalar = A.ring.text
 
     def data() -> dict[str, object]:

@@ -1,35 +1,50 @@
-"""``hfield survey``: class numbers, masses and type numbers over ranges, resumable and in parallel."""
+"""``hfield survey``: class sets over ℚ and number fields, and groups of units, over ranges, resumable."""
 
 from __future__ import annotations
 
 import json
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hfield.commands.output import OutputError, open_output
-from hfield.commands.parser import UsageError, add_jobs
+from hfield.commands.parser import UsageError, add_jobs, add_repeated
 from hfield.commands.status import Progress
 from hfield.errors import shorten
 
+if TYPE_CHECKING:
+    from hfield.census import Pair, Survey
+
 HELP = (
     "Tell class numbers, masses, type numbers and units for all Eichler orders with a discriminant and a "
-    "level in given ranges. Rows are written as they are found; a run that was killed goes on where it was."
+    "level in given ranges, or over number fields with levels of given norms; with --groups signatures, "
+    "presentations and systoles of indefinite ones. Rows are written as they are found; a run that was "
+    "killed goes on where it was."
 )
-EXAMPLES = ("hfield survey 2..100 --levels 1..5 -o rows.jsonl",)
+EXAMPLES = (
+    "hfield survey 2..100 --levels 1..5 -o rows.jsonl",
+    "hfield survey --field 'QQ(sqrt(5))' --field 'QQ(sqrt(2))' --levels 1..50",
+    "hfield survey 6..100 --groups",
+)
 MOST = 5000
+AREA = 100
 SUFFIXES = (".jsonl", ".parquet")
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    parser.add_argument("discriminants", metavar="D", help="such as 2..100, or 11,30,42")
-    parser.add_argument("--levels", metavar="N", default="1", help="such as 1..20 (default: 1)")
+    parser.add_argument(
+        "discriminants", metavar="D", nargs="?", help="such as 2..100, or 11,30,42; over QQ"
+    )
+    add_repeated(parser, "--field", "F", "over the integers of this totally real field")
+    parser.add_argument("--groups", action="store_true", help="groups of units of norm 1, over QQ")
+    parser.add_argument(
+        "--levels", metavar="N", default="1", help="such as 1..20, over fields norms (default: 1)"
+    )
     parser.add_argument(
         "--most",
         metavar="H",
-        default=str(MOST),
-        help=f"enumerate at most H classes (default: {MOST})",
+        help=f"enumerate at most H classes, or cover an area of 2πH (default: {MOST}; groups: 100)",
     )
     parser.add_argument(
         "-o",
@@ -45,18 +60,11 @@ def run(args: Namespace) -> int:
     from hfield import census
     from hfield.executors import open_executor
 
-    pairs = census.definite_pairs(
-        numbers(args.discriminants, "D"), numbers(args.levels, "--levels")
-    )
-    (most,) = numbers(args.most, "--most")[:1]
-    if not pairs:
-        raise UsageError(
-            "in these ranges lies no pair of a definite discriminant, a product of an odd number of primes, "
-            "and a level prime to it"
-        )
+    survey, pairs = _asked(args)
+    (most,) = numbers(args.most or str(AREA if args.groups else MOST), "--most")[:1]
     if args.output is None:
         with open_output(None) as out, open_executor(args.jobs, args.dask) as executor:
-            for found in census.run(executor, pairs, most, set()):
+            for found in census.run(executor, pairs, most, set(), survey):
                 out.write("\n".join(json.dumps(row) for row in found))
         return 0
     path = Path(args.output)
@@ -70,15 +78,17 @@ def run(args: Namespace) -> int:
         _pyarrow()
     journal = census.Journal(path.with_name(path.name + ".jsonl") if parquet else path)
     try:
-        done = _done(journal)
+        done = _done(journal, survey.names)
         with open_executor(args.jobs, args.dask) as executor, Progress("pairs") as progress:
             number = len(done & set(pairs))
-            for found in census.run(executor, pairs, most, done):
+            for found in census.run(executor, pairs, most, done, survey):
                 journal.append(found)
                 number += len(found)
-                progress(number, len(pairs), f"D = {found[-1]['discriminant']}")
+                progress(
+                    number, len(pairs), " ".join(str(found[-1][name]) for name in survey.names)
+                )
         if parquet:
-            _to_parquet(journal, path)
+            _to_parquet(journal, path, survey.names)
     except OSError as error:
         reason = error.strerror or str(error)
         raise OutputError(f"cannot write {shorten(args.output)!r}: {reason}") from error
@@ -104,9 +114,31 @@ def numbers(text: str, name: str) -> list[int]:
     return list(dict.fromkeys(found))
 
 
-def _done(journal: Any) -> set[tuple[int, int]]:
+def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
+    """Return the survey that is asked for, and its pairs."""
+    from hfield import census
+
+    levels = numbers(args.levels, "--levels")
+    if args.field:
+        if args.discriminants or args.groups:
+            raise UsageError("--field surveys class sets over that field: leave D and --groups out")
+        return census.FIELDS, census.field_pairs(args.field, levels)
+    if not args.discriminants:
+        raise UsageError("expected discriminants D such as 2..100, or --field F")
+    wanted = numbers(args.discriminants, "D")
+    kind, count = ("an indefinite", "even") if args.groups else ("a definite", "odd")
+    pairs = (census.indefinite_pairs if args.groups else census.definite_pairs)(wanted, levels)
+    if not pairs:
+        raise UsageError(
+            f"in these ranges lies no pair of {kind} discriminant, a product of an {count} number of primes, "
+            "and a level prime to it"
+        )
+    return census.GROUPS if args.groups else census.CLASSES, pairs
+
+
+def _done(journal: Any, names: tuple[str, str]) -> set[Pair]:
     try:
-        return {(row["discriminant"], row["level"]) for row in journal.read()}
+        return {(row[names[0]], row[names[1]]) for row in journal.read()}
     except (ValueError, KeyError, TypeError):
         raise OutputError(
             f"{shorten(journal.path)} is not a survey that could go on: move it away, or name another file"
@@ -124,12 +156,13 @@ def _pyarrow() -> Any:
     return pyarrow
 
 
-def _to_parquet(journal: Any, path: Path) -> None:
+def _to_parquet(journal: Any, path: Path, names: tuple[str, str]) -> None:
     """Write the rows of the journal as one Parquet file, whole or not at all, and drop the journal."""
     pyarrow = _pyarrow()
-    rows = sorted(journal.read(), key=lambda row: (row["discriminant"], row["level"]))
+    rows = sorted(journal.read(), key=lambda row: (row[names[0]], row[names[1]]))
     for row in rows:
-        row["units"] = None if row["units"] is None else json.dumps(row["units"])
+        for name in {"units", "orders", "generators", "relations"} & row.keys():
+            row[name] = None if row[name] is None else json.dumps(row[name])
     part = path.with_name(path.name + ".part")
     pyarrow.parquet.write_table(pyarrow.Table.from_pylist(rows), part)
     part.replace(path)

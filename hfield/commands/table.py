@@ -9,12 +9,12 @@ from hfield.commands.answers import Answer, answer_one
 from hfield.commands.parser import add_algebra, add_format, add_output, algebra_of
 
 HELP = "Print the products of the basis e, i, j, k: row times column."
-EXAMPLES = ("hfield table --field GF9 --format unicode",)
+EXAMPLES = ("hfield table GF9 --format unicode",)
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    add_algebra(parser)
+    add_algebra(parser, first=True)
     add_format(parser, "plain", "unicode", "latex", "json")
     add_output(parser)
 

@@ -15,17 +15,27 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import TooLargeError
 from hfield.fuchsian.growing import Shape, grown
 from hfield.fuchsian.plane import Plane, apply, same_point
 from hfield.fuchsian.polygon import Polygon
-from hfield.fuchsian.search import Sight
-from hfield.fuchsian.split_order import SplitOrder
+from hfield.fuchsian.search import Rows, Sight, distinct, free_centers
+from hfield.fuchsian.split_order import RationalOrder, SplitOrder
+from hfield.lattices import maximal_orders
+from hfield.lattices.z_order import is_eichler
+from hfield.progress import tell
 
 ROUNDS = 50
 """So often at most units are looked for from more points."""
+IDLE = 12
+"""So many searches in a row that find no new side are the last ones."""
+FEW_COSETS = 30
+"""Up to this index units are found quicker by the search."""
+MOST_COSETS = 3_000
+"""Cosets, at most."""
 DEEPEST = 1e6
 """Points are this far from the centre at most, by the hyperbolic cosine: floats do not go farther."""
 
@@ -46,26 +56,91 @@ Found = tuple[Polygon, list[int], list[Cycle]]
 """A domain, the partners of its sides, and the cycles of its vertices."""
 
 
-def domain(order: SplitOrder, center: Quaternion, area: Fraction) -> Found:
+def domain(order: SplitOrder, center: Quaternion, area: Fraction, given: Any = None) -> Found:
     """Return the domain around a point of trivial stabiliser, the partners of sides, cycles of vertices.
+
+    ``given`` are coordinates of units that are known from elsewhere.
 
     Raises :class:`TooLargeError` where the search does not find enough units.
     """
     plane = Plane(order, center)
     sight = Sight(plane)
     rng = np.random.default_rng(1)
-    shape = grown(sight, sight.empty, sight.carrying(np.zeros(1)))
+    shape = grown(sight, sight.empty, sight.carrying(np.zeros(1)) if given is None else given)
+    total, known, idle = float(area), 0, 0
     for _ in range(ROUNDS):
+        idle = 0 if len(shape.rows) > known else idle + 1
+        if idle == IDLE:
+            break
+        known = max(known, len(shape.rows))
+        tell(min(known / (5.5 * total + 10), 0.99), 1, "the domain")
         shape = grown(sight, shape.rows, sight.carrying(places(shape, float(area), rng)))
         # at cusps rounding may add a side that only touches, and its angles to the area
         if shape.closed and (order.cusps() != 0 or abs(shape.area() - float(area)) < 0.02):
             sides = Polygon(plane, [order.element(row) for row in shape.rows.tolist()])
             proved = proof(sides.without_points(), area)
             if proved is not None and all(g.norm() == 1 for g in sides.units):
+                tell(1, 1, "the domain")
                 return proved
+    tell(1, 1, "the domain")
     raise TooLargeError(
-        f"the domain, of area 2π·{area}, was not completed in {ROUNDS} searches; try another center="
+        f"the domain, of area 2π·{area}, has more sides than the {known} that were found; groups of an area "
+        "up to 2π·200 are within reach, and perhaps another center= helps"
     )
+
+
+def order_above(order: SplitOrder) -> RationalOrder | None:
+    """Return a maximal order above one over ℤ of large index that is not Eichler; None for others.
+
+    Raises :class:`TooLargeError` where the index is very large.
+    """
+    if not isinstance(order, RationalOrder) or is_eichler(order.order):
+        return None  # the search finds what is needed
+    found = RationalOrder(maximal_orders.overorder(order.order))
+    index = order.area() / found.area()
+    if index > MOST_COSETS:
+        raise TooLargeError(
+            f"the group is of index {index} in that of a maximal order: domains are found up to "
+            f"{MOST_COSETS}"
+        )
+    return found if index > FEW_COSETS else None
+
+
+def generators_by_cosets(order: SplitOrder, above: RationalOrder) -> Rows:
+    """Return units that generate the group of an order in a maximal one, in coordinates of the smaller.
+
+    The images of the larger group's domain under representatives of the cosets are a domain of the smaller
+    one, and what carries one of them to a neighbour of another generates it (Schreier).
+    """
+    polygon, _, _ = domain(above, next(free_centers(above)), above.area())
+    sight = Sight(polygon.plane)
+    sides = np.array(above.rows(polygon.units))
+    right = np.einsum("nj,ijk->nik", sides, sight.products)  # x ↦ x·s
+    # an element with these coordinates is in the order where row·inside is 0 modulo the denominator
+    whole, denominator = fmpz_mat(above.rows(list(order.basis))).inv().numer_denom()
+    entries = [[int(c) for c in row] for row in whole.tolist()]
+    inside, modulus = np.array(entries, dtype=np.int64), int(denominator)
+    tests = np.empty((4, MOST_COSETS, 4), dtype=np.int64)
+    cosets: list[Rows] = []
+    backs: list[Rows] = []  # for each representative h, x ↦ x·conj(h)
+    found: list[Rows] = []
+
+    def add(h: Rows) -> None:
+        backs.append(np.einsum("j,ijk->ik", h @ sight.bar, sight.products))
+        tests[:, len(cosets)] = backs[-1] @ inside % modulus
+        cosets.append(h)
+
+    add(np.array(above.rows([above.algebra(1)])[0]))
+    for h in cosets:  # which grows
+        for image in h @ right:
+            left = (image % modulus @ tests[:, : len(cosets)].reshape(4, -1)) % modulus
+            same = np.flatnonzero(~left.reshape(-1, 4).any(axis=1))
+            if same.size:
+                found.append(image @ backs[same[0]])
+            else:
+                add(image)
+    units = [above.element(row) for row in distinct(np.array(found)).tolist()]
+    return np.array(order.rows([u for u in units if u != u.conjugate()]))
 
 
 def places(shape: Shape, area: float, rng: np.random.Generator) -> Any:
@@ -74,15 +149,17 @@ def places(shape: Shape, area: float, rng: np.random.Generator) -> Any:
     Where it reaches the circle, so deep that there are such units, and a few evenly in it; what lies outside
     the polygon tells nothing new.
     """
-    start, width = np.tile(shape.gaps(), 2)
+    start, width = shape.gaps()
+    times = 2 + min(int(area), 64) // max(1, len(width))  # the last ones are hard to close
+    start, width = np.tile([start, width], times)
     # a line between the ends of a gap is at a distance with the cosine 1/sin(width/2)
-    deep = 1 + 4 * area * rng.random(len(width)) / np.sin(np.minimum(width, np.pi) / 2)
+    deep = 1 + 4 * area * rng.random(len(width)) ** 3 / np.sin(np.minimum(width, np.pi) / 2)
     deep = np.minimum(deep, DEEPEST)
-    gaps = np.sqrt(1 - deep**-2) * np.exp(1j * (start + width * rng.random(len(width))))
+    gaps = np.sqrt((deep - 1) / (deep + 1)) * np.exp(1j * (start + width * rng.random(len(width))))
     high = 1 + 4 * area * rng.random(6 if len(width) else 6 + int(area))
     klein = np.sqrt(1 - high**-2) * np.exp(2j * np.pi * rng.random(len(high)))
-    points = np.concatenate([shape.inside(klein), gaps])
-    return points / (1 + np.sqrt(1 - abs(points) ** 2))
+    points = shape.inside(klein)
+    return np.concatenate([points / (1 + np.sqrt(1 - abs(points) ** 2)), gaps])
 
 
 def proof(found: Polygon, area: Fraction) -> Found | None:

@@ -20,6 +20,7 @@ from hfield.lattices.z_order import is_eichler
 
 if TYPE_CHECKING:
     from hfield.fuchsian import dirichlet
+    from hfield.fuchsian.geodesics import Geodesic
     from hfield.fuchsian.polygon import Polygon
 
 
@@ -33,6 +34,8 @@ class Signature(NamedTuple):
 
 CENTERS = 4
 """So many centres are tried for a domain."""
+LARGE = 200
+"""For groups with more area, in units of 2π, only one is tried."""
 
 
 def signature_of(
@@ -188,18 +191,34 @@ class NormOneGroup(Certified):
     def _domain(self) -> Domain:
         from hfield.fuchsian import search
 
-        for n, c in enumerate(search.free_centers(self.order)):
+        for n, c in enumerate(search.free_centers(self._above or self.order)):
             try:
                 return self._around(c)
             except TooLargeError:  # some centres see the plane worse than others
-                if n == CENTERS - 1:
+                if n == CENTERS - 1 or self.area > LARGE:
                     raise
         raise TooLargeError("no centre that units do not fix was found; try center=")
+
+    @cached_property
+    def _above(self) -> RationalOrder | None:
+        """A maximal order above, where the index is so large that its domain is needed."""
+        from hfield.fuchsian import dirichlet
+
+        return dirichlet.order_above(self.order)
+
+    @cached_property
+    def _known(self) -> Any:
+        """Coordinates of units that generate the group, in the same case."""
+        from hfield.fuchsian import dirichlet
+
+        return (
+            None if self._above is None else dirichlet.generators_by_cosets(self.order, self._above)
+        )
 
     def _around(self, c: Quaternion) -> Domain:
         from hfield.fuchsian import dirichlet
 
-        found, partners, cycles = dirichlet.domain(self.order, c, self.area)
+        found, partners, cycles = dirichlet.domain(self.order, c, self.area, self._known)
         return Domain(self, found, tuple(partners), tuple(cycles))
 
     def _nearby(self, z: complex) -> Quaternion:
@@ -239,11 +258,67 @@ class NormOneGroup(Certified):
 
     @property
     def systole(self) -> float:
-        """About the length of the shortest closed geodesic, ``2·arccosh(t/2)`` for the least trace t."""
+        """About the length of the shortest closed geodesic, ``2·arccosh(t/2)`` for the least trace t.
+
+        Raises :class:`LatticeError` for orders that are not Eichler, with cusps.
+        """
+        if not isinstance(self.order, RationalOrder) or not is_eichler(self.order.order):
+            length = 1.0
+            while not (closed := self.geodesics(length)):
+                length += 1
+            return closed[0].length
         most = 8
         while not (found := self.traces(most)):
             most *= 2
         return 2 * acosh(found[0] / 2)
+
+    def geodesics(self, length: float) -> tuple[Geodesic, ...]:
+        """Return the closed geodesics of the quotient of up to a length, once around, by their lengths.
+
+        Each with a unit along it. Equal lengths are as often there as there are geodesics. Raises
+        :class:`LatticeError` where there are cusps, and :class:`TooLargeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 3]).maximal_order().norm_one_group()
+        >>> [round(g.length, 4) for g in G.geodesics(3)]
+        [1.9248, 1.9248, 2.6339, 2.6339]
+        """
+        from hfield.fuchsian import geodesics
+
+        return geodesics.closed(self._domain, length)
+
+    def conjugator(self, x: object, y: object) -> Quaternion | None:
+        """Return a unit u of norm 1 with ``u·x·u⁻¹ == y``; None if there is none.
+
+        So it is decided whether embeddings of a quadratic order, given by the images of a generator,
+        are conjugate. Raises :class:`LatticeError` for parabolic elements and those with an axis that ends at
+        cusps, and :class:`TooLargeError` for very long ways around.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra.from_ramification("QQ", [2, 3]).maximal_order()
+        >>> G = O.norm_one_group(); x, g = G.generators[:2]
+        >>> u = G.conjugator(x, g * x * g.conjugate()); u * x == g * x * g.conjugate() * u
+        True
+        """
+        from hfield.fuchsian import geodesics
+
+        element = self.order.algebra
+        return geodesics.conjugator(self._domain.polygon, element(x), element(y))
+
+    def fundamental_unit(self, x: object) -> Quaternion:
+        """Return the unit, of positive trace, that generates with −1 those of norm 1 commuting with x.
+
+        It is that of the real quadratic order ``O ∩ F(x)``, and a primitive hyperbolic element. Raises
+        :class:`LatticeError` where x has no axis or one that ends at cusps, and :class:`TooLargeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ", 3, -1).maximal_order()
+        >>> u = O.norm_one_group().fundamental_unit("i"); u.trace(), u.norm()
+        (4, 1)
+        """
+        from hfield.fuchsian import geodesics
+
+        return geodesics.fundamental_unit(self._domain.polygon, self.order.algebra(x))
 
     # --- larger groups -----------------------------------------------------------------------------
 

@@ -13,6 +13,12 @@ import numpy as np
 from hfield.fuchsian.search import Rows, Sight, distinct
 
 NEAR = 1e-9
+BESIDE = 24
+"""So many sides on either side of a direction are looked at to find the one that a point lies beyond."""
+ROUNDED = 1e-14
+"""Where a point lies is wrong by so much for each unit that a side is far away."""
+STEPS = 200
+"""So often a unit is multiplied by those of sides."""
 SQUARE = np.array([0.9, 0.9j, -0.9, -0.9j])
 """Dual points of lines beyond the disc, so that there is always a polygon."""
 
@@ -46,17 +52,34 @@ class Shape:
         self._weight = 2 * abs(self.b) ** 2  # cosh d − 1
 
     def beyond(self, points: Any) -> Any:
-        """Return the number of the side beyond which each point lies, nearest to its image; −1 inside."""
+        """Return the number of a side beyond which each point lies, −1 for one inside.
+
+        It is about that nearest to the point's image: what lies beyond any side lies beyond the one in its
+        direction, seen from 0, and sides beside that may be better.
+        """
         found = np.full(len(points), -1)
-        if not len(self.rows):
+        count = len(self.rows)
+        if not count:
             return found
+        every = np.arange(count) if count <= 2 * BESIDE else np.arange(-BESIDE, BESIDE)
         for n in range(0, len(points), 4096):
-            some = points[n : n + 4096, None]
-            value = self._weight * ((some * self.dual.conj()).real - 1)
+            some = points[n : n + 4096]
+            which = every[None, :]
+            if count > len(every):
+                which = (which + self._towards(some)[:, None]) % count
+            value = self._weight[which] * ((some[:, None] * self.dual[which].conj()).real - 1)
             best = value.argmax(axis=1)
-            over = value[np.arange(len(some)), best] > 1e-7
-            found[n : n + 4096] = np.where(over, best, -1)
+            rows = np.arange(len(some))
+            side = np.broadcast_to(which, value.shape)[rows, best]
+            over = value[rows, best] > 1e-7 + ROUNDED * self._weight[side]
+            found[n : n + 4096] = np.where(over, side, -1)
         return found
+
+    def _towards(self, points: Any) -> Any:
+        """Return the number of the side in the direction of each point, or of one beside it."""
+        turns = np.angle(self.corners)
+        first = int(turns.argmin())
+        return np.searchsorted(np.roll(turns, -first), np.angle(points)) - 1 + first
 
     def gaps(self) -> tuple[Any, Any]:
         """Return the arcs of the circle that belong to the polygon: where each begins, and how wide it is."""
@@ -71,15 +94,23 @@ class Shape:
     def inside(self, points: Any) -> Any:
         """Return images of points of Klein's model in the polygon."""
         points = points.copy()
-        while (far := np.flatnonzero((side := self.beyond(points)) >= 0)).size:
+        for _ in range(STEPS):
+            far = np.flatnonzero((side := self.beyond(points)) >= 0)
+            if not far.size:
+                break
             n = side[far]
             points[far] = moved(self.a[n].conj(), -self.b[n], points[far])
         return points
 
     def reduced(self, rows: Rows) -> Rows:
-        """Multiply units by those of sides until they move the centre into the polygon; drop ±1."""
+        """Multiply units by those of sides until they move the centre into the polygon; drop ±1.
+
+        Units so far away that rounding turns them around for ever are left out.
+        """
         done = []
-        while len(rows):
+        for _ in range(STEPS):
+            if not len(rows):
+                break
             a, b = self.sight.motions(rows)
             side = self.beyond(2 * a * b / (abs(a) ** 2 + abs(b) ** 2))
             done.append(rows[(side < 0) & (abs(b) > 1e-6)])
@@ -88,12 +119,14 @@ class Shape:
         return np.concatenate(done) if done else rows
 
     def cutting(self) -> Rows:
-        """Return units that cut off vertices which the inverse of a side's unit maps outside."""
+        """Return units that cut off ends of sides which the inverse of the side's unit maps outside."""
         new = []
-        for corners in (self.corners, np.roll(self.corners, -1)):
-            inside = abs(corners) < 1 + NEAR
-            side = self.beyond(moved(self.a.conj(), -self.b, corners))
-            cut = inside & (side >= 0)
+        angle, half = np.angle(self.dual), np.arccos(np.minimum(1, 1 / abs(self.dual)))
+        for corners, turn in ((self.corners, -half), (np.roll(self.corners, -1), half)):
+            # where the next side is not met, the end is on the circle
+            ends = np.where(abs(corners) < 1 + NEAR, corners, np.exp(1j * (angle + turn)))
+            side = self.beyond(moved(self.a.conj(), -self.b, ends))
+            cut = side >= 0
             new.append(self.sight.times(self.sight.left(self.rows[cut]), self.rows[side[cut]]))
         return np.concatenate(new)
 
@@ -151,7 +184,8 @@ def hull(points: Any) -> list[int]:
         for n in sweep:
             while len(found) >= start + 2:
                 p, q = found[-2], found[-1]
-                if (x[q] - x[p]) * (y[n] - y[p]) > (y[q] - y[p]) * (x[n] - x[p]) + 1e-13:
+                dx, dy = x[n] - x[p], y[n] - y[p]
+                if (x[q] - x[p]) * dy > (y[q] - y[p]) * dx + 1e-15 * (abs(dx) + abs(dy)):
                     break
                 found.pop()
             found.append(n)

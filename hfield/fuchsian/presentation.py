@@ -8,6 +8,7 @@ a relation expresses by others are put away (Tietze).
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from flint import fmpz_mat
@@ -46,17 +47,17 @@ def simplified(count: int, relations: list[Word]) -> tuple[list[int], list[Word]
     their old numbers.
     """
     relations = [r for r in map(cyclically_reduced, relations) if r]
-    words: dict[int, Word] = {n: (n,) for n in range(1, count + 1)}
-    left = list(range(1, count + 1))
+    left, put_away = list(range(1, count + 1)), list[tuple[int, Word]]()
+    best: dict[Word, tuple[int, int, Word] | None] = {}
     while True:
-        found = [
-            (len(relation) - 1, n, relation)
-            for relation in relations
-            for n in {abs(letter) for letter in relation}
-            if sum(abs(letter) == n for letter in relation) == 1
-        ]
+        found = []
+        for relation in relations:
+            if relation not in best:
+                best[relation] = shortest(relation)
+            if (candidate := best[relation]) is not None:
+                found.append(candidate)
         if not found:
-            return left, relations, words
+            break
         _, n, relation = min(found)
         at = next(m for m, letter in enumerate(relation) if abs(letter) == n)
         # the relation is n^±1·rest, up to a conjugate
@@ -64,9 +65,23 @@ def simplified(count: int, relations: list[Word]) -> tuple[list[int], list[Word]
         value = inverse(rest) if relation[at] > 0 else rest
         put = {n: value, -n: inverse(value)}
         relations.remove(relation)
-        relations = [r for r in (cyclically_reduced(replaced(r, put)) for r in relations) if r]
-        words = {m: freely_reduced(replaced(w, put)) for m, w in words.items()}
+        changed = [
+            cyclically_reduced(replaced(r, put)) if n in r or -n in r else r for r in relations
+        ]
+        relations = [r for r in changed if r]
         left.remove(n)
+        put_away.append((n, value))
+    words: dict[int, Word] = {n: (n,) for n in left}
+    for n, value in reversed(put_away):  # expressed by those that were left then
+        put = {letter: words[letter] if letter > 0 else inverse(words[-letter]) for letter in value}
+        words[n] = freely_reduced(replaced(value, put))
+    return left, relations, words
+
+
+def shortest(relation: Word) -> tuple[int, int, Word] | None:
+    """Return the least generator that occurs once, after the length of its word; None without one."""
+    once = [n for n, times in Counter(map(abs, relation)).items() if times == 1]
+    return (len(relation) - 1, min(once), relation) if once else None
 
 
 def replaced(word: Word, values: dict[int, Word]) -> Word:

@@ -198,11 +198,10 @@ def reduction(vectors: Any) -> Any:
 
 def distinct(rows: Rows) -> Rows:
     """Return rows that differ by more than the sign."""
-    found: dict[tuple[int, ...], None] = {}
-    for row in map(tuple, rows.tolist()):
-        other = tuple(-x for x in row)
-        found[max(row, other)] = None
-    return np.array(list(found), dtype=np.int64).reshape(len(found), rows.shape[1])
+    first = rows[np.arange(len(rows)), (rows != 0).argmax(axis=1)]
+    positive = rows * np.where(first < 0, -1, 1)[:, None]
+    found = list(dict.fromkeys(map(tuple, positive.tolist())))
+    return np.array(found, dtype=np.int64).reshape(len(found), rows.shape[1])
 
 
 def short_vectors(bases: Any, bound: float) -> tuple[Any, Any]:

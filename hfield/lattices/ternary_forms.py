@@ -296,9 +296,8 @@ def form_of(basis: Triple, algebras: Callable[..., Any]) -> TernaryForm:
     A = basis[0].algebra
     F: Any = A.ring
     dual, scale = dual_basis(basis)
-    if (scale if F.degree == 1 else integers(F).inside(scale).trace()) < 0:  # the other orientation
-        basis, dual = (basis[1], basis[0], basis[2]), (-dual[1], -dual[0], -dual[2])
-        scale = -scale
+    if (scale if F.degree == 1 else integers(F).inside(scale).trace()) < 0:
+        scale = -scale  # of the basis in another order
     values = [scale * d.norm() for d in dual]
     pairs = [scale * (dual[m] * dual[n].conjugate()).trace() for m, n in ((1, 2), (0, 2), (0, 1))]
     return TernaryForm(F, [*values, *pairs], algebras)

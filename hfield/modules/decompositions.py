@@ -52,7 +52,7 @@ def right_eigenvalues(M: Matrix) -> Any:
         return _exactly(M)
     pair = _pair(M, square=True)
     matrices = pair.matrices
-    values = _lapack(np.linalg.eigvals, matrices)
+    values = _lapack(np.linalg.eigvals, matrices) * _scale(matrices)[..., None]
     size = np.linalg.norm(matrices, axis=(-1, -2))
     n = matrices.shape[-1]
     trace = abs(values.sum(-1) - np.trace(matrices, axis1=-1, axis2=-2))
@@ -191,10 +191,17 @@ def _matrix(M: Matrix, pair: Pair) -> Matrix:
 
 
 def _lapack(function: Any, matrices: np.ndarray) -> Any:
+    """Return what LAPACK finds of matrices over their scale: some of its builds fail on large entries."""
     try:
-        return function(matrices)
+        return function(matrices / _scale(matrices)[..., None, None])
     except np.linalg.LinAlgError as error:
         raise UndecidedError(f"LAPACK found no answer: {error}") from error
+
+
+def _scale(matrices: np.ndarray) -> np.ndarray:
+    """Return a power of 2 about as large as the entries of each matrix."""
+    size = np.max(np.abs(matrices), axis=(-1, -2), initial=0.0)
+    return np.asarray(np.ldexp(1.0, np.frexp(size)[1]))
 
 
 def _check_product(given: Pair, product: Pair) -> None:

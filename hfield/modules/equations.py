@@ -149,7 +149,10 @@ class Affine:
     def known(self, what: str) -> Quaternion:
         """Return the constant. Raises :class:`NotationError` where the unknown is in it."""
         if self.images:
-            raise NotationError(f"{what} has the unknown in it, so that the equation is not linear")
+            raise NotationError(
+                f"{what} has the unknown in it, so that the equation is not linear; roots() of a polynomial "
+                "and `hfield roots` find those of coefficients on the left"
+            )
         return self.constant
 
 

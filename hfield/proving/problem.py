@@ -112,6 +112,7 @@ class Problem:
             old,
             text=to_text(node),
             node=node,
+            written=node,
             unknowns=unknowns,
             exists=(),
             hypotheses=hypotheses,

@@ -133,7 +133,7 @@ class Answer:
             where = f" over {self.field}" + where
         elif d.verdict == PROVED:
             where = f" over every {(d.scope or '').removesuffix('s')}" + where
-        lines = [f"{_SIGNS[d.verdict]} {to_unicode(self.statement.node)}"]
+        lines = [f"{_SIGNS[d.verdict]} {to_unicode(self.statement.written)}"]
         if d.witness:
             shown = ", ".join(f"{n} = {_value(v)}" for n, v in d.witness.items() if n != "F")
             over = f" over {d.witness['F'][0]}" if "F" in d.witness else ""
@@ -155,7 +155,7 @@ class Answer:
         return f"<pre>{escape(str(self))}</pre>"
 
     def _repr_latex_(self) -> str:
-        return rf"$\displaystyle {to_latex(self.statement.node)} \quad\text{{({self.verdict})}}$"
+        return rf"$\displaystyle {to_latex(self.statement.written)} \quad\text{{({self.verdict})}}$"
 
 
 def _value(texts: list[str]) -> str:

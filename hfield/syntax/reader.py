@@ -153,6 +153,8 @@ _MENDS = {
     "<": "there is no order here: only == and != compare",
     ">": "there is no order here: only == and != compare",
     "%": "there is no remainder here",
+    "|": "the norm of q is norm(q)",
+    "∀": "unknowns stand for all elements, without a sign",
     "{": "write parentheses ( )",
     "}": "write parentheses ( )",
 }
@@ -226,6 +228,8 @@ class _Parser:
     def mend(self) -> str:
         """Say what to write where a product's sign is missing, as in ``2q``."""
         before = self.tokens[self.index - 1][1]
+        if before in ("forall", "all", "every"):
+            return f": unknowns stand for all elements, write the statement without {before!r}"
         if (
             self.kind != "name"
             or self.token in _WORDS

@@ -114,7 +114,8 @@ def _may_be_a_matrix(text: str) -> NotationError:
     inside = shorten(text[1:-1].strip())
     return NotationError(
         f"{shorten(text)} is a matrix, or a commutator: for the commutator write comm({inside}); the matrix "
-        f"is A.matrix({shorten(text)!r}), and on the command line hfield matrix takes it"
+        f"is A.matrix({shorten(text)!r}) or, on the command line, hfield matrix; in a statement "
+        "matrix(p, q, r, u)"
     )
 
 

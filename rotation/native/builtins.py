@@ -88,10 +88,10 @@ def assembled(
     parameters: tuple[Any, ...],
     single: tuple[int, ...],
     words: tuple[str, ...],
-) -> tuple[Function, Shape]:
+) -> tuple[Function, Shape, int]:
     """Return the function ``f(*arrays, out)`` that fills ``out`` with ``formula(*arrays, *parameters)``.
 
-    Second comes the shape of a row of ``out``.
+    Second comes the shape of a row of ``out``, third how many steps eight rows take.
 
     Parameters
     ----------
@@ -113,7 +113,11 @@ def assembled(
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype = ctypes.py_object
     make.argtypes = (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
-    return make(ctypes.addressof(method), method, None), row  # it keeps its ``self`` alive
+    return (
+        make(ctypes.addressof(method), method, None),
+        row,
+        len(block.lines),
+    )  # it keeps its ``self`` alive
 
 
 # --- eight rows ----------------------------------------------------------------------------------

@@ -129,9 +129,10 @@ def angle_of(xp: Any, y: Any, x: Any, pair: bool = True) -> Pair:
     low = plus_product(xp, rest * part, t * z, _sum(xp, ATAN, z))
     # Eighths of a turn k and a sign: k·π/4 ± atan t.
     minus = xp.where(steep, ~back, back)
-    one, two = xp.where(eighth, 1.0 + zero, zero), xp.where(back, 4.0 + zero, zero)
-    k = xp.where(steep, 2.0 + zero, two) + xp.where(minus, -one, one)
-    t, low = xp.where(minus, -t, t), xp.where(minus, -low, low)
+    sign = xp.where(minus, -1.0 + zero, 1.0 + zero)
+    k = xp.where(steep, 2.0 + zero, xp.where(back, 4.0 + zero, zero))
+    k = xp.where(eighth, k + sign, k)
+    t, low = sign * t, sign * low
     high, e = quick_two_sum(k * QUARTER, t)
     high, low = quick_two_sum(high, e + plus_product(xp, low, k, QUARTER_LOW))
     right = (large <= HIGH) & ((small >= LOW) | ((small == 0.0) & (large >= LOW)))

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from hfield.cli import main
 from tests.commands.running import run
 
 
@@ -70,6 +71,9 @@ BAD = [
     (["(1+i"], "at character 5"),
     (["1 +* i"], "at character 4"),
     (["i $ j"], "$"),
+    (["|i|"], "norm(q)"),
+    (["∀i"], "without a sign"),
+    (["forall p"], "without 'forall'"),
     ([""], "empty"),
     (["  "], "empty"),
     (["a*i"], "'a' means nothing"),
@@ -142,6 +146,14 @@ def test_table_plain(capsys):
         ["j", "j", "-k", "-e", "i"],
         ["k", "k", "j", "-i", "-e"],
     ]
+
+
+def test_the_algebra_may_come_first(capsys):
+    assert main(["table", "[1,x|GF(4))"]) == 0
+    first = capsys.readouterr().out
+    assert main(["table", "--algebra", "[1,x|GF(4))"]) == 0
+    assert capsys.readouterr().out == first != ""
+    assert main(["table", "GF9", "--field", "GF4"]) == 2
 
 
 def test_table_json(capsys):

@@ -101,10 +101,10 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["order", "11", "--generators", "i/2, j"], "generate no order"),
         (["order", "(2,3|QQ)", "--extremal"], "prime discriminant"),
         (["classes", "(2,3|QQ)"], "definite"),
-        (["classes", "(-1,-1|QQ(sqrt(-5)))"], "not totally real"),
+        (["classes", "(-1,-1|QQ(sqrt(-5)))"], "split at an infinite place"),
         (["classes", "(-1,-1|QQ(sqrt(5)))", "--formula"], "over QQ"),
         (["classes", "11", "--formula", "--newforms"], "enumerates none"),
-        (["brandt", "(-1,-1|QQ(sqrt(5)))", "--prime", "11"], "no prime ideal"),
+        (["brandt", "(-1,-1|QQ(sqrt(5)))", "--prime", "1/2"], "an ideal of the integers"),
         (["classes", str(2**61 - 1)], "Eichler's formula"),
         (["brandt", "37", "--prime", "x"], "expected a positive number, a prime"),
         (["brandt", "37", "0"], "positive integer"),
@@ -116,7 +116,11 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
             ["brandt", "1000003", "--prime", "4", "--format", "edges"],
             "--format edges, with a prime",
         ),
-        (["survey", "4"], "no pair"),
+        (["survey", "4"], "no pair of a definite"),
+        (["survey", "2..5", "--groups"], "no pair of an indefinite"),
+        (["survey"], "or --field F"),
+        (["survey", "2..5", "--field", "QQ(sqrt(5))"], "leave D and --groups out"),
+        (["survey", "--field", "QQ(I)"], "not totally real"),
         (["survey", "5..2"], "ascending"),
         (["survey", "2..x"], "2..100"),
         (["survey", "2..9", "-o", "rows.txt"], "ends in .jsonl or .parquet"),
@@ -242,6 +246,42 @@ def test_a_survey_goes_on_where_it_was_killed(capsys, tmp_path):
     assert status == 2
     assert "not a survey" in err
     assert path.read_text() == "no survey\n"
+
+
+def test_a_survey_over_fields(capsys, tmp_path):
+    path, words = tmp_path / "rows.jsonl", ["survey", "--field", "QQ(sqrt(5))", "--levels", "1..31"]
+    page(capsys, *words, "--field", "QQ[s]/(s^3-s^2-2*s+1)", "-o", str(path), "--most", "2")
+    rows = [json.loads(line) for line in path.read_text().splitlines()]
+    golden = [row["norm"] for row in rows if row["field"] == "QQ(sqrt(5))"]
+    split = {
+        n: sum((0, 1, -1, -1, 1)[d % 5] for d in range(1, n + 1) if n % d == 0)
+        for n in range(1, 32)
+    }
+    assert {n: golden.count(n) for n in split} == split  # the coefficients of ζ(s)·L(s, (·/5))
+    for row in rows:
+        known = row["class_number"] is not None
+        assert known == (Fraction(row["mass"]) <= 2)
+        if known:
+            counted = [(Fraction(1, int(u)), m) for u, m in row["units"].items()]
+            assert sum(m * x for x, m in counted) == Fraction(row["mass"])
+            assert sum(m for _, m in counted) == row["class_number"] >= row["type_number"]
+    assert [row["class_number"] for row in rows if row["norm"] == 31] == [2, 2]
+    before = path.read_bytes()
+    page(capsys, *words, "-o", str(path))
+    assert path.read_bytes() == before
+
+
+def test_a_survey_of_groups(capsys):
+    lines = page(capsys, "survey", "1..22", "--groups", "--most", "1").splitlines()
+    rows = {row["discriminant"]: row for row in map(json.loads, lines)}
+    assert list(rows) == [1, 6, 10, 14, 15, 21, 22]
+    known = {6: (0, [2, 2, 3, 3]), 14: (1, [2, 2]), 15: (1, [3, 3]), 22: (0, [2, 2, 3, 3, 3, 3])}
+    assert {d: (rows[d]["genus"], rows[d]["orders"]) for d in known} == known
+    assert (rows[1]["cusps"], rows[1]["area"]) == (1, "1/6")
+    assert rows[6]["sides"] == 5
+    assert len(rows[6]["generators"]) > 1
+    assert rows[22]["area"] == "5/3"
+    assert rows[22]["generators"] is rows[22]["systole"] is None
 
 
 def test_a_survey_in_processes(capsys, tmp_path):

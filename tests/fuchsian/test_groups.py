@@ -10,7 +10,7 @@ from itertools import product
 import pytest
 
 from hfield import QuaternionAlgebra, ring
-from hfield.errors import IndefiniteError, LatticeError
+from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.factorisation import factorise
 from hfield.fuchsian import area, dirichlet, presentation
 from hfield.fuchsian.polygon import Polygon
@@ -311,6 +311,19 @@ def test_local_index_against_counting() -> None:
         assert area.area(O.value) == index * area.area(M.value)
 
 
+def test_orders_of_large_index() -> None:
+    """Their domains come from that of a maximal order; the narrow cusps are all there."""
+    G = QuaternionAlgebra("QQ", 1, 1).order(["3*i", "5*j"]).norm_one_group()
+    assert G.area == 180
+    assert G.domain().area == 180
+    assert len(G.generators) == 2 * G.signature.genus + G.signature.cusps - 1  # a free group
+    assert G.relations == ()
+    rows = dirichlet.generators_by_cosets(G.order, dirichlet.order_above(G.order)).tolist()
+    assert all((x := G.order.element(row)) in G.order and x.norm() == 1 for row in rows)
+    with pytest.raises(TooLargeError, match="of index 5040"):
+        QuaternionAlgebra("QQ", 1, 1).order(["5*i", "7*j"]).norm_one_group().domain()
+
+
 def test_an_incomplete_domain_is_seen() -> None:
     """Half of the generators bound a larger polygon, whose area is not that of the group."""
     whole = order(14).norm_one_group().domain()
@@ -342,3 +355,8 @@ def test_pictures(tmp_path) -> None:
         assert (tmp_path / name).stat().st_size > 5000
     with pytest.raises(LatticeError, match=r"try a file \.svg"):
         D.draw(tmp_path / "nowhere" / "a.svg")
+
+
+def test_far_units_end_no_search() -> None:
+    """With eight cusps some units are so far away that rounding turned them around for ever."""
+    assert len(order(1, 248).norm_one_group().domain().sides) > 64

@@ -1,5 +1,6 @@
 """Ideal classes of definite orders over totally real fields: known values, identities, other formulas."""
 
+from collections import Counter
 from fractions import Fraction
 from itertools import product
 
@@ -8,6 +9,7 @@ import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
 from hfield.errors import IndefiniteError
+from hfield.lattices.over_integers.lattices import number_by_signs
 
 # discriminant of K: polynomial, classes and types of the maximal order of discriminant 1, mass
 KNOWN = {
@@ -81,6 +83,26 @@ def test_brandt_matrices(name: str, level: int) -> None:
             times = [C.index(I * K.ideal(P)) for I in C]
             assert all(B[i][j] * C.units[j] == B[j][times[i]] * C.units[i] for i in h for j in h)
     assert all(S * T == T * S for S, T in product(matrices, repeat=2))
+
+
+@pytest.mark.parametrize(
+    ("name", "level", "p"), [("s^2-5", 31, 2), ("s^2-5", 31, 5), ("s^2-10", 1, 2), ("s^2-10", 1, 3)]
+)
+def test_brandt_matrices_of_powers(name: str, level: int, p: int) -> None:
+    """They count the ideals of that norm, listed; those of coprime ideals multiply."""
+    A = unramified(name)
+    K = A.ring
+    O = A.eichler_order([(K.primes_above(level)[0], 1)] if level > 1 else 1)
+    C, P = O.class_set(), K.ideal(K.primes_above(p)[0])
+    for k in (2, 3):
+        found = Counter(C.index(J.conjugate()) for J in O.ideals_of_norm(P**k))
+        assert C.brandt_matrix(P**k)[0] == [found[j] for j in range(len(C))]
+    Q = K.ideal(K.primes_above(7)[0])
+    S, T = (flint.fmpz_mat(C.brandt_matrix(a)) for a in (P**2, Q))
+    assert C.brandt_matrix(P**2 * Q) == (S * T).table()
+    if level > 1:
+        with pytest.raises(LatticeError, match="not maximal at"):
+            C.brandt_matrix(K.ideal(K.primes_above(level)[0]) ** 2)
 
 
 def test_equivalence_and_index() -> None:
@@ -161,13 +183,38 @@ def test_other_orders() -> None:
     assert len(different) == C.type_number
 
 
+@pytest.mark.parametrize(
+    "name", ["QQ(sqrt(3))", "QQ(sqrt(15))", "QQ[s]/(s^3-s^2-4*s-1)", "QQ[s]/(s^4-6*s^2+4)"]
+)
+def test_strong_approximation_counts_classes_of_ideals_by_signs(name: str) -> None:
+    K = ring(name)
+    places = list(K.real_places())
+    odd = list(K.primes_above(2)[:1])
+    whole = QuaternionAlgebra.from_ramification(K, places + odd * (len(places) % 2))
+    assert number_by_signs(whole) == K.narrow_class_group().order
+    split = QuaternionAlgebra(K, 1, 1)
+    assert split.class_number() == split.class_number(3) == K.class_group().order
+    some = QuaternionAlgebra.from_ramification(K, places[:-1] + odd * ((len(places) - 1) % 2))
+    between = some.class_number()
+    assert K.narrow_class_group().order % between == between % K.class_group().order == 0
+    with pytest.raises(IndefiniteError, match=f"ramifies, {between}, told by the reduced norm"):
+        some.maximal_order().class_set()
+
+
+def test_class_numbers_of_definite_algebras_are_counted() -> None:
+    A = icosians()
+    assert A.class_number(A.ring("6 + sqrt(5)")) == 2
+
+
 def test_refusals() -> None:
-    with pytest.raises(IndefiniteError, match="not totally real"):
+    with pytest.raises(IndefiniteError, match="ramifies, 2, told"):
         QuaternionAlgebra("QQ(sqrt(-5))", -1, -1).maximal_order().class_set()
-    with pytest.raises(IndefiniteError, match="split at a real place"):
+    with pytest.raises(IndefiniteError, match="split at an infinite place"):
         QuaternionAlgebra("QQ(sqrt(5))", 2, 3).maximal_order().class_set()
     C = icosians().maximal_order().class_set()
     with pytest.raises(LatticeError, match="no prime ideal"):
-        C.brandt_matrix(11)
+        C.neighbours(11)
+    with pytest.raises(LatticeError, match="an ideal of the integers"):
+        C.brandt_matrix("1/2")
     with pytest.raises(LatticeError, match="right ideal"):
         C.index(C.order.left_ideal([2]))

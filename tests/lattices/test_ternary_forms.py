@@ -128,6 +128,17 @@ def test_classes_of_forms_are_types_of_orders() -> None:
         assert {tuple(f.order().ternary_theta_series(60)) for f in genus} == theta
 
 
+def test_forms_and_their_negatives() -> None:
+    f = ternary_form([1, 1, 11, 1, 0, 0])
+    other = ternary_form([-x for x in f.coefficients])
+    assert other.order() == f.order()
+    assert other.is_definite() is f.is_definite() is True
+    assert {str(g.reduced()) for g in other.genus()} == {
+        str(ternary_form([-x for x in g.coefficients])) for g in f.genus()
+    }
+    assert not other.equivalence(f)
+
+
 def test_the_genus_is_what_neighbours_reach() -> None:
     """Neighbours at 3: a lattice and one with an intersection of index 3 are of one genus."""
     f = ternary_form([1, 1, 23, 1, 0, 0])
@@ -184,6 +195,11 @@ def test_equivalence_shows_the_matrix(field: str) -> None:
         assert answer
         assert maps(f, g, answer.matrix)
         assert not f.equivalence(ternary_form([-x for x in f.coefficients], F))
+        if field == "QQ(sqrt(5))":  # units change forms within their class
+            g = ternary_form([x * (w * w) for x in f.coefficients], F)
+            answer = f.equivalence(g)
+            assert answer
+            assert maps(f, g, answer.matrix)
     f, g = definite[-2:]
     assert not f.is_equivalent(g)
     assert "discriminants" in f.equivalence(g).reason

@@ -13,6 +13,7 @@ from hfield import (
     RingError,
     ring,
 )
+from hfield.algebra.embedding import embedding
 from hfield.structure.norm_forms.residue_forms import no_zero
 
 
@@ -152,14 +153,29 @@ def test_corestriction_in_two_steps():
     assert A.corestriction().algebra.is_isomorphic(QuaternionAlgebra(-1, -3))  # three times is once
 
 
-def test_real_places_are_told_apart():
-    K, F = ring("QQ(sqrt(2),sqrt(3))"), ring("QQ(sqrt(2))")
-    for w in K.real_places():
-        other = next(v for v in K.real_places() if v != w)
-        A = QuaternionAlgebra.from_ramification(K, [w, other])
-        below = {F.gen * v.sign(K("sqrt(2)")) for v in (w, other)}
-        found = A.corestriction(F).brauer_class
-        assert {F.gen * v.sign(F.gen) for v in found} == (below if len(below) == 2 else set())
+@pytest.mark.parametrize("root", [3, -1])
+def test_corestriction_to_a_quadratic_field(root):
+    """The corestriction of (x, y) with y in the subfield is (N(x), y), x = a + b·√root."""
+    rng = Random(8)
+    F = ring("QQ(sqrt(2))")
+    K = ring(f"QQ(sqrt(2),sqrt({root}))") if root > 0 else ring("QQ(zeta8)")
+    image = embedding(F, K)
+    s = K.sqrt(K(root))
+    found = set()
+    for _ in range(25):
+        a, b, y = small(F, rng), small(F, rng), small(F, rng)
+        over = QuaternionAlgebra(K, image(a) + image(b) * s, image(y)).corestriction(F)
+        places = QuaternionAlgebra(F, a * a - root * b * b, y).ramified_places()
+        assert set(over.brauer_class) == set(places)
+        found |= set(places)
+    assert len(found) > 4
+
+
+def test_real_places_of_a_generator_with_values_that_are_near():
+    F = ring("QQ[s]/(s^2-2000*s+999998)")  # 1000 ± √2
+    for b in (-1, -3):
+        A = QuaternionAlgebra(F, F.gen - 1000, b)
+        assert set(A.corestriction(F).brauer_class) == set(A.ramified_places())
 
 
 def test_no_corestriction():

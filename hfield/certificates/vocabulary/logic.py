@@ -7,7 +7,8 @@ The vocabulary, with P, Q for statements of any kind:
 ``level-above{2}`` · ``norm-criterion{>}`` · ``modulus-exists`` · ``modulus-law{*}`` · ``centre{2}`` ·
 ``basis{4; 1,0,0,0; …}`` · ``determined-by{all; 1,2,3}`` · ``curried-linear{1}`` ·
 ``last-argument{4; 1,2,3}`` · ``class-group{2,4}`` · ``unit-group{2; 1+s}`` ·
-``ideal-classes{O; 3}`` · and those of :mod:`hfield.certificates.orders.words` about lattices.
+``ideal-classes{O; 3}`` · and those about lattices, of :mod:`hfield.certificates.orders.words` and, over
+number fields, of :mod:`hfield.certificates.number_fields.answers`.
 
 Lemmas that show relations between closed statements over all fields at once.
 """
@@ -30,7 +31,7 @@ from hfield.certificates.glossary import (
 )
 from hfield.certificates.kinds import establish
 from hfield.certificates.language import BLANKS, Tree, parse, split, walk
-from hfield.certificates.number_fields import classes, ideal_classes
+from hfield.certificates.number_fields import answers, classes, ideal_classes
 from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.words import PARTS as LATTICES
 from hfield.certificates.orders.words import establish_lattices, meaning_of_lattices
@@ -38,7 +39,7 @@ from hfield.certificates.rejection import a_list, an_integer, an_object, kind_of
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.scalars.surds import Reals
-from hfield.certificates.statement import HAMILTON, QUATERNIONS, SCALARS, Setting, read_statement
+from hfield.certificates.statement import HAMILTON, UNKNOWNS, Setting, read_statement
 from hfield.certificates.vocabulary import linear_algebra, of_fields
 from hfield.certificates.vocabulary.presentation import establish_presentation, read_presentation
 
@@ -61,7 +62,7 @@ class Proposition:
 
 
 Check = Callable[[tuple[str, ...], Setting, str, Any], Finding]
-ROOMS = (of_fields, linear_algebra, classes, ideal_classes)
+ROOMS = (of_fields, linear_algebra, classes, ideal_classes, answers)
 SPECIAL: dict[str, Check] = {word: check for room in ROOMS for word, check in room.CHECKS.items()}
 FORMS = {word: form for room in ROOMS for word, form in room.FORMS.items()}
 
@@ -159,7 +160,7 @@ def establish_any(
         need_meaning(p, setting)
     if p.word in LATTICES:
         return establish_lattices(p.word, p.parts, setting, verdict, evidence)
-    if setting.constants != HAMILTON and p.word not in ideal_classes.CHECKS:
+    if setting.constants != HAMILTON and p.word not in {**ideal_classes.CHECKS, **answers.CHECKS}:
         reject("statements about wholes are about H(F)")
     if p.word in SPECIAL:
         if setting.field is None and kind_of(evidence) == "over":
@@ -217,7 +218,7 @@ def _with_the_same_names(text: str, setting: Setting) -> Setting:
     assert setting.field is not None
     read_statement(text, replace(setting, field=None))
     for node in walk(parse(text)):
-        unknown = node[0] == "name" and node[1] in (*QUATERNIONS, *SCALARS)
+        unknown = node[0] == "name" and node[1] in UNKNOWNS
         if unknown and setting.field.constant(node) is not None:
             reject(f"{node[1]!r} means an element of {setting.field.name} there")
     return replace(setting, moved=False)

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import TooLargeError
+from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.lattices.class_number import local_factor
 from hfield.lattices.classes import orbits, renumbered
 from hfield.lattices.enumeration import Vector, least_vectors
@@ -405,15 +405,45 @@ class Classes:
             ]
         return self._rows[P]
 
-    def brandt_matrix(self, prime: object) -> list[list[int]]:
-        """Return the Brandt matrix of a prime ideal: [i][j] counts the ideals of norm P in I_i of class j.
+    def brandt_matrix(self, norm: object) -> list[list[int]]:
+        """Return the Brandt matrix of an ideal: [i][j] counts the ideals of that norm in I_i of class j.
 
-        They are the invertible ideals of relative norm P. The prime may be given as an ideal, or as a number
-        that generates it. Raises :class:`LatticeError` for what is no prime.
+        They are the invertible ideals of that relative norm. It may be given as a number that generates it.
+        Raises :class:`LatticeError` for the square of a prime at which the order is not maximal.
+        """
+        size, ideal = range(len(self)), self.frame.ideal(norm)
+        if not ideal.is_integral():
+            raise LatticeError(f"expected an ideal of the integers, not {shorten(ideal)}")
+        found = flint.fmpz_mat([[int(i == j) for j in size] for i in size])
+        for P, e in ideal.factorisation():
+            found = found * self._prime_power(self.frame.prime(P), P, e)
+        return [[int(x) for x in row] for row in found.tolist()]
+
+    def _prime_power(self, P: PrimeIdeal, shown: Any, e: int) -> flint.fmpz_mat:
+        """Return the Brandt matrix of Pᵉ: T(Pᵏ⁺¹) = T(Pᵏ)·T(P) − N(P)·T(Pᵏ⁻¹)·S, S the classes of P·I.
+
+        (Voight, section 41.3.) Where the algebra ramifies and the order is maximal it is a power.
         """
         size = range(len(self))
-        return [[row[j] for j in size] for row in self.neighbours(prime)]
+        first = flint.fmpz_mat([[row[j] for j in size] for row in self.neighbours(P)])
+        discriminant = self.ring.discriminant().valuation(P)
+        if e == 1 or (discriminant == 1 and P in self.frame.ramified):
+            return first**e
+        if discriminant:
+            raise LatticeError(
+                f"the order is not maximal at {shorten(shown)}: there the Brandt matrix of the prime is "
+                f"known, and not that of its power {e}"
+            )
+        frame, ideal = self.frame, self.frame.integers.ring.ideal(shown)
+        by = [
+            self._times(n, lambda I: unique_rows(frame.multiple(I, ideal)), ideal**2) for n in size
+        ]
+        times = flint.fmpz_mat([[P.norm * int(by[i] == j) for j in size] for i in size])
+        before, found = flint.fmpz_mat([[int(i == j) for j in size] for i in size]), first
+        for _ in range(e - 1):
+            before, found = found, found * first - before * times
+        return found
 
-    def hecke_polynomial(self, prime: object) -> list[int]:
+    def hecke_polynomial(self, norm: object) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first."""
-        return list(map(int, flint.fmpz_mat(self.brandt_matrix(prime)).charpoly().coeffs()))
+        return list(map(int, flint.fmpz_mat(self.brandt_matrix(norm)).charpoly().coeffs()))

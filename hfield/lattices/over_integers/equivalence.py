@@ -8,13 +8,15 @@ Noether), hence an isometry of trace-0 parts, and is known by the images of two 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import count
 from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.evidence import Certified, Claim
 from hfield.lattices.enumeration import short_vectors, vectors_of_length
 from hfield.lattices.over_integers.positive_generators import (
     totally_positive_generator,
@@ -30,12 +32,21 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(Certified):
     """True or false in an ``if``; ``element`` proves a true answer, ``reason`` says how it was decided."""
 
     holds: bool
     reason: str
     element: Quaternion | None = None
+    claimed: Callable[[Quaternion | None], Claim] | None = field(
+        default=None, compare=False, repr=False
+    )
+
+    @cached_property
+    def claim(self) -> Claim:
+        """The answer as a statement with its evidence."""
+        assert self.claimed is not None, "orders and ideals say what was asked of them"
+        return self.claimed(self.element)
 
     def __bool__(self) -> bool:
         return self.holds
@@ -153,6 +164,11 @@ class _Ternary:
         """Return N(x + y) − N(x) − N(y)."""
         norm = self.frame.norm
         return norm((x + y).entries()) - norm(x.entries()) - norm(y.entries())
+
+
+def two_generators(frame: Frame, rows: flint.fmpq_mat) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
+    """Return two elements of an order that do not commute: they generate the algebra."""
+    return _Ternary(frame, rows).two_generators()
 
 
 def _intertwiner(

@@ -81,7 +81,7 @@ class Frame:
             return found
         if isinstance(x, PrimeIdeal) and x.field == self.field:
             return x
-        if not isinstance(x, QuadraticPlace | PrimeIdeal | str):
+        if not isinstance(x, QuadraticPlace | PrimeIdeal):
             factors = self.ideal(x).factorisation()
             if len(factors) == 1 and factors[0][1] == 1:
                 return self.prime(factors[0][0])

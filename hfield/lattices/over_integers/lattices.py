@@ -10,15 +10,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.errors import IndefiniteError, LatticeError, TooLargeError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.fields.number_fields.ideals import Ideal
 from hfield.fuchsian.group import NormOneGroup
@@ -304,7 +304,7 @@ class IntegersLattice(Hinted):
         return found if left else flint.fmpq_mat(self.frame.conjugate(found.tolist()))
 
 
-class IntegersOrder(IntegersLattice):
+class IntegersOrder(IntegersLattice, Certified):
     """A lattice over the integers of a number field that is a ring with 1.
 
     >>> from hfield import QuaternionAlgebra
@@ -611,8 +611,20 @@ class IntegersOrder(IntegersLattice):
         if ring != other:
             raise LatticeError(f"{shorten(repr(other))} is no order")
         if self.discriminant() != ring.discriminant():
-            return equivalence.Comparison(False, "their discriminants differ")
-        return equivalence.conjugator(self.frame, self.rows, ring.rows)
+            found = equivalence.Comparison(False, "their discriminants differ")
+        else:
+            found = equivalence.conjugator(self.frame, self.rows, ring.rows)
+        return replace(found, claimed=partial(certificates.of_isomorphism, self, ring))
+
+    @property
+    def claim(self) -> Claim:
+        """That this is an order of its discriminant, as a statement with its evidence."""
+        return certificates.of_order(self)
+
+    @property
+    def units_claim(self) -> Claim:
+        """How many units there are modulo those of the field, likewise."""
+        return certificates.of_unit_index(self)
 
     def mass(self) -> Fraction:
         """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, by a formula. Raises likewise."""
@@ -620,10 +632,32 @@ class IntegersOrder(IntegersLattice):
 
     def class_set(self) -> IntegersClassSet:
         """Return the invertible right ideal classes, complete by the mass formula. Raises likewise."""
+        if not self.is_definite():
+            number = number_by_signs(self.algebra)
+            raise IndefiniteError(
+                f"{self.algebra} is split at an infinite place: by strong approximation an Eichler order "
+                f"has as many right ideal classes as the ideals of {self.algebra.ring.name} have modulo "
+                f"generators that are positive where the algebra ramifies, {number}, told by the reduced "
+                "norm; class sets by enumeration are for totally definite algebras"
+            )
         return IntegersClassSet(self)
 
 
-class IntegersIdeal(IntegersLattice):
+def number_by_signs(algebra: Any) -> int:
+    """Return the order of the class group of K modulo generators positive at the ramified real places.
+
+    So many right ideal classes has an Eichler order of an algebra that splits at an infinite place
+    (M. Eichler, 1938; Voight, *Quaternion Algebras*, chapter 28).
+    """
+    K: Any = algebra.ring
+    places: list[Any] = [v for v in algebra.ramified_places() if v in K.real_places()]
+    units = K.unit_group()
+    signs = [[int(v.sign(u) < 0) for v in places] for u in (units.torsion, *units.generators)]
+    rank = flint.nmod_mat(signs, 2).rank() if places else 0
+    return int(K.class_group().order << (len(places) - rank))
+
+
+class IntegersIdeal(IntegersLattice, Certified):
     """A lattice with O·I = I for the order O (``side="left"``), or I·O = I (``side="right"``).
 
     >>> from hfield import QuaternionAlgebra
@@ -756,10 +790,17 @@ class IntegersIdeal(IntegersLattice):
         between = pair[0] * pair[1]
         norm = other.norm() / self.norm()
         if self.frame.is_definite:
-            return equivalence.element_generating(self.frame, between.rows, norm)
-        from hfield.lattices.over_integers.split_order import element_generating
+            found = equivalence.element_generating(self.frame, between.rows, norm)
+        else:
+            from hfield.lattices.over_integers.split_order import element_generating
 
-        return element_generating(self.order, between.rows, norm)
+            found = element_generating(self.order, between.rows, norm)
+        return replace(found, claimed=partial(certificates.of_equivalence, self, other))
+
+    @property
+    def claim(self) -> Claim:
+        """That this is a locally principal ideal of its order, as a statement with its evidence."""
+        return certificates.of_ideal(self)
 
     def __repr__(self) -> str:
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"

@@ -11,6 +11,7 @@ from enum import Enum
 from functools import cached_property, lru_cache
 
 from hfield.errors import CoercionError, HFieldError, NotationError
+from hfield.proving.statements.matrices import ENTRIES, expanded
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import taken_apart, tree_depth
 from hfield.rings.base import Ring
@@ -32,7 +33,8 @@ from hfield.syntax import (
 )
 from hfield.syntax.spelling import elsewhere
 
-QUATERNIONS = frozenset("pqruvw")
+LETTERS = frozenset("pqruvw")
+QUATERNIONS = LETTERS.union(*ENTRIES.values())
 SCALARS = frozenset("styxz")
 BASIS = ("e", "i", "j", "k")
 MAX_TREE_DEPTH = 200
@@ -68,12 +70,14 @@ class Statement:
 
     ``exists`` names the unknowns that are sought rather than given; they belong to ``conclusion``
     only. ``constants`` are the terms, by their text, whose value is an element of the field, such
-    as its generator. ``node`` is the whole as a tree, ``divides`` whether ``/``, ``inv``, a decimal
+    as its generator. ``node`` is the whole as a tree, ``written`` that with matrices in it, where
+    ``node`` has their entries, ``divides`` whether ``/``, ``inv``, a decimal
     fraction or a negative power occurs, ``compares_unequal`` whether ``!=`` or ``not`` does.
     """
 
     text: str
     node: Node
+    written: Node
     unknowns: tuple[tuple[str, Sort], ...]
     exists: tuple[str, ...]
     hypotheses: tuple[Node, ...]
@@ -83,7 +87,7 @@ class Statement:
     compares_unequal: bool
 
     def __str__(self) -> str:
-        return to_text(self.node)
+        return to_text(self.written)
 
     def __hash__(self) -> int:
         return hash(self.text)  # trees are long, and memories ask often
@@ -125,7 +129,7 @@ def read_statement(
         except NotationError:  # perhaps it names an element of the field
             pass
         else:
-            if generators(field).isdisjoint(general.sorts):
+            if generators(field).isdisjoint({*general.sorts, *ENTRIES}):
                 return general  # it says the same over every field
     node = _parse(text)
     if given:
@@ -174,7 +178,9 @@ class _Analysis:
         self.constants: dict[str, None] = {}
         self.divides = self.unequal = False
 
-    def run(self, node: Node, constants: tuple[str, ...]) -> Statement:
+    def run(self, written: Node, constants: tuple[str, ...]) -> Statement:
+        taken = () if self.field is None else generators(self.field)
+        node = expanded(written, taken, self.text)
         hypotheses, conclusion = taken_apart(node)
         exists: list[str] = []
         for h in hypotheses:
@@ -194,6 +200,7 @@ class _Analysis:
         return Statement(
             text=self.text.strip(),
             node=node,
+            written=written,
             unknowns=tuple(self.unknowns.items()),
             exists=tuple(exists),
             hypotheses=hypotheses,

@@ -4,6 +4,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TypeGuard
 
+from hfield.proving.statements.matrices import ENTRIES
 from hfield.proving.statements.trees import walk_once
 from hfield.syntax import (
     Binary,
@@ -60,6 +61,7 @@ _LATEX = {
     "*": r" \cdot ",
     "/": "/",
 }
+SEPARATORS = {"matrix": (" & ", r" \\ ", " & "), "row": (" & ",), "column": (r" \\ ",)}
 SHORT_FUNCTIONS = {"norm": "N", "trace": "tr", "scalar": "Sc", "vector": "Vec"}
 
 
@@ -237,6 +239,8 @@ class _Latex(Writer):
         return super().bare(node)
 
     def name(self, name: str) -> str:
+        if name in ENTRIES.get(name[0], ()):
+            return f"{name[0]}_{{{name[1:]}}}"
         return name if len(name) == 1 else rf"\mathrm{{{name}}}"
 
     def power(self, base: str, exponent: int) -> str:
@@ -250,6 +254,13 @@ class _Latex(Writer):
             return rf"\overline{{{self.write(arguments[0])}}}"
         if function == "inv":
             return f"{{{self.write(arguments[0], POSTFIX)}}}^{{-1}}"
+        if function == "transpose":
+            return rf"{{{self.write(arguments[0], POSTFIX)}}}^{{\mathsf{{T}}}}"
+        if function in SEPARATORS:
+            parts = [self.write(x) for x in arguments]
+            joints = [*SEPARATORS[function][: len(parts) - 1], ""]
+            inside = "".join(x + joint for x, joint in zip(parts, joints, strict=False))
+            return rf"\begin{{pmatrix}} {inside} \end{{pmatrix}}"
         inside = ", ".join(self.write(x) for x in arguments)
         if function == "comm":
             return rf"\left[{inside}\right]"

@@ -262,6 +262,10 @@ class ClassGroup(Certified):
         x, exponents = self._field.class_of(a)
         return self.group.coordinates([*exponents, *self._of_signs(x)])
 
+    def factors(self, a: Ideal) -> tuple[FieldElement, list[int]]:
+        """Return x and exponents with a = x·∏Pᵉ, P in the S of :attr:`evidence`."""
+        return self._field.class_of(a)
+
     @cached_property
     def generators(self) -> tuple[Ideal, ...]:
         """Integral ideals whose classes generate the cyclic factors."""

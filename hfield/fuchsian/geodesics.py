@@ -1,0 +1,231 @@
+"""Conjugacy in a group of units of norm 1, centralisers, and the closed geodesics of its quotient.
+
+An element x off the field fixes a point of the plane or an axis, that of its part v of trace 0. Its
+conjugates whose point or axis meets a Dirichlet domain are finitely many, and one goes from each to all
+others across the sides that the point or axis meets: two elements are conjugate exactly where they have one
+of these in common, and what leads around generates the centraliser. All this is exact. Closed geodesics of
+up to a length are among the units that carry the centre not too far, which are enumerated tile by tile, in
+floats with a margin, and then told apart exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import acosh, cosh
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from hfield.algebra.quaternion import Quaternion
+from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.fuchsian.plane import Vector, apply, dot
+from hfield.fuchsian.polygon import Polygon
+from hfield.fuchsian.search import Rows, Sight, distinct
+
+if TYPE_CHECKING:
+    from hfield.fuchsian.group import Domain
+
+MOST = 20_000
+"""Conjugates of one element that meet the domain, at most."""
+TILES = 1_000_000
+"""Images of the domain, at most, among which closed geodesics are looked for."""
+MARGIN = 1e-6
+
+
+class Geodesic(NamedTuple):
+    """A closed geodesic of the quotient, once around, without direction.
+
+    ``element`` is a unit that moves along it, ``length`` is about 2·arccosh(\\|trace\\|/2).
+    """
+
+    length: float
+    element: Quaternion
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """The conjugates of an element that meet a domain, by their vectors, and by which units.
+
+    ``around`` are units that commute with the element; with −1 they generate all of norm 1 that do.
+    """
+
+    units: dict[Vector, Quaternion]
+    around: list[Quaternion]
+
+
+def orbit(polygon: Polygon, x: Quaternion) -> Orbit:
+    """Return the conjugates of x that meet a domain.
+
+    Raises :class:`LatticeError` for a number, a parabolic element and an axis that ends at cusps, and
+    :class:`TooLargeError`.
+    """
+    v = polygon.plane.vector(x - x.trace() / 2)
+    sign = polygon.plane.order.sign(polygon.plane.norm(v))
+    if sign == 0:
+        raise LatticeError(
+            f"{shorten(x)} fixes neither a point of the plane nor an axis: expected an element that is "
+            "no number and not parabolic"
+        )
+    if sign < 0 and x.algebra.ring.is_square(x.trace() * x.trace() - 4 * x.norm()):
+        raise LatticeError(f"the axis of {shorten(x)} ends at cusps, and no unit moves along it")
+    _, path = polygon.reduced(_point(polygon, v, sign))
+    start: Quaternion = x.algebra(1)
+    for n in path:
+        v, start = apply(polygon.back(n), v), polygon.units[n].conjugate() * start
+    units, waiting, around = {v: start}, [v], []
+    while waiting:
+        v = waiting.pop()
+        for n in _met(polygon, v, sign):
+            image, unit = apply(polygon.back(n), v), polygon.units[n].conjugate() * units[v]
+            if image not in units:
+                units[image] = unit
+                waiting.append(image)
+            else:
+                around.append(units[image].conjugate() * unit)
+        if len(units) > MOST:
+            raise TooLargeError(f"more than {MOST} conjugates of {shorten(x)} meet the domain")
+    return Orbit(units, [u for u in around if u != u.conjugate()])
+
+
+def _point(polygon: Polygon, v: Vector, sign: int) -> Vector:
+    """Return the fixed point, or the point of the axis that is nearest to the centre."""
+    if sign > 0:
+        upper = polygon.plane.order.sign(v[0]) > 0
+        return v if upper else (-v[0], -v[1], -v[2])
+    # c less its part along v, which is orthogonal to the axis
+    n = polygon.plane.norms[0] * v[0] / polygon.plane.norm(v)
+    return (1 - n * v[0], -n * v[1], -n * v[2])
+
+
+def _met(polygon: Polygon, v: Vector, sign: int) -> Iterator[int]:
+    """Yield the sides, ends included, that the axis meets, or on which the point in the domain lies."""
+    if sign > 0:
+        yield from (n for n, form in enumerate(polygon.forms) if dot(form, v) == 0)
+        return
+    a, b, c = polygon.plane.norms
+    form = (a * v[0], b * v[1], c * v[2])
+    signs = [polygon.plane.order.sign(dot(form, x)) for x in polygon.starts]
+    yield from (n for n, s in enumerate(signs) if s * signs[(n + 1) % len(signs)] <= 0)
+
+
+def conjugator(polygon: Polygon, x: Quaternion, y: Quaternion) -> Quaternion | None:
+    """Return a unit u of norm 1 with ``u·x·u⁻¹ == y``, or None where there is none."""
+    if x == y:
+        found: Quaternion = x.algebra(1)
+        return found
+    if x.trace() != y.trace() or x.norm() != y.norm() or x == x.conjugate():
+        return None
+    here, there = orbit(polygon, x).units, orbit(polygon, y).units
+    for v, unit in here.items():
+        if v in there:
+            return there[v].conjugate() * unit
+    return None
+
+
+def fundamental_unit(polygon: Polygon, x: Quaternion) -> Quaternion:
+    """Return the unit that generates, with −1, the units of norm 1 that commute with a hyperbolic element.
+
+    Of it and its inverse and their negatives, one of positive trace. Raises :class:`LatticeError`.
+    """
+    order = polygon.plane.order
+    if order.sign(order.scalar(x.trace() * x.trace() - 4 * x.norm())) <= 0:
+        raise LatticeError(
+            f"{shorten(x)} has no axis: expected an element with trace² − 4·norm > 0 at the place that splits"
+        )
+
+    def size(u: Quaternion) -> float:
+        return abs(order.real(order.scalar(u.trace())))
+
+    units = orbit(polygon, x).around
+    # all are powers of one, and of two the larger becomes smaller, as in Euclid's algorithm
+    while True:
+        units.sort(key=size)
+        least, rest = units[0], units[1:]
+        if not rest:
+            break
+        smaller = [min(u * least, u * least.conjugate(), key=size) for u in rest]
+        units = [least, *(u for u in smaller if u != u.conjugate())]
+    return least if order.sign(order.scalar(least.trace())) > 0 else -least
+
+
+def closed(domain: Domain, most: float) -> tuple[Geodesic, ...]:
+    """Return the closed geodesics of up to a length, by their lengths.
+
+    Raises :class:`LatticeError` where there are cusps, and :class:`TooLargeError`.
+    """
+    polygon, order = domain.polygon, domain.group.order
+    if any(cycle.order == 0 for cycle in domain.cycles):
+        raise LatticeError(
+            "closed geodesics are listed for groups without cusps; traces() tells lengths"
+        )
+    found: list[Geodesic] = []
+    seen: set[Vector] = set()
+    for g in _hyperbolic(domain, most):
+        v = polygon.plane.vector(g - g.conjugate())
+        if _axis(v) in seen or not any(True for _ in _met(polygon, v, -1)):
+            continue
+        # of those with this axis, g is the first, and so moves least
+        seen.update(map(_axis, orbit(polygon, g).units))
+        length = 2 * acosh(abs(order.real(order.scalar(g.trace()))) / 2)
+        found.append(Geodesic(length, g))
+    return tuple(found)
+
+
+def _axis(v: Vector) -> Vector:
+    """Return what multiples of a vector have in common."""
+    first = next(c for c in v if c != 0)
+    return (v[0] / first, v[1] / first, v[2] / first)
+
+
+def _hyperbolic(domain: Domain, most: float) -> list[Quaternion]:
+    """Return all hyperbolic units of up to a length whose axes meet the domain, and others, by their traces.
+
+    A geodesic from a point of the domain to its image is in tiles whose centres are no farther from the
+    centre than its length and two radii of the domain.
+    """
+    plane, order = domain.polygon.plane, domain.group.order
+    sight = Sight(plane)
+    corners = np.array(domain.vertices)
+    radius = float(np.arccosh((1 + abs(corners) ** 2) / (1 - abs(corners) ** 2)).max())
+    reach = cosh(most + 2 * radius)
+    if (tiles := reach / float(domain.area)) > TILES:
+        raise TooLargeError(
+            f"closed geodesics of up to the length {most:g} are among {tiles:.0e} images of the domain, and "
+            f"at most {TILES} are looked through; ask for less"
+        )
+    klein = 2 * corners / (1 + abs(corners) ** 2)
+    bound = 2 * cosh(most / 2) * (1 + MARGIN)
+    chosen = []
+    for rows in _tiles(sight, np.array(order.rows(domain.polygon.units)), reach):
+        a, b = sight.motions(rows)
+        size = 2 * abs(a.real)
+        rows, a, b = (x[(size > 2 - MARGIN) & (size < bound)] for x in (rows, a, b))
+        # the axis of g is where the plane's form, of g − conj(g), is 0
+        value = a.imag[:, None] + (b[:, None] * klein.conj()).imag
+        near = (value.min(axis=1) < MARGIN) & (value.max(axis=1) > -MARGIN)
+        chosen += rows[near].tolist()
+    units = [order.element(row) for row in chosen]
+    sized = []
+    for g in units:
+        t = order.scalar(g.trace())
+        if order.sign(t * t - 4) > 0 and (length := abs(order.real(t))) < bound:
+            sized.append((length, g))
+    return [g for _, g in sorted(sized, key=lambda pair: pair[0])]
+
+
+def _tiles(sight: Sight, sides: Rows, reach: float) -> Iterator[Rows]:
+    """Yield the units that move the centre up to a distance, told by its cosine, in steps across sides."""
+    right = np.einsum("nj,ijk->nik", sides, sight.products)
+    identity = np.array(sight.plane.order.rows([sight.plane.order.algebra(1)]))
+    rows, seen = identity, {tuple(identity[0].tolist())}
+    while len(rows):
+        found = distinct(np.einsum("ri,nik->rnk", rows, right).reshape(-1, sight.rank))
+        b = sight.motions(found)[1]
+        found = found[1 + 2 * abs(b) ** 2 <= reach * (1 + MARGIN)]
+        fresh = [
+            tuple(row) not in seen and tuple(-x for x in row) not in seen for row in found.tolist()
+        ]
+        rows = found[np.array(fresh, dtype=bool)]
+        seen.update(map(tuple, rows.tolist()))
+        yield rows
