@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 _I = Surd({-1: flint.fmpq(1)})
 
-MOST_OPERATIONS = 12  # of a root in radicals; longer ones go by number
+MOST_OPERATIONS = 24  # of a root in radicals; longer ones go by number
 
 
 class AlgebraicNumbers(ValueRing):
