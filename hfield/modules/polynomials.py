@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 from typing import Any, ClassVar
 
@@ -31,6 +32,8 @@ from hfield.structure.single_elements.trace_and_norm import element_of
 from hfield.syntax import Reader, plain_element
 
 MOST_DEGREE = 1000
+MOST_ELEMENTS = 100_000  # of an algebra that is gone through for linear factors
+MOST_FAILED = 3_000
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -368,9 +371,9 @@ class Polynomial:
         """Return (c, (q₁, …, qₙ)) with f = c·(x − q₁)⋯(x − qₙ), or a false answer that says there is none.
 
         Over a division algebra any root may be the last: factors are unique up to similarity and order
-        (O. Ore, Annals of Math. 34 (1933)). Over split ones all are tried, if they are finitely many. Raises
-        :class:`NotInvertibleError` unless c is a unit, and :class:`UndecidedError` where roots are not
-        found, or infinitely many are left to try.
+        (O. Ore, Annals of Math. 34 (1933)). Over split ones all are tried, if they are finitely many: over
+        GF(q), q ≤ 17, always. Raises :class:`NotInvertibleError` unless c is a unit, and
+        :class:`UndecidedError` where roots are not found, or too many are left to try.
         """
         A = self.parent.algebra
         if not self:
@@ -379,7 +382,7 @@ class Polynomial:
             )
         c = self.coefficients[-1]
         c.inverse()
-        search = _Factoring(is_division(A.ring, A.constants))
+        search = Factoring(A, is_division(A.ring, A.constants))
         factors = search.factors(self)
         if factors is not None:
             return c, factors
@@ -391,28 +394,61 @@ class Polynomial:
         raise UndecidedError("of some roots one in a family or sphere was tried, and others may do")
 
 
-class _Factoring:
-    """A search for linear factors: any root over a division algebra, over others one of each kind."""
+class Factoring:
+    """A search for linear factors: any root over a division algebra; over others all, or one of each kind."""
 
-    def __init__(self, division: bool) -> None:
-        self.division, self.is_whole = division, True
+    def __init__(self, A: Any, division: bool) -> None:
+        self.algebra, self.division, self.is_whole = A, division, True
         self.rest: Polynomial | None = None
+        self.failed: set[Polynomial] = set()
+        order = A.ring.order
+        self.is_finite = not division and order is not None and order**4 <= MOST_ELEMENTS
+
+    @cached_property
+    def _elements(self) -> dict[Any, list[Quaternion]]:
+        """All elements of a finite algebra, by trace and norm."""
+        found: dict[Any, list[Quaternion]] = {}
+        for q in self.algebra.elements():
+            found.setdefault(self._key(q.trace(), q.norm()), []).append(q)
+        return found
+
+    def _key(self, t: Any, n: Any) -> Any:
+        F = self.algebra.ring
+        return F.key(t), F.key(n)
 
     def factors(self, f: Polynomial) -> tuple[Quaternion, ...] | None:
         """Return (q₁, …, qₙ) with f = c·(x − q₁)⋯(x − qₙ), or None if none is found."""
         if f.degree == 0:
             return ()
+        if f in self.failed:
+            return None
         found = f.roots()
-        self.is_whole &= self.division or not (found.spheres or found.families)
+        self.is_whole &= self.division or self.is_finite or not (found.spheres or found.families)
         if not any((found.spheres, found.isolated, found.families)):
             self.rest = f
-        for q in _some(f.parent.algebra, found):
+        for q in self.roots(f, found):
             before = self.factors(f.divmod_right(f.parent([-q, 1]))[0])
             if before is not None:
                 return (*before, q)
             if self.division:
                 break
+        self.failed.add(f)
+        if len(self.failed) > MOST_FAILED:
+            raise UndecidedError(f"{MOST_FAILED} products of linear factors were tried")
         return None
+
+    def roots(self, f: Polynomial, found: Roots) -> Iterator[Quaternion]:
+        """Run through roots: one of each kind first, then, in a finite algebra, all others."""
+        yield from _some(self.algebra, found)
+        if not self.is_finite:
+            return
+        A, F = self.algebra, self.algebra.ring
+        for t, n in found.spheres:
+            yield from self._elements.get(self._key(t, n), ())
+            yield from (A.scalar(r) for r in F.roots([n, -t, F.one]))
+        for m in found.families:
+            among = A.elements() if m.t is None else self._elements[self._key(m.t, m.n)]
+            yield from (q for q in among if m.contains(q))
 
 
 def _quadratic_divisors(F: Any, f: list[Any]) -> Iterator[tuple[Any, Any]]:
