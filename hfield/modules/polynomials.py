@@ -371,8 +371,8 @@ class Polynomial:
         """Return (c, (q₁, …, qₙ)) with f = c·(x − q₁)⋯(x − qₙ), or a false answer that says there is none.
 
         Over a division algebra any root may be the last: factors are unique up to similarity and order
-        (O. Ore, Annals of Math. 34 (1933)). Over split ones all are tried, if they are finitely many: over
-        GF(q), q ≤ 17, always. Raises :class:`NotInvertibleError` unless c is a unit, and
+        (O. Ore, Annals of Math. 34 (1933)). Over split ones all are tried, if they are finitely many, as
+        over GF(q), q ≤ 17. Raises :class:`NotInvertibleError` unless c is a unit, and
         :class:`UndecidedError` where roots are not found, or too many are left to try.
         """
         A = self.parent.algebra
