@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cmp_to_key, lru_cache
 from typing import Any
 
 import flint
@@ -22,9 +22,8 @@ class IsolatedRoots:
     def __init__(self, polynomial: flint.fmpq_poly) -> None:
         self._whole = polynomial.numer()
         first = self._isolated(START)
-        real = sorted((z for z in first if z.imag == 0), key=lambda z: float(z.real.mid()))
-        upper = [z for z in first if z.imag > 0]
-        upper.sort(key=lambda z: (float(z.real.mid()), float(z.imag.mid())))
+        real = sorted((z for z in first if z.imag == 0), key=cmp_to_key(_order))
+        upper = sorted((z for z in first if z.imag > 0), key=cmp_to_key(_order))
         self.real_count, self.count = len(real), len(real) + len(upper)
         self._at: dict[int, list[Any]] = {START: real + upper}
 
@@ -36,10 +35,18 @@ class IsolatedRoots:
         """Return the roots with so many bits."""
         if bits not in self._at:
             finer = self._isolated(bits)
-            self._at[bits] = [
-                next(z for z in finer if z.overlaps(known)) for known in self._at[START]
-            ]
+            near = [[z for z in finer if z.overlaps(known)] for known in self._at[START]]
+            alone = all(len(zs) == 1 for zs in near)  # else balls of neighbours touch
+            self._at[bits] = [z for (z,) in near] if alone else self.at(2 * bits)
         return self._at[bits]
+
+
+def _order(z: flint.acb, w: flint.acb) -> int:
+    """Order by real parts, and by imaginary ones where those are not told apart."""
+    for x, y in ((z.real, w.real), (z.imag, w.imag)):
+        if x < y or x > y:
+            return -1 if x < y else 1
+    return 0
 
 
 @lru_cache(maxsize=256)

@@ -15,6 +15,7 @@ import flint
 import sympy
 
 from hfield.errors import CoercionError, shorten
+from hfield.rings.balls import precision
 from hfield.rings.isolated_roots import IsolatedRoots, isolated_roots
 
 LEAST_DEGREE = 3  # below they are written with square roots
@@ -31,16 +32,12 @@ class RootOf(sympy.Function):  # type: ignore[misc,unused-ignore]
         """The roots of the polynomial."""
         return isolated_roots(tuple(map(int, self.args[1:])))
 
-    def number(self, above: bool = True) -> tuple[int, bool]:
-        """Return the place among the roots that are isolated, and whether the conjugate of that is meant."""
-        n, real = int(self.args[0]), self.roots.real_count
-        return (n, False) if n < real else (real + (n - real) // 2, (n - real) % 2 == 1)
-
     def ball(self) -> flint.acb:
         """Return a ball around the root, at flint's current precision."""
-        place, conjugate = self.number()
-        z = self.roots.at(flint.ctx.prec)[place]
-        return z.conjugate() if conjugate else z
+        n, real = int(self.args[0]), self.roots.real_count
+        pair, is_below = divmod(max(n - real, 0), 2)
+        z = self.roots.at(flint.ctx.prec)[min(n, real) + pair]
+        return z.conjugate() if is_below else z
 
     @property
     def height(self) -> float:
@@ -51,15 +48,14 @@ class RootOf(sympy.Function):  # type: ignore[misc,unused-ignore]
     @property
     def conjugates(self) -> list[int]:
         """The numbers of the roots that it is made of."""
-        n = int(self.args[0])
-        return [n]
+        return [int(self.args[0])]
 
     def _latex(self, printer: Any) -> str:
         name = self.spelled.replace("_", r"\_")
         return rf"\operatorname{{{name}}}\left({', '.join(map(str, self.args))}\right)"
 
     def _eval_evalf(self, prec: int) -> Any:
-        with flint.ctx.workprec(prec + 16):
+        with precision(prec + 16):
             z = self.ball()
             parts = [
                 sympy.Float(str(x.mid().str(prec, radius=False)), prec // 3 + 5)
