@@ -160,8 +160,10 @@ def test_what_is_refused():
         P([]).roots()
     with pytest.raises(UndecidedError, match="not factored"):
         H("RR").polynomials()(["sqrt(2)", "i+j", 0, 1]).roots()
-    with pytest.raises(UndecidedError, match="central simple"):
-        H("GF(2)").polynomials()([1, 1]).roots()
+    with pytest.raises(UndecidedError, match="over fields"):
+        H("ZZ").polynomials()([1, 1]).roots()
+    with pytest.raises(UndecidedError, match="a radical and zero divisors modulo it"):
+        QuaternionAlgebra("QQ", 1, 0).polynomials()(["1+i", "1+i"]).roots()
 
 
 def test_every_polynomial_of_degree_one_over_gf_3():
