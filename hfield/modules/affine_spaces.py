@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.rings.roots import stripped
 from hfield.structure import is_central_simple, is_division
 from hfield.structure.forms import pairing_matrix
 from hfield.structure.linear_algebra.echelon import null_space, solution
@@ -60,7 +61,8 @@ def on_spaces(A: Parent, a: Quaternion, b: Quaternion, t: Any, n: Any) -> Spaces
         return [q], [v]  # the radical is 0: a norm is constant on no line modulo it
     if F.is_zero(along[1]) and F.is_zero(along[2]):
         return [], []
-    return [q + v * s for s in F.roots(along)], radical
+    factors = F.irreducible_factors(stripped(F, along))
+    return [q - v * g[0] for g in factors if len(g) == 2], radical
 
 
 def _additive(q: Quaternion, free: list[Quaternion], n: Any) -> Spaces:
