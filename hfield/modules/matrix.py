@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import (
@@ -38,6 +38,14 @@ if TYPE_CHECKING:
     from hfield.rings.base import Ring
 
 Entries = tuple[Vector, ...]
+
+
+class EchelonForm(NamedTuple):
+    """``transformation`` @ M == ``form``; ``pivots`` are columns, from 0."""
+
+    form: Matrix
+    transformation: Matrix
+    pivots: tuple[int, ...]
 
 
 class Matrix:
@@ -338,6 +346,38 @@ class Matrix:
         self._field("the rank")
         rank = self._beside().rank()
         return rank.numerator if rank.denominator == 1 else rank
+
+    def echelon_form(self) -> EchelonForm:
+        """Return ``.form``, the reduced row echelon form E, ``.transformation`` T, T·M = E, and ``.pivots``.
+
+        T is invertible; in the columns of the pivots E has those of the identity. Raises
+        :class:`UndecidedError` where a column has entries that are zero divisors, and no unit to clear them.
+
+        >>> from hfield import H
+        >>> M = H("QQ").matrix([["i", "j", 1], ["k", 1, "j"]])
+        >>> E, T, pivots = M.echelon_form(); E, T @ M == E, pivots
+        ([[1, -k, 0], [0, 0, 1]], True, (0, 2))
+        """
+        A, (m, n) = self.algebra, self.shape
+        F = self._field("the echelon form")
+        if not F.is_exact:
+            raise UndecidedError(f"whether a column is 0 is not decided over {F.name}; svd() tells")
+        rows = [[*row, *(A.scalar(r == c) for c in range(m))] for r, row in enumerate(self.rows)]
+        found = Cleared(A, rows, n, leftmost=True)
+        order = sorted(zip(found.pivots, found.done, strict=True), key=lambda pair: pair[0])
+        left = [
+            *(x for c, row in order for x in row[:c]),
+            *(x for row in found.rest for x in row[:n]),
+        ]
+        if any(left):
+            raise UndecidedError(
+                "an echelon form needs a unit in each column that it clears; rank() and solve() do not"
+            )
+        whole = [*(row for _, row in order), *found.rest]
+        form, transformation = (
+            self._like(row[part] for row in whole) for part in (slice(n), slice(n, None))
+        )
+        return EchelonForm(form, transformation, tuple(c for c, _ in order))
 
     def right_kernel(self) -> tuple[Vector, ...]:
         """Return vectors x with M·x = 0 that generate all of them as a right module.
