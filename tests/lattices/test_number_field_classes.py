@@ -246,3 +246,25 @@ def test_orbits_of_short_elements(name: str, monkeypatch: pytest.MonkeyPatch) ->
         C = A.eichler_order(level).class_set()
         assert sum(Fraction(1, u) for u in C.units) == C.mass
     assert any(several)
+
+
+@pytest.mark.parametrize("discriminant", [5, 12, 24, 28, 60, 69, 1125])
+@pytest.mark.parametrize("level", [1, 3])
+def test_stable_classes(discriminant: int, level: int) -> None:
+    """As many as narrow classes of the field, all of one mass; cancellation where each is one class."""
+    A = unramified(KNOWN[discriminant][0])
+    C = A.eichler_order(level).class_set()
+    stable, number = C.stable_classes(), A.ring.narrow_class_group().order
+    masses: Counter[int] = Counter()
+    for n, units in zip(stable, C.units, strict=True):
+        masses[n] += Fraction(1, units)  # type: ignore[assignment]
+    assert dict(masses) == dict.fromkeys(range(number), C.mass / number)
+    assert C.has_cancellation() == (len(C) == number)
+    assert C.is_hermite() == (stable.count(stable[0]) == 1)
+    assert stable[C.index(C.order.right_ideal([1]))] == stable[0]
+
+
+def test_stable_classes_of_other_orders() -> None:
+    C = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).order(["2*i", "j"]).class_set()
+    with pytest.raises(LatticeError, match="Eichler symbol"):
+        C.stable_classes()

@@ -847,6 +847,34 @@ class IntegersClassSet(class_sets.Classes, WithForms, Certified, Hinted):
         """Return the left orders of the representatives, one a class."""
         return [I.left_order() for I in self]
 
+    def stable_classes(self) -> tuple[int, ...]:
+        """Return for each class of I the number of its stable class: that of all J with I ⊕ O ≅ J ⊕ O.
+
+        It is the narrow class of N(I) where all local units are norms of those of O; others raise
+        :class:`LatticeError` (A. Fröhlich, *J. reine angew. Math.* 274, 1975).
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra("QQ(sqrt(6))", -1, -1).maximal_order().class_set()
+        >>> C.stable_classes(), C.has_cancellation(), C.is_hermite()
+        ((0, 1, 0), False, False)
+        """
+        for P, _ in self.order.discriminant().factorisation():
+            if self.order.eichler_symbol(P) == 0:
+                raise LatticeError(
+                    f"stable classes ask for the norms of local units at {P}, where the Eichler symbol of "
+                    "the order is 0; expected an order that is maximal or has the symbol 1 or −1 everywhere"
+                )
+        return tuple(norm.number for norm in self.norms)
+
+    def has_cancellation(self) -> bool:
+        """Tell whether I ⊕ O ≅ J ⊕ O only where I ≅ J (D. Smertnig and J. Voight, 2019). Raises likewise."""
+        return len(set(self.stable_classes())) == len(self)
+
+    def is_hermite(self) -> bool:
+        """Tell whether a right ideal I with I ⊕ O ≅ O ⊕ O is principal: whether stably free is free."""
+        first, *others = self.stable_classes()
+        return first not in others
+
     @cached_property
     def _forms(self) -> IntegersModule:
         """The functions on the classes as a module of Hecke operators."""
