@@ -1,6 +1,8 @@
 """Dear certificates about fields, groups of units and class sets: of large discriminant or level."""
 
 import json
+from collections.abc import Callable
+from typing import Any
 
 from hfield import QuaternionAlgebra, ring
 from tests.adversary.hostile.writing import Hostile
@@ -29,10 +31,39 @@ def ideal_classes(p: int) -> str:
     return json.dumps(A.eichler_order(A.ring.primes_above(p)[0]).class_set().certificate)
 
 
+def over_integers(answer: Callable[[Any, Any, Any], Any]) -> Callable[[int], str]:
+    """Return certificates about an Eichler order over the integers of ℚ(√5), an ideal and a moved order."""
+
+    def make(p: int) -> str:
+        A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+        order, x = A.eichler_order(A.ring.primes_above(p)[0]), A(1, 2, 0, 1)
+        moved = (x * order * x.inverse()).left_order()
+        return json.dumps(answer(order, list(order.class_set())[-1], moved).certificate)
+
+    return make
+
+
 FILES: dict[str, Hostile] = {
     "class-group: a large discriminant": (class_group, 5, 40_031),
     "unit-group: a large discriminant": (unit_group, 2, 9_973),
     "norm-one-group: a large level": (norm_one_group, 2, 100),
     "dirichlet-domain: a large level": (dirichlet_domain, 2, 100),
     "ideal-classes: a large level": (ideal_classes, 11, 401),
+    "order-over-integers: a large level": (over_integers(lambda order, *_: order.claim), 11, 401),
+    "ideal-over-integers: a large level": (
+        over_integers(lambda _, ideal, __: ideal.claim),
+        11,
+        401,
+    ),
+    "unit-index: a large level": (over_integers(lambda order, *_: order.units_claim), 11, 401),
+    "equivalent-over-integers: a large level": (
+        over_integers(lambda _, ideal, __: ideal.is_principal().claim),
+        31,
+        401,
+    ),
+    "isomorphic-over-integers: a large level": (
+        over_integers(lambda order, _, moved: order.isomorphism(moved).claim),
+        11,
+        401,
+    ),
 }
