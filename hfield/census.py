@@ -21,7 +21,6 @@ from hfield.errors import HFieldError
 from hfield.executors import unordered
 from hfield.factorisation import factorise
 from hfield.lattices import class_number
-from hfield.primality import primes
 from hfield.rings import ring
 
 Pair = tuple[Any, Any]
@@ -61,7 +60,7 @@ def _pairs(discriminants: Iterable[int], levels: Iterable[int], parity: int) -> 
 def field_pairs(fields: Iterable[str], norms: Iterable[int]) -> list[Pair]:
     """Return the pairs of a field and a level, an ideal with one of these norms, prime to the discriminant.
 
-    The algebra is ramified at the real places, and for an odd number of them at a prime of least norm.
+    The algebra is ramified at the real places, and for an odd number of them at a prime over 2 of least norm.
     """
     wanted, found = list(norms), []
     for name in fields:
@@ -91,8 +90,7 @@ def _definite(name: str) -> QuaternionAlgebra:
     if len(places) < K.degree:
         raise HFieldError(f"{name} is not totally real: over it no algebra is totally definite")
     if len(places) % 2:
-        small = next(p for p in primes() if K.primes_above(p))
-        places.append(min(K.primes_above(small), key=lambda P: P.norm))
+        places.append(min(K.primes_above(2), key=lambda P: P.norm))
     return QuaternionAlgebra.from_ramification(K, places)
 
 

@@ -793,7 +793,7 @@ class QuaternionAlgebra(Hinted):
         1
         """
         if self.over_integers:
-            from hfield.lattices.over_integers.lattices import number_by_signs
+            from hfield.lattices.over_integers.class_sets import number_by_signs
 
             order: Any = self.eichler_order(level)
             return len(order.class_set()) if order.is_definite() else number_by_signs(self)

@@ -28,24 +28,9 @@ EXAMPLES = (
     "hfield matrix '[[1,i],[j,k]] * [[1,0],[i,1]]' --field GF7",
 )
 COLUMNS = (
-    *(
-        "expression",
-        "algebra",
-        "field",
-        "value",
-        "rank",
-        "reduced_norm",
-        "characteristic_polynomial",
-    ),
-    *(
-        "inverse",
-        "right_kernel",
-        "left_kernel",
-        "diagonal_form",
-        "signature",
-        "right_eigenvalues",
-        "error",
-    ),
+    *("expression", "algebra", "field", "value", "rank", "reduced_norm"),
+    *("characteristic_polynomial", "inverse", "right_kernel", "left_kernel"),
+    *("diagonal_form", "signature", "right_eigenvalues", "error"),
 )
 
 

@@ -66,12 +66,8 @@ def _solve(A: QuaternionAlgebra, unknown: str | None, text: str) -> Answer:
         equations = [part for part in text.split(";") if part.strip()]
         names = unknowns_in(A, equations) or ["x"] if unknown is None else unknown.split(",")
         found = read_system(A, equations, [name.strip() for name in names])
-        particular, kernel, reason, scalars = (
-            found.particular,
-            found.kernel,
-            found.reason,
-            A.ring.name,
-        )
+        particular, kernel, reason = found.particular, found.kernel, found.reason
+        scalars = A.ring.name
 
     def data() -> dict[str, object]:
         return {

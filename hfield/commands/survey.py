@@ -44,7 +44,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--most",
         metavar="H",
-        help=f"enumerate at most H classes, or cover an area of 2πH (default: {MOST}; groups: 100)",
+        help=f"enumerate at most H classes, or cover an area of 2πH (default: {MOST}; groups: {AREA})",
     )
     parser.add_argument(
         "-o",

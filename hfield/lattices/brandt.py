@@ -169,10 +169,12 @@ FEW = 60
 
 def _prime_power(classes: Classes, p: int, e: int) -> fmpz_mat:
     step = _by_commuting(classes, p) or _matrix(classes.neighbours(p))
-    if e == 1:
-        return step
-    before, current = _identity(classes), step
-    weight = p if classes.ring.discriminant % p else 0
+    return of_power(step, p if classes.ring.discriminant % p else 0, e)
+
+
+def of_power(step: fmpz_mat, weight: fmpz_mat | int, e: int) -> fmpz_mat:
+    """Return T(pᵉ) of T(pᵏ⁺¹) = T(p)·T(pᵏ) − T(pᵏ⁻¹)·weight, e at least 1 (Voight, 41.2)."""
+    before, current = step**0, step
     for _ in range(e - 1):
         before, current = current, step * current - before * weight
     return current

@@ -166,9 +166,7 @@ def _singular(given: Pair) -> tuple[Pair, np.ndarray, Pair]:
         for part, turn in ((left, one), (right, two)):
             part[..., :, k:] = part[..., :, k:] @ turn
     kept = min(m, n)
-    scaled = Pair(
-        left.u[..., :kept] * values[..., None, :], left.v[..., :kept] * values[..., None, :]
-    )
+    scaled = left[..., :kept].scaled(values[..., None, :])
     _check_product(given, scaled @ right[..., :, :kept].H)
     for unitary, size in ((left, m), (right, n)):
         _check_product(identity(shape, size), unitary.H @ unitary)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Generic, TypeVar
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import NotationError, UndecidedError, shorten
@@ -12,24 +13,34 @@ from hfield.modules.vocabulary import vocabulary
 from hfield.structure.linear_algebra.echelon import null_space, solution
 from hfield.syntax import Reader, plain_element
 
+T = TypeVar("T")
 Vector = tuple[Quaternion, ...]
 
 
 @dataclass(frozen=True)
-class LinearSolutions:
+class Solutions(Generic[T]):
     """All solutions: ``particular`` plus the combinations of ``kernel``, a basis over the field; or none.
 
     Where there is none it is false, ``particular`` is None, and ``reason`` says why: ``functional`` are four
-    scalars whose sum with the coordinates of the left side is 0 for every x, and with those of c is not.
+    scalars for each equation whose sum with the coordinates of the left sides is 0 for every choice of the
+    unknowns, and with those of the right sides is not.
     """
 
-    particular: Quaternion | None
-    kernel: tuple[Quaternion, ...]
+    particular: T | None
+    kernel: tuple[T, ...]
     reason: str = ""
     functional: tuple[object, ...] = ()
 
     def __bool__(self) -> bool:
         return self.particular is not None
+
+
+class LinearSolutions(Solutions[Quaternion]):
+    """All solutions of an equation in one unknown."""
+
+
+class SystemSolutions(Solutions[dict[str, Quaternion]]):
+    """All solutions of a system, by the names of the unknowns."""
 
 
 def solve_linear(
@@ -57,19 +68,9 @@ def _solved(algebra: Parent, of_basis: Sequence[Quaternion], right: Quaternion) 
     )
 
 
-@dataclass(frozen=True)
-class _Vectors:
-    """Solutions as :class:`LinearSolutions`, for as many unknowns as there are."""
-
-    particular: Vector | None
-    kernel: tuple[Vector, ...]
-    reason: str = ""
-    functional: tuple[object, ...] = ()
-
-
 def _solve(
     algebra: Parent, equations: Sequence[tuple[Sequence[Quaternion], Quaternion]]
-) -> _Vectors:
+) -> Solutions[Vector]:
     """Solve equations, each the images of e, i, j, k for each unknown in turn, and the right side."""
     F = algebra.ring
     if not F.is_field:
@@ -83,7 +84,7 @@ def _solve(
     found, width = solution(F, rows, [[x] for x in right]), len(rows[0])
     kernel = tuple(_vector(algebra, v) for v in null_space(F, rows, width))
     if found is not None:
-        return _Vectors(_vector(algebra, [row[0] for row in found]), kernel)
+        return Solutions(_vector(algebra, [row[0] for row in found]), kernel)
     columns = [list(column) for column in zip(*rows, strict=True)]
     for y in null_space(F, columns, len(rows)):
         value = sum((s * x for s, x in zip(y, right, strict=True)), F.zero)
@@ -95,28 +96,12 @@ def _solve(
                 f"({weights}) times the coordinates of the left side{'s' * several} is 0 for every "
                 f"{'choice of the unknowns' if several else 'x'}, and {F.text(value)} for {what}"
             )
-            return _Vectors(None, kernel, reason, tuple(y))
+            return Solutions(None, kernel, reason, tuple(y))
     raise AssertionError("a system without solution has a functional that says so")
 
 
 def _vector(algebra: Parent, v: Sequence[object]) -> Vector:
     return tuple(algebra(*v[n : n + 4]) for n in range(0, len(v), 4))
-
-
-@dataclass(frozen=True)
-class SystemSolutions:
-    """All solutions of a system, by the names of the unknowns; else as :class:`LinearSolutions`.
-
-    ``functional`` are four scalars for each equation.
-    """
-
-    particular: dict[str, Quaternion] | None
-    kernel: tuple[dict[str, Quaternion], ...]
-    reason: str = ""
-    functional: tuple[object, ...] = ()
-
-    def __bool__(self) -> bool:
-        return self.particular is not None
 
 
 @dataclass(frozen=True)

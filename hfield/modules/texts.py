@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import CoercionError, NoSolutionError, NotationError, shorten
+from hfield.modules.equations import Solutions
 from hfield.modules.matrix import Matrix
 from hfield.modules.vocabulary import vocabulary
 from hfield.syntax import Reader, plain, plain_element
@@ -96,16 +97,10 @@ class Operand:
 
 
 @dataclass(frozen=True)
-class MatrixSolutions:
-    """All x with M·x = b, or x·M = b: ``particular`` plus combinations of ``kernel``, from the other side."""
+class MatrixSolutions(Solutions[Matrix]):
+    """All x with M·x = b, or x·M = b ``from_right``; combinations of the kernel are from the other side."""
 
-    particular: Matrix | None
-    kernel: tuple[Matrix, ...]
-    from_right: bool
-    reason: str = ""
-
-    def __bool__(self) -> bool:
-        return self.particular is not None
+    from_right: bool = False
 
 
 def read_matrix_equation(algebra: Parent, text: str, unknown: str = "x") -> MatrixSolutions:
@@ -137,13 +132,13 @@ def read_matrix_equation(algebra: Parent, text: str, unknown: str = "x") -> Matr
 
     kernel = tuple(back(Matrix(algebra, [[q] for q in v])) for v in M.right_kernel())
     try:
-        return MatrixSolutions(back(M.solve(b)), kernel, from_right)
+        return MatrixSolutions(back(M.solve(b)), kernel, from_right=from_right)
     except NoSolutionError as error:
         if not from_right:
-            return MatrixSolutions(None, kernel, from_right, str(error))
+            return MatrixSolutions(None, kernel, str(error), from_right=from_right)
         y = ", ".join(str(q.conjugate()) for q in map(algebra, error.witness))
         why = f"there is no {unknown} with {unknown}·M = b: M·y = 0 and b·y is not 0 for y = ({y})"
-        return MatrixSolutions(None, kernel, from_right, why)
+        return MatrixSolutions(None, kernel, why, from_right=from_right)
 
 
 def _matrix_at(text: str) -> tuple[int, int] | None:

@@ -57,10 +57,8 @@ class _Bracket:
 
     def __init__(self, place: int, closing: str) -> None:
         self.place, self.closing = place, closing
-        self.of_brackets, self.empty = (
-            True,
-            True,
-        )  # all parts are; nothing of this part has come yet
+        self.of_brackets = True
+        self.empty = True  # nothing of this part has come yet
 
     def begin(self, is_bracket: bool) -> None:
         """Note that a part begins, or goes on after a bracket."""

@@ -113,11 +113,8 @@ def assembled(
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype = ctypes.py_object
     make.argtypes = (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
-    return (
-        make(ctypes.addressof(method), method, None),
-        row,
-        len(block.lines),
-    )  # it keeps its ``self`` alive
+    function = make(ctypes.addressof(method), method, None)  # it keeps its ``self`` alive
+    return function, row, len(block.lines)
 
 
 # --- eight rows ----------------------------------------------------------------------------------

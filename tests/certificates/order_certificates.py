@@ -1,13 +1,16 @@
 """Certificates about lattices: one of every kind, and ways to write and to judge them."""
 
 import json
+import random
+from collections.abc import Iterable
+from contextlib import suppress
 from functools import cache
 from typing import Any
 
 import pytest
 
 from hfield import QuaternionAlgebra
-from hfield.certificates.check import Established, Pin, check_text
+from hfield.certificates.check import Established, Pin, Work, check, check_text
 from hfield.certificates.rejection import Rejected
 from tests.certificates.cases import Certificate, certified
 
@@ -62,3 +65,38 @@ def about(statement: str, evidence: Any, **changes: Any) -> Certificate:
 
 def order(rows: str, n: int | str, algebra: str = "(-1,-1|QQ)", more: str = "") -> Certificate:
     return about(f"order{{{rows}; {n}{more}}}", {}, algebra=algebra)
+
+
+def mutated(rng: random.Random, value: Any) -> Any:
+    """Return a copy of JSON data with one change at one place."""
+    if isinstance(value, dict):
+        key = rng.choice([k for k in value if k != "kind"])
+        return {**value, key: mutated(rng, value[key])}
+    if isinstance(value, list) and value:
+        n, how = rng.randrange(len(value)), rng.randrange(8)
+        if how == 0:
+            return [*value[:n], *value[n + 1 :]]
+        if how == 1:
+            return [*value, value[n]]
+        return [*value[:n], mutated(rng, value[n]), *value[n + 1 :]]
+    if isinstance(value, int):
+        return rng.choice([value + 1, value - 1, -value, 2 * value, 0])
+    return "1/2" if isinstance(value, str) else [0]
+
+
+def changed_and_passed(
+    seed: int, files: Iterable[Any], each: int, millions: float | None = None
+) -> list[int]:
+    """Change evidence in one to three places, so often each file; return how many were tried, and passed."""
+    rng, found = random.Random(seed), [0, 0]
+    for data in files:
+        for _ in range(each):
+            evidence = data["evidence"]
+            for _ in range(rng.randint(1, 3)):
+                evidence = mutated(rng, evidence)
+            found[0] += 1
+            with suppress(Rejected):
+                work = Work(millions) if millions else None
+                check({**data, "evidence": evidence}, None, work)
+                found[1] += 1
+    return found

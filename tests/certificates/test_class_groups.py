@@ -17,7 +17,7 @@ from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.number_fields import NumberField
 from tests.certificates.cases import Certificate
-from tests.certificates.order_certificates import established, rejects
+from tests.certificates.order_certificates import established, mutated, rejects
 
 FIELDS = (
     "QQ(sqrt(-1))", "QQ(sqrt(-21))", "QQ(sqrt(-4027))", "QQ(sqrt(5))", "QQ(sqrt(94))", "QQ(sqrt(82))",
@@ -159,23 +159,6 @@ FORGED: list[tuple[str, str, Any, str]] = [
 def test_forged_evidence(name: str, key: str, value: Any, why: str) -> None:
     data = both(name)[0]
     rejects({**data, "evidence": {**data["evidence"], key: value}}, why)
-
-
-def mutated(rng: random.Random, value: Any) -> Any:
-    """Return a copy of JSON data with one change at one place."""
-    if isinstance(value, dict):
-        key = rng.choice([k for k in value if k != "kind"])
-        return {**value, key: mutated(rng, value[key])}
-    if isinstance(value, list) and value:
-        n, how = rng.randrange(len(value)), rng.randrange(8)
-        if how == 0:
-            return [*value[:n], *value[n + 1 :]]
-        if how == 1:
-            return [*value, value[n]]
-        return [*value[:n], mutated(rng, value[n]), *value[n + 1 :]]
-    if isinstance(value, int):
-        return rng.choice([value + 1, value - 1, -value, 2 * value, 0])
-    return "1/2" if isinstance(value, str) else [0]
 
 
 def test_no_number_can_be_changed() -> None:

@@ -10,8 +10,7 @@ import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
 from hfield.errors import IndefiniteError
-from hfield.lattices.over_integers.class_sets import Around
-from hfield.lattices.over_integers.lattices import number_by_signs
+from hfield.lattices.over_integers.class_sets import Around, number_by_signs
 
 # discriminant of K: polynomial, classes and types of the maximal order of discriminant 1, mass
 KNOWN = {

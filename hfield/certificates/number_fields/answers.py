@@ -10,7 +10,6 @@ finitely many elements, up to units of the field, or N(J)/N(I) has no such gener
 
 from collections.abc import Callable
 from fractions import Fraction
-from math import lcm
 from typing import Any
 
 from hfield.certificates.finding import Finding
@@ -37,6 +36,7 @@ from hfield.certificates.number_fields.lattices import (
     times,
 )
 from hfield.certificates.number_fields.narrow import Narrow
+from hfield.certificates.orders.lattice import rational_rows
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
 from hfield.certificates.scalars.matrices import inverse_matrix
 from hfield.certificates.scalars.names import a_rational
@@ -217,8 +217,8 @@ def _over(base: Frame, den: int, row: Row) -> Vector:
 
 
 def _whole(x: Vector) -> tuple[int, Row]:
-    den = lcm(*(c.denominator for c in x))
-    return den, tuple(int(c * den) for c in x)
+    den, (row,) = rational_rows([x])
+    return den, row
 
 
 def _times(base: Frame, x: Vector, y: Vector) -> Vector:

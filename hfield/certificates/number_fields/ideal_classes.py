@@ -25,7 +25,7 @@ from hfield.certificates.number_fields.modular import echelon, remainder
 from hfield.certificates.number_fields.narrow import Narrow
 from hfield.certificates.number_fields.zeta import zeta_minus_one
 from hfield.certificates.orders.enumeration import short_vectors
-from hfield.certificates.orders.lattice import Key, hermite, reduced
+from hfield.certificates.orders.lattice import Key, hermite, rational_rows, reduced
 from hfield.certificates.orders.local_types import factored
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
 from hfield.certificates.scalars.matrices import inverse_matrix
@@ -131,8 +131,7 @@ def _divided(ideal: Lattice, x: Row, size: Row) -> Key:
     inverse = inverse_matrix(matrix)
     if inverse is None:
         reject("an element of norm 0 is not divided by")
-    den = lcm(*(c.denominator for row in inverse for c in row))
-    block = [[int(c * den) for c in row] for row in inverse]
+    den, block = rational_rows(inverse)
     rows = times(ideal.rows, base.left(base.conjugate(x)))
     n = base.n
     divided = [

@@ -20,7 +20,7 @@ from hfield.certificates.number_fields.integers import (
 )
 from hfield.certificates.orders.algebra import Rows
 from hfield.certificates.orders.enumeration import short_vectors
-from hfield.certificates.orders.lattice import Key, hermite, reduced
+from hfield.certificates.orders.lattice import Key, hermite, rational_rows, reduced
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
 from hfield.certificates.scalars.matrices import inverse_matrix
 from hfield.certificates.scalars.rationals import root
@@ -69,10 +69,8 @@ class Frame:
                             products[u * n + k][v * n + m][place * n + p] += sum(
                                 row[q] * by[q][p] for q in range(n)
                             )
-        self.scale = lcm(*(c.denominator for rows in products for row in rows for c in row))
-        self.table: list[list[Row]] = [
-            [tuple(int(c * self.scale) for c in row) for row in rows] for rows in products
-        ]
+        self.scale, whole = rational_rows([row for rows in products for row in rows])
+        self.table = [whole[m : m + size] for m in range(0, size**2, size)]
         trace = self.scalar(coefficients(ring, t))
         bar = [
             [Fraction(int(a == b) * (1 if a < n else -1)) for b in range(size)] for a in range(size)
@@ -80,8 +78,7 @@ class Frame:
         for k in range(n):
             for p in range(n):
                 bar[n + k][p] = trace[k][p]
-        self._bar_den = lcm(*(c.denominator for row in bar for c in row))
-        self._bar = [[int(c * self._bar_den) for c in row] for row in bar]
+        self._bar_den, self._bar = rational_rows(bar)
 
     def scalar(self, c: Sequence[Fraction]) -> list[list[Fraction]]:
         """Return the matrix of the multiplication by a number of the field, on coordinates."""
@@ -125,8 +122,7 @@ class Frame:
             found.append(row)
         if len(found) != self.size:
             reject(f"a lattice is written as {self.size} elements, a basis over the integers")
-        den = lcm(*(c.denominator for row in found for c in row))
-        return den, tuple(tuple(int(c * den) for c in row) for row in found)
+        return rational_rows(found)
 
     def left(self, x: Sequence[int]) -> list[list[int]]:
         """Return the matrix that takes a row y to x·y, ``scale`` times too large."""
@@ -246,8 +242,7 @@ class Lattice:
         charge(base.size**4 // 4)
         back = inverse_matrix([[Fraction(c) for c in row] for row in other.rows])
         assert back is not None, "a lattice has full rank"
-        bottom = lcm(*(c.denominator for row in back for c in row))
-        whole = [[int(c * bottom) for c in row] for row in back]
+        bottom, whole = rational_rows(back)
         columns: list[Sequence[int]] = []
         for row in self.rows:  # row·x lies in M where x goes to integers
             columns += zip(*times(base.left(row), whole), strict=True)
@@ -255,8 +250,7 @@ class Lattice:
         assert dual is not None, "Hermite forms have full rank"
         factor = Fraction(self.den * base.scale * bottom, other.den)
         found = [[c * factor for c in column] for column in zip(*dual, strict=True)]
-        den = lcm(*(c.denominator for row in found for c in row))
-        return Lattice(base, den, tuple(tuple(int(c * den) for c in row) for row in found))
+        return Lattice(base, *rational_rows(found))
 
     @cached_property
     def norm(self) -> Key:

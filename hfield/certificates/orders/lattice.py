@@ -190,4 +190,5 @@ def inverse(rows: Rows) -> tuple[Rows, int]:
 def rational_rows(values: Sequence[Sequence[Fraction]]) -> tuple[int, Rows]:
     """Return rational rows as integer rows over their least denominator."""
     entries, den = over_one_denominator([x for row in values for x in row])
-    return den, tuple(tuple(entries[n : n + 4]) for n in range(0, len(entries), 4))
+    width = len(values[0])
+    return den, tuple(tuple(entries[n : n + width]) for n in range(0, len(entries), width))

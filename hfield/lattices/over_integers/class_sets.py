@@ -27,6 +27,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.lattices.brandt import of_power
 from hfield.lattices.class_number import local_factor
 from hfield.lattices.classes import orbits, renumbered
 from hfield.lattices.enumeration import Vector, least_vectors
@@ -67,6 +68,20 @@ def mass(order: Any) -> Fraction:
     for P, _ in order.discriminant().factorisation():
         found *= local_factor(order.eichler_symbol(P), frame.prime(P).norm)
     return found
+
+
+def number_by_signs(algebra: Any) -> int:
+    """Return the order of the class group of K modulo generators positive at the ramified real places.
+
+    So many right ideal classes has an Eichler order of an algebra that splits at an infinite place
+    (M. Eichler, 1938; Voight, *Quaternion Algebras*, chapter 28).
+    """
+    K: Any = algebra.ring
+    places: list[Any] = [v for v in algebra.ramified_places() if v in K.real_places()]
+    units = K.unit_group()
+    signs = [[int(v.sign(u) < 0) for v in places] for u in (units.torsion, *units.generators)]
+    rank = flint.nmod_mat(signs, 2).rank() if places else 0
+    return int(K.class_group().order << (len(places) - rank))
 
 
 @dataclass(frozen=True)
@@ -445,9 +460,9 @@ class Classes:
         return [[int(x) for x in row] for row in found.tolist()]
 
     def _prime_power(self, P: PrimeIdeal, shown: Any, e: int) -> flint.fmpz_mat:
-        """Return the Brandt matrix of Pᵉ: T(Pᵏ⁺¹) = T(Pᵏ)·T(P) − N(P)·T(Pᵏ⁻¹)·S, S the classes of P·I.
+        """Return the Brandt matrix of Pᵉ, by the classes of P·I (Voight, section 41.3).
 
-        (Voight, section 41.3.) Where the algebra ramifies and the order is maximal it is a power.
+        Where the algebra ramifies and the order is maximal it is a power.
         """
         size = range(len(self))
         first = flint.fmpz_mat([[row[j] for j in size] for row in self.neighbours(P)])
@@ -463,11 +478,9 @@ class Classes:
         by = [
             self._times(n, lambda I: unique_rows(frame.multiple(I, ideal)), ideal**2) for n in size
         ]
-        times = flint.fmpz_mat([[P.norm * int(by[i] == j) for j in size] for i in size])
-        before, found = flint.fmpz_mat([[int(i == j) for j in size] for i in size]), first
-        for _ in range(e - 1):
-            before, found = found, found * first - before * times
-        return found
+        return of_power(
+            first, flint.fmpz_mat([[P.norm * int(by[i] == j) for j in size] for i in size]), e
+        )
 
     def hecke_polynomial(self, norm: object) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first."""

@@ -633,7 +633,7 @@ class IntegersOrder(IntegersLattice, Certified):
     def class_set(self) -> IntegersClassSet:
         """Return the invertible right ideal classes, complete by the mass formula. Raises likewise."""
         if not self.is_definite():
-            number = number_by_signs(self.algebra)
+            number = class_sets.number_by_signs(self.algebra)
             raise IndefiniteError(
                 f"{self.algebra} is split at an infinite place: by strong approximation an Eichler order "
                 f"has as many right ideal classes as the ideals of {self.algebra.ring.name} have modulo "
@@ -641,20 +641,6 @@ class IntegersOrder(IntegersLattice, Certified):
                 "norm; class sets by enumeration are for totally definite algebras"
             )
         return IntegersClassSet(self)
-
-
-def number_by_signs(algebra: Any) -> int:
-    """Return the order of the class group of K modulo generators positive at the ramified real places.
-
-    So many right ideal classes has an Eichler order of an algebra that splits at an infinite place
-    (M. Eichler, 1938; Voight, *Quaternion Algebras*, chapter 28).
-    """
-    K: Any = algebra.ring
-    places: list[Any] = [v for v in algebra.ramified_places() if v in K.real_places()]
-    units = K.unit_group()
-    signs = [[int(v.sign(u) < 0) for v in places] for u in (units.torsion, *units.generators)]
-    rank = flint.nmod_mat(signs, 2).rank() if places else 0
-    return int(K.class_group().order << (len(places) - rank))
 
 
 class IntegersIdeal(IntegersLattice, Certified):
