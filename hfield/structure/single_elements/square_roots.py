@@ -71,8 +71,8 @@ def _of_scalar(ring: Ring, c: Constants, s: Scalar) -> SquareRoots:
         nilpotent = nilpotent_element(ring, c)
         return SquareRoots(((o, o, o, o),) if nilpotent is None else (), nilpotent)
     scalars = _both_roots(ring, s)
-    if ring.characteristic == 2 and scalars:  # all roots differ from a scalar by elements with square 0
-        (r,) = scalars
+    if ring.characteristic == 2 and scalars:
+        (r,) = scalars  # other roots differ from it by elements with square 0
         nilpotent = nilpotent_element(ring, c)
         if nilpotent is None:
             return SquareRoots(((r, o, o, o),))
