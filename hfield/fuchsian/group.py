@@ -16,6 +16,7 @@ from hfield.factorisation import factorise
 from hfield.fuchsian import area, presentation
 from hfield.fuchsian.presentation import Word
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
+from hfield.hints import GROUP, Hinted
 from hfield.lattices.z_order import is_eichler
 
 if TYPE_CHECKING:
@@ -136,7 +137,7 @@ class Domain(Certified):
         draw(self, path, dark=dark, depth=depth)
 
 
-class NormOneGroup(Certified):
+class NormOneGroup(Certified, Hinted):
     """The units of norm 1 of an order, modulo ±1: discrete motions of the hyperbolic plane.
 
     >>> from hfield import QuaternionAlgebra
@@ -144,6 +145,8 @@ class NormOneGroup(Certified):
     >>> G.area, G.signature
     (Fraction(1, 3), Signature(genus=0, orders=(2, 2, 3, 3), cusps=0))
     """
+
+    elsewhere = GROUP
 
     def __init__(self, order: SplitOrder) -> None:
         self.order = order
