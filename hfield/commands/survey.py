@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.output import OutputError, open_output
+from hfield.commands.output import OutputError, note, open_output
 from hfield.commands.parser import UsageError, add_jobs, add_repeated
 from hfield.commands.status import Progress
 from hfield.errors import shorten
@@ -77,10 +77,11 @@ def run(args: Namespace) -> int:
     if parquet:
         _pyarrow()
     journal = census.Journal(path.with_name(path.name + ".jsonl") if parquet else path)
+    number = 0
     try:
         done = _done(journal, survey.names)
-        with open_executor(args.jobs, args.dask) as executor, Progress("pairs") as progress:
-            number = len(done & set(pairs))
+        number = len(done & set(pairs))
+        with open_executor(args.jobs, args.dask) as executor, Progress("pairs", number) as progress:
             for found in census.run(executor, pairs, most, done, survey):
                 journal.append(found)
                 number += len(found)
@@ -89,6 +90,9 @@ def run(args: Namespace) -> int:
                 )
         if parquet:
             _to_parquet(journal, path, survey.names)
+    except KeyboardInterrupt:
+        note(f"{number} of {len(pairs)} rows are in {journal.path}; the same command goes on there")
+        raise
     except OSError as error:
         reason = error.strerror or str(error)
         raise OutputError(f"cannot write {shorten(args.output)!r}: {reason}") from error
