@@ -625,12 +625,12 @@ class QuaternionAlgebra(Hinted):
         >>> f, len(f.roots().isolated), all(not f(q) for q in f.roots().isolated)
         (x^2 + i*x + 1, 2, True)
 
-        Raises :class:`RingError` for what is no name, or names something else.
+        Raises :class:`RingError` for what is no name.
         """
         from hfield.modules.polynomials import Polynomials
         from hfield.rings.variables import variables
 
-        name, *more = variables("polynomials", variable, self.ring)
+        name, *more = variables("polynomials", variable)
         if more:
             raise RingError(f"polynomials over {self} have one variable, not {variable}")
         return Polynomials(self, name)
