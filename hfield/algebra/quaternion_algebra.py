@@ -628,12 +628,10 @@ class QuaternionAlgebra(Hinted):
         Raises :class:`RingError` for what is no name.
         """
         from hfield.modules.polynomials import Polynomials
-        from hfield.rings.variables import variables
 
-        name, *more = variables("polynomials", variable)
-        if more:
-            raise RingError(f"polynomials over {self} have one variable, not {variable}")
-        return Polynomials(self, name)
+        if not variable.isidentifier():
+            raise RingError(f"{shorten(variable)!r} is not the name of a variable such as x")
+        return Polynomials(self, variable)
 
     def sylvester(self, a: object, b: object, c: object) -> LinearSolutions:
         """Return all x with ``a·x − x·b = c``: ``.particular`` and ``.kernel``; falsy with ``.reason``.
