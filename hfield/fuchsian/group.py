@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import acosh, sqrt
@@ -74,17 +74,20 @@ class Side:
     partner: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Domain(Certified):
     """The points nearer to a centre than to its images: a Dirichlet domain, proved to be complete.
 
     Sides and vertices go counterclockwise; side n goes from vertex n to the next.
     """
 
-    group: NormOneGroup = field(repr=False)
-    polygon: Polygon = field(repr=False)
-    partners: tuple[int, ...] = field(repr=False)
-    cycles: tuple[dirichlet.Cycle, ...] = field(repr=False)
+    group: NormOneGroup
+    polygon: Polygon
+    partners: tuple[int, ...]
+    cycles: tuple[dirichlet.Cycle, ...]
+
+    def __repr__(self) -> str:
+        return f"a Dirichlet domain with {len(self.partners)} sides of {self.group}"
 
     @property
     def claim(self) -> Claim:
@@ -135,6 +138,12 @@ class Domain(Certified):
         from hfield.fuchsian.picture import draw
 
         draw(self, path, dark=dark, depth=depth)
+
+    def _repr_svg_(self) -> str:
+        """What a notebook shows."""
+        from hfield.fuchsian.picture import svg
+
+        return svg(self)
 
 
 class NormOneGroup(Certified, Hinted):

@@ -359,6 +359,8 @@ def test_pictures(tmp_path) -> None:
     for name in ("a.svg", "b.png"):
         D.draw(tmp_path / name, dark=name == "b.png", depth=2)
         assert (tmp_path / name).stat().st_size > 5000
+    assert "</svg>" in D._repr_svg_()
+    assert "5 sides" in repr(D)
     with pytest.raises(LatticeError, match=r"try a file \.svg"):
         D.draw(tmp_path / "nowhere" / "a.svg")
 
