@@ -302,6 +302,14 @@ def test_algebras_with_a_trace(constants: tuple[int, int, int]) -> None:
     checked(QuaternionAlgebra("QQ", constants[0], constants[1], constants[2]).maximal_order())
 
 
+def test_what_is_too_large_is_refused_at_once() -> None:
+    for b, level, size in ((3, 100_003, "100004/3"), (1_000_003, 1, "166667")):
+        G = QuaternionAlgebra("QQ", -1, b).eichler_order(level).norm_one_group()
+        for center in (None, 1 + 1j):
+            with pytest.raises(TooLargeError, match=f"of area 2π·{size}, is too large"):
+                G.domain(center)
+
+
 def test_definite_orders_are_refused() -> None:
     with pytest.raises(IndefiniteError, match="definite"):
         QuaternionAlgebra("QQ", -1, -11).maximal_order().norm_one_group()
