@@ -173,9 +173,14 @@ class NormOneGroup(Certified, Hinted):
         """Genus, orders of the elliptic points, and cusps, counted at the domain.
 
         For Eichler orders over ℤ they are counted by optimal embeddings too; both agree, or this raises.
+        Where the area is above 2π·200 these alone are told.
         """
-        found = signature_of(self._domain.partners, self._domain.cycles, self.area)
         counted = (self.order.elliptic_points(2), self.order.elliptic_points(3))
+        two, three, cusps = (*counted, self.order.cusps())
+        if self.area > LARGE and two is not None and three is not None and cusps is not None:
+            genus = (self.area + 2 - cusps - Fraction(two, 2) - Fraction(2 * three, 3)) / 2
+            return Signature(int(genus), (2,) * two + (3,) * three, cusps)
+        found = signature_of(self._domain.partners, self._domain.cycles, self.area)
         if self.order.cusps() not in (None, found.cusps) or any(
             n not in (None, found.orders.count(m)) for m, n in zip((2, 3), counted, strict=True)
         ):

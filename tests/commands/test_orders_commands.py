@@ -123,6 +123,8 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["survey", "2..5", "--field", "QQ(sqrt(5))"], "leave D and --groups out"),
         (["survey", "--field", "QQ(I)"], "not totally real"),
         (["survey", "5..2"], "ascending"),
+        (["survey", "2..100000000"], "at most 1000000 of them"),
+        (["survey", "2..1000", "--levels", "1..1000000"], "are more than 1000000 pairs"),
         (["survey", "2..x"], "2..100"),
         (["survey", "2..9", "-o", "rows.txt"], "ends in .jsonl or .parquet"),
         (["survey", "2..9", "-o", "/nonexistent/folder/x.jsonl"], "cannot write"),
