@@ -112,6 +112,9 @@ ALGEBRA = {
     "right_class_set": "maximal_order().class_set()",
     "brandt_matrix": "maximal_order().class_set().brandt_matrix(n)",
     "ternary_quadratic_form": "maximal_order().ternary_form()",
+    "polynomial": "polynomials()('x^2 + i*x + 1')",
+    "polynomial_ring": "polynomials()",
+    "roots": "polynomials()('x^2 + i*x + 1').roots()",
 }
 """Sage, Magma, PARI."""
 
@@ -169,8 +172,21 @@ ORDER = LATTICE | {
     "optimal_embeddings": "embeddings(discriminant)",
     "is_gorenstein": "conductor() == 1",
     "one": "algebra.one",
+    "eichler_order": "algebra.eichler_order(level)",
 }
 """Sage, Magma: orders."""
+
+FIELD = {
+    "class_number": "class_group().order",
+    "units": "unit_group().generators",
+    "regulator": "unit_group().regulator",
+    "primes_over": "primes_above(p)",
+    "maximal_order": "integral_basis()",
+    "ring_of_integers": "integral_basis()",
+    "disc": "discriminant()",
+    "absolute_discriminant": "discriminant()",
+}
+"""Sage, Magma, PARI: number fields."""
 
 FORM = {
     "disc": "discriminant()",
@@ -190,6 +206,8 @@ CLASSES = {
     "class_number": "len(classes)",
     "dimension": "len(classes)",
     "right_ideals": "list(classes)",
+    "ideals": "list(classes)",
+    "representatives": "list(classes)",
     "hecke_matrix": "brandt_matrix(n)",
     "brandt_module": "brandt_matrix(n)",
 }
@@ -247,3 +265,14 @@ CALLS = {
 }
 """Functions of Magma and PARI, and abbreviations of the literature: q is an element, d a number, L, M
 lattices, O, O2 orders, I, J ideals of A, G a group of units."""
+
+GROUP = {
+    "presentation": "generators and relations",
+    "fundamental_domain": "domain()",
+    "gens": "generators",
+    "genus": "signature.genus",
+    "volume": "area, in units of 2π",
+    "elliptic_points": "signature.orders",
+    "cusps": "signature.cusps",
+}
+"""Magma, PARI, Sage: Fuchsian groups."""

@@ -4,8 +4,8 @@ import re
 
 import pytest
 
-from hfield import QuaternionAlgebra
-from hfield.hints import ALGEBRA, CLASSES, ELEMENT, IDEAL, LATTICE, ORDER
+from hfield import QuaternionAlgebra, ring
+from hfield.hints import ALGEBRA, CLASSES, ELEMENT, FIELD, GROUP, IDEAL, LATTICE, ORDER
 
 A = QuaternionAlgebra("QQ", -1, -11)
 order = A.maximal_order()
@@ -17,6 +17,9 @@ HINTED = [
     (order, ORDER),
     (order.left_ideal([2]), IDEAL),
     (order.class_set(), CLASSES),
+    (ring("QQ(sqrt(5))"), FIELD),
+    (ring("QQ[s]/(s^3-2)"), FIELD),
+    (QuaternionAlgebra(6).maximal_order().norm_one_group(), GROUP),
 ]
 FUNCTIONS = {"hilbert_symbol"}  # of hfield
 ABOUT = {"L": L, "M": L, "x": A.basis[1], "classes": order.class_set()}

@@ -624,10 +624,16 @@ class QuaternionAlgebra(Hinted):
         >>> P = A.polynomials("x"); f = P([1, i, 1])
         >>> f, len(f.roots().isolated), all(not f(q) for q in f.roots().isolated)
         (x^2 + i*x + 1, 2, True)
+
+        Raises :class:`RingError` for what is no name, or names something else.
         """
         from hfield.modules.polynomials import Polynomials
+        from hfield.rings.variables import variables
 
-        return Polynomials(self, variable)
+        name, *more = variables("polynomials", variable, self.ring)
+        if more:
+            raise RingError(f"polynomials over {self} have one variable, not {variable}")
+        return Polynomials(self, name)
 
     def sylvester(self, a: object, b: object, c: object) -> LinearSolutions:
         """Return all x with ``a·x − x·b = c``: ``.particular`` and ``.kernel``; falsy with ``.reason``.

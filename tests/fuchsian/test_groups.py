@@ -291,9 +291,15 @@ def test_centers() -> None:
     assert all(s.element * c != c * s.element for s in D.sides)
     # i is an elliptic point of SL₂(ℤ), and another point takes its place
     assert abs(G.domain(1j).center - 1j) < 0.2
-    for z in (0.5, -1j):
+    for z in (0.5, -1j, complex("nan+infj"), 1e300j, "x", [1j]):
         with pytest.raises(LatticeError, match="upper half plane"):
             G.domain(z)
+
+
+@pytest.mark.parametrize("constants", [(39, -8, -3), (2, 3, 1), (-3, 7, 1)])
+def test_algebras_with_a_trace(constants: tuple[int, int, int]) -> None:
+    """In [a, b), and with any t: what is real in an element is half its trace, not its first coordinate."""
+    checked(QuaternionAlgebra("QQ", constants[0], constants[1], constants[2]).maximal_order())
 
 
 def test_definite_orders_are_refused() -> None:
