@@ -28,6 +28,7 @@ HELP = (
     "frames. The film tells what a heavy top does that is free on the ground: it precesses, nods, falls and "
     "rolls out. --model takes another: physics, a top whose tip is held, or one of the thesis's four ways."
 )
+DOING = "preparing the top"
 EXAMPLES = (
     "hfield render -o top.mp4",
     "hfield render --model quaternions --captions pl -o thesis.mp4",

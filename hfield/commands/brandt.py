@@ -80,8 +80,8 @@ def _answer(args: Namespace) -> Answer:
 
     def characteristic() -> list[int]:
         Waiting.at("computing its characteristic polynomial")
-        polynomial: list[int] = C.hecke_polynomial(n)
-        return polynomial
+        found: list[int] = C.hecke_polynomial(n)
+        return found
 
     def data() -> dict[str, object]:
         shown = ideal_json if over_integers else int

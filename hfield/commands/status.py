@@ -79,7 +79,7 @@ class Progress:
         self._since = time.monotonic()
 
     def __call__(self, done: int, total: int, what: str = "") -> None:
-        """Show that ``done`` of ``total`` are finished, how long the rest takes, and ``what`` is in work."""
+        """Show that ``done`` of ``total`` are finished, the time left, and ``what`` is in work."""
         bar = "#" * (20 * done // max(total, 1))
         said = [f"[{bar:<20}] {done} of {total} {self.noun}"]
         passed = time.monotonic() - self._since

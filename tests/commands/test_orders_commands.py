@@ -138,6 +138,31 @@ def test_bad_input(capsys, words, hint):
     assert err.count("\n") == 1
 
 
+def test_an_interrupted_survey_says_where_its_rows_are_and_goes_on(capsys, tmp_path, monkeypatch):
+    rows = tmp_path / "rows.jsonl"
+    whole, found = census.run, []
+
+    def stopped(*words):
+        yield next(iter(whole(*words)))
+        raise KeyboardInterrupt
+
+    def watched(*words):
+        for some in whole(*words):
+            found.extend(some)
+            yield some
+
+    monkeypatch.setattr(census, "run", stopped)
+    status, _, err = run(capsys, "survey", "2..200", "-o", str(rows))
+    kept = len(rows.read_text().splitlines())
+    assert status == 130
+    assert f"{kept} of 65 rows are in {rows}; the same command goes on there" in " ".join(
+        err.split()
+    )
+    monkeypatch.setattr(census, "run", watched)
+    assert run(capsys, "survey", "2..200", "-o", str(rows))[0] == 0
+    assert 0 < kept < len(rows.read_text().splitlines()) == kept + len(found)
+
+
 @pytest.mark.parametrize(
     ("words", "seconds", "said"),
     [
