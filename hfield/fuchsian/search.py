@@ -52,7 +52,7 @@ class Sight:
         w, p, q, r = (
             np.array([real(x) for x in column])
             for column in zip(
-                *((order.scalar(x.scalar_part), *plane.vector(x)) for x in basis), strict=True
+                *((order.scalar(x.trace()) / 2, *plane.vector(x)) for x in basis), strict=True
             )
         )
         self.a = w + 1j * math.sqrt(n) * p
@@ -187,8 +187,9 @@ def _small(order: SplitOrder, sight: Sight) -> Iterator[Quaternion]:
         some = cube[np.gcd.reduce(cube, axis=1) == 1] @ rows
         a, b = sight.motions(some)
         norms, first = np.unique((abs(a) ** 2 - abs(b) ** 2).round(6), return_index=True)
-        for n in first[norms > NEAR].tolist():
-            yield order.element(some[n].tolist())
+        for c in map(order.element, some[first[norms > NEAR]].tolist()):
+            if order.sign(order.scalar(c.norm())) > 0:  # floats may be wrong where numbers are long
+                yield c
 
 
 def reduction(vectors: Any) -> Any:
