@@ -124,7 +124,7 @@ NEW = {
     "a format of films": (
         {"anim/output/formats/mkv.py": (None, FORMAT)},
         ("help", "render"),
-        ".gif .mkv",
+        ".mkv",
     ),
 }
 
