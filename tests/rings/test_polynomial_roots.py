@@ -89,7 +89,7 @@ def test_bounds_hold_for_sums_and_products_of_two():
         (root(1, "rootof_norm"), [z * w for z, w in pairs]),
         (root(0) + 2 * root(1), [z + 2 * w for z in roots for w in roots if z != w]),
         (root(0) ** 3 * root(3) - 7, [z**3 * w - 7 for z in roots for w in roots if z != w]),
-        (root(2) ** 9, roots**9),
+        (2 * root(2) ** 40 + 1, 2 * roots**40 + 1),
     ]:
         height = np.log(np.maximum(abs(np.array(values)), 1)).mean()
         assert 0 < height <= number.bounds.height
