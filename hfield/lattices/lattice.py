@@ -502,7 +502,8 @@ class Order(WithStableClasses, Certified, Lattice):
         Decided for all orders of definite algebras, and for ℤ + f·Eichler orders of indefinite ones, where
         the element may be missing. Raises :class:`UndecidedError`.
         """
-        return isomorphic_orders.isomorphism(self.value, self._order_like(other))
+        search = _from_the_plane(self.value)
+        return isomorphic_orders.isomorphism(self.value, self._order_like(other), search)
 
     def _order_like(self, other: object) -> ZOrder:
         """Return an order of the same algebra, perhaps given as a lattice, ``x * O * x.inverse()``."""
@@ -742,7 +743,8 @@ class Ideal(Certified, Lattice):
         ideal of another order, and :class:`UndecidedError`.
         """
         second = self._joint(other).value
-        return equivalence.equivalence(self.value, second, self.order.value, self.side)
+        order = self.order.value
+        return equivalence.equivalence(self.value, second, order, self.side, _from_the_plane(order))
 
     def is_equivalent(self, other: Ideal) -> bool:
         """Tell whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""
@@ -751,7 +753,7 @@ class Ideal(Certified, Lattice):
     def is_principal(self) -> Answer:
         """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
         order = self.order.value
-        return equivalence.equivalence(order, self.value, order, self.side)
+        return equivalence.equivalence(order, self.value, order, self.side, _from_the_plane(order))
 
     def equivalent_of_prime_norm(self, avoid: Iterable[int] = ()) -> tuple[Ideal, Quaternion]:
         """Return (J, c) with J equivalent to I of the least prime norm that is not in ``avoid``.
@@ -771,6 +773,21 @@ class Ideal(Certified, Lattice):
         p = checked_prime(prime)
         c, e = klpt.to_power_norm(self.value, self.order.value, self.side, p, seed)
         return Ideal.of(self * c, "left", self.order), c, e
+
+
+def _from_the_plane(order: ZOrder) -> equivalence.Search:
+    """Return a search for elements of an indefinite algebra that are short from points of its plane."""
+
+    def search(lattice: ZLattice, size: Fraction) -> Quaternion | None:
+        from hfield.fuchsian.search import element_of_norm
+
+        split, rows = RationalOrder(order), hermite.tuples(lattice.reduced[0])
+        basis = [lattice.element(row) for row in rows]
+        return element_of_norm(split, basis, split.scalar(size)) or element_of_norm(
+            split, basis, split.scalar(-size)
+        )
+
+    return search
 
 
 class ClassSet(Classes, ByStableClasses, WithForms, Hinted):

@@ -123,6 +123,8 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["survey", "2..5", "--field", "QQ(sqrt(5))"], "leave D and --groups out"),
         (["survey", "--field", "QQ(I)"], "not totally real"),
         (["survey", "5..2"], "ascending"),
+        (["survey", "2..100000000"], "at most 1000000 of them"),
+        (["survey", "2..1000", "--levels", "1..1000000"], "are more than 1000000 pairs"),
         (["survey", "2..x"], "2..100"),
         (["survey", "2..9", "-o", "rows.txt"], "ends in .jsonl or .parquet"),
         (["survey", "2..9", "-o", "/nonexistent/folder/x.jsonl"], "cannot write"),
@@ -134,6 +136,31 @@ def test_bad_input(capsys, words, hint):
     assert hint in err
     assert err.startswith("hfield: error: ")
     assert err.count("\n") == 1
+
+
+def test_an_interrupted_survey_says_where_its_rows_are_and_goes_on(capsys, tmp_path, monkeypatch):
+    rows = tmp_path / "rows.jsonl"
+    whole, found = census.run, []
+
+    def stopped(*words):
+        yield next(iter(whole(*words)))
+        raise KeyboardInterrupt
+
+    def watched(*words):
+        for some in whole(*words):
+            found.extend(some)
+            yield some
+
+    monkeypatch.setattr(census, "run", stopped)
+    status, _, err = run(capsys, "survey", "2..200", "-o", str(rows))
+    kept = len(rows.read_text().splitlines())
+    assert status == 130
+    assert f"{kept} of 65 rows are in {rows}; the same command goes on there" in " ".join(
+        err.split()
+    )
+    monkeypatch.setattr(census, "run", watched)
+    assert run(capsys, "survey", "2..200", "-o", str(rows))[0] == 0
+    assert 0 < kept < len(rows.read_text().splitlines()) == kept + len(found)
 
 
 @pytest.mark.parametrize(
