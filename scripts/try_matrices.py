@@ -26,11 +26,13 @@ def main() -> int:
     parser.add_argument("--only", default="", help="algebras whose text has this in it")
     args = parser.parse_args()
     rng, end, bad = Random(args.seed), time.monotonic() + args.seconds, 0
-    for text in (x for x in ALGEBRAS if args.only in x):
+    texts = [x for x in ALGEBRAS if args.only in x]
+    for n, text in enumerate(texts):
         case, begun, done, failed = Case(text, rng), time.monotonic(), 0, []
+        until = begun + (end - begun) / (len(texts) - n)
         for size in range(1, args.size + 1):
             for _ in range(args.count):
-                if time.monotonic() > end:
+                if time.monotonic() > until:
                     break
                 try:
                     case.check(size)

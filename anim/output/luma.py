@@ -20,33 +20,29 @@ BLACK, GREY, QUARTER = F(16.5), F(128.5), F(0.25)
 
 @kernel
 def planes(frame: Bytes, luma: Bytes, blue: Bytes, red: Bytes) -> None:
-    """Write the planes of ``frame`` (height, width, 3).
+    """Write the planes of ``frame`` (height, 3·width).
 
     Chroma is that of each pixel, or with half as many rows and columns the mean of each block of four.
     """
-    height, width, _ = frame.shape
-    pixels = frame.reshape(height, 3 * width)
+    height, width = luma.shape
     for y in range(height):
-        row = pixels[y]
+        row = frame[y]
         for x in range(width):
             r, g, b = F(row[3 * x]), F(row[3 * x + 1]), F(row[3 * x + 2])
             luma[y, x] = np.uint8(np.int32(r * LUMA[0] + g * LUMA[1] + b * LUMA[2] + BLACK))
     for y in range(len(blue)):
         if len(blue) == height:
-            row = pixels[y]
+            row = frame[y]
             for x in range(width):
                 r, g, b = F(row[3 * x]), F(row[3 * x + 1]), F(row[3 * x + 2])
                 blue[y, x] = np.uint8(np.int32(r * BLUE[0] + g * BLUE[1] + b * BLUE[2] + GREY))
                 red[y, x] = np.uint8(np.int32(r * RED[0] + g * RED[1] + b * RED[2] + GREY))
         else:
-            row, under = pixels[2 * y], pixels[2 * y + 1]
+            row, under = frame[2 * y], frame[2 * y + 1]
             for x in range(width // 2):
-                r = QUARTER * (F(row[6 * x]) + row[6 * x + 3] + under[6 * x] + under[6 * x + 3])
-                g = QUARTER * (
-                    F(row[6 * x + 1]) + row[6 * x + 4] + under[6 * x + 1] + under[6 * x + 4]
-                )
-                b = QUARTER * (
-                    F(row[6 * x + 2]) + row[6 * x + 5] + under[6 * x + 2] + under[6 * x + 5]
-                )
+                i, j = 6 * x, 6 * x + 3
+                r = QUARTER * (F(row[i]) + row[j] + under[i] + under[j])
+                g = QUARTER * (F(row[i + 1]) + row[j + 1] + under[i + 1] + under[j + 1])
+                b = QUARTER * (F(row[i + 2]) + row[j + 2] + under[i + 2] + under[j + 2])
                 blue[y, x] = np.uint8(np.int32(r * BLUE[0] + g * BLUE[1] + b * BLUE[2] + GREY))
                 red[y, x] = np.uint8(np.int32(r * RED[0] + g * RED[1] + b * RED[2] + GREY))

@@ -37,7 +37,7 @@ def lit_ground(
     picture: Light, to_ground: Floats, paper: Floats, dark: float, numbers: Floats, above: bool
 ) -> None:
     """Write the empty ground into ``picture``; ``numbers`` are near, far, shade, pool, ring."""
-    near, far, shade, pool, ring = numbers
+    near, far, shade, pool, ring = numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]
     height, width, _ = picture.shape
     for y in range(height):
         for x in range(width):
@@ -69,17 +69,13 @@ def shade(
 ) -> None:
     """Write into ``grid`` (rows, columns), which begins at ``start`` (2,), what is left of the light there.
 
-    ``cones`` (k, 4) are radius and height on the axis of one end and of the other; ``numbers`` are the
-    shadow's depth, sharp, soft, contact, reach.
+    ``cones`` (k, 5) are radius and height on the axis of one end and of the other, and how fast the radius
+    grows; ``numbers`` are the shadow's depth, sharp, soft, contact, reach.
     """
-    depth, sharp, soft, contact, reach = numbers
+    depth, sharp, soft, contact, reach = numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]
     along = light[0] * axis[0] + light[1] * axis[1] + light[2] * axis[2]
     along = min(along, -1e-6) if along < 0 else max(along, 1e-6)
     across, back = 1 - along * along, 1 / along
-    # Of each cone: how fast it widens along the axis and along a ray, and where a ray comes deepest into it.
-    growth = (cones[:, 2] - cones[:, 0]) / (cones[:, 3] - cones[:, 1])
-    rates = growth * along
-    bends = across - rates * rates
     rows, columns = grid.shape
     for row in range(rows):
         vy = start[1] + row * step - tip[1]
@@ -93,17 +89,20 @@ def shade(
             radius = math.sqrt(out)
             met, nearest = 0.0, 1e9
             for k in range(len(cones)):
-                r0, z0, r1, z1 = cones[k]
+                r0, z0, r1, z1 = cones[k, 0], cones[k, 1], cones[k, 2], cones[k, 3]
+                growth = cones[k, 4]
+                rate = growth * along  # how fast it widens along the ray
+                bend = across - rate * rate
                 # The ray is at the height high + s·along and √(out + 2s·turn + s²·across) from the axis.
                 first, last = (z0 - high) * back, (z1 - high) * back
                 first, last = max(0.0, min(first, last)), max(first, last)
                 if last > first:
-                    if bends[k] > 1e-9:
-                        s = rates[k] * aside / math.sqrt(across * bends[k]) - middle
+                    if bend > 1e-9:
+                        s = rate * aside / math.sqrt(across * bend) - middle
                     else:
-                        s = last if rates[k] > 0 else first
+                        s = last if rate > 0 else first
                     s = min(last, max(first, s))
-                    thick = r0 + growth[k] * (high - z0) + rates[k] * s
+                    thick = r0 + growth * (high - z0) + rate * s
                     wide = sharp + soft * s
                     square = max(0.0, out + s * (2 * turn + s * across))
                     if square < (thick + wide) * (thick + wide):
@@ -113,7 +112,7 @@ def shade(
                 t = (radius - r0) * wider + (high - z0) * taller
                 t = min(1.0, max(0.0, t / (wider * wider + taller * taller)))
                 dx, dy = radius - r0 - t * wider, high - z0 - t * taller
-                inside = z0 <= high <= z1 and radius <= r0 + growth[k] * (high - z0)
+                inside = z0 <= high <= z1 and radius <= r0 + growth * (high - z0)
                 nearest = 0.0 if inside else min(nearest, dx * dx + dy * dy)
             near = 0.0
             if nearest < 9 * reach * reach:

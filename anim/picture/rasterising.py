@@ -25,7 +25,6 @@ ROWS = 32
 """Rows of pixels in a stripe."""
 
 
-@kernel
 def paint(
     pixels: Bytes,
     box: tuple[int, int, int, int],
@@ -48,23 +47,65 @@ def paint(
     the white that each corner sends; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB,
     ``encoded`` encodes equal steps of linear light. Unless ``smooth``, a pixel is what its middle shows.
     """
+    wide, moments, count = box[2] - box[0], len(corners), len(triangles)
+    if wide > 0:
+        painted(
+            pixels,
+            box,
+            smooth,
+            corners,
+            order,
+            triangles,
+            lit,
+            light,
+            paints,
+            linear,
+            encoded,
+            np.zeros((ROWS, wide, 4), np.float32),
+            np.empty((ROWS, wide), np.float32),
+            np.empty((ROWS, wide, 4), np.float32),
+            np.empty((ROWS, 2), np.int64),
+            np.empty((moments, count, 3), np.int64),
+            np.zeros((moments, 4), np.int64),
+            np.empty((2, 3)),
+        )
+
+
+@kernel
+def painted(
+    pixels: Bytes,
+    box: tuple[int, int, int, int],
+    smooth: bool,
+    corners: Floats,
+    order: Indices,
+    triangles: Indices,
+    lit: Indices,
+    light: Floats,
+    paints: Floats,
+    linear: Floats,
+    encoded: Bytes,
+    layer: Samples,
+    cover: Samples,
+    sums: Samples,
+    reach: Indices,
+    front: Indices,
+    found: Indices,
+    corner: Floats,
+) -> None:
+    """Do what :func:`paint` says: a stripe's piece, what is covered, and all of it so far are in ``layer`` …
+
+    ``front`` (moments, m, 3) are the triangles that face the viewer, with their first and last rows.
+    """
+    xs, ys = corner[0], corner[1]
     left, top, right, bottom = box
     moments, quarter = len(corners), len(triangles) // 4
-    layer = np.zeros((ROWS, right - left, 4), np.float32)
-    cover = np.empty((ROWS, right - left), np.float32)
-    sums = np.empty((ROWS, right - left, 4), np.float32)
-    reach = np.empty((ROWS, 2), np.int64)
-    front = np.empty((moments, len(triangles)), np.int64)
-    spans = np.empty((moments, len(triangles), 2), np.int64)
-    found = np.zeros((moments, 4), np.int64)
-    xs, ys = np.empty(3), np.empty(3)
     for n in range(moments):
         f = 0
         for place in range(3):
             piece = order[n, 2 - place]
-            begin = quarter * (0, 1, 3)[piece]
-            for t in range(begin, begin + quarter * (1, 2, 1)[piece]):
-                a, b, c = triangles[t]
+            begin = quarter * (piece + piece // 2)
+            for t in range(begin, begin + quarter * (1 + piece % 2)):
+                a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
                 ax, ay, bx, by = (
                     corners[n, a, 0],
                     corners[n, a, 1],
@@ -74,22 +115,28 @@ def paint(
                 cx, cy = corners[n, c, 0], corners[n, c, 1]
                 # With y downwards the triangles that face the viewer turn clockwise.
                 if (bx - ax) * (cy - ay) - (cx - ax) * (by - ay) < -LEAST:
-                    front[n, f] = t
-                    spans[n, f, 0] = math.floor(min(ay, by, cy))
-                    spans[n, f, 1] = math.ceil(max(ay, by, cy))
+                    front[n, f, 0] = t
+                    front[n, f, 1] = math.floor(min(ay, by, cy))
+                    front[n, f, 2] = math.ceil(max(ay, by, cy))
                     f += 1
             found[n, place + 1] = f
     for row in range(top, bottom, ROWS):
         rows = min(ROWS, bottom - row)
-        sums[:rows] = 0
+        for y in range(rows):
+            for x in range(right - left):
+                for channel in range(4):
+                    sums[y, x, channel] = 0
         for n in range(moments):
-            cover[:rows] = 0
+            for y in range(rows):
+                for x in range(right - left):
+                    cover[y, x] = 0
             for place in range(3):
-                reach[:, 0], reach[:, 1] = right - left, 0
+                for y in range(rows):
+                    reach[y, 0], reach[y, 1] = right - left, 0
                 for f in range(found[n, place], found[n, place + 1]):
-                    start, stop = max(spans[n, f, 0], row), min(spans[n, f, 1], row + rows)
+                    start, stop = max(front[n, f, 1], row), min(front[n, f, 2], row + rows)
                     if start < stop:
-                        t = front[n, f]
+                        t = front[n, f, 0]
                         spread(
                             xs,
                             ys,
@@ -155,8 +202,8 @@ def spread(
     long, wide = slope(xs, ys, u, d), layer.shape[1]
     above, below = slope(xs, ys, u, m), slope(xs, ys, m, d)
     for y in range(start, stop):
-        for upper in (True, False):
-            k, end = (u, m) if upper else (m, d)
+        for half in range(2):
+            k, end = (u, m) if half == 0 else (m, d)
             high, low = max(float(y), ys[k]), min(y + 1.0, ys[end])
             share = low - high
             if not smooth:
@@ -165,7 +212,7 @@ def spread(
                 high, low, share = y + 0.5, y + 0.5, 1.0
             if share <= 0:
                 continue
-            side = above if upper else below
+            side = above if half == 0 else below
             w0, w1 = xs[u] + (high - ys[u]) * long, xs[u] + (low - ys[u]) * long
             e0, e1 = xs[k] + (high - ys[k]) * side, xs[k] + (low - ys[k]) * side
             if w0 + w1 > e0 + e1:

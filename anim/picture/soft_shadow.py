@@ -24,7 +24,9 @@ class SoftShadow:
     ) -> None:
         self._light, self._view = light, view
         self._rings = np.array(profile)
-        self._cones = np.hstack([self._rings[:-1], self._rings[1:]])
+        wider, taller = np.diff(self._rings, axis=0).T
+        growth = (wider / taller)[:, None]
+        self._cones = np.hstack([self._rings[:-1], self._rings[1:], growth])
         self._background, self._to_ground = background, to_ground(view, len(background))
         self._numbers = np.array(
             [room()["shadow"][n] for n in ("depth", "sharp", "soft", "contact", "reach")]

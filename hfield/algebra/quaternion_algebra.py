@@ -626,15 +626,13 @@ class QuaternionAlgebra(Hinted):
         >>> f, len(f.roots().isolated), all(not f(q) for q in f.roots().isolated)
         (x^2 + i*x + 1, 2, True)
 
-        Raises :class:`RingError` for what is no name, or names something else.
+        Raises :class:`RingError` for what is no name.
         """
         from hfield.modules.polynomials import Polynomials
-        from hfield.rings.variables import variables
 
-        name, *more = variables("polynomials", variable, self.ring)
-        if more:
-            raise RingError(f"polynomials over {self} have one variable, not {variable}")
-        return Polynomials(self, name)
+        if not variable.isidentifier():
+            raise RingError(f"{shorten(variable)!r} is not the name of a variable such as x")
+        return Polynomials(self, variable)
 
     def sylvester(self, a: object, b: object, c: object) -> LinearSolutions:
         """Return all x with ``a·x − x·b = c``: ``.particular`` and ``.kernel``; falsy with ``.reason``.

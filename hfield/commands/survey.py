@@ -28,6 +28,7 @@ EXAMPLES = (
 )
 MOST = 5000
 AREA = 100
+MOST_PAIRS = 10**6
 SUFFIXES = (".jsonl", ".parquet")
 
 
@@ -110,9 +111,10 @@ def numbers(text: str, name: str) -> list[int]:
                 f"{name} {shorten(text)!r}: expected numbers such as 2..100 or 11,30,42"
             )
         first, last = int(ends[0]), int(ends[-1])
-        if first < 1 or last < first or last - first > 10**6:
+        if first < 1 or last < first or last - first >= MOST_PAIRS:
             raise UsageError(
-                f"{name} {shorten(text)!r}: expected positive numbers, in ascending ranges"
+                f"{name} {shorten(text)!r}: expected positive numbers, in ascending ranges, at most "
+                f"{MOST_PAIRS} of them"
             )
         found += range(first, last + 1)
     return list(dict.fromkeys(found))
@@ -130,6 +132,11 @@ def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
     if not args.discriminants:
         raise UsageError("expected discriminants D such as 2..100, or --field F")
     wanted = numbers(args.discriminants, "D")
+    if len(wanted) * len(levels) > MOST_PAIRS:
+        raise UsageError(
+            f"{len(wanted)} discriminants times {len(levels)} levels are more than {MOST_PAIRS} pairs: "
+            "survey a part at a time"
+        )
     kind, count = ("an indefinite", "even") if args.groups else ("a definite", "odd")
     pairs = (census.indefinite_pairs if args.groups else census.definite_pairs)(wanted, levels)
     if not pairs:

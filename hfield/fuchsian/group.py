@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import acosh, sqrt
@@ -74,17 +74,20 @@ class Side:
     partner: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Domain(Certified):
     """The points nearer to a centre than to its images: a Dirichlet domain, proved to be complete.
 
     Sides and vertices go counterclockwise; side n goes from vertex n to the next.
     """
 
-    group: NormOneGroup = field(repr=False)
-    polygon: Polygon = field(repr=False)
-    partners: tuple[int, ...] = field(repr=False)
-    cycles: tuple[dirichlet.Cycle, ...] = field(repr=False)
+    group: NormOneGroup
+    polygon: Polygon
+    partners: tuple[int, ...]
+    cycles: tuple[dirichlet.Cycle, ...]
+
+    def __repr__(self) -> str:
+        return f"a Dirichlet domain with {len(self.partners)} sides of {self.group}"
 
     @property
     def claim(self) -> Claim:
@@ -136,6 +139,12 @@ class Domain(Certified):
 
         draw(self, path, dark=dark, depth=depth)
 
+    def _repr_svg_(self) -> str:
+        """What a notebook shows."""
+        from hfield.fuchsian.picture import svg
+
+        return svg(self)
+
 
 class NormOneGroup(Certified, Hinted):
     """The units of norm 1 of an order, modulo ±1: discrete motions of the hyperbolic plane.
@@ -164,9 +173,14 @@ class NormOneGroup(Certified, Hinted):
         """Genus, orders of the elliptic points, and cusps, counted at the domain.
 
         For Eichler orders over ℤ they are counted by optimal embeddings too; both agree, or this raises.
+        Where the area is above 2π·200 these alone are told.
         """
-        found = signature_of(self._domain.partners, self._domain.cycles, self.area)
         counted = (self.order.elliptic_points(2), self.order.elliptic_points(3))
+        two, three, cusps = (*counted, self.order.cusps())
+        if self.area > LARGE and two is not None and three is not None and cusps is not None:
+            genus = (self.area + 2 - cusps - Fraction(two, 2) - Fraction(2 * three, 3)) / 2
+            return Signature(int(genus), (2,) * two + (3,) * three, cusps)
+        found = signature_of(self._domain.partners, self._domain.cycles, self.area)
         if self.order.cusps() not in (None, found.cusps) or any(
             n not in (None, found.orders.count(m)) for m, n in zip((2, 3), counted, strict=True)
         ):

@@ -50,7 +50,7 @@ def test_luma_and_chroma_are_those_of_bt709(block: int) -> None:
     frame[2:4, :2] = [0, 0, 255]
     luma = np.empty((8, 30), np.uint8)
     blue, red = np.empty((2, 8 // block, 30 // block), np.uint8)
-    planes(frame, luma, blue, red)
+    planes(frame.reshape(8, 90), luma, blue, red)
     r, g, b = np.moveaxis(frame / 255, 2, 0)
     y = 0.2126 * r + 0.7152 * g + 0.0722 * b
     assert np.abs(luma - (16 + 219 * y)).max() < 0.501

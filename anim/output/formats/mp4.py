@@ -42,7 +42,7 @@ class Mp4(Encoded):
         blue, red = rest.reshape(2, height // block, width // block)
 
         def encoded(frame: Frame) -> memoryview:
-            planes(np.ascontiguousarray(frame), luma, blue, red)
+            planes(np.ascontiguousarray(frame).reshape(height, -1), luma, blue, red)
             return whole.data
 
         return ("-pix_fmt", "yuv420p" if block == 2 else "yuv444p", *TAGS), encoded

@@ -50,6 +50,7 @@ class Frame:
     def _multiply(self, setting: Setting) -> None:
         """Make the tables of products, and of tr(x·conj(y)), of the basis over ℤ, each times a number."""
         ring, n, size = self.ring, self.n, self.size
+        charge(15 * size**3)
         a, t, b = (ring.value(tree, "a structure constant") for tree in setting.constants)
         one, minus = ring.one, ring.neg(ring.one)
         ab, tb = ring.mul(a, b), ring.mul(t, b)

@@ -70,14 +70,15 @@ def _of_scalar(ring: Ring, c: Constants, s: Scalar) -> SquareRoots:
     if ring.is_zero(s):
         nilpotent = nilpotent_element(ring, c)
         return SquareRoots(((o, o, o, o),) if nilpotent is None else (), nilpotent)
+    root: Coordinates | None
     scalars = _both_roots(ring, s)
     if ring.characteristic == 2 and scalars:
         (r,) = scalars  # other roots differ from it by elements with square 0
         nilpotent = nilpotent_element(ring, c)
         if nilpotent is None:
             return SquareRoots(((r, o, o, o),))
-        w, *rest = nilpotent
-        scalars, root = [], (r + w, *rest)
+        w, x, y, z = nilpotent
+        scalars, root = [], (r + w, x, y, z)
     else:
         root = traceless_root(ring, c, s)
     if root is not None and not _squares_to(ring, c, root, (s, o, o, o)):
