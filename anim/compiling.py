@@ -1,70 +1,159 @@
-"""One way to compile by numba: serial machine code that frees the interpreter lock, kept where possible.
+"""Loops in Python made into machine code by numba, kept on disk, and run without numba.
 
-The loops of `anim` branch on what they compute, point by point, which a tracer of formulas cannot follow.
+The loops of `anim` branch on what they compute, point by point, which a tracer of formulas cannot follow. To
+import numba takes a second: it is asked only for what `hfield.compiling.disk_cache` does not hold. A kernel
+writes into arrays that it is given, makes none and raises nothing, so that its code needs none of numba's.
 """
 
-from collections.abc import Callable
-from contextlib import suppress
-from typing import Any
+from __future__ import annotations
 
-from numba import njit
-from numba.core import config
+import hashlib
+import re
+from collections.abc import Callable, Sequence
+from ctypes import CFUNCTYPE, c_double, c_int64, c_void_p
+from pathlib import Path
+from types import FunctionType
+from typing import Any, TypeVar
 
-from hfield.compiling import disk_cache as keeping
-from hfield.compiling.machine_code import lock
+import numpy as np
+
+from hfield.compiling import machine_code
+from hfield.compiling.memory import address
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 # FMA is allowed. Reassociation would change results, and assuming finite numbers would lose NaN, so
 # `fastmath=True` is out of the question. "numpy": a division by zero gives inf, no exception.
-OPTIONS: dict[str, Any] = {
-    "fastmath": {"contract"},
-    "error_model": "numpy",
-    "nogil": True,
-}
-# Parts are never called from Python: without the wrappers a kernel compiles in two thirds of the time.
-PART = {**OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+OPTIONS: dict[str, Any] = {"fastmath": {"contract"}, "error_model": "numpy"}
+
+_called: dict[Callable[..., Any], bool] = {}  # whether numba knows it
+_announce = machine_code.Announcer("hfield: compiling a loop by numba, once on this machine")
 
 
-def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return ``function`` compiled at its first call for each set of argument types.
+def called(function: F) -> F:
+    """Return ``function`` as it is, for kernels to call: they compile it with themselves."""
+    _called.setdefault(function, False)
+    return function
 
-    The machine code is kept where `hfield.compiling.disk_cache` keeps its own, if that folder is this user's
-    alone: numba reads pickles, whoever wrote them. Else, and on a full disk, each process compiles it anew.
+
+class Kernel:
+    """A function of arrays in one piece, numbers, and tuples of these; it returns a float or nothing."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        assert isinstance(function, FunctionType)
+        self.plain = function
+        self.__doc__ = function.__doc__
+        self._entries: dict[tuple[Any, ...], Callable[..., Any]] = {}
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Run the machine code for arguments of these kinds; without LLVM, the Python function."""
+        values: list[Any] = []
+        kinds = tuple([_kind(argument, values) for argument in arguments])
+        entry = self._entries.get(kinds)
+        if entry is None:
+            if not machine_code.available():
+                return self.plain(*arguments)
+            entry = self._entries[kinds] = self._linked(kinds)
+        return entry(*values)
+
+    def _linked(self, kinds: tuple[Any, ...]) -> Callable[..., Any]:
+        files = sorted({part.__code__.co_filename for part in _parts(self.plain)})
+        seen = [hashlib.sha256(Path(file).read_bytes()).hexdigest() for file in files]
+        text = f"{self.plain.__qualname__} {kinds} {sorted(OPTIONS.items())} {seen}"
+        address = machine_code.compiled(
+            text, "entry", True, _announce, lambda: written(self.plain, kinds)
+        )
+        returned = c_double if _returns(self.plain) else None
+        return CFUNCTYPE(returned, *(_C[type_] for kind in kinds for type_ in _types(kind)))(
+            address
+        )
+
+
+kernel = Kernel
+_C = {"pointer": c_void_p, "int64": c_int64, "float64": c_double}
+
+
+def _kind(value: Any, values: list[Any]) -> Any:
+    """Return what machine code depends on, and append the numbers that are passed to it.
+
+    The kind is ("u1", 2) for an array, "int64" or "float64" for a number, (class, …) for a tuple.
     """
-    place = keeping.private_directory()
-    with lock:
-        given, config.CACHE_DIR = config.CACHE_DIR, str(place)
-        try:
-            compiled: Any = njit(cache=place is not None, **OPTIONS)(function)
-        finally:
-            config.CACHE_DIR = given
-    if place is not None:
-        compiled._cache = _Cache(compiled._cache)
-    return compiled  # type: ignore[no-any-return]
+    if isinstance(value, np.ndarray):
+        if not value.flags.c_contiguous:
+            raise ValueError(
+                "a kernel takes arrays in one piece, with the last index running fastest"
+            )
+        values.append(address(value))
+        values.extend(value.shape)
+        return value.dtype, value.ndim
+    if isinstance(value, tuple):
+        return (type(value), *[_kind(part, values) for part in value])
+    if isinstance(value, float):
+        values.append(float(value))
+        return "float64"
+    values.append(int(value))
+    return "int64"
 
 
-class _Cache:
-    """numba's cache of a function on disk, where what cannot be written or is for other types is left alone.
-
-    Two processes that compile for different types at once may number their files alike, so that the index
-    names the code of the other: run, it would take a float for an integer.
-    """
-
-    def __init__(self, own: Any) -> None:
-        self._own = own
-
-    def load_overload(self, signature: Any, context: Any) -> Any:
-        found = self._own.load_overload(signature, context)
-        wanted = getattr(signature, "args", signature)
-        return found if found is not None and found.signature.args == tuple(wanted) else None
-
-    def save_overload(self, signature: Any, code: Any) -> None:
-        with suppress(OSError):
-            self._own.save_overload(signature, code)
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._own, name)
+def _types(kind: Any) -> list[str]:
+    if isinstance(kind, str):
+        return [kind]
+    if isinstance(kind[0], np.dtype):
+        return ["pointer", *["int64"] * kind[1]]
+    return [type_ for part in kind[1:] for type_ in _types(part)]
 
 
-def called(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return ``function`` for use by kernels outside their inner loops."""
-    return njit(**PART)(function)  # type: ignore[no-any-return]
+def _returns(function: FunctionType) -> bool:
+    return function.__annotations__["return"] in (float, "float")
+
+
+def _parts(function: Any) -> set[Any]:
+    """Return a function and all that it calls."""
+    found, waiting = set(), [function]
+    while waiting:
+        part = waiting.pop()
+        if part not in found:
+            found.add(part)
+            names = (part.__globals__.get(name) for name in part.__code__.co_names)
+            waiting += [
+                other for other in names if isinstance(other, FunctionType) and other in _called
+            ]
+    return found
+
+
+def written(function: FunctionType, kinds: Sequence[Any]) -> str:
+    """Return a kernel for arguments of these kinds in LLVM's notation, by numba; its name is ``entry``."""
+    from numba import carray, cfunc, njit, types
+    from numba.extending import register_jitable
+
+    for part in _parts(function) - {function}:
+        if not _called[part]:
+            register_jitable(part)
+            _called[part] = True
+    room = {"carray": carray, "kernel": njit(**OPTIONS)(function)}
+    names: list[str] = []
+    signature: list[Any] = []
+
+    def taken(kind: Any) -> str:
+        """Return the words that make an argument of what is passed for it."""
+        here = len(names)
+        if isinstance(kind, str):
+            names.append(f"x{here}")
+            signature.append(getattr(types, kind))
+            return names[here]
+        if isinstance(kind[0], np.dtype):
+            names.extend(f"x{here + n}" for n in range(kind[1] + 1))
+            item = getattr(types, kind[0].name)
+            signature.extend([types.CPointer(item), *[types.int64] * kind[1]])
+            return f"carray({names[here]}, ({', '.join(names[here + 1 :])},))"
+        parts = ", ".join(map(taken, kind[1:]))
+        room[kind[0].__name__] = kind[0]
+        return f"({parts},)" if kind[0] is tuple else f"{kind[0].__name__}({parts})"
+
+    words = ", ".join(map(taken, kinds))
+    exec(f"def entry({', '.join(names)}):\n    return kernel({words})", room)
+    returned = types.float64 if _returns(function) else types.void
+    made = cfunc(returned(*signature), **OPTIONS)(room["entry"])
+    text = made.inspect_llvm().replace(made.native_name, "entry")
+    # Nothing else is to be seen from outside: what is not called, such as numba's errors, then goes.
+    return re.sub(r"^define (?:linkonce_odr )?(?!.*@entry\()", "define internal ", text, flags=re.M)

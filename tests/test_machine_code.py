@@ -8,6 +8,7 @@ import sys
 import threading
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from hfield.compiling import disk_cache, machine_code
@@ -233,36 +234,47 @@ def test_a_child_compiles_that_was_forked_while_another_thread_did(tmp_path: Pat
     assert (done.returncode, done.stdout) == (0, "done\n"), done.stderr
 
 
-@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owners here")
-def test_numba_keeps_its_files_where_nobody_else_may_write(
-    place: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_kernels_are_compiled_once_and_run_without_numba(place: Path) -> None:
+    from anim.compiling import kernel, written
+    from anim.physics.integrator import Rates, run
+
+    states, start = np.empty((3, 7)), np.array([1.0, 0, 0, 0, 0.1, 0, 9])
+    rates = Rates(0.7, 3.0, 0.1, 0.1, 0.5)
+    landed = kernel(run)(states, start, 1e-3, 20, 10, rates)
+    plain = np.empty_like(states)
+    assert run(plain, start, 1e-3, 20, 10, rates) == landed == -1
+    assert abs(plain - states).max() < 1e-14
+    (kept,) = files(place)
+    machine_code._addresses.clear()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("anim.compiling.written", lambda *_: pytest.fail("compiled again"))
+        kernel(run)(again := np.empty_like(states), start, 1e-3, 20, 10, rates)
+    assert (again == states).all()
+    kept.write_bytes(b"no machine code")
+    machine_code._addresses.clear()
+    with pytest.MonkeyPatch.context() as patch:
+        texts: list[str] = []
+        patch.setattr("anim.compiling.written", lambda *a: texts.append(written(*a)) or texts[-1])
+        kernel(run)(states, start, 1e-3, 20, 10, rates)
+    assert len(texts) == 1
+
+
+def test_a_kernel_for_other_kinds_is_another(place: Path) -> None:
     from anim.compiling import kernel
 
-    def answer(n: int) -> int:
-        return n + 1
-
-    assert kernel(answer)(41) == 42
-    assert list(place.rglob("*.nbi"))
-    assert place.stat().st_mode & 0o777 == 0o700
-    place.chmod(0o770)
-    assert type(kernel(answer)._cache).__name__ == "NullCache"  # type: ignore[attr-defined]
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(next(place.rglob("*.nbi"))))
-    assert kernel(answer)(41) == 42
-
-
-def test_what_numba_kept_for_other_types_is_not_run(place: Path) -> None:
-    from anim.compiling import kernel
-
-    def halved(x: float) -> float:
+    def halved(x: float, out: np.ndarray) -> float:
+        out[0] = x / 2
         return x / 2
 
-    first = kernel(halved)
-    assert first(3) == 1.5
-    (whole,) = first.overloads.values()  # type: ignore[attr-defined]
-    second = kernel(halved)
-    second._cache._own.load_overload = lambda *_: whole  # type: ignore[attr-defined]
-    assert second(3.5) == 1.75
+    half = kernel(halved)
+    assert half(3, np.empty(1)) == 1.5
+    assert half(3.5, np.empty(1)) == 1.75
+    out = np.empty(1, np.float32)
+    assert half(np.float64(1) / 3, out) == 1 / 6
+    assert out[0] == np.float32(1 / 6)
+    with pytest.raises(ValueError, match="in one piece"):
+        half(1.0, np.empty(4)[::2])
+    assert len(files(place)) == 3
 
 
 PROPERTY = """

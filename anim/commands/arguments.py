@@ -143,7 +143,9 @@ def _picture(group: _ArgumentGroup) -> None:
         group.add_argument(
             f"--{name}", action=BooleanOptionalAction, help=f"draw {text} (default: yes)"
         )
-    group.add_argument("--quality", type=int, metavar="1..4", help="smoothness (default: 2)")
+    group.add_argument(
+        "--quality", type=int, metavar="1..4", help="smoothness; 1: jagged edges (default: 2)"
+    )
     group.add_argument(
         "--crf", type=int, default=18, metavar="N", help="quality of mp4: 0 best, 51 (default: 18)"
     )

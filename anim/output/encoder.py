@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 import subprocess
 from abc import abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from fractions import Fraction
 from pathlib import Path
@@ -54,6 +54,10 @@ class Encoded(Format):
             )
         ffmpeg()
 
+    def raw(self, film: Film) -> tuple[Sequence[str], Callable[[Frame], memoryview]]:
+        """Return what ffmpeg calls the pixels that it is sent, and what makes them of a frame."""
+        return ("-pix_fmt", "rgb24"), lambda frame: np.ascontiguousarray(frame).data
+
     @abstractmethod
     def options(self, film: Film) -> list[str]:
         """Return ffmpeg's options; the format by name too, whatever else the file's name says."""
@@ -68,9 +72,10 @@ class Encoded(Format):
     def encoder(self, path: Path, film: Film, more_input: Sequence[str]) -> Iterator[Write]:
         """Run ffmpeg on the frames, and on what ``more_input`` names in its words."""
         width, height = film.size
+        pixels, made = self.raw(film)
         rate = Fraction(film.fps).limit_denominator(100_000)
         command = [ffmpeg(), "-y", "-nostdin", "-loglevel", "error", "-progress", "pipe:2"]
-        command += ["-stats_period", "30", "-f", "rawvideo", "-pix_fmt", "rgb24"]
+        command += ["-stats_period", "30", "-f", "rawvideo", *pixels]
         command += ["-s", f"{width}x{height}", "-r", str(rate), "-i", "pipe:0"]
         command += [*more_input, *self.options(film), str(path)]
         with TemporaryFile() as said:
@@ -79,11 +84,15 @@ class Encoded(Format):
             )
             with _ended(process):
                 _widen(process)
-                yield from _feed(process, film, said, self.counts_frames)
+                yield from _feed(process, film, made, said, self.counts_frames)
 
 
 def _feed(
-    process: subprocess.Popen[bytes], film: Film, said: IO[bytes], counts_frames: bool
+    process: subprocess.Popen[bytes],
+    film: Film,
+    made: Callable[[Frame], memoryview],
+    said: IO[bytes],
+    counts_frames: bool,
 ) -> Iterator[Write]:
     """Yield the function that sends frames; then wait for the end, and see that all frames arrived.
 
@@ -96,7 +105,7 @@ def _feed(
     def write(frame: Frame) -> None:
         nonlocal sent
         try:
-            stream.write(np.ascontiguousarray(frame).data)
+            stream.write(made(frame))
         except OSError:
             process.wait(SECONDS_TO_END)
             raise _failed(said) from None

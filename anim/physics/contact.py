@@ -14,14 +14,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.compiling import kernel
-from anim.physics.integrator import callable_from_kernels
+from anim.compiling import called, kernel
 
 Floats = NDArray[np.float64]
 
 SIZE = 14
 HEIGHT, LOST = 9, 13
 """Where in a state the height of the centre of mass is, and the energy lost, over the mass."""
+
+
+def workspace() -> Floats:
+    """Return what the steps are reckoned in, which kernels cannot make."""
+    return np.empty((6, SIZE))
 
 
 class Ground(NamedTuple):
@@ -46,7 +50,7 @@ class Ground(NamedTuple):
     """The arm in m of the couple with which the ground resists turning."""
 
 
-@callable_from_kernels
+@called
 def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> None:
     """Write into ``out`` how the state ``y`` changes; ``edges`` (k, 3) are radius, height, rounding."""
     i1, i3, gravity, tumbling, spinning, stiffness, damping, friction, creep, rolling = ground
@@ -101,9 +105,9 @@ def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> None:
     out[LOST] = lost
 
 
-@callable_from_kernels
+@called
 def advance(y: Floats, h: float, room: Floats, edges: Floats, ground: Ground) -> None:
-    """Take the state ``y`` (14,) on by ``h`` seconds, in place; ``room`` (5, 14) is overwritten."""
+    """Take the state ``y`` (14,) on by ``h`` seconds, in place; ``room`` (6, 14) is overwritten."""
     slope(y, room[0], edges, ground)
     for k in range(1, 4):
         part = h if k == 3 else h / 2
@@ -117,7 +121,7 @@ def advance(y: Floats, h: float, room: Floats, edges: Floats, ground: Ground) ->
         y[n] /= size
 
 
-@callable_from_kernels
+@called
 def down(y: Floats, edges: Floats) -> bool:
     """Tell whether the ground is touched by anything but the tip, the first of ``edges``."""
     g3 = 1 - 2 * (y[1] * y[1] + y[2] * y[2])
@@ -129,35 +133,56 @@ def down(y: Floats, edges: Floats) -> bool:
 
 
 def follow(
-    start: Floats, h: float, steps: int, every: int, edges: Floats, ground: Ground
-) -> tuple[Floats, float]:
-    """Return the states (steps // every + 1, 14) from ``start`` on, and when the rim touched first, or −1."""
-    y, room = start.copy(), np.empty((5, SIZE))
-    states = np.empty((steps // every + 1, SIZE))
+    states: Floats,
+    start: Floats,
+    h: float,
+    steps: int,
+    every: int,
+    edges: Floats,
+    ground: Ground,
+    room: Floats,
+) -> float:
+    """Write ``states`` (steps // every + 1, 14) from ``start`` on; return when the rim touched first, or −1.
+
+    ``room`` (6, 14) is overwritten.
+    """
+    y = room[5]
+    for n in range(SIZE):
+        y[n] = start[n]
     landed = -1.0
     for step in range(steps + 1):
         if step % every == 0:
-            states[step // every] = y
+            for n in range(SIZE):
+                states[step // every, n] = y[n]
         if landed < 0 and down(y, edges):
             landed = step * h
         advance(y, h, room, edges, ground)
-    return states, landed
+    return landed
 
 
 def meet(
-    states: Floats, spacing: float, times: Floats, h: float, edges: Floats, ground: Ground
-) -> Floats:
-    """Return the states (n, 14) at ``times`` (n,), each from the last of ``states``, ``spacing`` apart."""
-    found, room = np.empty((len(times), SIZE)), np.empty((5, SIZE))
+    found: Floats,
+    states: Floats,
+    spacing: float,
+    times: Floats,
+    h: float,
+    edges: Floats,
+    ground: Ground,
+    room: Floats,
+) -> None:
+    """Write the states ``found`` (n, 14) at ``times`` (n,), each from the last kept before it.
+
+    ``states`` are ``spacing`` apart; ``room`` (6, 14) is overwritten.
+    """
     for n in range(len(times)):
         last = min(int(times[n] / spacing), len(states) - 1)
-        y = states[last].copy()
+        y = found[n]
+        for k in range(SIZE):
+            y[k] = states[last, k]
         whole = int((times[n] - last * spacing) / h)
         for _ in range(whole):
             advance(y, h, room, edges, ground)
         advance(y, times[n] - last * spacing - whole * h, room, edges, ground)
-        found[n] = y
-    return found
 
 
 follow_compiled = kernel(follow)

@@ -164,7 +164,7 @@ class FreeTop(Stepped):
             CREEP * pace,
             contact.rolling,
         )
-        # A whole number among them would be another signature: numba would load its code at each call.
+        # A whole number among them would be another signature.
         return Ground(*map(float, constants))
 
     @property
@@ -189,13 +189,13 @@ class FreeTop(Stepped):
 
     def states(self, times: Floats) -> Floats:
         """Return the states (n, 14) at instants (n,)."""
-        from anim.physics.contact import meet_compiled
+        from anim.physics.contact import SIZE, meet_compiled, workspace
 
-        instants = np.asarray(times, dtype=np.float64)
-        kept, spacing = self._followed[0], EVERY * self.step
-        return np.asarray(
-            meet_compiled(kept, spacing, instants, self.step, self.edges, self.ground)
-        )
+        instants = np.ascontiguousarray(times, dtype=np.float64)
+        kept, spacing, found = self._followed[0], EVERY * self.step, np.empty((len(times), SIZE))
+        ground = self.ground
+        meet_compiled(found, kept, spacing, instants, self.step, self.edges, ground, workspace())
+        return found
 
     def __call__(self, times: Floats) -> Floats:
         """Return the attitudes (n, 4) at instants (n,)."""
@@ -237,12 +237,13 @@ class FreeTop(Stepped):
 
     @cached_property
     def _followed(self) -> tuple[Floats, float]:
-        from anim.physics.contact import follow_compiled
+        from anim.physics.contact import SIZE, follow_compiled, workspace
 
-        kept, landed = follow_compiled(
-            self.start, self.step, self.steps, EVERY, self.edges, self.ground
+        kept, edges, ground = np.empty((self.steps // EVERY + 1, SIZE)), self.edges, self.ground
+        landed = follow_compiled(
+            kept, self.start, self.step, self.steps, EVERY, edges, ground, workspace()
         )
-        return kept, float(landed)
+        return kept, landed
 
     def _depths(self, states: Floats) -> Floats:
         """Return how deep each of the edges is in the ground, (n, k)."""

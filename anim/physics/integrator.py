@@ -11,18 +11,15 @@ symmetric composition is of second order; three of those, with Yoshida's steps, 
 whole is symplectic and keeps L_z and ω₃ to rounding.
 """
 
-from collections.abc import Callable
 from math import cos, exp, sin, sqrt
-from typing import Any, NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
-from numba.extending import register_jitable
 from numpy.typing import NDArray
 
-from anim.compiling import kernel
+from anim.compiling import called, kernel
 from hfield.product import Constants, conjugate, multiply
 
-F = TypeVar("F", bound=Callable[..., Any])
 Floats = NDArray[np.float64]
 Four = tuple[float, float, float, float]
 Three = tuple[float, float, float]
@@ -48,17 +45,11 @@ class Rates(NamedTuple):
     """The cosine of the tilt at which the rim touches the ground."""
 
 
-def callable_from_kernels(function: F) -> F:
-    """Return ``function`` as it is, known to numba as well: a kernel that calls it compiles it too."""
-    register_jitable(function)
-    return function
+called(multiply)  # the one product of quaternions
+called(conjugate)
 
 
-callable_from_kernels(multiply)  # the one product of quaternions
-callable_from_kernels(conjugate)
-
-
-@callable_from_kernels
+@called
 def vertical(q: Four) -> Three:
     """Return Γ, the unit vector upwards in the body's axes: the vector part of q̄·k·q."""
     half = multiply(HAMILTON, conjugate(HAMILTON, q), (0.0, 0.0, 0.0, 1.0))
@@ -66,7 +57,7 @@ def vertical(q: Four) -> Three:
     return x, y, z
 
 
-@callable_from_kernels
+@called
 def rotor(x: float, y: float, z: float) -> Four:
     """Return the quaternion of the turn by the rotation vector (x, y, z)."""
     angle = sqrt(x * x + y * y + z * z)
@@ -75,7 +66,7 @@ def rotor(x: float, y: float, z: float) -> Four:
     return cos(half), x * ratio, y * ratio, z * ratio
 
 
-@callable_from_kernels
+@called
 def second_order(q: Four, w: Three, h: float, rates: Rates) -> tuple[Four, Three]:
     """Return the state after ``h`` seconds: half friction, half gravity, free top, gravity, friction."""
     shape, gravity, tumbling, spinning, _ = rates
@@ -97,7 +88,7 @@ def second_order(q: Four, w: Three, h: float, rates: Rates) -> tuple[Four, Three
     return q, ((w1 + pull * g2) * across, (w2 - pull * g1) * across, w3 * along)
 
 
-@callable_from_kernels
+@called
 def fourth_order(q: Four, w: Three, h: float, rates: Rates) -> tuple[Four, Three]:
     """Return the state after ``h`` seconds by Yoshida's composition, the quaternion of norm 1."""
     q, w = second_order(q, w, OUTER * h, rates)
@@ -108,7 +99,7 @@ def fourth_order(q: Four, w: Three, h: float, rates: Rates) -> tuple[Four, Three
     return (a * steady, b * steady, c * steady, d * steady), w
 
 
-@callable_from_kernels
+@called
 def touching(q: Four, w: Three, h: float, rates: Rates) -> float:
     """Return when, within ``h`` seconds, the tilt reaches the floor, by halving the time."""
     before, after = 0.0, h
@@ -122,14 +113,13 @@ def touching(q: Four, w: Three, h: float, rates: Rates) -> float:
     return before
 
 
-def run(start: Floats, h: float, steps: int, every: int, rates: Rates) -> tuple[Floats, float]:
-    """Return the states (steps // every + 1, 7) from ``start`` (7,) on, and when the rim touched or −1.
+def run(states: Floats, start: Floats, h: float, steps: int, every: int, rates: Rates) -> float:
+    """Write ``states`` (steps // every + 1, 7) from ``start`` (7,) on; return when the rim touched, or −1.
 
     A state is (w, x, y, z, ω₁, ω₂, ω₃). From the touch on the top rests where it fell.
     """
     q = (start[0], start[1], start[2], start[3])
     w = (start[4], start[5], start[6])
-    states = np.empty((steps // every + 1, 7))
     landed = 0.0 if vertical(q)[2] < rates.floor else -1.0
     for step in range(steps + 1):
         if step % every == 0:
@@ -145,17 +135,22 @@ def run(start: Floats, h: float, steps: int, every: int, rates: Rates) -> tuple[
             q, w = there, then
         if landed >= 0:
             w = (0.0, 0.0, 0.0)
-    return states, landed
+    return landed
 
 
 def visit(
-    states: Floats, spacing: float, times: Floats, h: float, landed: float, rates: Rates
-) -> Floats:
-    """Return the states (n, 7) at ``times`` (n,), each from the last of ``states``, ``spacing`` apart.
+    found: Floats,
+    states: Floats,
+    spacing: float,
+    times: Floats,
+    h: float,
+    landed: float,
+    rates: Rates,
+) -> None:
+    """Write the states ``found`` (n, 7) at ``times`` (n,), each from the last kept before it.
 
-    ``landed`` is when the rim touches, infinite if it does not.
+    ``states`` are ``spacing`` apart; ``landed`` is when the rim touches, infinite if it does not.
     """
-    found = np.empty((len(times), 7))
     for n in range(len(times)):
         moment = min(times[n], landed)
         last = min(int(moment / spacing), len(states) - 1)
@@ -170,7 +165,6 @@ def visit(
             w = (0.0, 0.0, 0.0)
         found[n, 0], found[n, 1], found[n, 2], found[n, 3] = q
         found[n, 4], found[n, 5], found[n, 6] = w
-    return found
 
 
 run_compiled = kernel(run)

@@ -91,16 +91,10 @@ class HeavyTop(Stepped):
         from anim.physics.integrator import visit_compiled
 
         kept, landed = self._followed
-        return np.asarray(
-            visit_compiled(
-                kept,
-                EVERY * self.step,
-                np.asarray(times, dtype=np.float64),
-                self.step,
-                landed if landed >= 0 else inf,
-                self.rates,
-            )
-        )
+        instants = np.ascontiguousarray(times, dtype=np.float64)
+        found, touch = np.empty((len(instants), 7)), landed if landed >= 0 else inf
+        visit_compiled(found, kept, EVERY * self.step, instants, self.step, touch, self.rates)
+        return found
 
     def __call__(self, times: Floats) -> Floats:
         """Return the attitudes (n, 4) at instants (n,)."""
@@ -139,8 +133,8 @@ class HeavyTop(Stepped):
         """The states after every EVERY steps, and when the rim touched, or −1."""
         from anim.physics.integrator import run_compiled
 
-        kept, landed = run_compiled(self.start, self.step, self.steps, EVERY, self.rates)
-        return kept, float(landed)
+        kept = np.empty((self.steps // EVERY + 1, 7))
+        return kept, run_compiled(kept, self.start, self.step, self.steps, EVERY, self.rates)
 
     @staticmethod
     def _vertical(states: Floats) -> Floats:

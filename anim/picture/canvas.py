@@ -5,23 +5,16 @@ pixels touched by the last one are put back from the background.
 """
 
 from collections.abc import Sequence
-from math import ceil, floor
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from anim.picture.look import RGB
+from anim.picture.surface import Box, Floats, Pixels, Surface
 from rotation.figures.backend import import_matplotlib
 
-Floats = NDArray[np.float64]
-Pixels = NDArray[np.uint8]
 
-MARK = 2
-"""Pixels beyond the points given that a smoothed edge can touch."""
-
-
-class Canvas:
+class Canvas(Surface):
     """An RGB picture over a fixed background (height, width, 3); coordinates are pixels, y upwards."""
 
     def __init__(self, background: Pixels, smooth: bool = True) -> None:
@@ -79,23 +72,16 @@ class Canvas:
         self._context.set_foreground(tuple(channel / 255 for channel in colour), isRGBA=False)
         self._renderer.draw_path(self._context, path, self._identity)
 
-    def touch(self, points: Floats, width: float) -> tuple[int, int, int, int]:
+    def touch(self, points: Floats, width: float) -> Box:
         """Note that the box around ``points`` (k, 2) is drawn on; return it: left, top, right, bottom."""
-        edge = width / 2 + MARK
-        (west, south), (east, north) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
-        box = (
-            min(self.width, max(0, floor(west - edge))),
-            min(self.height, max(0, floor(self.height - north - edge))),
-            max(0, min(self.width, ceil(east + edge))),
-            max(0, min(self.height, ceil(self.height - south + edge))),
-        )
+        box = super().touch(points, width)
         t = self._touched
         self._touched = (min(t[0], box[0]), min(t[1], box[1]), max(t[2], box[2]), max(t[3], box[3]))
         return box
 
     def rgb(self) -> Pixels:
         """Return a fresh copy of the picture, (height, width, 3)."""
-        from anim.picture.rasterising import opaque
+        from anim.picture.lines import opaque
 
         picture = self._background.copy()
         opaque(self.pixels, self._touched, picture)

@@ -1,8 +1,8 @@
 """The ground in the light, compiled: the empty ground, and the soft shadow that the top throws on it.
 
-For its shadow the top is some slices, discs across its axis or, where it is thin, balls upon it. A ray from
-the ground to the light meets a slice or passes it; the edge is the softer the farther the slice is, as
-under a light of some width. What is near the top is darker besides: less of the sky is seen there.
+A ray from the ground to the light meets one of the top's cones or passes it; where it comes deepest or
+nearest is known in closed form. The edge is the softer the farther that is, as under a light of some
+width. What is near the top is darker besides: less of the sky is seen there.
 """
 
 import math
@@ -15,10 +15,6 @@ from anim.compiling import called, kernel
 Bytes = NDArray[np.uint8]
 Floats = NDArray[np.float64]
 Light = NDArray[np.float32]
-
-
-THICK = 0.03
-"""Half of a slice's thickness, where its nearness is what counts."""
 
 
 @called
@@ -41,7 +37,7 @@ def lit_ground(
     picture: Light, to_ground: Floats, paper: Floats, dark: float, numbers: Floats, above: bool
 ) -> None:
     """Write the empty ground into ``picture``; ``numbers`` are near, far, shade, pool, ring."""
-    near, far, shade, pool, ring = numbers
+    near, far, shade, pool, ring = numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]
     height, width, _ = picture.shape
     for y in range(height):
         for x in range(width):
@@ -65,7 +61,7 @@ def shade(
     grid: Light,
     start: Floats,
     step: float,
-    slices: Floats,
+    cones: Floats,
     tip: Floats,
     axis: Floats,
     light: Floats,
@@ -73,76 +69,55 @@ def shade(
 ) -> None:
     """Write into ``grid`` (rows, columns), which begins at ``start`` (2,), what is left of the light there.
 
-    ``slices`` (k, 3) are heights on the axis, radii, and 1 for a ball; ``numbers`` are the shadow's depth,
-    sharp, soft, contact, reach.
+    ``cones`` (k, 5) are radius and height on the axis of one end and of the other, and how fast the radius
+    grows; ``numbers`` are the shadow's depth, sharp, soft, contact, reach.
     """
-    depth, sharp, soft, contact, reach = numbers
+    depth, sharp, soft, contact, reach = numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]
     along = light[0] * axis[0] + light[1] * axis[1] + light[2] * axis[2]
-    along = min(along, -0.05) if along < 0 else max(along, 0.05)
+    along = min(along, -1e-6) if along < 0 else max(along, 1e-6)
+    across, back = 1 - along * along, 1 / along
     rows, columns = grid.shape
-    grid[:] = 0
-    nearest = np.full((rows, columns), np.float32(1e9))
-    for k in range(len(slices)):
-        height, radius, ball = slices[k, 0], slices[k, 1], slices[k, 2]
-        cx, cy, cz = tip[0] + axis[0] * height, tip[1] + axis[1] * height, tip[2] + axis[2] * height
-        # No ground farther than this from where the slice's middle falls is in its shadow, or near it.
-        far = (radius + sharp + soft * (abs(cz) + radius) / light[2]) / light[2]
-        fall = cz / light[2]
-        first, last, begin, end = within(
-            cx - fall * light[0] - start[0],
-            cy - fall * light[1] - start[1],
-            far,
-            step,
-            rows,
-            columns,
-        )
-        for row in range(first, last):
-            for column in range(begin, end):
-                vx, vy = cx - start[0] - column * step, cy - start[1] - row * step
-                if ball > 0:
-                    s = vx * light[0] + vy * light[1] + cz * light[2]
-                else:
-                    s = (vx * axis[0] + vy * axis[1] + cz * axis[2]) / along
-                if s > 0:
-                    px, py, pz = s * light[0] - vx, s * light[1] - vy, s * light[2] - cz
-                    wide = sharp + soft * s
-                    square = px * px + py * py + pz * pz
-                    if square < (radius + wide) * (radius + wide):
-                        t = min(1.0, (radius + wide - math.sqrt(square)) / (2 * wide))
-                        met = t * t * (3 - 2 * t) * min(1.0, radius / wide)
-                        grid[row, column] = max(grid[row, column], met)
-        if cz - radius > 3 * reach:
-            continue
-        first, last, begin, end = within(
-            cx - start[0], cy - start[1], radius + 3 * reach, step, rows, columns
-        )
-        for row in range(first, last):
-            for column in range(begin, end):
-                vx, vy = cx - start[0] - column * step, cy - start[1] - row * step
-                high = vx * axis[0] + vy * axis[1] + cz * axis[2]
-                square = vx * vx + vy * vy + cz * cz
-                out = max(0.0, math.sqrt(max(0.0, square - high * high)) - radius)
-                high = max(0.0, abs(high) - THICK)
-                nearest[row, column] = min(nearest[row, column], high * high + out * out)
     for row in range(rows):
+        vy = start[1] + row * step - tip[1]
         for column in range(columns):
+            vx = start[0] + column * step - tip[0]
+            high = vx * axis[0] + vy * axis[1] - tip[2] * axis[2]
+            out = max(0.0, vx * vx + vy * vy + tip[2] * tip[2] - high * high)
+            turn = vx * light[0] + vy * light[1] - tip[2] * light[2] - high * along
+            middle = turn / across if across > 1e-9 else 0.0
+            aside = math.sqrt(max(0.0, out - turn * middle))
+            radius = math.sqrt(out)
+            met, nearest = 0.0, 1e9
+            for k in range(len(cones)):
+                r0, z0, r1, z1 = cones[k, 0], cones[k, 1], cones[k, 2], cones[k, 3]
+                growth = cones[k, 4]
+                rate = growth * along  # how fast it widens along the ray
+                bend = across - rate * rate
+                # The ray is at the height high + s·along and √(out + 2s·turn + s²·across) from the axis.
+                first, last = (z0 - high) * back, (z1 - high) * back
+                first, last = max(0.0, min(first, last)), max(first, last)
+                if last > first:
+                    if bend > 1e-9:
+                        s = rate * aside / math.sqrt(across * bend) - middle
+                    else:
+                        s = last if rate > 0 else first
+                    s = min(last, max(first, s))
+                    thick = r0 + growth * (high - z0) + rate * s
+                    wide = sharp + soft * s
+                    square = max(0.0, out + s * (2 * turn + s * across))
+                    if square < (thick + wide) * (thick + wide):
+                        part = min(1.0, (thick + wide - math.sqrt(square)) / (2 * wide))
+                        met = max(met, part * part * (3 - 2 * part) * min(1.0, thick / wide))
+                wider, taller = r1 - r0, z1 - z0
+                t = (radius - r0) * wider + (high - z0) * taller
+                t = min(1.0, max(0.0, t / (wider * wider + taller * taller)))
+                dx, dy = radius - r0 - t * wider, high - z0 - t * taller
+                inside = z0 <= high <= z1 and radius <= r0 + growth * (high - z0)
+                nearest = 0.0 if inside else min(nearest, dx * dx + dy * dy)
             near = 0.0
-            if nearest[row, column] < 9 * reach * reach:
-                near = contact * math.exp(-nearest[row, column] / (reach * reach))
-            grid[row, column] = (1 - depth * grid[row, column]) * (1 - near)
-
-
-@called
-def within(
-    x: float, y: float, far: float, step: float, rows: int, columns: int
-) -> tuple[int, int, int, int]:
-    """Return the rows and columns of a grid no farther than ``far`` from (x, y)."""
-    return (
-        max(0, math.floor((y - far) / step)),
-        min(rows, math.ceil((y + far) / step) + 1),
-        max(0, math.floor((x - far) / step)),
-        min(columns, math.ceil((x + far) / step) + 1),
-    )
+            if nearest < 9 * reach * reach:
+                near = contact * math.exp(-nearest / (reach * reach))
+            grid[row, column] = (1 - depth * met) * (1 - near)
 
 
 @kernel
@@ -155,9 +130,10 @@ def lay(
     start: Floats,
     step: float,
 ) -> None:
-    """Lay the shaded ground over ``pixels`` (height, width, 4), inside ``box``, where ``grid`` reaches."""
+    """Lay the shaded ground over ``pixels`` (height, width, 3), inside ``box``, where ``grid`` reaches."""
     left, top, right, bottom = box
     rows, columns = grid.shape
+    west, south = start[0] / step, start[1] / step
     for y in range(top, bottom):
         v, u = y + 0.5, left + 0.5
         depth = to_ground[2, 0] * u + to_ground[2, 1] * v + to_ground[2, 2]
@@ -169,20 +145,20 @@ def lay(
             if scale <= 0:
                 continue
             there = 1 / (scale * step)
-            across = (gx + n * to_ground[0, 0]) * there - start[0] / step
-            along = (gy + n * to_ground[1, 0]) * there - start[1] / step
+            across = (gx + n * to_ground[0, 0]) * there - west
+            along = (gy + n * to_ground[1, 0]) * there - south
             if across < 0 or along < 0 or across >= columns - 1 or along >= rows - 1:
                 continue
             i, j = int(across), int(along)
-            a, b = across - i, along - j
-            left_of = grid[j, i] * (1 - b) + grid[j + 1, i] * b
-            right_of = grid[j, i + 1] * (1 - b) + grid[j + 1, i + 1] * b
-            lit = left_of * (1 - a) + right_of * a
-            if lit > 0.999:
-                continue
-            grain = noise(x, y)
-            for channel in range(3):
-                pixels[y, x, channel] = int(background[y, x, channel] * lit + grain)
+            a, b = np.float32(across - i), np.float32(along - j)
+            one, other = grid[j, i], grid[j, i + 1]
+            one += (grid[j + 1, i] - one) * b
+            other += (grid[j + 1, i + 1] - other) * b
+            lit = one + (other - one) * a
+            if lit < np.float32(0.999):
+                grain = np.float32(noise(x, y))
+                for channel in range(3):
+                    pixels[y, x, channel] = int(background[y, x, channel] * lit + grain)
 
 
 @kernel

@@ -87,7 +87,7 @@ class Look:
     ``size`` is (width, height) in pixels, ``style`` a name in :data:`~anim.picture.styles.STYLES`.
     ``background`` is a colour that matplotlib knows ("white", "#f5f2ea") or None for the style's own;
     ``colours`` replaces the model's two. ``trace`` draws the path of the apex, ``shadow`` the shadow on the
-    ground. ``quality`` is 1 (jagged edges) to 4; shaded pictures take quality² samples a pixel. ``tilt``
+    ground. ``quality`` is 1 (jagged edges) to 4 (smooth from 2 on). ``tilt``
     is the greatest angle in degrees between the axis and the vertical at which the whole top stays in frame,
     while its tip goes about in ``room``: least and greatest x, least and greatest y.
     Raises :class:`~anim.errors.AnimationError`.

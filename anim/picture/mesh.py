@@ -19,8 +19,8 @@ from anim.model import Model
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-INVISIBLE = 0.02
-"""Pixels: an edge that is off by this much changes a smoothed pixel by 5 of 255 levels at most."""
+INVISIBLE = 0.05
+"""Pixels: an edge that is off by this much changes a smoothed pixel by 13 of 255 levels at most."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,7 +5,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from anim.errors import AnimationError
 from anim.model import Model
-from anim.picture.canvas import Canvas
 from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import reached
@@ -35,7 +34,7 @@ class Painter:
         self.light = direction(look.camera)
         self.body = style.body(self.mesh, _colours(model, look), self.light, look)
         self.shadow = style.shadow(self.mesh, self.light, self.view, look)
-        self.canvas = Canvas(background, smooth=look.quality > 1)
+        self.canvas = style.sheet(background, look)
         self._pen = max(1.0, min(look.size) / 320)
 
     def __reduce__(self) -> tuple[type["Painter"], tuple[Model, Look]]:
@@ -93,7 +92,8 @@ class Painter:
         canvas.stroke(near, self.trace, self._pen)
         if self.look.shadow and not from_above:
             self.shadow.draw(canvas, rotation, tip)
-        return canvas.rgb()
+        picture: Pixels = canvas.rgb()
+        return picture
 
 
 def painter(model: Model, look: Look | None = None) -> Painter:

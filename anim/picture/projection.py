@@ -69,11 +69,6 @@ class View:
         across, up = ((rows[n, :3] - seen / w * rows[2, :3]) / w for n, seen in enumerate((u, v)))
         return float(np.sqrt(np.sum(across**2 + up**2, axis=1).max()))
 
-    def project_with_depth(self, points: Floats) -> Floats:
-        """Return pixels and depth (k, 3); the depth grows towards the eye."""
-        u, v, d, w = self.matrix[:, :3] @ points.T + self.matrix[:, 3:]
-        return np.column_stack([u / w, v / w, d / w])
-
 
 def view(camera: Camera, size: tuple[int, int], places: Floats) -> View:
     """Return the camera's view, scaled so that all ``places`` (k, 3) stay in frame."""

@@ -1,7 +1,10 @@
-"""The compiled z-buffer: triangles with a light interpolated over them, several samples a pixel.
+"""The compiled painter of lit cones: each triangle by how much of every pixel it covers.
 
-The picture is made in stripes of a few rows, so that the samples stay in the cache and memory does not grow
-with the picture. One thread, no reassociation: the same input gives the same bytes.
+A solid of convex pieces needs no z-buffer: the faces of a piece that are turned to the eye lie side by side,
+so that their shares of a pixel add up, and the pieces come from front to back, each into what is left.
+The shares are exact areas (E. Catmull, "A hidden-surface algorithm with anti-aliasing", SIGGRAPH 1978), for
+the price of one sample a pixel. The picture is made in stripes of a few rows, so that they stay in the cache.
+One thread, no reassociation: the same input gives the same bytes.
 """
 
 import math
@@ -22,12 +25,12 @@ ROWS = 32
 """Rows of pixels in a stripe."""
 
 
-@kernel
 def paint(
     pixels: Bytes,
     box: tuple[int, int, int, int],
-    samples: int,
+    smooth: bool,
     corners: Floats,
+    order: Indices,
     triangles: Indices,
     lit: Indices,
     light: Floats,
@@ -35,98 +38,160 @@ def paint(
     linear: Floats,
     encoded: Bytes,
 ) -> None:
-    """Draw the triangles that face the viewer over ``pixels`` (height, width, 4), inside ``box``.
+    """Draw the triangles that face the viewer over ``pixels`` (height, width, 3), inside ``box``.
 
-    The picture is the mean of some moments. ``corners`` (moments, k, 3) are x and y in pixels, y downwards,
-    and a depth growing towards the viewer; ``triangles`` (m, 3) index them, counter-clockwise as seen from
-    outside; ``lit`` (m, 3) index ``light`` (moments, l, 2), the share of its own colour and the white that
-    each corner sends; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB, ``encoded``
-    encodes equal steps of linear light. ``samples`` is per pixel and axis.
+    The picture is the mean of some moments. ``corners`` (moments, k, 2) are pixels, y downwards;
+    ``triangles`` (m, 3) index them, counter-clockwise as seen from outside: a quarter of them is the lowest
+    piece, a half the middle one, a quarter the highest; ``order`` (moments, 3) has the pieces from the
+    farthest to the nearest. ``lit`` (m, 3) index ``light`` (moments, l, 2), the share of its own colour and
+    the white that each corner sends; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB,
+    ``encoded`` encodes equal steps of linear light. Unless ``smooth``, a pixel is what its middle shows.
     """
+    wide, moments, count = box[2] - box[0], len(corners), len(triangles)
+    if wide > 0:
+        painted(
+            pixels,
+            box,
+            smooth,
+            corners,
+            order,
+            triangles,
+            lit,
+            light,
+            paints,
+            linear,
+            encoded,
+            np.zeros((ROWS, wide, 4), np.float32),
+            np.empty((ROWS, wide), np.float32),
+            np.empty((ROWS, wide, 4), np.float32),
+            np.empty((ROWS, 2), np.int64),
+            np.empty((moments, count, 3), np.int64),
+            np.zeros((moments, 4), np.int64),
+            np.empty((2, 3)),
+        )
+
+
+@kernel
+def painted(
+    pixels: Bytes,
+    box: tuple[int, int, int, int],
+    smooth: bool,
+    corners: Floats,
+    order: Indices,
+    triangles: Indices,
+    lit: Indices,
+    light: Floats,
+    paints: Floats,
+    linear: Floats,
+    encoded: Bytes,
+    layer: Samples,
+    cover: Samples,
+    sums: Samples,
+    reach: Indices,
+    front: Indices,
+    found: Indices,
+    corner: Floats,
+) -> None:
+    """Do what :func:`paint` says: a stripe's piece, what is covered, and all of it so far are in ``layer`` …
+
+    ``front`` (moments, m, 3) are the triangles that face the viewer, with their first and last rows.
+    """
+    xs, ys = corner[0], corner[1]
     left, top, right, bottom = box
-    s = samples
-    wide = (right - left) * s
-    depth = np.empty((ROWS * s, wide), np.float32)
-    colours = np.empty((ROWS * s, wide, 4), np.float32)
-    moments = len(corners)
-    sums = np.empty((ROWS, right - left, 4), np.float32)
-    front = np.empty((moments, len(triangles)), np.int64)
-    spans = np.empty((moments, len(triangles), 2), np.int64)
-    found = np.zeros(moments, np.int64)
-    xs, ys = np.empty(3), np.empty(3)
+    moments, quarter = len(corners), len(triangles) // 4
     for n in range(moments):
-        for t in range(len(triangles)):
-            a, b, c = triangles[t]
-            ax, ay, bx, by = corners[n, a, 0], corners[n, a, 1], corners[n, b, 0], corners[n, b, 1]
-            cx, cy = corners[n, c, 0], corners[n, c, 1]
-            # With y downwards the triangles that face the viewer turn clockwise.
-            if (bx - ax) * (cy - ay) - (cx - ax) * (by - ay) < -LEAST:
-                f = found[n]
-                front[n, f] = t
-                spans[n, f, 0] = math.ceil(min(ay, by, cy) * s - 0.5)
-                spans[n, f, 1] = math.ceil(max(ay, by, cy) * s - 0.5)
-                found[n] += 1
+        f = 0
+        for place in range(3):
+            piece = order[n, 2 - place]
+            begin = quarter * (piece + piece // 2)
+            for t in range(begin, begin + quarter * (1 + piece % 2)):
+                a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+                ax, ay, bx, by = (
+                    corners[n, a, 0],
+                    corners[n, a, 1],
+                    corners[n, b, 0],
+                    corners[n, b, 1],
+                )
+                cx, cy = corners[n, c, 0], corners[n, c, 1]
+                # With y downwards the triangles that face the viewer turn clockwise.
+                if (bx - ax) * (cy - ay) - (cx - ax) * (by - ay) < -LEAST:
+                    front[n, f, 0] = t
+                    front[n, f, 1] = math.floor(min(ay, by, cy))
+                    front[n, f, 2] = math.ceil(max(ay, by, cy))
+                    f += 1
+            found[n, place + 1] = f
     for row in range(top, bottom, ROWS):
         rows = min(ROWS, bottom - row)
-        first, last = row * s, (row + rows) * s
-        sums[:] = 0
+        for y in range(rows):
+            for x in range(right - left):
+                for channel in range(4):
+                    sums[y, x, channel] = 0
         for n in range(moments):
-            depth[:] = -np.inf
-            colours[:] = 0
-            for f in range(found[n]):
-                start, stop = max(spans[n, f, 0], first), min(spans[n, f, 1], last)
-                if start < stop:
-                    t = front[n, f]
-                    scan(
-                        xs,
-                        ys,
-                        depth,
-                        colours,
-                        first,
-                        start,
-                        stop,
-                        left * s,
-                        s,
-                        corners[n],
-                        triangles[t],
-                        lit[t],
-                        light[n],
-                        paints[t],
-                    )
-            gather(sums, colours, rows, s)
-        resolve(pixels, sums, row, rows, left, 1.0 / (s * s * moments), linear, encoded)
+            for y in range(rows):
+                for x in range(right - left):
+                    cover[y, x] = 0
+            for place in range(3):
+                for y in range(rows):
+                    reach[y, 0], reach[y, 1] = right - left, 0
+                for f in range(found[n, place], found[n, place + 1]):
+                    start, stop = max(front[n, f, 1], row), min(front[n, f, 2], row + rows)
+                    if start < stop:
+                        t = front[n, f, 0]
+                        spread(
+                            xs,
+                            ys,
+                            layer,
+                            reach,
+                            row,
+                            start,
+                            stop,
+                            left,
+                            smooth,
+                            corners[n],
+                            triangles[t],
+                            lit[t],
+                            light[n],
+                            paints[t],
+                        )
+                behind(sums, cover, layer, reach, rows)
+        resolve(pixels, sums, row, rows, left, 1.0 / moments, linear, encoded)
 
 
 @called
-def scan(
+def spread(
     xs: Floats,
     ys: Floats,
-    depth: Samples,
-    colours: Samples,
-    first: int,
+    layer: Samples,
+    reach: Indices,
+    row: int,
     start: int,
     stop: int,
     left: int,
-    s: int,
+    smooth: bool,
     corners: Floats,
     triangle: Indices,
     lit: Indices,
     light: Floats,
     paint: Floats,
 ) -> None:
-    """Fill the samples of one triangle in the rows of samples ``start`` … ``stop`` − 1."""
+    """Add one triangle's light and share of the pixels to ``layer``, in the rows ``start`` … ``stop`` − 1.
+
+    ``layer`` begins at ``row``; ``reach`` (rows, 2) is widened to the columns that were touched.
+    """
     for k in range(3):
-        xs[k], ys[k] = corners[triangle[k], 0] * s - left, corners[triangle[k], 1] * s
+        xs[k], ys[k] = corners[triangle[k], 0] - left, corners[triangle[k], 1]
     ux, uy, vx, vy = xs[1] - xs[0], ys[1] - ys[0], xs[2] - xs[0], ys[2] - ys[0]
     area = ux * vy - vx * uy
-    z0, p0, g0 = corners[triangle[0], 2], light[lit[0], 0], light[lit[0], 1]
-    zu, zv = corners[triangle[1], 2] - z0, corners[triangle[2], 2] - z0
-    pu, pv = light[lit[1], 0] - p0, light[lit[2], 0] - p0
-    gu, gv = light[lit[1], 1] - g0, light[lit[2], 1] - g0
-    zx, px, gx = (zu * vy - zv * uy) / area, (pu * vy - pv * uy) / area, (gu * vy - gv * uy) / area
-    zy, py, gy = (zv * ux - zu * vx) / area, (pv * ux - pu * vx) / area, (gv * ux - gu * vx) / area
+    p0, p1, p2 = light[lit[0], 0], light[lit[1], 0], light[lit[2], 0]
+    g0, g1, g2 = light[lit[0], 1], light[lit[1], 1], light[lit[2], 1]
+    pu, pv, gu, gv = p1 - p0, p2 - p0, g1 - g0, g2 - g0
+    px, gx = (pu * vy - pv * uy) / area, (gu * vy - gv * uy) / area
+    py, gy = (pv * ux - pu * vx) / area, (gv * ux - gu * vx) / area
+    # A pixel's middle may lie beside its triangle, where the light would be made up.
+    least, most = min(p0, p1, p2), max(p0, p1, p2)
+    dull, bright = min(g0, g1, g2), max(g0, g1, g2)
     # The corners by height. Each edge is reckoned from its upper end, so that both its triangles get the
-    # same crossings and no sample is lost or drawn twice between them.
+    # same crossings and nothing is lost or drawn twice between them.
     u, m, d = 0, 1, 2
     if ys[u] > ys[m]:
         u, m = m, u
@@ -134,44 +199,64 @@ def scan(
         m, d = d, m
     if ys[u] > ys[m]:
         u, m = m, u
-    long, upper, lower = slope(xs, ys, u, d), slope(xs, ys, u, m), slope(xs, ys, m, d)
-    wide = depth.shape[1]
+    long, wide = slope(xs, ys, u, d), layer.shape[1]
+    above, below = slope(xs, ys, u, m), slope(xs, ys, m, d)
     for y in range(start, stop):
-        middle = y + 0.5
-        near = xs[u] + (middle - ys[u]) * long
-        k, side = (u, upper) if middle < ys[m] else (m, lower)
-        far = xs[k] + (middle - ys[k]) * side
-        # Rows of samples lie a little to one side by turns: a steep edge has twice as many levels then.
-        place = 0.5 if s == 1 else 0.25 + 0.5 * (y % 2)
-        begin, end = math.ceil(min(near, far) - place), math.ceil(max(near, far) - place)
-        begin, end = max(0, begin), min(wide, end)
-        if begin >= end:
-            continue
-        across, down = begin + place - xs[0], middle - ys[0]
-        z = z0 + zx * across + zy * down
-        p = p0 + px * across + py * down
-        g = g0 + gx * across + gy * down
-        for x in range(begin, end):
-            if z > depth[y - first, x]:
-                depth[y - first, x] = z
-                colours[y - first, x, 0] = paint[0] * p + g
-                colours[y - first, x, 1] = paint[1] * p + g
-                colours[y - first, x, 2] = paint[2] * p + g
-                colours[y - first, x, 3] = 1
-            z += zx
-            p += px
-            g += gx
+        for half in range(2):
+            k, end = (u, m) if half == 0 else (m, d)
+            high, low = max(float(y), ys[k]), min(y + 1.0, ys[end])
+            share = low - high
+            if not smooth:
+                if not (ys[k] <= y + 0.5 < ys[end]):
+                    continue
+                high, low, share = y + 0.5, y + 0.5, 1.0
+            if share <= 0:
+                continue
+            side = above if half == 0 else below
+            w0, w1 = xs[u] + (high - ys[u]) * long, xs[u] + (low - ys[u]) * long
+            e0, e1 = xs[k] + (high - ys[k]) * side, xs[k] + (low - ys[k]) * side
+            if w0 + w1 > e0 + e1:
+                w0, w1, e0, e1 = e0, e1, w0, w1
+            if not smooth:
+                w0, e0 = math.ceil(w0 - 0.5), math.ceil(e0 - 0.5)
+                w1, e1 = w0, e0
+            begin, end = max(0, math.floor(min(w0, w1))), min(wide, math.ceil(max(e0, e1)))
+            whole, broken = max(w0, w1), min(e0, e1)
+            across, down = begin + 0.5 - xs[0], y + 0.5 - ys[0]
+            p = p0 + px * across + py * down
+            g = g0 + gx * across + gy * down
+            for x in range(begin, end):
+                part = share
+                if x < whole:
+                    part *= beyond(w0, w1, x)
+                if x + 1 > broken:
+                    part -= share * beyond(e0, e1, x)
+                if part > 0:
+                    own = part * min(most, max(least, p))
+                    white = part * min(bright, max(dull, g))
+                    here = layer[y - row, x]
+                    here[0] += paint[0] * own + white
+                    here[1] += paint[1] * own + white
+                    here[2] += paint[2] * own + white
+                    here[3] += part
+                p += px
+                g += gx
+            if begin < end:
+                reach[y - row, 0] = min(reach[y - row, 0], begin)
+                reach[y - row, 1] = max(reach[y - row, 1], end)
 
 
-@kernel
-def opaque(pixels: Bytes, box: tuple[int, int, int, int], picture: Bytes) -> None:
-    """Copy ``pixels`` (height, width, 4) inside ``box`` to ``picture`` (height, width, 3)."""
-    left, top, right, bottom = box
-    for y in range(top, bottom):
-        for x in range(left, right):
-            picture[y, x, 0] = pixels[y, x, 0]
-            picture[y, x, 1] = pixels[y, x, 1]
-            picture[y, x, 2] = pixels[y, x, 2]
+@called
+def beyond(x0: float, x1: float, x: int) -> float:
+    """Return the share of the pixel at ``x`` to the right of a line that crosses its row from x0 to x1."""
+    near, far = x + 1 - max(x0, x1), x + 1 - min(x0, x1)
+    if near >= 1 or far <= 0:
+        return 1.0 if near >= 1 else 0.0
+    if far - near < 1e-4:
+        return min(1.0, max(0.0, (near + far) / 2))
+    below = max(0.0, near)
+    above = far - 0.5 if far > 1 else far * far / 2
+    return (above - below * below / 2) / (far - near)
 
 
 @called
@@ -181,14 +266,23 @@ def slope(xs: Floats, ys: Floats, i: int, j: int) -> float:
 
 
 @called
-def gather(sums: Samples, colours: Samples, rows: int, s: int) -> None:
-    """Add the samples of each pixel of a stripe to ``sums`` (rows, width, 4): three colours and a count."""
+def behind(sums: Samples, cover: Samples, layer: Samples, reach: Indices, rows: int) -> None:
+    """Add a piece's ``layer`` to ``sums``, as far as what is before it leaves room, and empty the layer.
+
+    Pieces that meet in a pixel are taken to lie side by side there, as they do along their common rim.
+    """
     for y in range(rows):
-        for j in range(y * s, (y + 1) * s):
-            for x in range(sums.shape[1]):
-                for i in range(x * s, (x + 1) * s):
+        for x in range(reach[y, 0], reach[y, 1]):
+            here = layer[y, x]
+            if here[3] > 0:
+                rest = np.float32(1.0) - cover[y, x]
+                if rest > 0:
+                    share = min(np.float32(1.0), rest / here[3])
+                    cover[y, x] += here[3] * share
                     for channel in range(4):
-                        sums[y, x, channel] += colours[j, i, channel]
+                        sums[y, x, channel] += here[channel] * share
+                for channel in range(4):
+                    here[channel] = 0
 
 
 @called
@@ -202,7 +296,7 @@ def resolve(
     linear: Floats,
     encoded: Bytes,
 ) -> None:
-    """Write the means of a stripe, in linear light, over what is there; ``share`` is that of one sample."""
+    """Write the means of a stripe, in linear light, over what is there; ``share`` is that of one moment."""
     steps = len(encoded) - 1
     for y in range(rows):
         for x in range(sums.shape[1]):
@@ -210,5 +304,7 @@ def resolve(
                 pixel = pixels[row + y, left + x]
                 rest = 1.0 - sums[y, x, 3] * share
                 for channel in range(3):
-                    value = sums[y, x, channel] * share + rest * linear[pixel[channel]]
+                    value = sums[y, x, channel] * share
+                    if rest > 1e-3:
+                        value += rest * linear[pixel[channel]]
                     pixel[channel] = encoded[int(min(1.0, max(0.0, value)) * steps)]

@@ -1,39 +1,19 @@
 """The shadow of a lit room: soft, and sharp and dark where the top touches the ground."""
 
-from itertools import pairwise
-
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.picture.canvas import Canvas
 from anim.picture.projection import View
 from anim.picture.room import room, to_ground
+from anim.picture.surface import Surface
 
 Floats = NDArray[np.float64]
 Light = NDArray[np.float32]
 
-SPACING = 0.05
-"""How far apart slices are, at most."""
 STEP = 0.035
 """How far apart on the ground the light is reckoned."""
 BEHIND = 0.02
 """Ground at less of the camera's distance than this is beside or behind it."""
-
-
-def slices(profile: tuple[tuple[float, float], ...]) -> Floats:
-    """Return an outline as slices (k, 3): height, radius, and 1 for a ball where it is thin, 0 for a disc.
-
-    >>> slices(((0.0, 0.0), (1.0, 1.0)))[-1].round(3).tolist()
-    [0.976, 0.976, 0.0]
-    """
-    found = []
-    for (r0, z0), (r1, z1) in pairwise(profile):
-        count = max(1, round(abs(z1 - z0) / SPACING) + 1)
-        thin = float(z1 - z0 > 2 * abs(r1 - r0))
-        for k in range(count):
-            t = (k + 0.5) / count
-            found.append((z0 + t * (z1 - z0), r0 + t * (r1 - r0), thin))
-    return np.array(found)
 
 
 class SoftShadow:
@@ -42,31 +22,37 @@ class SoftShadow:
     def __init__(
         self, profile: tuple[tuple[float, float], ...], light: Floats, view: View, background: Light
     ) -> None:
-        self._slices, self._light, self._view = slices(profile), light, view
+        self._light, self._view = light, view
+        self._rings = np.array(profile)
+        wider, taller = np.diff(self._rings, axis=0).T
+        growth = (wider / taller)[:, None]
+        self._cones = np.hstack([self._rings[:-1], self._rings[1:], growth])
         self._background, self._to_ground = background, to_ground(view, len(background))
         self._numbers = np.array(
             [room()["shadow"][n] for n in ("depth", "sharp", "soft", "contact", "reach")]
         )
 
-    def draw(self, canvas: Canvas, rotation: Floats, tip: Floats) -> None:
+    def draw(self, canvas: Surface, rotation: Floats, tip: Floats) -> None:
         """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``."""
         from anim.picture.ground import lay, shade
 
         if self._view.eye[2] <= 0:
             return
         axis = np.ascontiguousarray(rotation[:, 2])
-        height, radius, _ = self._slices.T
+        radius, height = self._rings.T
         centres = tip + height[:, None] * axis
         falls = centres[:, :2] - centres[:, 2:] / self._light[2] * self._light[:2]
         _, sharp, soft, _, reach = self._numbers
         wide = radius + sharp + soft * (np.abs(centres[:, 2]) + radius) / self._light[2]
         near = centres[:, 2] < radius + 3 * reach
+        near[1:] |= near[:-1]  # and where such a cone ends
+        near[:-1] |= near[1:]
         middles = np.concatenate([falls, centres[near, :2]])
         far = np.concatenate([wide / self._light[2], radius[near] + 3 * reach])[:, None]
         low, high = (middles - far).min(axis=0), (middles + far).max(axis=0)
         columns, rows = np.ceil((high - low) / STEP).astype(int) + 1
         grid = np.empty((rows, columns), np.float32)
-        shade(grid, low, STEP, self._slices, tip, axis, self._light, self._numbers)
+        shade(grid, low, STEP, self._cones, tip, axis, self._light, self._numbers)
         corners = np.array([(x, y, 0.0) for x in (low[0], high[0]) for y in (low[1], high[1])])
         if (corners @ self._view.matrix[3, :3] + self._view.matrix[3, 3]).min() > BEHIND:
             seen = self._view.project(corners)

@@ -1,7 +1,7 @@
 """What a style is: the room that the top stands in, and what draws the top itself."""
 
 from abc import ABC, abstractmethod
-from typing import Protocol, runtime_checkable
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,6 +61,10 @@ class Style(ABC):
     def paper_of(self, look: Look) -> RGB:
         """Return the look's background, or the style's own."""
         return self.paper if look.background is None else colour("background", look.background)
+
+    def sheet(self, background: Pixels, look: Look) -> Any:
+        """Return what this style's body and shadow are drawn on: a canvas, or as much of one as they need."""
+        return Canvas(background, smooth=look.quality > 1)
 
     def shadow(self, mesh: Mesh, light: Floats, view: View, look: Look) -> Shadow:
         """Return what draws the shadow: one with a sharp edge."""

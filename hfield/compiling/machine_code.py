@@ -96,12 +96,19 @@ def introduce(name: str, address: int) -> None:
 
 
 def compiled(
-    text: str, name: str, vectorise: bool = False, announce: Callable[[], None] | None = None
+    text: str,
+    name: str,
+    vectorise: bool = False,
+    announce: Callable[[], None] | None = None,
+    written: Callable[[], str] | None = None,
 ) -> int:
     """Return the address of the function ``name`` of a program, good as long as the process.
 
     Parameters
     ----------
+    text : str
+        The program; with ``written``, which returns the program where it is not kept on disk, whatever
+        decides what that is.
     vectorise : bool
         Whether LLVM is to make its scalar loops run over several numbers at a time; else the text is
         taken nearly as it stands.
@@ -111,7 +118,9 @@ def compiled(
     with lock:
         key = hashlib.sha256(f"{_made_by()} {vectorise} {name} {text}".encode()).hexdigest()
         if key not in _addresses:
-            _addresses[key] = _kept(key, name) or _compiled(key, text, name, vectorise, announce)
+            _addresses[key] = _kept(key, name) or _compiled(
+                key, written or (lambda: text), name, vectorise, announce
+            )
         return _addresses[key]
 
 
@@ -127,13 +136,17 @@ def _kept(key: str, name: str) -> int | None:
 
 
 def _compiled(
-    key: str, text: str, name: str, vectorise: bool, announce: Callable[[], None] | None
+    key: str,
+    written: Callable[[], str],
+    name: str,
+    vectorise: bool,
+    announce: Callable[[], None] | None,
 ) -> int:
     import llvmlite.binding as llvm
 
     if announce is not None:
         announce()
-    target, module = machine(), llvm.parse_assembly(text)
+    target, module = machine(), llvm.parse_assembly(written())
     options = llvm.create_pipeline_tuning_options(speed_level=3 if vectorise else 0)
     if vectorise:
         options.loop_vectorization = options.loop_interleaving = options.loop_unrolling = True

@@ -15,6 +15,7 @@ from PIL import Image, ImageSequence
 from anim.errors import AnimationError
 from anim.output import Film, check, open_film, sheet
 from anim.output.encoder import ffmpeg
+from anim.output.luma import planes
 from anim.output.palette import sampled
 from anim.output.sheet import shown
 from anim.picture import STYLES
@@ -40,6 +41,22 @@ def test_mp4(scene: Scene, tmp_path: Path) -> None:
     assert duration
     assert float(duration[1]) == pytest.approx(FRAMES / 25, abs=0.011)
     assert os.listdir(tmp_path) == ["top.mp4"]
+
+
+@pytest.mark.parametrize("block", [1, 2])
+def test_luma_and_chroma_are_those_of_bt709(block: int) -> None:
+    frame = np.random.default_rng(7).integers(0, 256, (8, 30, 3), dtype=np.uint8)
+    frame[0, :2], frame[1, :2] = 255, 0
+    frame[2:4, :2] = [0, 0, 255]
+    luma = np.empty((8, 30), np.uint8)
+    blue, red = np.empty((2, 8 // block, 30 // block), np.uint8)
+    planes(frame.reshape(8, 90), luma, blue, red)
+    r, g, b = np.moveaxis(frame / 255, 2, 0)
+    y = 0.2126 * r + 0.7152 * g + 0.0722 * b
+    assert np.abs(luma - (16 + 219 * y)).max() < 0.501
+    for found, chroma in ((blue, (b - y) / 1.8556), (red, (r - y) / 1.5748)):
+        mean = chroma.reshape(8 // block, block, 30 // block, block).mean(axis=(1, 3))
+        assert np.abs(found - (128 + 224 * mean)).max() < 0.501
 
 
 @pytest.mark.parametrize(("suffix", "least"), [(".gif", 30), (".apng", 99), (".webp", 30)])

@@ -14,6 +14,7 @@ from anim.model import Model
 from anim.physics import Body, Contact, FreeTop, HeavyTop, Launch
 from anim.physics.contact import follow_compiled
 from anim.physics.integrator import run_compiled
+from tests.anim.steps import kept
 from tests.anim.test_physics_motion import LAUNCHES
 
 NODE = shutil.which("node")
@@ -82,7 +83,7 @@ def follow(top, h, steps, every):
 @pytest.mark.parametrize("launch", TEN)
 def test_ten_launches_go_as_in_python_for_ten_seconds(launch):
     top = HeavyTop(BODY, launch, 10.0)
-    states, landed = run_compiled(top.start, top.step, top.steps, 16, top.rates)
+    states, landed = kept(run_compiled, top.start, top.step, top.steps, 16, top.rates)
     found = follow(top, top.step, top.steps, 16)
     assert found["landed"] == pytest.approx(landed, abs=1e-9)
     assert abs(np.array(found["rows"]) - states).max() < 1e-9
@@ -166,7 +167,8 @@ console.log(JSON.stringify({ rows, landed, tip: tipOf(last, body), ...found }));
 def test_a_free_top_goes_as_in_python_for_ten_seconds(launch, contact):
     top = FreeTop(BODY, launch, 10.0, contact)
     every = 64
-    states, landed = follow_compiled(top.start, top.step, top.steps, every, top.edges, top.ground)
+    arguments = top.start, top.step, top.steps, every, top.edges, top.ground
+    states, landed = kept(follow_compiled, *arguments)
     found = javascript(
         FOLLOW,
         launch={

@@ -12,6 +12,7 @@ from anim.model import Model
 from anim.physics import Body, Contact, FreeTop, HeavyTop, Launch, physical
 from anim.physics.contact import follow, follow_compiled, meet, meet_compiled
 from rotation.matrices import to_matrix
+from tests.anim.steps import kept, visited
 
 BODY = Body.turned(Model().profile)
 AIRLESS = Launch(spin=45.0, tilt=0.35, spin_decay=inf, tilt_decay=inf)
@@ -122,7 +123,7 @@ def test_energy_is_kept_or_accounted_for(launch, contact):
 def test_without_damping_of_any_kind_nothing_is_lost():
     top = FreeTop(BODY, SLIDING[3][0], 5.0, SLIDING[3][1])
     ground = top.ground._replace(damping=0.0)
-    states, _ = follow_compiled(top.start, top.step, top.steps, 8, top.edges, ground)
+    states, _ = kept(follow_compiled, top.start, top.step, top.steps, 8, top.edges, ground)
     assert abs(states[:, 13]).max() == 0
     energies = top.energies(states)
     assert abs(energies - energies[0]).max() < 1e-8 * energies[0]
@@ -132,7 +133,8 @@ def test_the_step_is_of_fourth_order():
     top = FreeTop(BODY, *[AIRLESS, 0.5, Contact(0.05, 0.3)])
 
     def end(steps):
-        return follow_compiled(top.start, 0.5 / steps, steps, steps, top.edges, top.ground)[0][-1]
+        arguments = top.start, 0.5 / steps, steps, steps, top.edges, top.ground
+        return kept(follow_compiled, *arguments)[0][-1]
 
     best = end(32_000)
     errors = [np.linalg.norm(end(n) - best) for n in (1000, 2000)]
@@ -212,14 +214,15 @@ def test_the_compiled_steps_are_the_plain_ones():
     top = FreeTop(BODY, *[FALLING[1][0], 10.0, FALLING[1][1]])
     start = top.states(np.array([top.landed - 2 * top.step]))[0]
     plain, ours = (
-        f(start, top.step, 60, 10, top.edges, top.ground) for f in (follow, follow_compiled)
+        kept(f, start, top.step, 60, 10, top.edges, top.ground) for f in (follow, follow_compiled)
     )
     assert abs(plain[0] - ours[0]).max() < 1e-12
     assert plain[1] == ours[1] > 0
     times = np.linspace(0, 60 * top.step, 7)
     spacing = 10 * top.step
     plain, ours = (
-        f(ours[0], spacing, times, top.step, top.edges, top.ground) for f in (meet, meet_compiled)
+        visited(f, ours[0], spacing, times, top.step, top.edges, top.ground)
+        for f in (meet, meet_compiled)
     )
     assert abs(plain - ours).max() < 1e-12
 

@@ -12,6 +12,7 @@ from anim.physics import Body, HeavyTop, Launch, physical
 from anim.physics.integrator import run, run_compiled, visit, visit_compiled
 from anim.physics.launch import EVERY
 from rotation.matrices import R_y, R_z, to_matrix
+from tests.anim.steps import kept, visited
 
 BODY = Body.turned(Model().profile)
 FREE = Launch(spin=30.0, tilt=0.1, spin_decay=inf, tilt_decay=inf)
@@ -106,14 +107,14 @@ def test_energy_and_momentum_stay_over_a_hundred_thousand_steps(launch):
     step = HeavyTop(BODY, launch, 1.0).longest_step
     top = HeavyTop(BODY, launch, 99_999.5 * step)
     assert top.steps == 100_000
-    states, landed = run_compiled(top.start, top.step, top.steps, 1, top.rates)
-    kept = states if landed < 0 else states[: int(landed / top.step)]
-    energies, momenta = top.energies(kept), top.vertical_momenta(kept)
-    size = np.linalg.norm(kept[0, 4:] * top.moments)
+    states, landed = kept(run_compiled, top.start, top.step, top.steps, 1, top.rates)
+    states = states if landed < 0 else states[: int(landed / top.step)]
+    energies, momenta = top.energies(states), top.vertical_momenta(states)
+    size = np.linalg.norm(states[0, 4:] * top.moments)
     assert abs(energies - energies[0]).max() < 1e-9 * top.torque
     assert abs(momenta - momenta[0]).max() < 1e-9 * size
-    assert abs(kept[:, 6] - top.spin).max() < 1e-9 * abs(top.spin)
-    assert abs(np.linalg.norm(kept[:, :4], axis=1) - 1).max() < 1e-14
+    assert abs(states[:, 6] - top.spin).max() < 1e-9 * abs(top.spin)
+    assert abs(np.linalg.norm(states[:, :4], axis=1) - 1).max() < 1e-14
 
 
 @pytest.mark.parametrize(
@@ -148,18 +149,20 @@ def test_steady_precession_keeps_its_tilt_and_rate():
 def test_the_compiled_run_is_the_plain_one():
     top = HeavyTop(BODY, Launch(), 10.0)
     start, h, rates = top.start, top.step, top.rates
-    plain, ours = run(start, h, 200, 10, rates), run_compiled(start, h, 200, 10, rates)
+    plain, ours = (kept(f, start, h, 200, 10, rates) for f in (run, run_compiled))
     assert abs(plain[0] - ours[0]).max() < 1e-12
     assert plain[1] == ours[1] == -1
     times = np.linspace(0, 210 * h, 9)
-    plain, ours = (f(ours[0], 10 * h, times, h, 150 * h, rates) for f in (visit, visit_compiled))
+    plain, ours = (
+        visited(f, ours[0], 10 * h, times, h, 150 * h, rates) for f in (visit, visit_compiled)
+    )
     assert abs(plain - ours).max() < 1e-12
 
 
 def test_the_step_is_of_fourth_order():
     def end(steps):
         top = HeavyTop(BODY, FREE, 1.0)
-        return run_compiled(top.start, 1.0 / steps, steps, steps, top.rates)[0][-1, :4]
+        return kept(run_compiled, top.start, 1.0 / steps, steps, steps, top.rates)[0][-1, :4]
 
     best = end(4000)
     errors = [np.linalg.norm(end(n) - best) for n in (100, 200)]

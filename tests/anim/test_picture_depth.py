@@ -140,7 +140,7 @@ def test_seams_without_overlap_would_be_found(monkeypatch, attitudes):
 
 
 def test_flat_and_shaded_agree_on_a_coarse_top():
-    # With few points the cones are no reference; but z-buffer and derived order are independent.
+    # With few points the cones are no reference; but outlines and triangles are independent.
     model, rng = Model(ring=5, bands=5), np.random.default_rng(5)
     flat_one = coloured(model, Look(SIZE, "flat", background="white", tilt=180))
     deep_one = coloured(model, Look(SIZE, "shaded", background="white", tilt=180))

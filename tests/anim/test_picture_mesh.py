@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from anim.film import clip
 from anim.model import Model
 from anim.picture import STYLES, Camera, Look, painter
-from anim.picture.mesh import Mesh
+from anim.picture.mesh import INVISIBLE, Mesh
 from anim.picture.projection import reached
 from anim.picture.trace import thinned
 from anim.pipelines import kinematic
@@ -25,7 +25,7 @@ def test_a_mesh_keeps_the_edges_of_the_bands_and_strays_little(ring, bands, magn
     edges = np.flatnonzero(np.diff(model.sectors)) + 1
     assert np.isin(edges, mesh.places).all()
     widest = np.diff([*mesh.places, ring]).max() if mesh.ring < ring else 0
-    assert magnification * (1 - np.cos(np.pi * widest / ring)) <= 0.02 + 1e-9
+    assert magnification * (1 - np.cos(np.pi * widest / ring)) <= INVISIBLE + 1e-9
     assert 3 <= mesh.ring <= ring
     assert mesh.points.shape == (2 * mesh.ring + 2, 3)
 

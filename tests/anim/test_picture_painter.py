@@ -88,6 +88,19 @@ def test_without_smoothing_there_are_no_mixed_colours():
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) <= 7
 
 
+@pytest.mark.parametrize("lean", [0.1, 1.0, 2.2])
+def test_edges_of_lit_pictures_are_the_shares_that_faces_cover(lean):
+    size, fine = (100, 75), 12
+    look = Look(size, "shaded", background="#e9ecef", tilt=180)
+    large = replace(look, size=(size[0] * fine, size[1] * fine), quality=1)
+    turn = about_z(0.3) @ about_y(lean)
+    light = LINEAR[painter(MODEL, large).draw(turn)]
+    mean = light.reshape(size[1], fine, size[0], fine, 3).mean(axis=(1, 3))
+    apart = np.abs(LINEAR[painter(MODEL, look).draw(turn)] - mean).max(axis=-1)
+    assert np.quantile(apart, 0.995) < 0.04
+    assert apart.max() < 0.15
+
+
 @pytest.mark.parametrize("style", STYLES)
 def test_trace_is_drawn_when_asked_for(style):
     bare = painter(MODEL, Look(SIZE, style)).draw(np.eye(3), spiral())

@@ -1,13 +1,16 @@
 """H.264, by x264."""
 
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
 from anim.errors import AnimationError
 from anim.output.encoder import Encoded
-from anim.output.format import Film
+from anim.output.format import Film, Frame
 
-# Tagged and converted as BT.709, so that players show the colours that were drawn.
-BT709 = ("-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709")
-# Averaging chroma over each block of four keeps the most of what 4:2:0 can hold of sharp bands.
-TO_BT709 = "scale=out_color_matrix=bt709:out_range=tv:flags=area+accurate_rnd+full_chroma_inp+full_chroma_int"
+# Tagged, so that players show the colours that were drawn, and ffmpeg converts nothing.
+TAGS = [word for name in ("space", "_primaries", "_trc") for word in (f"-color{name}", "bt709")]
+TAGS += ["-color_range", "tv"]
 
 # The bands' edges are of strong colours, and lose more by coarse chroma than by anything else. In small
 # pictures four pixels are too large for one chroma: they keep all of it (4:4:4).
@@ -28,12 +31,27 @@ class Mp4(Encoded):
             )
         super().check(film)
 
+    def raw(self, film: Film) -> tuple[Sequence[str], Callable[[Frame], memoryview]]:
+        """Return luma and chroma: averaged over each block of four, which keeps the most of sharp bands."""
+        from anim.output.luma import planes
+
+        width, height = film.size
+        block = 2 if width * height >= LARGE else 1
+        whole = np.empty(width * height + 2 * (width // block) * (height // block), np.uint8)
+        luma, rest = whole[: width * height].reshape(height, width), whole[width * height :]
+        blue, red = rest.reshape(2, height // block, width // block)
+
+        def encoded(frame: Frame) -> memoryview:
+            planes(np.ascontiguousarray(frame).reshape(height, -1), luma, blue, red)
+            return whole.data
+
+        return ("-pix_fmt", "yuv420p" if block == 2 else "yuv444p", *TAGS), encoded
+
     def options(self, film: Film) -> list[str]:
-        """Return x264's options, with coarse chroma where pixels are small."""
+        """Return x264's options."""
         coded = ["-c:v", "libx264", "-crf", str(film.crf), "-preset", film.preset]
-        coded += ["-x264-params", f"chroma-qp-offset={FINER_CHROMA}", "-vf", TO_BT709, *BT709]
-        chroma = "yuv420p" if film.size[0] * film.size[1] >= LARGE else "yuv444p"
-        return [*coded, "-pix_fmt", chroma, "-movflags", "+faststart", "-f", "mp4"]
+        coded += ["-x264-params", f"chroma-qp-offset={FINER_CHROMA}", *TAGS]
+        return [*coded, "-movflags", "+faststart", "-f", "mp4"]
 
 
 FORMAT = Mp4()

@@ -1,20 +1,21 @@
 """Smooth cones in the light, on a ground with a soft shadow.
 
-A z-buffer, and averaging in linear light.
+Every edge by the area that it leaves of a pixel, averaged in linear light.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
 from anim.model import Model
-from anim.picture.canvas import Canvas
 from anim.picture.light import places
 from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, view
 from anim.picture.room import darkness, ground, of_darkness, room
 from anim.picture.soft_shadow import SoftShadow
+from anim.picture.solid import drawing_order
 from anim.picture.style import Style
+from anim.picture.surface import Surface
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -29,9 +30,9 @@ class ShadedBody:
     """The top under a light that is far away in the direction ``light`` (3,), a unit vector of the room."""
 
     def __init__(
-        self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, quality: int, dark: float
+        self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, smooth: bool, dark: float
     ) -> None:
-        self._points, self._samples, self.light = mesh.points, quality, light
+        self._points, self._smooth, self.light = mesh.points, smooth, light
         self._rim = of_darkness("light", "rim", dark)
         self._triangles = np.ascontiguousarray(mesh.triangles)
         self._lit, self._normals = _normals(mesh)
@@ -40,19 +41,19 @@ class ShadedBody:
         self.paints = self._palette[np.tile(mesh.keys, 4)]
         self._encoded = _encoding()
 
-    def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
+    def draw(self, canvas: Surface, view: View, rotation: Floats) -> None:
         """Draw the top as ``view`` sees it, a view of the top's own room, which ``rotation`` has turned."""
-        self._paint(canvas, [view], [rotation], self._samples, self.paints)
+        self._paint(canvas, [view], [rotation], self.paints)
 
     def expose(
-        self, canvas: Canvas, views: list[View], rotations: list[Floats], spin: float
+        self, canvas: Surface, views: list[View], rotations: list[Floats], spin: float
     ) -> None:
-        """Draw the mean of moments between which the top turns by ``spin`` radians in all, one sample each.
+        """Draw the mean of moments between which the top turns by ``spin`` radians in all.
 
         What the bands turn from one moment to the next is spread over their colours: no steps are seen.
         """
         paints = self._spread(spin / max(1, len(views) - 1))
-        self._paint(canvas, views, rotations, 1, paints, apart=True)
+        self._paint(canvas, views, rotations, paints)
 
     def _spread(self, window: float) -> Floats:
         """Return the paints of the faces, each the mean over its own width and ``window`` radians more."""
@@ -68,26 +69,19 @@ class ShadedBody:
         return np.tile(mixed, (4, 1))
 
     def _paint(
-        self,
-        canvas: Canvas,
-        views: list[View],
-        rotations: list[Floats],
-        samples: int,
-        paints: Floats,
-        apart: bool = False,
+        self, canvas: Surface, views: list[View], rotations: list[Floats], paints: Floats
     ) -> None:
         from anim.picture.rasterising import paint
 
-        seen = np.stack([view.project_with_depth(self._points) for view in views])
-        box = canvas.touch(seen[..., :2].reshape(-1, 2), 0)
+        seen = np.stack([view.project(self._points) for view in views])
+        box = canvas.touch(seen.reshape(-1, 2), 0)
         seen[..., 1] = canvas.height - seen[..., 1]
-        if apart:  # the samples lie apart in the pixel as well as in time
-            seen[..., :2] += _within_a_pixel(len(views))[:, None]
         paint(
             canvas.pixels,
             box,
-            samples,
+            self._smooth,
             seen,
+            np.array([drawing_order(view.eye) for view in views]),
             self._triangles,
             self._lit,
             np.stack([self.lighting(*moment) for moment in zip(views, rotations, strict=True)]),
@@ -140,15 +134,6 @@ def _of_cone(mesh: Mesh, piece: int, angle: Floats) -> Floats:
     return np.asarray(normal / np.hypot(rise, out))
 
 
-def _within_a_pixel(count: int) -> Floats:
-    """Return shifts (count, 2) that spread evenly over a pixel, in any part of their sequence.
-
-    M. Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018): the plastic number's.
-    """
-    steps = np.arange(1, count + 1)[:, None] * [0.7548776662466927, 0.5698402909980532]
-    return np.asarray(steps % 1.0 - 0.5)
-
-
 def _encoding() -> Pixels:
     """Return sRGB for equal steps of linear light from 0 to 1."""
     v = np.linspace(0, 1, 1 << 14)
@@ -173,13 +158,17 @@ class Shaded(Style):
         grained(floor, pixels)
         return seen, pixels
 
+    def sheet(self, background: Pixels, look: Look) -> Surface:
+        """Return plain pixels."""
+        return Surface(background)
+
     def shadow(self, mesh: Mesh, light: Floats, view: View, look: Look) -> SoftShadow:
         """Return a shadow that is soft away from what throws it."""
         return SoftShadow(mesh.model.profile, light, view, ground(view, look, self.paper_of(look)))
 
     def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> ShadedBody:
-        """Return the body under the light; ``look.quality``² samples a pixel."""
-        return ShadedBody(mesh, colours, light, look.quality, darkness(self.paper_of(look)))
+        """Return the body under the light."""
+        return ShadedBody(mesh, colours, light, look.quality > 1, darkness(self.paper_of(look)))
 
 
 STYLE = Shaded()
