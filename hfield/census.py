@@ -107,11 +107,15 @@ def field_row(pair: Pair, most: int) -> Row:
         "mass": str(order.mass()),
         "class_number": None,
         "type_number": None,
+        "stable_classes": order.stable_class_number(),
+        "hermite": order.is_hermite(),
+        "cancellation": None,
         "units": None,
     }
     if order.mass() <= most:
         C = order.class_set()
         found["class_number"], found["type_number"] = len(C), C.type_number
+        found["cancellation"] = C.has_cancellation()
         found["units"] = {str(u): m for u, m in sorted(Counter(C.units).items())}
     return found
 

@@ -67,6 +67,7 @@ class Kind(StrEnum):
     # about lattices
     CLASS_SET = "class-set"
     DIRICHLET_DOMAIN = "dirichlet-domain"
+    DIRICHLET_DOMAIN_OVER_INTEGERS = "dirichlet-domain-over-integers"
     EMBEDDING = "embedding"
     EQUIVALENT = "equivalent"
     IDEAL = "ideal"
@@ -78,6 +79,7 @@ class Kind(StrEnum):
     UNIT_INDEX = "unit-index"
     ISOMORPHIC_ORDERS = "isomorphic-orders"
     NORM_ONE_GROUP = "norm-one-group"
+    NORM_ONE_GROUP_OVER_INTEGERS = "norm-one-group-over-integers"
     ORDER = "order"
 
 

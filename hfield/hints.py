@@ -112,6 +112,9 @@ ALGEBRA = {
     "right_class_set": "maximal_order().class_set()",
     "brandt_matrix": "maximal_order().class_set().brandt_matrix(n)",
     "ternary_quadratic_form": "maximal_order().ternary_form()",
+    "polynomial": "polynomials()('x^2 + i*x + 1')",
+    "polynomial_ring": "polynomials()",
+    "roots": "polynomials()('x^2 + i*x + 1').roots()",
 }
 """Sage, Magma, PARI."""
 
@@ -169,8 +172,21 @@ ORDER = LATTICE | {
     "optimal_embeddings": "embeddings(discriminant)",
     "is_gorenstein": "conductor() == 1",
     "one": "algebra.one",
+    "eichler_order": "algebra.eichler_order(level)",
 }
 """Sage, Magma: orders."""
+
+FIELD = {
+    "class_number": "class_group().order",
+    "units": "unit_group().generators",
+    "regulator": "unit_group().regulator",
+    "primes_over": "primes_above(p)",
+    "maximal_order": "integral_basis()",
+    "ring_of_integers": "integral_basis()",
+    "disc": "discriminant()",
+    "absolute_discriminant": "discriminant()",
+}
+"""Sage, Magma, PARI: number fields."""
 
 FORM = {
     "disc": "discriminant()",
@@ -190,7 +206,73 @@ CLASSES = {
     "class_number": "len(classes)",
     "dimension": "len(classes)",
     "right_ideals": "list(classes)",
+    "ideals": "list(classes)",
+    "representatives": "list(classes)",
     "hecke_matrix": "brandt_matrix(n)",
     "brandt_module": "brandt_matrix(n)",
 }
 """Sage, Magma: sets of classes of ideals, Brandt modules."""
+
+CALLS = {
+    "QuaternionOrder": 'A.order(["i", "j"])',
+    "MaximalOrder": "A.maximal_order()",
+    "TensorProduct": "A.tensor(B)",
+    "HasEmbedding": "A.embed(d)",
+    "IsSplittingField": "A.embed(d)",
+    "IsMatrixRing": "A.split()",
+    "RamifiedPrimes": "A.ramified_places()",
+    "RightIdealClasses": "O.class_set()",
+    "LeftIdealClasses": "O.class_set().left_ideals()",
+    "ConjugacyClasses": "O.class_set().left_orders()",
+    "BrandtModule": "O.class_set()",
+    "HeckeOperator": "O.class_set().brandt_matrix(n)",
+    "HilbertCuspForms": "O.class_set().newforms()",
+    "IsLeftIsomorphic": "I.equivalence(J)",
+    "IsPrincipal": "I.is_principal()",
+    "IsConjugate": "O.isomorphism(O2)",
+    "NormOneGroup": "O.units()",
+    "EichlerInvariant": "O.eichler_symbol(p)",
+    "ReducedGramMatrix": "L.gram_matrix()",
+    "ShimuraReduceUnit": "G.word(x)",
+    "alginit": "QuaternionAlgebra(F, a, b)",
+    "alghasse": "A.ramified_places()",
+    "algindex": "A.is_division_algebra()",
+    "algissplit": "A.split()",
+    "algisramified": "A.ramified_places()",
+    "algisdivision": "A.is_division_algebra()",
+    "algiscommutative": "A.is_commutative()",
+    "algcenter": "A.center()",
+    "algradical": "A.radical()",
+    "algmultable": "A.multiplication_table()",
+    "algtensor": "A.tensor(B)",
+    "algrandom": "A.random_element()",
+    "algnorm": "q.norm()",
+    "algtrace": "q.trace()",
+    "algcharpoly": "q.characteristic_polynomial()",
+    "algtomatrix": "q.matrix()",
+    "alginv": "q.inverse()",
+    "alglathnf": "A.lattice(elements).hnf",
+    "alglatadd": "L + M",
+    "alglatinter": "L & M",
+    "alglatmul": "L * M",
+    "alglatindex": "L.index(M)",
+    "alglatcontains": "x in L",
+    "algfdom": "G.domain()",
+    "algfdomsignature": "G.signature",
+    "hilbert": "hilbert_symbol(a, b, p)",
+    "Nrd, nrd": "q.norm()",
+    "Trd, trd": "q.trace()",
+}
+"""Functions of Magma and PARI, and abbreviations of the literature: q is an element, d a number, L, M
+lattices, O, O2 orders, I, J ideals of A, G a group of units."""
+
+GROUP = {
+    "presentation": "generators and relations",
+    "fundamental_domain": "domain()",
+    "gens": "generators",
+    "genus": "signature.genus",
+    "volume": "area, in units of 2π",
+    "elliptic_points": "signature.orders",
+    "cusps": "signature.cusps",
+}
+"""Magma, PARI, Sage: Fuchsian groups."""

@@ -4,7 +4,8 @@ Within 5·2⁻⁵²·‖v‖ of the exact image, as the kernels are; a row of po
 """
 
 from collections.abc import Callable, Iterable
-from functools import cache
+from functools import cache, reduce
+from operator import and_
 from typing import Any
 
 import numpy as np
@@ -14,14 +15,13 @@ from rotation.coordinates import (
     Coordinates,
     factor,
     join,
-    middling,
     split,
-    sum_of_squares,
     unchanging,
 )
 from rotation.matrices import matrix_entries
 from rotation.namespaces import Array, namespace
 from rotation.rowwise import Formula, rarely, tell
+from rotation.vectors import about_axis
 
 # Up to so many points the formulas are faster than the kernels, which take longer to begin; with sines, which
 # here are the system's, up to fewer.
@@ -41,9 +41,14 @@ def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> C
     return tuple(c + spoilt for c in image)
 
 
+def by_rows(m: Any, v: Coordinates) -> Coordinates:
+    """Return m·v."""
+    return tuple((a * v[0] + b * v[1]) + c * v[2] for a, b, c in m)
+
+
 def _by_entries(m: Any, v: Coordinates) -> Coordinates:
     rows = [tuple(row) for row in m]
-    return _steadily(lambda v: tuple((a * v[0] + b * v[1]) + c * v[2] for a, b, c in rows), v)
+    return _steadily(lambda v: by_rows(rows, v), v)
 
 
 def _by_matrix(matrix: Array, points: Array) -> Array:
@@ -51,35 +56,21 @@ def _by_matrix(matrix: Array, points: Array) -> Array:
     return join(namespace(points), _by_entries(rows, split(points)))
 
 
-def turned_by(q: Array, v: Coordinates, inverse: bool) -> Coordinates:
+def turned_by(q: Coordinates, v: Coordinates, inverse: bool) -> Coordinates:
     """Return vectors turned by unit quaternions, or by their inverses."""
     m = matrix_entries(q)
     return _by_entries(zip(*m, strict=True) if inverse else m, v)
 
 
 def _by_quaternion(q: Array, points: Array, inverse: bool) -> Array:
-    return join(namespace(points), turned_by(q, split(points), inverse))
+    return join(namespace(points), turned_by(split(q), split(points), inverse))
 
 
-def about_axis(axis: Array, angle: Array, points: Array, degrees: bool) -> Array:
-    """Return ``v + (|a| sin θ (a × v) + (1 − cos θ) a × (a × v)) / |a|²``; tell where a is zero."""
+def _about_axis(axis: Array, angle: Array, points: Array, degrees: bool) -> Array:
     xp = namespace(points)
-    sine, cosine = waves(xp, angle[...], degrees)
-    a, b, c = scaled = middling(xp, split(axis))
-    square = sum_of_squares(scaled)
-    tell(xp, square == 0.0)
-    w, versine, part = xp.sqrt(square) * sine, 1.0 - cosine, 1.0 / square
-
-    def turned(v: Coordinates) -> Coordinates:
-        x, y, z = v
-        fx, fy, fz = b * z - c * y, c * x - a * z, a * y - b * x
-        return (
-            x + part * (w * fx + versine * (b * fz - c * fy)),
-            y + part * (w * fy + versine * (c * fx - a * fz)),
-            z + part * (w * fz + versine * (a * fy - b * fx)),
-        )
-
-    return join(xp, _steadily(turned, split(points)))
+    a = split(axis)
+    tell(xp, reduce(and_, (c == 0.0 for c in a)))
+    return join(xp, turned_by(about_axis(a, angle[...], degrees), split(points), False))
 
 
 def turned_about(axes: Iterable[int], waves: Iterable[Coordinates], v: Coordinates) -> Coordinates:
@@ -106,7 +97,7 @@ def by_angles(
 BY_MATRIX = Formula(_by_matrix, (3, 3), (3,), single=(0,))
 BY_QUATERNION = Formula(_by_quaternion, (4,), (3,), parameters=(False,))
 BY_INVERSE = Formula(_by_quaternion, (4,), (3,), parameters=(True,))
-ABOUT_AXIS = [Formula(about_axis, (3,), (), (3,), parameters=(d,)) for d in (False, True)]
+ABOUT_AXIS = [Formula(_about_axis, (3,), (), (3,), parameters=(d,)) for d in (False, True)]
 
 
 @cache

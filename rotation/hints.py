@@ -18,6 +18,23 @@ class Kind(NamedTuple):
     name: str
 
 
+CALLS = {
+    "Kabsch, Wahba, Procrustes, Horn, QUEST": "Rotation.align_vectors(target, source)",
+    "Umeyama, special_procrustes with a scale": "align_similarity(target, source)",
+    "as_float_array": "r.as_quat()",
+    "rotate_vectors, qvqconj": "r.apply(points)",
+    "from_rotation_matrix, mat2quat, rotmat_to_unitquat": "Rotation.from_matrix(m)",
+    "as_rotation_matrix, quat2mat, unitquat_to_rotmat": "r.as_matrix()",
+    "from_euler_angles, euler2quat, quaternion_from_euler": 'Rotation.from_euler("xyz", angles)',
+    "quat2euler, euler_from_quaternion, euler2mat": 'r.as_euler("xyz")',
+    "axangle2quat, angle_axis, Rodrigues": "Rotation.from_rotvec(v)",
+    "expmap, rotvec_to_rotmat": "Rotation.from_rotvec(v)",
+    "logmap, rotmat_to_rotvec": "r.as_rotvec()",
+    "rotation_distance, geodesic distance": "(r.inv() * s).magnitude()",
+}
+"""Functions of numpy-quaternion, transforms3d, roma, ROS and OpenCV; names of best fits."""
+
+
 def kind(value: object) -> Kind | None:
     """Return whose rotations or transforms a value is, or None if it is neither."""
     for ancestor in type(value).__mro__:

@@ -91,19 +91,18 @@ def to_matrix(q: Array) -> Array:
     """Return the matrices (…, 3, 3) of quaternions (…, 4) whose norm is 1, or off by rounding.
 
     N(q) is computed with twice the digits, and how far it is from 1 is taken off each entry: an entry is
-    right to 2⁻⁵², and the matrix orthogonal.
+    right to 2·2⁻⁵² (docs/rotation-errors.md proves it), and the matrix orthogonal.
     """
     return TO_MATRIX(q)
 
 
 def _to_matrix(q: Array) -> Array:
-    return _assemble(namespace(q), matrix_entries(q))
+    return _assemble(namespace(q), matrix_entries(split(q)))
 
 
-def matrix_entries(q: Array) -> Entries:
-    """Return the entries of the matrices of `to_matrix`, row by row, each of shape (…)."""
-    xp = namespace(q)
-    c = split(q)
+def matrix_entries(c: Coordinates) -> Entries:
+    """Return the entries of the matrices of `to_matrix`, row by row, of the coordinates of quaternions."""
+    xp = namespace(c[0])
     # Upper halves on a grid so coarse that squares and sums of theirs are exact; the rest is small.
     grid = _GRID[finfo(xp, c[0]).bits]
     upper = [(a + grid) - grid for a in c]

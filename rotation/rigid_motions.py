@@ -32,38 +32,38 @@ from rotation.vectors import from_axis_angle, to_axis_angle
 
 
 def _moved(q: Array, t: Array, points: Array) -> Array:
-    image = turned_by(q, split(points), False)
+    image = turned_by(split(q), split(points), False)
     return join(namespace(points), tuple(a + b for a, b in zip(image, split(t), strict=True)))
 
 
 def _moved_back(q: Array, t: Array, points: Array) -> Array:
     rest = tuple(a - b for a, b in zip(split(points), split(t), strict=True))
-    return join(namespace(points), turned_by(q, rest, True))
+    return join(namespace(points), turned_by(split(q), rest, True))
 
 
 def _composed(q: Array, t: Array, p: Array, s: Array) -> Array:
     """The motion by (p, s) first, then by (q, t): seven numbers a row."""
-    image = turned_by(q, split(s), False)
+    image = turned_by(split(q), split(s), False)
     turn = steadied(multiplied(split(q), split(p)))
     return join(namespace(q), (*turn, *(a + b for a, b in zip(image, split(t), strict=True))))
 
 
 def _inverted(q: Array, t: Array) -> Array:
-    back = turned_by(q, split(t), True)
+    back = turned_by(split(q), split(t), True)
     return join(namespace(q), (*formula.conjugate(HAMILTON, split(q)), *(-c for c in back)))
 
 
 def _matrix(q: Array, t: Array) -> Array:
     xp = namespace(q)
     zero = xp.zeros_like(q[..., 0])
-    rows = [(*row, c) for row, c in zip(matrix_entries(q), split(t), strict=True)]
+    rows = [(*row, c) for row, c in zip(matrix_entries(split(q)), split(t), strict=True)]
     rows.append((zero, zero, zero, zero + 1.0))
     return xp.stack([join(xp, row) for row in rows], axis=-2)
 
 
 def _adjoint(q: Array, t: Array) -> Array:
     xp = namespace(q)
-    turn, nothing = matrix_entries(q), (xp.zeros_like(q[..., 0]),) * 3
+    turn, nothing = matrix_entries(split(q)), (xp.zeros_like(q[..., 0]),) * 3
     columns = [cross(split(t), column) for column in zip(*turn, strict=True)]
     rows = [(*row, *nothing) for row in turn]
     rows += [(*shift, *row) for shift, row in zip(zip(*columns, strict=True), turn, strict=True)]

@@ -15,6 +15,7 @@ from rotation.coordinates import (
     factor,
     join,
     length,
+    middling,
     poison,
     split,
     sum_of_squares,
@@ -54,13 +55,19 @@ def _from_rotvec(v: Array, degrees: bool) -> Array:
     back = 1.0 / f
     half = (0.5 * n[0] * back, 0.5 * n[1] * back)
     sine, cosine = waves_of_degrees(xp, half) if degrees else _sine_and_cosine(xp, half)
-    ratio = quotient(xp, sine, n)
+    w, *u = turn(xp, sine, cosine, c, n)
     spoilt = poison(c)
     tangent = (
         0.5 * (math.radians(1.0) if degrees else 1.0) * back
     )  # only the derivative at 0 needs it
-    u = (xp.where(turning, times(xp, ratio, a), tangent * a + spoilt) for a in c)
-    return join(xp, (xp.where(turning, cosine[0] + cosine[1], xp.ones_like(f)) + spoilt, *u))
+    u = [xp.where(turning, x, tangent * a + spoilt) for x, a in zip(u, c, strict=True)]
+    return join(xp, (xp.where(turning, w, xp.ones_like(f)) + spoilt, *u))
+
+
+def turn(xp: Any, sine: Pair, cosine: Pair, axis: Coordinates, n: Pair) -> Coordinates:
+    """Return the coordinates ``cos, sin·a/n`` for an axis a of length n, each rounded nearly once."""
+    ratio = quotient(xp, sine, n)
+    return (cosine[0] + cosine[1], *(times(xp, ratio, a) for a in axis))
 
 
 _FROM_ROTVEC = [Formula(_from_rotvec, (3,), parameters=(degrees,)) for degrees in (False, True)]
@@ -132,10 +139,19 @@ def from_axis_angle(axis: Any, angle: Any, degrees: bool = False) -> Array:
 
 
 def _from_axis_angle(axis: Array, angle: Array, degrees: bool) -> Array:
-    xp = namespace(axis)
-    v, a = split(axis), angle[...]
-    s, c = waves(xp, 0.5 * a, degrees)
-    return join(xp, (c + poison(v), *(s * x for x in unit(xp, v))))
+    return join(namespace(axis), about_axis(split(axis), angle[...], degrees))
+
+
+def about_axis(axis: Coordinates, angle: Array, degrees: bool) -> Coordinates:
+    """Return the coordinates of the quaternions of turns about axes; NaN where one is 0 or not finite."""
+    xp, half = namespace(axis[0]), 0.5 * angle
+    if not hasattr(xp, "waves"):
+        s, c = waves(xp, half, degrees)
+        return (c + poison(axis), *(s * x for x in unit(xp, axis)))
+    a = middling(xp, axis)
+    zero = xp.zeros_like(half)
+    sine, cosine = waves_of_degrees(xp, (half, zero)) if degrees else xp.waves(half, zero)
+    return tuple(x + poison(axis) for x in turn(xp, sine, cosine, a, norm(xp, a)))
 
 
 _FROM_AXIS_ANGLE = [

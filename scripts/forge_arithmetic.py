@@ -26,6 +26,7 @@ FIELDS = (
     "QQ[s]/(s^3-s^2-2*s+1)", "QQ[s]/(s^3-s^2-2*s-8)", "QQ[s]/(s^4-s^2+4)", "QQ(sqrt(-1))",
 )  # fmt: skip
 INDEFINITE = ((3, -1, 1), (1, 1, 1), (1, 1, 6), (-1, 3, 5), (5, 2, 1))
+OVER_FIELDS = ("(-1,sqrt(5)|QQ(sqrt(5)))", "(-1+s-s^2,1+3*s+s^2|QQ[s]/(s^3+s^2-2*s-1))")
 DEFINITE = ("QQ(sqrt(5))", "QQ(sqrt(17))", "QQ(sqrt(29))", "QQ[s]/(s^3-s^2-2*s+1)")
 
 
@@ -37,6 +38,9 @@ def genuine() -> list[dict[str, Any]]:
         found += [K.class_group().certificate, K.unit_group().certificate]
     for a, b, level in INDEFINITE:
         G = QuaternionAlgebra("QQ", a, b).eichler_order(level).norm_one_group()
+        found += [G.certificate, G.domain().certificate]
+    for text in OVER_FIELDS:
+        G = QuaternionAlgebra.from_text(text).maximal_order().norm_one_group()
         found += [G.certificate, G.domain().certificate]
     for name in DEFINITE:
         A = QuaternionAlgebra(name, -1, -1)
@@ -79,7 +83,7 @@ def lies(rng: random.Random, data: dict[str, Any]) -> Iterator[str]:
             power = f"({parts[-1]})^{rng.choice([2, 3, -2, 5])}"
             yield f"unit-group{{{'; '.join([*parts[:-1], power])}}}"
             yield f"unit-group{{{'; '.join(parts[:-1])}}}"
-    elif word == "norm-one-group":
+    elif word.startswith("norm-one-group"):
         wrong = {
             1: str(int(parts[1]) + 1),
             2: parts[2] + ",7",

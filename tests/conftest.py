@@ -22,6 +22,11 @@ SLOW = tuple(f"/{name}" for name in Path(__file__).with_name("slow.txt").read_te
 PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add ``--every N``, which runs every n-th test."""
+    parser.addoption("--every", type=int, default=1, metavar="N", help="run every n-th test only")
+
+
 def pytest_configure() -> None:
     """Give tests what a plain command has: no width of lines, which pytest's workers set, and Ctrl-C.
 
@@ -33,8 +38,9 @@ def pytest_configure() -> None:
             signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark what is in the files that take long."""
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Mark what is in the files that take long, and leave out what ``--every`` does."""
+    items[:] = items[:: config.getoption("every")]
     for item in items:
         if item.path.as_posix().endswith(SLOW):
             item.add_marker(pytest.mark.slow)

@@ -4,8 +4,8 @@ import re
 
 import pytest
 
-from hfield import QuaternionAlgebra
-from hfield.hints import ALGEBRA, CLASSES, ELEMENT, IDEAL, LATTICE, ORDER
+from hfield import QuaternionAlgebra, ring
+from hfield.hints import ALGEBRA, CLASSES, ELEMENT, FIELD, GROUP, IDEAL, LATTICE, ORDER
 
 A = QuaternionAlgebra("QQ", -1, -11)
 order = A.maximal_order()
@@ -17,6 +17,9 @@ HINTED = [
     (order, ORDER),
     (order.left_ideal([2]), IDEAL),
     (order.class_set(), CLASSES),
+    (ring("QQ(sqrt(5))"), FIELD),
+    (ring("QQ[s]/(s^3-2)"), FIELD),
+    (QuaternionAlgebra(6).maximal_order().norm_one_group(), GROUP),
 ]
 FUNCTIONS = {"hilbert_symbol"}  # of hfield
 ABOUT = {"L": L, "M": L, "x": A.basis[1], "classes": order.class_set()}
@@ -32,6 +35,53 @@ def test_every_hint_is_given_and_names_what_there_is(thing, hints):
         called = set(re.findall(r"([a-z_]+)(?=\()", hint)) - {"len", "list"} - FUNCTIONS
         for one in called:
             assert any(hasattr(other, one) for other, _ in HINTED), (name, hint)
+
+
+def test_what_is_to_be_written_for_functions_of_magma_and_pari_runs():
+    from hfield import hilbert_symbol
+    from hfield.hints import CALLS
+
+    G = QuaternionAlgebra(6).maximal_order().norm_one_group()
+    names = ABOUT | {
+        "q": A.basis[1],
+        "A": A,
+        "B": A,
+        "F": "QQ",
+        "d": -11,
+        "a": 2,
+        "b": 3,
+        "p": 3,
+        "n": 2,
+    }
+    names |= {
+        "O": order,
+        "O2": order,
+        "I": order.left_ideal([2]),
+        "J": order.left_ideal([3]),
+        "G": G,
+    }
+    names |= {"QuaternionAlgebra": QuaternionAlgebra, "hilbert_symbol": hilbert_symbol}
+    names |= {"elements": [1, "i", "j", "k"]}
+    for there, here in CALLS.items():
+        x = G.generators[0] if "G." in here else A.basis[1]
+        try:
+            eval(here, names | {"x": x})
+        except Exception as error:
+            pytest.fail(f"{there}: {here} raises {error!r}")
+
+
+def test_what_is_to_be_written_for_functions_that_turn_points_runs():
+    import numpy as np
+
+    import rotation
+    from rotation.hints import CALLS
+
+    names = {name: getattr(rotation, name) for name in ("Rotation", "align_similarity")}
+    r, points = rotation.Rotation.from_euler("xyz", [0.1, 0.2, 0.3]), np.eye(3)
+    names |= {"r": r, "s": r, "points": points, "source": points, "target": 2 * points}
+    names |= {"m": points, "angles": [1, 2, 3], "v": [1, 2, 3]}
+    for there, here in CALLS.items():
+        assert eval(here, dict(names)) is not None, there
 
 
 @pytest.mark.parametrize("hint", ["L & M", "L * x", "L.conjugate() * M", "len(classes)"])

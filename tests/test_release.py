@@ -8,22 +8,59 @@ from pathlib import Path
 import pytest
 
 import hfield
+from hfield.commands import catalogue
 
 ROOT = Path(__file__).parent.parent
 LINK = re.compile(r"\]\(([^)\s]*)\)")
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 
 
-def test_the_version_is_the_newest_of_the_changelog_and_of_the_citation():
-    changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-    versions = re.findall(r"^## \[(\S+)\]", changelog, re.M)
-    assert versions[:2] == ["Unreleased", hfield.__version__]
-    citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
-    assert f"\nversion: {hfield.__version__}\n" in citation
+def read(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def test_version_and_date_are_those_of_changelog_citation_and_what_is_new():
+    headings = re.findall(r"^## \[(\S+)\](?: - (\S+))?$", read("CHANGELOG.md"), re.M)
+    assert headings[0] == ("Unreleased", "")
+    version, date = headings[1]
+    assert version == hfield.__version__
+    assert f"\nversion: {version}\n" in read("CITATION.cff")
+    assert f'\ndate-released: "{date}"\n' in read("CITATION.cff")
+    minor = version.rpartition(".")[0]
+    assert read("docs/new.md").startswith(f"# What is new in {minor}\n")
+    assert f"[what is new in {minor}](new.md)" in read("docs/index.md")
+
+
+def test_the_version_stands_in_one_place():
+    assert "version" in PROJECT["project"]["dynamic"]
+    assert PROJECT["tool"]["hatch"]["version"]["path"] == "hfield/__init__.py"
+    for room in "hfield", "rotation", "anim":
+        holders = [p for p in (ROOT / room).rglob("*.py*") if p.suffix in {".py", ".pyi"}]
+        texts = [p.name for p in holders if f'"{hfield.__version__}"' in p.read_text("utf-8")]
+        assert texts == (["__init__.py"] if room == "hfield" else [])
+
+
+def test_what_is_new_is_read_in_a_minute():
+    words = len(re.sub(r"```.*?```", "", read("docs/new.md"), flags=re.S).split())
+    assert 100 < words < 300
+
+
+def test_the_page_on_versions_has_every_schema():
+    code = {
+        schema
+        for room in ("hfield", "rotation", "anim")
+        for path in (ROOT / room).rglob("*.py")
+        for schema in re.findall(r"\"(hfield-[a-z-]+/\d)\"", path.read_text(encoding="utf-8"))
+    }
+    page = set(re.findall(r"`(hfield-[a-z-]+/\d)`", read("docs/releases.md")))
+    of_commands = {f"hfield-{name}/1" for name in catalogue.names()}
+    assert page <= code
+    assert {"hfield-cert/1", "hfield-cert/2", "hfield-ledger/1"} <= code - of_commands
+    assert code - of_commands <= page
 
 
 def test_each_dependency_has_a_row_with_its_licence():
-    page = (ROOT / "docs" / "installed.md").read_text(encoding="utf-8")
+    page = read("docs/installed.md")
     rows = {
         cells[1].strip(): cells for line in page.splitlines() if len(cells := line.split("|")) == 7
     }
@@ -56,7 +93,7 @@ def for_an_index():
 
 
 def test_on_an_index_the_readme_has_no_link_that_leads_nowhere(for_an_index):
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    readme = read("README.md")
     shown = for_an_index(readme)
     assert all(address.startswith("https://") for address in LINK.findall(shown))
     assert "](" not in shown.replace("](https://", "")
@@ -69,7 +106,7 @@ def test_on_an_index_the_readme_has_no_link_that_leads_nowhere(for_an_index):
 
 
 def test_what_the_readme_shows_travels_in_the_source_distribution():
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    readme = read("README.md")
     include = PROJECT["tool"]["hatch"]["build"]["targets"]["sdist"]["include"]
     addresses = [one for one in LINK.findall(readme) if not one.startswith("https://")]
     assert any(one.endswith(".webp") for one in addresses)

@@ -28,6 +28,7 @@ HELP = (
     "frames. The film tells what a heavy top does that is free on the ground: it precesses, nods, falls and "
     "rolls out. --model takes another: physics, a top whose tip is held, or one of the thesis's four ways."
 )
+DOING = "preparing the top"
 EXAMPLES = (
     "hfield render -o top.mp4",
     "hfield render --model quaternions --captions pl -o thesis.mp4",
@@ -96,7 +97,7 @@ def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
     from anim.rendering import render
     from hfield.executors import open_executor
 
-    start = shown = monotonic()
+    shown = monotonic()
     with Progress("frames") as bar:
 
         def show(done: int, total: int) -> None:
@@ -104,7 +105,7 @@ def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
             now = monotonic()
             if now - shown >= BAR_EVERY:
                 shown = now
-                bar(done, total, time_left((now - start) / done * (total - done)))
+                bar(done, total)
 
         with open_executor(args.jobs) as executor:
             render(
@@ -116,15 +117,6 @@ def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
                 force=args.force,
                 progress=show,
             )
-
-
-def time_left(seconds: float) -> str:
-    """Say in a few words how long it still takes.
-
-    >>> time_left(41.7), time_left(301)
-    ('42 s left', '5 min left')
-    """
-    return f"{seconds:.0f} s left" if seconds < 100 else f"{seconds / 60:.0f} min left"
 
 
 def _picture(args: Namespace, model: Model, clip: Clip, path: Path) -> int:

@@ -3,11 +3,15 @@
 A last page has the names of other systems, so that the search finds ours by them.
 """
 
+from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from importlib import import_module
 from inspect import isclass, ismodule, isroutine
 from pathlib import Path
 from typing import Any
+
+import hfield.hints as hints_of_algebras
+import rotation.hints as hints_of_rotations
 
 PACKAGES = {
     "hfield": "Quaternion algebras, their fields, statements and verdicts.",
@@ -60,11 +64,16 @@ def _other_names() -> list[str]:
         module = import_module(package)
         for name in dir(module):
             hints = getattr(getattr(module, name), "elsewhere", {})
-            if hints:
-                lines += ["", f"## {package}.{name}", "", "| there | here |", "|---|---|"]
-            for there, here in sorted(hints.items()):
-                lines.append(f"| `{there}` | `{here.replace('|', chr(92) + '|')}` |")
+            lines += _table(f"{package}.{name}", hints)
+    lines += _table("Functions of Magma and PARI", hints_of_algebras.CALLS)
+    lines += _table("Functions that turn points, and names of best fits", hints_of_rotations.CALLS)
     return [*lines, ""]
+
+
+def _table(title: str, hints: Mapping[str, str]) -> list[str]:
+    """Return a heading and a table of what is written there and here; nothing where there is nothing."""
+    rows = [f"| `{there}` | `{here}` |" for there, here in sorted(hints.items())]
+    return ["", f"## {title}", "", "| there | here |", "|---|---|", *rows] if rows else []
 
 
 def _answer(app: Any, what: str, name: str, value: Any, *signature: Any) -> tuple[str, None] | None:

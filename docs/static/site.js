@@ -36,6 +36,8 @@ function openPictures() {
     const link = document.createElement("a");
     link.href = picture.src;
     link.className = "zoom";
+    // a picture for light or dark pages alone takes its place with it
+    link.classList.add(...[...picture.classList].filter((name) => name.startsWith("only-")));
     link.title = "open in full size";
     picture.replaceWith(link);
     link.append(picture);

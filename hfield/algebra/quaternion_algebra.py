@@ -624,9 +624,13 @@ class QuaternionAlgebra(Hinted):
         >>> P = A.polynomials("x"); f = P([1, i, 1])
         >>> f, len(f.roots().isolated), all(not f(q) for q in f.roots().isolated)
         (x^2 + i*x + 1, 2, True)
+
+        Raises :class:`RingError` for what is no name.
         """
         from hfield.modules.polynomials import Polynomials
 
+        if not variable.isidentifier():
+            raise RingError(f"{shorten(variable)!r} is not the name of a variable such as x")
         return Polynomials(self, variable)
 
     def sylvester(self, a: object, b: object, c: object) -> LinearSolutions:

@@ -155,7 +155,7 @@ THEOREMS = {
     MASS: "Voight, Quaternion Algebras, theorem 26.1.5, for every order of a definite algebra over QQ",
     MASS_OVER_FIELDS: "Voight, Quaternion Algebras, theorem 26.1.5, for every totally definite order",
     SIEGEL: "Siegel, Nachrichten der Akademie Göttingen (1969), 87-102",
-    SHIMIZU: "Voight, Quaternion Algebras, theorem 39.1.8 and lemma 26.6.7, for every order over ZZ",
+    SHIMIZU: "Voight, Quaternion Algebras, theorem 39.1.8 and lemma 26.6.7",
     POINCARE: "Voight, Quaternion Algebras, theorem 37.5.3; Maskit, Adv. Math. 7 (1971), 219-230",
     MINKOWSKI: "Neukirch, Algebraic Number Theory, chapter I, section 5 and exercise 3 of section 6",
     REDUCED_FORMS: "Cassels, An Introduction to the Geometry of Numbers, chapter II, theorems II and IV",

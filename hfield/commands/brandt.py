@@ -18,6 +18,7 @@ from hfield.commands.orders import (
 )
 from hfield.commands.output import OutputError, gone_on
 from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
+from hfield.commands.status import Waiting
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
@@ -72,9 +73,15 @@ def _answer(args: Namespace) -> Answer:
     if not over_integers:
         _announce(A.class_number(level), sparse, args.format in ("plain", "json"))
     C = O.class_set()
+    Waiting.at("computing the matrix")
     matrix = [] if sparse else C.brandt_matrix(n)
     if args.plot:
         _plot(matrix, args.plot)
+
+    def characteristic() -> list[int]:
+        Waiting.at("computing its characteristic polynomial")
+        found: list[int] = C.hecke_polynomial(n)
+        return found
 
     def data() -> dict[str, object]:
         shown = ideal_json if over_integers else int
@@ -88,7 +95,7 @@ def _answer(args: Namespace) -> Answer:
             "classes": len(C),
             "units": C.units if over_integers else C.unit_counts,
             "matrix": matrix,
-            "characteristic_polynomial": C.hecke_polynomial(n),
+            "characteristic_polynomial": characteristic(),
         }
 
     def latex() -> str:
@@ -100,7 +107,7 @@ def _answer(args: Namespace) -> Answer:
         return "\n".join(_edges(rows))
 
     def page(style: Style) -> str:
-        return "\n".join(_plain(C, matrix, n, style.width))
+        return "\n".join(_plain(C, matrix, n, characteristic(), style.width))
 
     return Answer(data, page, {"latex": latex, "edges": edges})
 
@@ -132,14 +139,16 @@ def _edges(rows: Sequence[Mapping[int, int]]) -> Iterator[str]:
     return (f"{i} {j} {row[j]}" for i, row in enumerate(rows) for j in sorted(row) if row[j])
 
 
-def _plain(C: ClassSet, matrix: list[list[int]], n: Any, width: int) -> list[str]:
+def _plain(
+    C: ClassSet, matrix: list[list[int]], n: Any, characteristic: list[int], width: int
+) -> list[str]:
     from hfield.presenting import hanging
 
     wide = max(len(str(x)) for row in matrix for x in row)
     title = f"Brandt matrix of {n}, {len(C)} classes of {C.order.algebra}, level {C.order.level}"
     lines = [*gone_on(title, width).splitlines(), ""]
     lines += ["  " + " ".join(f"{x:>{wide}}" for x in row) for row in matrix]
-    told = polynomial(C.hecke_polynomial(n))
+    told = polynomial(characteristic)
     return [*lines, "", *hanging("characteristic polynomial  ", told, width)]
 
 

@@ -23,6 +23,7 @@ COMMANDS = {
     "upgrade": "write certificates of the first schema in today's",
     "export": "write what is proved for all fields as theorems for Coq",
     "info": "tell what an algebra is",
+    "field": "tell classes of ideals and units of a number field",
     "order": "show an order over the integers",
     "ideal": "show an ideal of an order, and compare it with another",
     "domain": "draw the domain of the units of an indefinite order",

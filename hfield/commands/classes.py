@@ -154,6 +154,7 @@ def _over_integers(args: Namespace, O: IntegersOrder) -> tuple[Answer, Callable[
             "class_number": len(C),
             "mass": str(C.mass),
             "type_number": C.type_number,
+            "stable_classes": C.stable_classes(),
             "classes": classes,
             **(_forms_data(C) if args.newforms else {}),
         }
@@ -161,11 +162,13 @@ def _over_integers(args: Namespace, O: IntegersOrder) -> tuple[Answer, Callable[
     def parts() -> list[Part]:
         from hfield.presenting import Facts, Table
 
+        cancels = ": cancellation" if C.has_cancellation() else ""
         facts = [
             ("algebra", f"{O.algebra}, discriminant of the order {O.discriminant()}"),
             ("class number", f"{len(C)}, by enumeration up to the mass"),
             ("mass", f"{C.mass}, the sum of 1/[units : units of the field]"),
             ("type number", str(C.type_number)),
+            ("stable classes", f"{O.stable_class_number()}, of I up to I ⊕ O ≅ J ⊕ O{cancels}"),
         ]
         rows = [
             [str(n), str(I.norm()), str(C.units[n]), I.left_order().unit_group(), str(C.types[n])]

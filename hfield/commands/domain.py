@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from hfield.presenting import Part
 
 HELP = (
-    "Show the group of units of norm 1 of an order over ZZ in an indefinite algebra over QQ: "
-    "its area, signature and presentation, and draw its Dirichlet domain."
+    "Show the group of units of norm 1 of an order in an algebra that splits at one real place, over QQ or "
+    "another totally real field: its area, signature and presentation, and draw its Dirichlet domain."
 )
 DOING = "computing the domain"
 EXAMPLES = ("hfield domain '(3,-1|QQ)' -o domain.svg",)

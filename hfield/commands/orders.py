@@ -115,11 +115,7 @@ def level_of(text: str, A: QuaternionAlgebra) -> Any:
     ``ideal(31, 5 + gen)``, as ideals are printed, is read too. Raises :class:`UsageError`.
     """
     if A.over_integers:
-        inner = text.strip().removeprefix("ideal(").removesuffix(")") if "ideal(" in text else text
-        words = [word for word in inner.split(",") if word.strip()]
-        if not words:
-            raise UsageError(f"the level {shorten(text)!r} names no ideal; expected generators")
-        return A.ring.ideal([A.ring(word) for word in words])  # type: ignore[attr-defined]
+        return A.ring.ideal(text)  # type: ignore[attr-defined]
     if not (text.isascii() and text.isdecimal() and int(text) > 0):
         raise UsageError(f"the level {shorten(text)!r} is no positive integer")
     return int(text)

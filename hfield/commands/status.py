@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import time
 from threading import Event, RLock, Thread
 from types import TracebackType
 from typing import TextIO
@@ -53,20 +54,38 @@ def _how_far() -> str:
     if (now := told()) is None:
         return ""
     what, share, seconds = now
-    left = f", some {seconds / share * (1 - share):.0f} s left" if share else ""
+    left = f", some {time_left(seconds / share * (1 - share))}" if share else ""
     return f" ({int(100 * share)} % of {what}{left})"
 
 
+def time_left(seconds: float) -> str:
+    """Say in a few words how long it still takes.
+
+    >>> time_left(41.7), time_left(301)
+    ('42 s left', '5 min left')
+    """
+    return f"{seconds:.0f} s left" if seconds < 100 else f"{seconds / 60:.0f} min left"
+
+
 class Progress:
-    """A line on stderr that tells how far the work is; nothing where stderr is no terminal."""
+    """A line on stderr that tells how far the work is; nothing where stderr is no terminal.
 
-    def __init__(self, noun: str) -> None:
+    What was ``done`` before it began says nothing of how long the rest will take.
+    """
+
+    def __init__(self, noun: str, done: int = 0) -> None:
         self.noun = noun
+        self._done = done
+        self._since = time.monotonic()
 
-    def __call__(self, done: int, total: int, what: str) -> None:
-        """Show that ``done`` of ``total`` are finished, ``what`` being in work."""
+    def __call__(self, done: int, total: int, what: str = "") -> None:
+        """Show that ``done`` of ``total`` are finished, the time left, and ``what`` is in work."""
         bar = "#" * (20 * done // max(total, 1))
-        STATUS.show(f"[{bar:<20}] {done} of {total} {self.noun}, {what}")
+        said = [f"[{bar:<20}] {done} of {total} {self.noun}"]
+        passed = time.monotonic() - self._since
+        if self._done < done < total and passed > PATIENCE:
+            said.append(time_left(passed / (done - self._done) * (total - done)))
+        STATUS.show(", ".join([*said, what] if what else said))
 
     def __enter__(self) -> Progress:
         Waiting.hush()

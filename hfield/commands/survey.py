@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.output import OutputError, open_output
+from hfield.commands.output import OutputError, note, open_output
 from hfield.commands.parser import UsageError, add_jobs, add_repeated
 from hfield.commands.status import Progress
 from hfield.errors import shorten
@@ -28,6 +28,7 @@ EXAMPLES = (
 )
 MOST = 5000
 AREA = 100
+MOST_PAIRS = 10**6
 SUFFIXES = (".jsonl", ".parquet")
 
 
@@ -77,10 +78,11 @@ def run(args: Namespace) -> int:
     if parquet:
         _pyarrow()
     journal = census.Journal(path.with_name(path.name + ".jsonl") if parquet else path)
+    number = 0
     try:
         done = _done(journal, survey.names)
-        with open_executor(args.jobs, args.dask) as executor, Progress("pairs") as progress:
-            number = len(done & set(pairs))
+        number = len(done & set(pairs))
+        with open_executor(args.jobs, args.dask) as executor, Progress("pairs", number) as progress:
             for found in census.run(executor, pairs, most, done, survey):
                 journal.append(found)
                 number += len(found)
@@ -89,6 +91,9 @@ def run(args: Namespace) -> int:
                 )
         if parquet:
             _to_parquet(journal, path, survey.names)
+    except KeyboardInterrupt:
+        note(f"{number} of {len(pairs)} rows are in {journal.path}; the same command goes on there")
+        raise
     except OSError as error:
         reason = error.strerror or str(error)
         raise OutputError(f"cannot write {shorten(args.output)!r}: {reason}") from error
@@ -106,9 +111,10 @@ def numbers(text: str, name: str) -> list[int]:
                 f"{name} {shorten(text)!r}: expected numbers such as 2..100 or 11,30,42"
             )
         first, last = int(ends[0]), int(ends[-1])
-        if first < 1 or last < first or last - first > 10**6:
+        if first < 1 or last < first or last - first >= MOST_PAIRS:
             raise UsageError(
-                f"{name} {shorten(text)!r}: expected positive numbers, in ascending ranges"
+                f"{name} {shorten(text)!r}: expected positive numbers, in ascending ranges, at most "
+                f"{MOST_PAIRS} of them"
             )
         found += range(first, last + 1)
     return list(dict.fromkeys(found))
@@ -126,6 +132,11 @@ def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
     if not args.discriminants:
         raise UsageError("expected discriminants D such as 2..100, or --field F")
     wanted = numbers(args.discriminants, "D")
+    if len(wanted) * len(levels) > MOST_PAIRS:
+        raise UsageError(
+            f"{len(wanted)} discriminants times {len(levels)} levels are more than {MOST_PAIRS} pairs: "
+            "survey a part at a time"
+        )
     kind, count = ("an indefinite", "even") if args.groups else ("a definite", "odd")
     pairs = (census.indefinite_pairs if args.groups else census.definite_pairs)(wanted, levels)
     if not pairs:

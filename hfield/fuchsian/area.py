@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import product
-from math import gcd, prod
+from math import prod
 
 from hfield.factorisation import factorise
 from hfield.lattices.modulo_primes import kronecker
@@ -57,8 +57,11 @@ def cusps(order: ZOrder) -> int | None:
         return 0
     if not is_eichler(order):
         return None
-    n = order.level
-    return sum(_phi(gcd(d, n // d)) for d in range(1, n + 1) if n % d == 0)
+    # Σ φ(gcd(d, N/d)) over the divisors d of the level
+    return prod(
+        sum(_phi(p ** min(k, e - k)) for k in range(e + 1))
+        for p, e in factorise(order.level).items()
+    )
 
 
 def is_hyperbolic_trace(order: ZOrder, t: int) -> bool:

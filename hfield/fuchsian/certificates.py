@@ -6,10 +6,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.certificates.glossary import BY_AREA, POINCARE, SHIMIZU
+from hfield.certificates.glossary import POINCARE
 from hfield.evidence import Claim
-from hfield.fuchsian.split_order import RationalOrder
-from hfield.lattices.certificates import element_json, text
 
 if TYPE_CHECKING:
     from hfield.fuchsian.group import Domain, NormOneGroup
@@ -18,7 +16,7 @@ if TYPE_CHECKING:
 def of_domain(domain: Domain) -> Claim:
     """Return that the domain around its centre has these sides, by the units across them."""
     parts = [_joined([domain.center_element]), _joined(domain.polygon.units)]
-    return _claim(domain.group, "dirichlet-domain", parts, {}, SHIMIZU)
+    return domain.group.order.claim("dirichlet-domain", parts, {})
 
 
 def of_group(group: NormOneGroup, domain: Domain) -> Claim:
@@ -29,23 +27,13 @@ def of_group(group: NormOneGroup, domain: Domain) -> Claim:
         *(str(genus), ",".join(map(str, orders)) or "none", str(cusps)),
         *(_joined(group.generators), relations or "none"),
     ]
+    written = group.order.written
     shown = {
-        "center": element_json(domain.center_element),
-        "units": [element_json(g) for g in domain.polygon.units],
+        "center": written(domain.center_element),
+        "units": [written(g) for g in domain.polygon.units],
     }
-    return _claim(group, "norm-one-group", parts, shown, SHIMIZU, POINCARE)
-
-
-def _claim(
-    group: NormOneGroup, word: str, parts: list[str], shown: dict[str, object], *cited: str
-) -> Claim:
-    order = group.order
-    if not isinstance(order, RationalOrder):
-        why = "groups of units are certified over QQ alone"
-        return Claim(order.algebra, word, {}, BY_AREA, refusal=why)
-    statement = f"{word}{{{'; '.join([text(order.order), *parts])}}}"
-    return Claim(order.algebra, statement, {"kind": word, **shown}, BY_AREA, assumes=cited)
+    return group.order.claim("norm-one-group", parts, shown, POINCARE)
 
 
 def _joined(elements: Iterable[Quaternion]) -> str:
-    return " | ".join(",".join(element_json(g)) for g in elements)
+    return " | ".join(",".join(map(g.ring.text, g.coordinates)) for g in elements)

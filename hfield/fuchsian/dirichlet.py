@@ -34,6 +34,8 @@ IDLE = 12
 """So many searches in a row that find no new side are the last ones."""
 FEW_COSETS = 30
 """Up to this index units are found quicker by the search."""
+MOST_AREA = 1_000
+"""In units of 2π: larger domains are not searched, which would take minutes and find too little."""
 MOST_COSETS = 3_000
 """Cosets, at most."""
 DEEPEST = 1e6
@@ -92,18 +94,25 @@ def domain(order: SplitOrder, center: Quaternion, area: Fraction, given: Any = N
 def order_above(order: SplitOrder) -> RationalOrder | None:
     """Return a maximal order above one over ℤ of large index that is not Eichler; None for others.
 
-    Raises :class:`TooLargeError` where the index is very large.
+    Raises :class:`TooLargeError` where the index is very large, or what would be searched.
     """
-    if not isinstance(order, RationalOrder) or is_eichler(order.order):
-        return None  # the search finds what is needed
-    found = RationalOrder(maximal_orders.overorder(order.order))
-    index = order.area() / found.area()
+    found, index = None, Fraction(1)
+    if isinstance(order, RationalOrder) and not is_eichler(order.order):
+        found = RationalOrder(maximal_orders.overorder(order.order))
+        index = order.area() / found.area()
     if index > MOST_COSETS:
         raise TooLargeError(
             f"the group is of index {index} in that of a maximal order: domains are found up to "
             f"{MOST_COSETS}"
         )
-    return found if index > FEW_COSETS else None
+    if index > FEW_COSETS:
+        return found
+    if order.area() > MOST_AREA:
+        raise TooLargeError(
+            f"the domain, of area 2π·{order.area()}, is too large: groups of an area up to 2π·200 are within "
+            f"reach, and none above 2π·{MOST_AREA} is tried"
+        )
+    return None  # the search finds what is needed
 
 
 def generators_by_cosets(order: SplitOrder, above: RationalOrder) -> Rows:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import acosh, sqrt
@@ -16,6 +16,7 @@ from hfield.factorisation import factorise
 from hfield.fuchsian import area, presentation
 from hfield.fuchsian.presentation import Word
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
+from hfield.hints import GROUP, Hinted
 from hfield.lattices.z_order import is_eichler
 
 if TYPE_CHECKING:
@@ -34,6 +35,8 @@ class Signature(NamedTuple):
 
 CENTERS = 4
 """So many centres are tried for a domain."""
+MOST_FAR = 1e9
+"""No centre is farther from 0."""
 LARGE = 200
 """For groups with more area, in units of 2π, only one is tried."""
 
@@ -71,17 +74,20 @@ class Side:
     partner: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Domain(Certified):
     """The points nearer to a centre than to its images: a Dirichlet domain, proved to be complete.
 
     Sides and vertices go counterclockwise; side n goes from vertex n to the next.
     """
 
-    group: NormOneGroup = field(repr=False)
-    polygon: Polygon = field(repr=False)
-    partners: tuple[int, ...] = field(repr=False)
-    cycles: tuple[dirichlet.Cycle, ...] = field(repr=False)
+    group: NormOneGroup
+    polygon: Polygon
+    partners: tuple[int, ...]
+    cycles: tuple[dirichlet.Cycle, ...]
+
+    def __repr__(self) -> str:
+        return f"a Dirichlet domain with {len(self.partners)} sides of {self.group}"
 
     @property
     def claim(self) -> Claim:
@@ -133,8 +139,14 @@ class Domain(Certified):
 
         draw(self, path, dark=dark, depth=depth)
 
+    def _repr_svg_(self) -> str:
+        """What a notebook shows."""
+        from hfield.fuchsian.picture import svg
 
-class NormOneGroup(Certified):
+        return svg(self)
+
+
+class NormOneGroup(Certified, Hinted):
     """The units of norm 1 of an order, modulo ±1: discrete motions of the hyperbolic plane.
 
     >>> from hfield import QuaternionAlgebra
@@ -142,6 +154,8 @@ class NormOneGroup(Certified):
     >>> G.area, G.signature
     (Fraction(1, 3), Signature(genus=0, orders=(2, 2, 3, 3), cusps=0))
     """
+
+    elsewhere = GROUP
 
     def __init__(self, order: SplitOrder) -> None:
         self.order = order
@@ -159,9 +173,14 @@ class NormOneGroup(Certified):
         """Genus, orders of the elliptic points, and cusps, counted at the domain.
 
         For Eichler orders over ℤ they are counted by optimal embeddings too; both agree, or this raises.
+        Where the area is above 2π·200 these alone are told.
         """
-        found = signature_of(self._domain.partners, self._domain.cycles, self.area)
         counted = (self.order.elliptic_points(2), self.order.elliptic_points(3))
+        two, three, cusps = (*counted, self.order.cusps())
+        if self.area > LARGE and two is not None and three is not None and cusps is not None:
+            genus = (self.area + 2 - cusps - Fraction(two, 2) - Fraction(2 * three, 3)) / 2
+            return Signature(int(genus), (2,) * two + (3,) * three, cusps)
+        found = signature_of(self._domain.partners, self._domain.cycles, self.area)
         if self.order.cusps() not in (None, found.cusps) or any(
             n not in (None, found.orders.count(m)) for m, n in zip((2, 3), counted, strict=True)
         ):
@@ -185,7 +204,18 @@ class NormOneGroup(Certified):
         ``D.center``, that is
         fixed by an element of the algebra with trace 0 and by no unit but ±1. Raises :class:`LatticeError`.
         """
-        return self._domain if center is None else self._around(self._nearby(complex(center)))
+        if center is None:
+            return self._domain
+        try:
+            z = complex(center)
+        except (TypeError, ValueError, OverflowError):
+            z = complex("nan")
+        if not (z.imag > 0 and abs(z) < MOST_FAR):
+            raise LatticeError(
+                f"a centre is a complex number of the upper half plane, such as 0.5+1j, and "
+                f"{shorten(center)} is none"
+            )
+        return self._around(self._nearby(z))
 
     @cached_property
     def _domain(self) -> Domain:
@@ -224,8 +254,6 @@ class NormOneGroup(Certified):
     def _nearby(self, z: complex) -> Quaternion:
         from hfield.fuchsian import search
 
-        if z.imag <= 0:
-            raise LatticeError(f"a centre is a point of the upper half plane, and {z} is not in it")
         # beside it where units fix the point itself, or all that is near and simple
         for n in range(20):
             aside = z.imag * n * complex(0.005, 0.003)

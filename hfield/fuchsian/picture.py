@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import colorsys
 from collections import deque
+from io import StringIO
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -38,6 +39,23 @@ DARK = {
 
 def draw(domain: Domain, path: object, *, dark: bool, depth: int | None) -> None:
     """Draw a domain to a file. Raises :class:`LatticeError` where it cannot be written."""
+    figure = _figure(domain, dark, depth)
+    try:
+        figure.savefig(str(path), facecolor=figure.get_facecolor(), dpi=160)
+    except (OSError, ValueError) as error:
+        raise LatticeError(
+            f"cannot draw to {shorten(path)!r}: {error}; try a file .svg, .png or .pdf"
+        ) from error
+
+
+def svg(domain: Domain) -> str:
+    """Return the picture as SVG."""
+    file = StringIO()
+    _figure(domain, False, None).savefig(file, format="svg")
+    return file.getvalue()
+
+
+def _figure(domain: Domain, dark: bool, depth: int | None) -> Any:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.collections import PolyCollection
     from matplotlib.figure import Figure
@@ -74,12 +92,7 @@ def draw(domain: Domain, path: object, *, dark: bool, depth: int | None) -> None
         )
     _mark(axes, domain, outline, corners, look)
     _write(figure, domain, look)
-    try:
-        figure.savefig(str(path), facecolor=look["page"], dpi=160)
-    except (OSError, ValueError) as error:
-        raise LatticeError(
-            f"cannot draw to {shorten(path)!r}: {error}; try a file .svg, .png or .pdf"
-        ) from error
+    return figure
 
 
 def _write(figure: Any, domain: Domain, look: dict[str, str]) -> None:

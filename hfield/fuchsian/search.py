@@ -52,7 +52,7 @@ class Sight:
         w, p, q, r = (
             np.array([real(x) for x in column])
             for column in zip(
-                *((order.scalar(x.scalar_part), *plane.vector(x)) for x in basis), strict=True
+                *((order.scalar(x.trace()) / 2, *plane.vector(x)) for x in basis), strict=True
             )
         )
         self.a = w + 1j * math.sqrt(n) * p
@@ -86,7 +86,9 @@ class Sight:
 
     def motions(self, rows: Rows) -> tuple[Any, Any]:
         """Return a and b of elements."""
-        return rows @ self.a, rows @ self.b
+        # one thread: BLAS would wake as many as there are, which takes longer than the products
+        a, b = (np.einsum("ni,i->n", rows, x) for x in (self.a, self.b))
+        return a, b
 
     def left(self, rows: Rows) -> Any:
         """Return the matrices by which these elements multiply rows from the left."""
@@ -185,8 +187,9 @@ def _small(order: SplitOrder, sight: Sight) -> Iterator[Quaternion]:
         some = cube[np.gcd.reduce(cube, axis=1) == 1] @ rows
         a, b = sight.motions(some)
         norms, first = np.unique((abs(a) ** 2 - abs(b) ** 2).round(6), return_index=True)
-        for n in first[norms > NEAR].tolist():
-            yield order.element(some[n].tolist())
+        for c in map(order.element, some[first[norms > NEAR]].tolist()):
+            if order.sign(order.scalar(c.norm())) > 0:  # floats may be wrong where numbers are long
+                yield c
 
 
 def reduction(vectors: Any) -> Any:

@@ -10,8 +10,11 @@ from typing import Any
 from flint import arb, fmpq, fmpq_mat
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.certificates.glossary import BY_AREA, SHIMIZU
 from hfield.errors import IndefiniteError
+from hfield.evidence import Claim
 from hfield.fuchsian import area
+from hfield.lattices.certificates import element_json, text
 from hfield.lattices.z_lattice import contains
 from hfield.lattices.z_order import ZOrder
 
@@ -72,6 +75,14 @@ class SplitOrder(ABC):
     @abstractmethod
     def flat(self, q: Quaternion) -> list[fmpq]:
         """Return rational coordinates of an element."""
+
+    @abstractmethod
+    def written(self, g: Quaternion) -> Any:
+        """Return an element as evidence has it."""
+
+    @abstractmethod
+    def claim(self, word: str, parts: list[str], shown: dict[str, Any], *cited: str) -> Claim:
+        """Return a statement about the order that begins with a word, with its evidence."""
 
     @cached_property
     def inverse(self) -> fmpq_mat:
@@ -144,3 +155,12 @@ class RationalOrder(SplitOrder):
 
     def flat(self, q: Quaternion) -> list[fmpq]:
         return [self.scalar(x) for x in q.coordinates]
+
+    def written(self, g: Quaternion) -> list[str]:
+        return element_json(g)
+
+    def claim(self, word: str, parts: list[str], shown: dict[str, Any], *cited: str) -> Claim:
+        statement = f"{word}{{{'; '.join([text(self.order), *parts])}}}"
+        return Claim(
+            self.algebra, statement, {"kind": word, **shown}, BY_AREA, assumes=(SHIMIZU, *cited)
+        )

@@ -122,7 +122,9 @@ class Classes(Certified):
             while len(rows) < len(self._lattices):
                 row, left = self._row(len(rows), p, left, back)
                 rows.append(row)
-                tell(self.mass - left, self.mass, "the mass")
+                # the classes known stand for the mass that is used up: so many rows there will be
+                share = Fraction(len(rows), len(self._lattices)) * (self.mass - left)
+                tell(share, self.mass, "the classes")
             self.rows[p] = rows
             if left < 0:
                 raise AssertionError("the classes found exceed the mass")

@@ -3,13 +3,15 @@
 ``J = I·c`` means that c lies in ``I⁻¹·J`` and has the norm ``N(J)/N(I)``. In a definite algebra that is a
 vector of least conceivable length in a positive definite lattice: it is there, or an exhausted enumeration
 says that it is not (Kirschmer and Voight, *SIAM J. Comput.* 39, 2010). In an indefinite algebra strong
-approximation decides, and the element is looked for among short vectors of a form that majorises the norm.
+approximation decides, and the element is looked for among short vectors of a form that majorises the norm,
+then among what is short from other points of the hyperbolic plane (``hfield.fuchsian.search``, which stands
+above and comes as an argument).
 """
 
 from __future__ import annotations
 
 import math
-import random
+from collections.abc import Callable
 from fractions import Fraction
 from functools import partial
 from itertools import islice
@@ -25,21 +27,21 @@ from hfield.lattices.z_lattice import (
     colon,
     conjugate,
     index,
-    multiple,
     product,
     rows_json,
     scaled,
 )
 from hfield.lattices.z_order import ZOrder, eichler_symbol, is_locally_principal
 
-TRIED = 100_000
-"""Vectors tried for an element of given norm in an indefinite algebra, and as many once more."""
-PLACES = 25
-FAR = 10**4
-"""So many other places from which short vectors are looked for, and how far away."""
+TRIED = 4_000
+"""Short vectors tried for an element of given norm in an indefinite algebra, before others."""
+Search = Callable[[ZLattice, Fraction], Quaternion | None]
+"""What looks for an element of norm ±n in a lattice of an indefinite algebra."""
 
 
-def equivalence(first: ZLattice, second: ZLattice, order: ZOrder, side: str) -> Answer:
+def equivalence(
+    first: ZLattice, second: ZLattice, order: ZOrder, side: str, search: Search
+) -> Answer:
     """Return c with ``second = first·c`` (left ideals) or ``c·first`` (right ones), or why there is none.
 
     Raises :class:`UndecidedError` in an indefinite algebra, where strong approximation does not decide.
@@ -69,7 +71,7 @@ def equivalence(first: ZLattice, second: ZLattice, order: ZOrder, side: str) -> 
     if size is None:
         return answer(False, "the index of one in the other is no square")
     evidence["norm"] = str(size)
-    element, reason = element_of_norm(bridge, size)
+    element, reason = element_of_norm(bridge, size, search)
     if element is not None:
         evidence["element"] = element_json(element)
         return answer(True, "the element is multiplied out", element)
@@ -93,7 +95,9 @@ def one_class(order: ZOrder) -> bool:
     )
 
 
-def element_of_norm(lattice: ZLattice, size: Fraction) -> tuple[Quaternion | None, str]:
+def element_of_norm(
+    lattice: ZLattice, size: Fraction, search: Search
+) -> tuple[Quaternion | None, str]:
     """Return an element of norm ``size`` (±size in an indefinite algebra), or None and what was tried."""
     multiple = size / lattice.norm
     if multiple.denominator != 1:
@@ -112,40 +116,20 @@ def element_of_norm(lattice: ZLattice, size: Fraction) -> tuple[Quaternion | Non
         if not tried:
             return None, f"no element but 0 has norm at most {size}"
         return None, f"none of the {2 * tried} elements of norm at most {size} has this norm"
-    return _indefinite(lattice, m)
+    found = _among_short(lattice, m) or search(lattice, size)
+    where = f"{TRIED} short ones, nor among those short from points of the hyperbolic plane"
+    return found, "" if found else f"no element of norm ±{size} is among {where}"
 
 
-def _indefinite(lattice: ZLattice, m: int) -> tuple[Quaternion | None, str]:
-    """Try short vectors of the majorant for the value ±m, and short ones as they are seen from elsewhere.
-
-    The elements c of L are those of L·ȳ divided by ȳ, for any y; and what is long seen from 1 may be short
-    seen from y.
-    """
-    found = _among_short(lattice, m, TRIED)
-    if found is not None:
-        return found, ""
-    rng = random.Random(m)
-    for _ in range(PLACES):
-        row = [rng.randint(-FAR, FAR) for _ in range(4)]
-        y = sum((c * q for c, q in zip(row, lattice.basis, strict=True)), lattice.algebra(0))
-        if y.norm() == 0:
-            continue
-        found = _among_short(multiple(lattice, y.conjugate(), "right"), m, TRIED // PLACES)
-        if found is not None:
-            return found * y / y.norm(), ""
-    tried = f"{TRIED} short ones, nor among as many seen from {PLACES} other places"
-    return None, f"no element of norm ±{m * lattice.norm} is among {tried}"
-
-
-def _among_short(lattice: ZLattice, m: int, most: int) -> Quaternion | None:
+def _among_short(lattice: ZLattice, m: int) -> Quaternion | None:
     """Return an element whose norm is ±m times that of the lattice, if one is among short vectors."""
     rows, _ = lattice.reduced
     size = hermite.tuples(rows * lattice.regular.majorant * rows.transpose())
     bound, tried = max(size[n][n] for n in range(4)), 0
-    while tried < most:
+    while tried < TRIED:
         vectors = enumeration.short_vectors(size, bound)
         tried = 0
-        for tried, (x, _) in enumerate(islice(vectors, most), 1):  # noqa: B007
+        for tried, (x, _) in enumerate(islice(vectors, TRIED), 1):  # noqa: B007
             row = hermite.combination(x, rows)
             if abs(lattice.multiple(row)) == m:
                 return lattice.element(row)

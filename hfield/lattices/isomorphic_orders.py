@@ -25,13 +25,15 @@ from hfield.factorisation import factorise
 from hfield.lattices import enumeration, hermite
 from hfield.lattices.certificates import STRONG_APPROXIMATION, Answer, element_json
 from hfield.lattices.enumeration import Gram, Vector
-from hfield.lattices.equivalence import element_of_norm, root
+from hfield.lattices.equivalence import Search, element_of_norm, root
 from hfield.lattices.maximal_orders import endpoints
 from hfield.lattices.z_lattice import ZLattice, add, divisor, meet, product, rows_json, scaled
 from hfield.lattices.z_order import ZOrder, conductor, gorenstein_closure, is_eichler
 
 
-def isomorphism(first: ZOrder, second: ZOrder) -> Answer:
+def isomorphism(
+    first: ZOrder, second: ZOrder, search: Search = lambda lattice, size: None
+) -> Answer:
     """Return an answer with an element x such that ``x·first·x⁻¹ = second``.
 
     Raises :class:`UndecidedError` for orders of an indefinite algebra that are not Eichler orders, unless
@@ -69,7 +71,7 @@ def isomorphism(first: ZOrder, second: ZOrder) -> Answer:
             "Gorenstein closures are Eichler orders, and one of these is none"
         )
     bridge = connecting_ideal(first, second)
-    found, reason = element_of_norm(bridge, bridge.norm)
+    found, reason = element_of_norm(bridge, bridge.norm, search)
     if found is not None:
         return yes(found.inverse(), "the element conjugates one into the other")
     return answer(True, f"{reason}, but there is one", theorem=STRONG_APPROXIMATION)

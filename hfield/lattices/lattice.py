@@ -48,6 +48,7 @@ from hfield.lattices.checked_arguments import (
     prime,
 )
 from hfield.lattices.checked_arguments import prime as checked_prime
+from hfield.lattices.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.lattices.classes import Classes
 from hfield.lattices.eigensystems import WithForms
 from hfield.lattices.hecke_modules import RationalModule
@@ -271,7 +272,7 @@ class Lattice(Hinted):
         return short_elements.theta_series(self.value, n)
 
 
-class Order(Certified, Lattice):
+class Order(WithStableClasses, Certified, Lattice):
     """A lattice that is a ring with 1: ``q in O`` asks for membership.
 
     >>> from hfield import QuaternionAlgebra
@@ -404,6 +405,17 @@ class Order(Certified, Lattice):
         """Return the Gorenstein order G with O = ℤ + f·G, f the conductor (Voight, section 24.2)."""
         return Order(z_order.gorenstein_closure(self.value))
 
+    def suborders(self, p: int, k: int = 1) -> list[Order]:
+        """Return all orders of index pᵏ in this one. Raises :class:`TooLargeError` for many candidates.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order()
+        >>> [len(O.suborders(2, k)) for k in (1, 2)], O.suborders(11)[0].eichler_symbol(11)
+        ([3, 13], 0)
+        """
+        exponent = natural(k, "the exponent of an index is")
+        return [Order(O) for O in maximal_orders.suborders(self.value, checked_prime(p), exponent)]
+
     # --- units -------------------------------------------------------------------------------------
 
     def units(self) -> tuple[Quaternion, ...]:
@@ -490,7 +502,8 @@ class Order(Certified, Lattice):
         Decided for all orders of definite algebras, and for ℤ + f·Eichler orders of indefinite ones, where
         the element may be missing. Raises :class:`UndecidedError`.
         """
-        return isomorphic_orders.isomorphism(self.value, self._order_like(other))
+        search = _from_the_plane(self.value)
+        return isomorphic_orders.isomorphism(self.value, self._order_like(other), search)
 
     def _order_like(self, other: object) -> ZOrder:
         """Return an order of the same algebra, perhaps given as a lattice, ``x * O * x.inverse()``."""
@@ -527,6 +540,13 @@ class Order(Certified, Lattice):
         Raises :class:`IndefiniteError`; there the number of classes is 1 for an Eichler order.
         """
         return ClassSet(self)
+
+    @cached_property
+    def _stable(self) -> StableClasses:
+        return class_number.over_z(self.value)
+
+    def _units_modulo_scalars(self) -> int:
+        return self.unit_count() // 2
 
     def mass(self) -> Fraction:
         """Return ``Σ 1/[O_L(I)^× : ±1]`` over the right ideal classes, by a formula."""
@@ -723,7 +743,8 @@ class Ideal(Certified, Lattice):
         ideal of another order, and :class:`UndecidedError`.
         """
         second = self._joint(other).value
-        return equivalence.equivalence(self.value, second, self.order.value, self.side)
+        order = self.order.value
+        return equivalence.equivalence(self.value, second, order, self.side, _from_the_plane(order))
 
     def is_equivalent(self, other: Ideal) -> bool:
         """Tell whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""
@@ -732,7 +753,7 @@ class Ideal(Certified, Lattice):
     def is_principal(self) -> Answer:
         """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
         order = self.order.value
-        return equivalence.equivalence(order, self.value, order, self.side)
+        return equivalence.equivalence(order, self.value, order, self.side, _from_the_plane(order))
 
     def equivalent_of_prime_norm(self, avoid: Iterable[int] = ()) -> tuple[Ideal, Quaternion]:
         """Return (J, c) with J equivalent to I of the least prime norm that is not in ``avoid``.
@@ -754,7 +775,22 @@ class Ideal(Certified, Lattice):
         return Ideal.of(self * c, "left", self.order), c, e
 
 
-class ClassSet(Classes, WithForms, Hinted):
+def _from_the_plane(order: ZOrder) -> equivalence.Search:
+    """Return a search for elements of an indefinite algebra that are short from points of its plane."""
+
+    def search(lattice: ZLattice, size: Fraction) -> Quaternion | None:
+        from hfield.fuchsian.search import element_of_norm
+
+        split, rows = RationalOrder(order), hermite.tuples(lattice.reduced[0])
+        basis = [lattice.element(row) for row in rows]
+        return element_of_norm(split, basis, split.scalar(size)) or element_of_norm(
+            split, basis, split.scalar(-size)
+        )
+
+    return search
+
+
+class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
     """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -766,6 +802,7 @@ class ClassSet(Classes, WithForms, Hinted):
     """
 
     elsewhere = CLASSES
+    order: Order
 
     def __init__(self, order: Order) -> None:
         super().__init__(order.value)
@@ -798,6 +835,10 @@ class ClassSet(Classes, WithForms, Hinted):
     def left_orders(self) -> list[Order]:
         """Return the left orders of the representatives, one a class."""
         return [I.left_order() for I in self]
+
+    def _stable_class(self, n: int) -> int:
+        stable, local = self.order._stable, class_number.local_multiple
+        return stable.reduced(local(self._lattices[n], place.prime) for place in stable.places)
 
     @cached_property
     def _forms(self) -> RationalModule:

@@ -1,20 +1,24 @@
-"""Maximal orders over ℤ that contain a given one, and the Eichler orders inside a given maximal one.
+"""Maximal orders over ℤ that contain a given one; the orders inside a given one, Eichler orders among them.
 
 At a prime p the left order of the radical is larger until the order is hereditary; then the residue algebra
 is a field, or a product of two, and one of its two maximal ideals has a maximal left order (Voight,
 *Quaternion Algebras*, sections 15.5, 21.2, 24.4).
+
+A maximal suborder of O contains p·O, so that subalgebras of O/p·O give all of them: of index p, or of index
+p² and spanned by 1 and one more.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from itertools import count, product
+from typing import TypeVar
 
 from flint import fmpz_mat
 
-from hfield.errors import LatticeError
+from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise
-from hfield.lattices import hermite
+from hfield.lattices import hermite, z_lattice
 from hfield.lattices.checked_arguments import expect_coprime
 from hfield.lattices.modulo_primes import kernel, lifted, roots, simple_root
 from hfield.lattices.z_lattice import ZLattice, hermite_form
@@ -23,6 +27,9 @@ from hfield.rings.whole_numbers import crt
 
 Line = tuple[int, list[int]]
 """A coordinate, and values for the others with 0 in its place."""
+MOST = 10_000
+"""No more candidates for orders at one prime than this are tried."""
+Value = TypeVar("Value")
 
 
 def radical(order: ZOrder, p: int) -> ZLattice:
@@ -142,3 +149,56 @@ def small_lines() -> Iterator[Line]:
             if max(map(abs, rest)) == size:
                 for n in range(4):
                     yield n, [*rest[:n], 0, *rest[n:]]
+
+
+# --- orders below ----------------------------------------------------------------------------------
+
+
+def suborders(order: ZOrder, p: int, k: int) -> list[ZOrder]:
+    """Return the orders of index pᵏ in an order. Raises :class:`TooLargeError`."""
+    return in_steps(order, k, lambda O: _maximal_suborders(O, p), lambda O: O.hnf)
+
+
+def in_steps(
+    start: Value,
+    k: int,
+    around: Callable[[Value], Iterator[tuple[int, Value]]],
+    key: Callable[[Value], Hashable],
+) -> list[Value]:
+    """Return what is reached in steps whose lengths add up to k. Raises :class:`TooLargeError`."""
+    reached: list[dict[Hashable, Value]] = [{key(start): start}, *({} for _ in range(k))]
+    for n in range(k):
+        for order in reached[n].values():
+            for length, other in around(order):
+                if n + length <= k:
+                    reached[n + length].setdefault(key(other), other)
+        if sum(map(len, reached)) > MOST:
+            raise TooLargeError("there are too many orders of this index to list them")
+    return list(reached[k].values())
+
+
+def _maximal_suborders(order: ZOrder, p: int) -> Iterator[tuple[int, ZOrder]]:
+    """Yield the orders of index p, and those of index p² that contain p·O, with the exponents."""
+    if p * p + p + 1 > MOST:
+        raise TooLargeError(f"there are too many candidates for orders at {p} to try them")
+    one = [order.den, 0, 0, 0]
+    first = z_lattice.coordinates(order, 1)
+    pivot = next(n for n, c in enumerate(first) if int(c.p) % p)
+    b, c, d = (row for n, row in enumerate(order.hnf[1]) if n != pivot)
+
+    def spanned(*rows: tuple[int, ...]) -> ZOrder:
+        return ZOrder.of(above(order, fmpz_mat([one, *rows]), p))
+
+    def plus(v: tuple[int, ...], *others: tuple[int, tuple[int, ...]]) -> tuple[int, ...]:
+        return tuple(x + sum(t * w[n] for t, w in others) for n, x in enumerate(v))
+
+    digits = range(p)
+    planes = [(plus(b, (x, d)), plus(c, (y, d))) for x, y in product(digits, repeat=2)]
+    planes += [*((plus(b, (x, c)), d) for x in digits), (c, d)]
+    for pair in planes:
+        found = spanned(*pair)
+        if z_lattice.add(found, z_lattice.product(found, found)) == found:
+            yield 1, found
+    lines = [plus(b, (x, c), (y, d)) for x, y in product(digits, repeat=2)]
+    for v in (*lines, *(plus(c, (y, d)) for y in digits), d):
+        yield 2, spanned(v)

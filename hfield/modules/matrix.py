@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import (
@@ -21,7 +20,16 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.structure.linear_algebra.echelon import echelon, null_space, solution
+from hfield.modules.elimination import (
+    Cleared,
+    Vector,
+    by_functional,
+    dot,
+    left_kernel,
+    over_ring,
+    transposed,
+    vector,
+)
 from hfield.structure.linear_algebra.kernels import kernel
 
 if TYPE_CHECKING:
@@ -29,8 +37,15 @@ if TYPE_CHECKING:
     from hfield.modules.hermitian import DiagonalForm, Signature
     from hfield.rings.base import Ring
 
-Vector = tuple[Quaternion, ...]
 Entries = tuple[Vector, ...]
+
+
+class EchelonForm(NamedTuple):
+    """``transformation`` @ M == ``form``; ``pivots`` are columns, from 0."""
+
+    form: Matrix
+    transformation: Matrix
+    pivots: tuple[int, ...]
 
 
 class Matrix:
@@ -193,7 +208,7 @@ class Matrix:
         if self.shape[1] != b.shape[0]:
             raise CoercionError(f"shapes {self.shape} and {b.shape} do not multiply")
         columns = list(zip(*b.rows, strict=True))
-        return self._like([[_dot(row, column) for column in columns] for row in self.rows])
+        return self._like([[dot(row, column) for column in columns] for row in self.rows])
 
     def _factor(self, x: object) -> Quaternion | None:
         if isinstance(x, Matrix):
@@ -290,12 +305,11 @@ class Matrix:
     def inverse(self) -> Matrix:
         """Return the inverse, on both sides. Raises :class:`NotInvertibleError`, which shows why."""
         self._expect_square("the inverse")
-        F, n = self.algebra.ring, self.shape[0]
+        F = self.algebra.ring
         if F.is_field:
-            units = [[F.one if r == 4 * c else F.zero for c in range(n)] for r in range(4 * n)]
-            found = solution(F, self._over_ring, units)
+            found = self._beside(self._identity()).solution()
             if found is not None:
-                return self._columns(found)
+                return self._like(zip(*found, strict=True))
             y = self.left_kernel()[0]
             raise NotInvertibleError(f"this matrix has no inverse: y·M = 0 for y = {_shown(y)}")
         c = self.reduced_characteristic_polynomial()
@@ -311,24 +325,12 @@ class Matrix:
 
     # --- over the base ring --------------------------------------------------------------------
 
-    @cached_property
-    def _over_ring(self) -> list[list[Any]]:
-        """The matrix of x ↦ M·x on coordinates, 4m × 4n over the base ring."""
-        out = []
-        for row in self.rows:
-            blocks = [q.matrix() for q in row]
-            out += [[x for block in blocks for x in block[r]] for r in range(4)]
-        return out
-
-    def _columns(self, values: Sequence[Sequence[Any]]) -> Matrix:
-        """Return the matrix over A of which each column of 4n scalars is one column."""
-        A, count = self.algebra, len(values) // 4
-        return self._like(
-            [
-                [A(*(values[4 * r + m][c] for m in range(4))) for c in range(len(values[0]))]
-                for r in range(count)
-            ]
-        )
+    def _beside(self, right: Matrix | None = None) -> Cleared:
+        """Return the matrix cleared by units, with another one right of it."""
+        rows: Any = self.rows
+        if right is not None:
+            rows = [[*x, *y] for x, y in zip(self.rows, right.rows, strict=True)]
+        return Cleared(self.algebra, rows, self.shape[1])
 
     def _field(self, what: str) -> Ring:
         F = self.algebra.ring
@@ -341,8 +343,41 @@ class Matrix:
 
     def rank(self) -> int | Fraction:
         """Return dim_F(M·Aⁿ)/4: an int, or a fraction where the algebra has zero divisors."""
-        rank = Fraction(len(echelon(self._field("the rank"), self._over_ring)[1]), 4)
+        self._field("the rank")
+        rank = self._beside().rank()
         return rank.numerator if rank.denominator == 1 else rank
+
+    def echelon_form(self) -> EchelonForm:
+        """Return ``.form``, the reduced row echelon form E, ``.transformation`` T, T·M = E, and ``.pivots``.
+
+        T is invertible; in the columns of the pivots E has those of the identity. Raises
+        :class:`UndecidedError` where a column has entries that are zero divisors, and no unit to clear them.
+
+        >>> from hfield import H
+        >>> M = H("QQ").matrix([["i", "j", 1], ["k", 1, "j"]])
+        >>> E, T, pivots = M.echelon_form(); E, T @ M == E, pivots
+        ([[1, -k, 0], [0, 0, 1]], True, (0, 2))
+        """
+        A, (m, n) = self.algebra, self.shape
+        F = self._field("the echelon form")
+        if not F.is_exact:
+            raise UndecidedError(f"whether a column is 0 is not decided over {F.name}; svd() tells")
+        rows = [[*row, *(A.scalar(r == c) for c in range(m))] for r, row in enumerate(self.rows)]
+        found = Cleared(A, rows, n, leftmost=True)
+        order = sorted(zip(found.pivots, found.done, strict=True), key=lambda pair: pair[0])
+        left = [
+            *(x for c, row in order for x in row[:c]),
+            *(x for row in found.rest for x in row[:n]),
+        ]
+        if any(left):
+            raise UndecidedError(
+                "an echelon form needs a unit in each column that it clears; rank() and solve() do not"
+            )
+        whole = [*(row for _, row in order), *found.rest]
+        form, transformation = (
+            self._like(row[part] for row in whole) for part in (slice(n), slice(n, None))
+        )
+        return EchelonForm(form, transformation, tuple(c for c, _ in order))
 
     def right_kernel(self) -> tuple[Vector, ...]:
         """Return vectors x with M·x = 0 that generate all of them as a right module.
@@ -350,56 +385,19 @@ class Matrix:
         A basis over a division algebra; over rings that are no fields generators over the ring. Raises
         :class:`UndecidedError` where none are found.
         """
-        F, width = self.algebra.ring, 4 * self.shape[1]
-        if not F.is_field:
-            found = kernel(F, self._over_ring, width)
-            return tuple(self._vector(v) for v in found)
-        return self._generators(null_space(F, self._over_ring, width), right=True)
+        F = self.algebra.ring
+        if F.is_field:
+            return tuple(self._beside().right_kernel())
+        found = kernel(F, over_ring(self.rows), 4 * self.shape[1])
+        return tuple(vector(self.algebra, v) for v in found)
 
     def left_kernel(self) -> tuple[Vector, ...]:
         """Return vectors x with x·M = 0 that generate all of them as a left module, likewise."""
-        # λ(x·M·v) = 0 for all v, where λ is the last coordinate: a form without kernel, see `_by_functional`
         F = self.algebra.ring
-        transposed = [list(row) for row in zip(*self._over_ring, strict=True)]
-        find = null_space if F.is_field else kernel
-        values = find(F, transposed, 4 * self.shape[0])
-        vectors = [self._by_functional(v) for v in values]
-        if not F.is_field:
-            return tuple(vectors)
-        return self._generators(
-            [[x for q in v for x in q.coordinates] for v in vectors], right=False
-        )
-
-    def _by_functional(self, values: Sequence[Any]) -> Vector:
-        """Return the row y for which λ(y·v) is the sum of values times coordinates of v.
-
-        λ(q) is the coordinate at k. With ji = t·j − k, λ(y·e), λ(y·i), λ(y·j), λ(y·k) are y₃, −y₂, y₁ and
-        y₀ + t·y₁, over every ring and for every a, t, b: each functional is one y.
-        """
-        A, t = self.algebra, self.algebra.constants.t
-        blocks = [values[n : n + 4] for n in range(0, len(values), 4)]
-        return tuple(A(at_k - t * at_j, at_j, -at_i, at_e) for at_e, at_i, at_j, at_k in blocks)
-
-    def _vector(self, v: Sequence[Any]) -> Vector:
-        return tuple(self.algebra(*v[n : n + 4]) for n in range(0, len(v), 4))
-
-    def _generators(self, basis: list[list[Any]], right: bool) -> tuple[Vector, ...]:
-        """Choose of a basis over F of a module those that generate it over A."""
-        F, chosen = self.algebra.ring, list[Vector]()
-        span: list[list[Any]] = []
-        for v in basis:
-            x = self._vector(v)
-            reduced = echelon(F, [*span, v])[0]
-            if len(reduced) == len(span):
-                continue
-            chosen.append(x)
-            for u in self.algebra.basis:
-                multiple = [q * u if right else u * q for q in x]
-                span.append([c for q in multiple for c in q.coordinates])
-            span = echelon(F, span)[0]
-            if len(span) == len(basis):
-                break
-        return tuple(chosen)
+        if F.is_field:
+            return tuple(left_kernel(self.algebra, self.rows))
+        found = kernel(F, transposed(over_ring(self.rows)), 4 * self.shape[0])
+        return tuple(by_functional(self.algebra, v) for v in found)
 
     def solve(self, b: Matrix | Sequence[object]) -> Matrix:
         """Return a matrix x with ``M @ x == b``; b may be the list of a column.
@@ -419,14 +417,11 @@ class Matrix:
             raise UndecidedError(
                 f"over {F.name}, which is no field, only invertible matrices are solved for"
             )
-        right = [
-            [x for q in column for x in q.coordinates] for column in zip(*target.rows, strict=True)
-        ]
-        found = solution(F, self._over_ring, [list(row) for row in zip(*right, strict=True)])
+        found = self._beside(target).solution()
         if found is not None:
-            return self._columns(found)
+            return self._like(zip(*found, strict=True))
         for y in self.left_kernel():
-            product = [_dot(y, column) for column in zip(*target.rows, strict=True)]
+            product = [dot(y, column) for column in zip(*target.rows, strict=True)]
             if any(product):
                 raise NoSolutionError(
                     f"there is no x with M·x = b: y·M = 0 and y·b = {_shown(product)} for y = {_shown(y)}",
@@ -507,13 +502,6 @@ class Matrix:
 
     def _repr_latex_(self) -> str:
         return f"${self.text('latex')}$"
-
-
-def _dot(row: Sequence[Quaternion], column: Sequence[Quaternion]) -> Quaternion:
-    total = row[0] * column[0]
-    for x, y in zip(row[1:], column[1:], strict=True):
-        total = total + x * y
-    return total
 
 
 def _shown(v: Iterable[Quaternion]) -> str:

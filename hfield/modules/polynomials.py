@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 from typing import Any, ClassVar
 
@@ -22,15 +23,17 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.modules.affine_spaces import of_trace_and_norm, on_spaces
 from hfield.modules.singular_polynomials import other_root
 from hfield.modules.vocabulary import vocabulary
 from hfield.rings.roots import common_divisor
-from hfield.structure import is_central_simple, is_division, split
+from hfield.structure import is_central_simple, is_division, radical, split
 from hfield.structure.linear_algebra.echelon import null_space, solution
-from hfield.structure.single_elements.trace_and_norm import element_of
 from hfield.syntax import Reader, plain_element
 
 MOST_DEGREE = 1000
+MOST_ELEMENTS = 100_000  # of an algebra that is gone through for linear factors
+MOST_FAILED = 3_000
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -303,74 +306,114 @@ class Polynomial:
     # --- roots ---------------------------------------------------------------------------------
 
     def roots(self) -> Roots:
-        """Return all q of the algebra with f(q) = 0, over a central simple algebra.
+        """Return all q of the algebra with f(q) = 0, over a field.
 
-        S(t, n) are the q of trace t and norm n. All of those in ``spheres`` are roots; ``isolated`` are roots
-        alone in their S(t, n), ``families`` are the rest, all of them one family where norm(f) = 0. Raises
-        :class:`CoercionError` for f = 0 and :class:`UndecidedError` where norm(f) is not factored.
+        S(t, n) are the q with q² = t·q − n. All of those in ``spheres`` are roots; ``isolated`` are roots
+        alone in their S(t, n), ``families`` are the rest, by trace and norm; where norm(f) = 0 and there are
+        zero divisors modulo the radical, they are one family. Raises :class:`CoercionError` for f = 0,
+        and :class:`UndecidedError` where norm(f) is not factored, over rings that are no fields, and in that
+        last case where the algebra is infinite and its radical not 0.
         """
         A = self.parent.algebra
         F = A.ring
         if not self:
             raise CoercionError("every element is a root of 0")
-        if not is_central_simple(F, A.constants):
-            raise UndecidedError(f"roots are found in central simple algebras, and {A} is none")
-        norm = [c.coordinates[0] for c in self.norm().coefficients]
+        if not F.is_field:
+            raise UndecidedError(f"roots are found over fields, and {F.name} is none")
+        norm = self._base_norm() or self._in_socle()._base_norm()
         if not norm:
             return self._singular_roots()
         spheres, isolated, families = [], list[Quaternion](), list[Family]()
         for t, n in _quadratic_divisors(F, norm):
             rest = self.divmod_right(self.parent([n, -t, 1]))[1].coefficients
             a, b = (*rest, *[A.scalar(0)] * (2 - len(rest)))
-            if not a and not b:
-                point = _point(A, t, n)
-                if point is not None:
-                    spheres.append((t, n))
-                elif F.equal(t * t, n * 4) and F.characteristic != 2:
-                    isolated.append(A.scalar(t / F(2)))
-                elif F.characteristic == 2 and F.is_zero(t):
-                    isolated.append(A.scalar(F.sqrt(n)))
-                continue
-            points, whole = _on_line(A, a, b, t, n)
-            if whole or len(points) > 1:
-                families.append(Family(t, n, points[0], self))
+            if not rest and of_trace_and_norm(A, t, n) is not None:
+                spheres.append((t, n))
+            elif not rest:  # scalars at most: both halves of t, or the root of n where 2 = 0
+                r = F.sqrt(n) if F.characteristic == 2 else t / F(2)
+                if r is not None and F.equal(r + r, t) and F.equal(r * r, n):
+                    isolated.append(A.scalar(r))
             else:
-                isolated += points
+                points, directions = on_spaces(A, a, b, t, n)
+                if points and (directions or len(points) > 1):
+                    families.append(Family(t, n, points[0], self))
+                else:
+                    isolated += points
         # A scalar r in no family can still lie in the sphere of (x - r)(x - s), which is not of its trace.
         alone = (
             q for q in isolated if not any(self.parent([n, -t, 1])(q).is_zero() for t, n in spheres)
         )
         return Roots(tuple(spheres), tuple(alone), tuple(families))
 
+    def _base_norm(self) -> list[Any]:
+        """Return the coefficients of the norm in the base ring."""
+        return [c.coordinates[0] for c in self.norm().coefficients]
+
+    def _in_socle(self) -> Polynomial:
+        """Return g with norm(q) dividing norm(g) for all roots q, where coefficients lie in the radical R.
+
+        Some y·f ≠ 0 has coefficients that R annihilates; if A/R is a field these are multiples g·s of one
+        of them, s·q is q′·s with q′ of the trace and norm of q, and g(q′) is in R, along which the norm does
+        not change. Over A/R with zero divisors, and without R, norm(g) may be 0.
+        """
+        A, F, f = self.parent.algebra, self.parent.algebra.ring, self
+        basis = [A(*q) for q in radical(F, A.constants)]
+        if not basis:
+            return self
+        multiples = [self]
+        while multiples:
+            f = multiples[0]
+            multiples = [g for g in (self.parent([r]) * f for r in basis) if g]
+        annihilated = null_space(F, [list(row) for r in basis for row in r.matrix()], 4)
+        right = [list(row) for row in zip(*(c.coordinates for c in f.coefficients), strict=True)]
+        for s in annihilated:
+            times_s = zip(*((u * A(*s)).coordinates for u in A.basis), strict=True)
+            rows = [list(row) for row in times_s]
+            if len(null_space(F, rows, 4)) == len(basis):  # only R annihilates s
+                found = solution(F, rows, right)
+                assert found is not None, "the coefficients are multiples of s"
+                return self.parent(A(*q) for q in zip(*found, strict=True))
+        return self
+
     def _singular_roots(self) -> Roots:
-        """Return the roots of a polynomial of norm 0, which only split algebras have."""
-        A = self.parent.algebra
+        """Return the roots where norm(f) = 0 and the algebra has zero divisors modulo its radical."""
+        A: Any = self.parent.algebra
         F = A.ring
-        matrices = split(F, A.constants)
-        assert matrices is not None, (
-            "the norm form of a division algebra has no zeros over F(x) either"
-        )
         content: list[Any] = []
         for n in range(4):
             content = common_divisor(F, content, [c.coordinates[n] for c in self.coefficients])
         spheres = tuple(
-            (t, n) for t, n in _quadratic_divisors(F, content) if _point(A, t, n) is not None
+            (t, n)
+            for t, n in _quadratic_divisors(F, content)
+            if of_trace_and_norm(A, t, n) is not None
         )
-        root = other_root(
-            F, [matrices.to_matrix(c.coordinates) for c in self.coefficients], spheres
-        )
-        if root is None:
+        if is_central_simple(F, A.constants):
+            matrices = split(F, A.constants)
+            assert matrices is not None, (
+                "the norm form of a division algebra has no zeros over F(x) either"
+            )
+            root = other_root(
+                F, [matrices.to_matrix(c.coordinates) for c in self.coefficients], spheres
+            )
+            example = None if root is None else A(*matrices.from_matrix(root))
+        elif F.order is not None and F.order**4 <= MOST_ELEMENTS:
+            family = Family(None, None, A.scalar(0), self, spheres)
+            example = next((q for q in A.elements() if family.contains(q)), None)
+        else:
+            raise UndecidedError(
+                f"norm(f) = 0, and {A} has a radical and zero divisors modulo it: its roots are not sought"
+            )
+        if example is None:
             return Roots(spheres, (), ())
-        example = A(*matrices.from_matrix(root))
         return Roots(spheres, (), (Family(None, None, example, self, spheres),))
 
     def linear_factors(self) -> tuple[Quaternion, tuple[Quaternion, ...]] | NoFactors:
         """Return (c, (q₁, …, qₙ)) with f = c·(x − q₁)⋯(x − qₙ), or a false answer that says there is none.
 
         Over a division algebra any root may be the last: factors are unique up to similarity and order
-        (O. Ore, Annals of Math. 34 (1933)). Over split ones all are tried, if they are finitely many. Raises
-        :class:`NotInvertibleError` unless c is a unit, and :class:`UndecidedError` where roots are not
-        found, or infinitely many are left to try.
+        (O. Ore, Annals of Math. 34 (1933)). Over split ones all are tried, if they are finitely many, as
+        over GF(q), q ≤ 17. Raises :class:`NotInvertibleError` unless c is a unit, and
+        :class:`UndecidedError` where roots are not found, or too many are left to try.
         """
         A = self.parent.algebra
         if not self:
@@ -379,7 +422,7 @@ class Polynomial:
             )
         c = self.coefficients[-1]
         c.inverse()
-        search = _Factoring(is_division(A.ring, A.constants))
+        search = Factoring(A, is_division(A.ring, A.constants))
         factors = search.factors(self)
         if factors is not None:
             return c, factors
@@ -391,28 +434,61 @@ class Polynomial:
         raise UndecidedError("of some roots one in a family or sphere was tried, and others may do")
 
 
-class _Factoring:
-    """A search for linear factors: any root over a division algebra, over others one of each kind."""
+class Factoring:
+    """A search for linear factors: any root over a division algebra; over others all, or one of each kind."""
 
-    def __init__(self, division: bool) -> None:
-        self.division, self.is_whole = division, True
+    def __init__(self, A: Any, division: bool) -> None:
+        self.algebra, self.division, self.is_whole = A, division, True
         self.rest: Polynomial | None = None
+        self.failed: set[Polynomial] = set()
+        order = A.ring.order
+        self.is_finite = not division and order is not None and order**4 <= MOST_ELEMENTS
+
+    @cached_property
+    def _elements(self) -> dict[Any, list[Quaternion]]:
+        """All elements of a finite algebra, by trace and norm."""
+        found: dict[Any, list[Quaternion]] = {}
+        for q in self.algebra.elements():
+            found.setdefault(self._key(q.trace(), q.norm()), []).append(q)
+        return found
+
+    def _key(self, t: Any, n: Any) -> Any:
+        F = self.algebra.ring
+        return F.key(t), F.key(n)
 
     def factors(self, f: Polynomial) -> tuple[Quaternion, ...] | None:
         """Return (q₁, …, qₙ) with f = c·(x − q₁)⋯(x − qₙ), or None if none is found."""
         if f.degree == 0:
             return ()
+        if f in self.failed:
+            return None
         found = f.roots()
-        self.is_whole &= self.division or not (found.spheres or found.families)
+        self.is_whole &= self.division or self.is_finite or not (found.spheres or found.families)
         if not any((found.spheres, found.isolated, found.families)):
             self.rest = f
-        for q in _some(f.parent.algebra, found):
+        for q in self.roots(f, found):
             before = self.factors(f.divmod_right(f.parent([-q, 1]))[0])
             if before is not None:
                 return (*before, q)
             if self.division:
                 break
+        self.failed.add(f)
+        if len(self.failed) > MOST_FAILED:
+            raise UndecidedError(f"{MOST_FAILED} products of linear factors were tried")
         return None
+
+    def roots(self, f: Polynomial, found: Roots) -> Iterator[Quaternion]:
+        """Run through roots: one of each kind first, then, in a finite algebra, all others."""
+        yield from _some(self.algebra, found)
+        if not self.is_finite:
+            return
+        A, F = self.algebra, self.algebra.ring
+        for t, n in found.spheres:
+            yield from self._elements.get(self._key(t, n), ())
+            yield from (A.scalar(r) for r in F.roots([n, -t, F.one]))
+        for m in found.families:
+            among = A.elements() if m.t is None else self._elements[self._key(m.t, m.n)]
+            yield from (q for q in among if m.contains(q))
 
 
 def _quadratic_divisors(F: Any, f: list[Any]) -> Iterator[tuple[Any, Any]]:
@@ -451,41 +527,7 @@ def _constant(f: Polynomial) -> Quaternion:
 def _some(A: Parent, found: Roots) -> Iterator[Quaternion]:
     yield from found.isolated
     for t, n in found.spheres:
-        point = _point(A, t, n)
+        point = of_trace_and_norm(A, t, n)
         assert point is not None
         yield point
     yield from (family.example for family in found.families)
-
-
-def _point(A: Parent, t: Any, n: Any) -> Quaternion | None:
-    """Return an element of trace t and norm n that is no scalar, or None. Raises :class:`UndecidedError`."""
-    q = element_of(A.ring, A.constants, t, n)
-    return None if q is None else A(*q)
-
-
-def _on_line(
-    A: Parent, a: Quaternion, b: Quaternion, t: Any, n: Any
-) -> tuple[list[Quaternion], bool]:
-    """Return roots of a + b·q of trace t and norm n, all unless they are a whole line, and whether they are.
-
-    b is not 0 or a is not. If b is a zero divisor, its annihilator is a right ideal of dimension 2, on which
-    the trace is not 0 throughout: a point, or a line, on which the norm is a quadratic polynomial.
-    """
-    F = A.ring
-    rows: list[list[Any]] = [list(row) for row in b.matrix()]
-    rows.append([F(2), A.constants.t, F.zero, F.zero])
-    start = solution(F, rows, [*([-x] for x in a.coordinates), [t]])
-    if start is None:
-        return [], False
-    q = A(*(row[0] for row in start))
-    directions = null_space(F, rows, 4)
-    if not directions:
-        return [q] if F.equal(q.norm(), n) else [], False
-    (direction,) = directions
-    v = A(*direction)
-    c = q.norm() - n, (q * v.conjugate()).trace(), v.norm()
-    if all(map(F.is_zero, c)):
-        return [q], True
-    if F.is_zero(c[1]) and F.is_zero(c[2]):
-        return [], False
-    return [q + v * s for s in F.roots(list(c))], False

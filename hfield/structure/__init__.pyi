@@ -15,9 +15,9 @@ from .linear_algebra.radical import derivations as derivations
 from .linear_algebra.radical import is_central_simple as is_central_simple
 from .linear_algebra.radical import radical as radical
 from .linear_algebra.radical import to_opposite as to_opposite
-from .norm_forms.anisotropy_evidence import norm_evidence as norm_evidence
 from .norm_forms.zero_norm_answer import ZeroNorm as ZeroNorm
 from .norm_forms.zero_norms import is_division as is_division
+from .norm_forms.zero_norms import norm_evidence as norm_evidence
 from .norm_forms.zero_norms import zero_norm as zero_norm
 from .ramification import hilbert_symbol as hilbert_symbol
 from .ramification import place as place

@@ -231,14 +231,16 @@ class _Parser:
         if before in ("forall", "all", "every"):
             return f": unknowns stand for all elements, write the statement without {before!r}"
         if (
-            self.kind != "name"
+            (self.kind != "name" and self.token != "(")
             or self.token in _WORDS
             or not (before[-1].isalnum() or before == ")")
         ):
             return ""
         units = set(self.token) <= set("ijk")  # 2ij is two products
         product = "*".join(self.token) if units else self.token
-        return ": write " + (f"{before}*{product}" if before != ")" else f"* before {product}")
+        return ": write " + (
+            f"* before {product}" if ")" in before or product == "(" else f"{before}*{product}"
+        )
 
     def grow(self, node: Node, *children: Node) -> Node:
         """Note how high the tree has grown, and stop before whoever walks it would fall."""

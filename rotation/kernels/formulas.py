@@ -4,17 +4,22 @@ The fast form also says where it is right: not for a far angle, nor where the sq
 coordinate might leave the range of floats. The careful form is that of few points.
 """
 
+import math
 from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
 
 from rotation import action
 from rotation.angles import RADIANS
+from rotation.compensated import norm
 from rotation.coordinates import Coordinates, split, sum_of_squares
-from rotation.native import tracing
+from rotation.matrices import matrix_entries
+from rotation.native import elementary, tracing
 from rotation.native.elementary import COSINE, REACH, SINE, TWO_OVER_PI
+from rotation.native.pairs import plus_product, two_product, two_sum
 from rotation.native.symbols import Rows
 from rotation.quaternions import normalise
+from rotation.vectors import about_axis, turn
 
 # Between these a squared length, times a coordinate between those, neither overflows nor loses digits.
 SMALL, LARGE = 2.0**-200, 2.0**200
@@ -89,50 +94,51 @@ def _one(points: Rows, matrix: Rows) -> Any:
 
 
 def _axis_angle(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
-    """Return v + (|a| sin θ (a × v) + (1 − cos θ) a × (a × v)) / |a|².
+    """Return the points after the rotation by the quaternions of turns about axes."""
+    a, point, half = split(axis), split(points), 0.5 * split(angle)[0]
+    points[...].program.flags = ""  # nothing is fused that is to be exact
+    poison, fine = _measured(point)
+    sine, cosine, near = _waves_of_degrees(half) if degrees else elementary.near(tracing, half)
+    q = turn(tracing, sine, cosine, a, norm(tracing, a))
+    image = action.by_rows(matrix_entries(q), point)
+    return tuple(x + poison for x in image), fine & near & _safe(sum_of_squares(a))
 
-    Of the cheap forms tried it has the smallest error, below 4·2⁻⁵²·|v|, since |a|² is divided by but once.
-    """
-    (a, b, c), (x, y, z), (t,) = split(axis), split(points), split(angle)
-    square = a * a + b * b + c * c
-    sine, cosine = _sincos(t, degrees)
-    poison, fine = _measured((x, y, z))
-    w, versine, part = tracing.sqrt(square) * sine, 1.0 - cosine, 1.0 / square
-    fx, fy, fz = b * z - c * y, c * x - a * z, a * y - b * x
-    return (
-        x + part * (w * fx + (versine * (b * fz - c * fy) + poison)),
-        y + part * (w * fy + (versine * (c * fx - a * fz) + poison)),
-        z + part * (w * fz + (versine * (a * fy - b * fx) + poison)),
-    ), fine & _reachable(t) & _safe(square)
+
+def _waves_of_degrees(x: Any) -> Any:
+    """Return sine and cosine of reachable degrees as pairs, and where they are reachable."""
+    k = x * (1.0 / 90.0) + tracing.ROUND
+    r = x - (k - tracing.ROUND) * 90.0
+    p, e = two_product(tracing, r, RADIANS[0])
+    pairs = elementary.of_rest(tracing, k, *two_sum(p, plus_product(tracing, e, r, RADIANS[1])))
+    eighth = tracing.abs(r) == 45.0  # both are √½, as whole quarters have 0 and 1
+    exact = (
+        (
+            tracing.where(eighth, tracing.copysign(math.sqrt(0.5), high), high),
+            tracing.where(eighth, 0.0 * low, low),
+        )
+        for high, low in pairs
+    )
+    return *exact, _reachable(x)
 
 
 def _axis_angle_carefully(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
-    return action.about_axis(axis, angle, points, degrees)
+    a = split(axis)
+    tracing.tell(tracing.all([c == 0.0 for c in a]))
+    return action.turned_by(about_axis(a, angle[...], degrees), split(points), False)
 
 
 def _quaternions(points: Rows, q: Rows) -> Any:
-    """Return the points after the rotation by quaternions of any safe length.
-
-    The matrix of w² + a² − b² − c², 2(ab − wc), … is applied first and divided by |q|² last: of the
-    forms tried it has the smallest error, about 3·2⁻⁵² of the length, and needs no unit length.
-    """
-    (w, a, b, c), (x, y, z) = split(q), split(points)
-    poison, fine = _measured((x, y, z))
-    ww, aa, bb, cc = w * w, a * a, b * b, c * c
-    square = (ww + aa) + (bb + cc)
-    part = 1.0 / square
-    fx = (a * b - w * c) * y + (a * c + w * b) * z
-    fy = (a * b + w * c) * x + (b * c - w * a) * z
-    fz = (a * c - w * b) * x + (b * c + w * a) * y
-    return (
-        (((ww + aa) - (bb + cc)) * x + (2.0 * fx + poison)) * part,
-        (((ww - aa) + (bb - cc)) * y + (2.0 * fy + poison)) * part,
-        (((ww - aa) - (bb - cc)) * z + (2.0 * fz + poison)) * part,
-    ), fine & _safe(square)
+    """Return the points after the rotation by quaternions of any safe length, by their matrices."""
+    c, point = split(q), split(points)
+    poison, fine = _measured(point)
+    square = sum_of_squares(c)
+    part = 1.0 / tracing.sqrt(square)
+    image = action.by_rows(matrix_entries(tuple(a * part for a in c)), point)
+    return tuple(x + poison for x in image), fine & _safe(square)
 
 
 def _quaternions_carefully(points: Rows, q: Rows) -> Any:
-    return action.turned_by(Rows((4,), list(normalise(q))), split(points), False)
+    return action.turned_by(tuple(normalise(q)), split(points), False)
 
 
 def _euler(axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, angles: Rows) -> Any:

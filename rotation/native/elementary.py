@@ -64,27 +64,7 @@ def sine_and_cosine(xp: Any, a: Any, b: Any = None) -> tuple[Pair, Pair]:
 
     With b they are those of ``a + b``, b below an ulp of a, as pairs right to about 56 bits.
     """
-    k = a * TWO_OVER_PI + xp.ROUND
-    n = k - xp.ROUND  # quarters of a turn
-    t, (p, p_low) = _rest(xp, a, n), two_product(xp, n, HALF_PI[1])
-    r, low = two_sum(t, -p)
-    low = plus_product(xp, low - p_low, n, -HALF_PI[2])
-    if b is not None:
-        r, e = two_sum(r, b)
-        low = low + e
-    z, z_low = two_product(xp, r, r)
-    half = 0.5 * z
-    u = 1.0 - half
-    bent = low - half * low  # how the rest turns the sine
-    s = quick_two_sum(r, plus_product(xp, bent, r * z, _sum(xp, SINE, z)))
-    rest = ((1.0 - u) - half) - plus_product(xp, 0.5 * z_low, r, low)
-    c = quick_two_sum(u, plus_product(xp, rest, z * z, _sum(xp, COSINE, z)))
-    odd, beyond = xp.bit(k, 0), xp.bit(k, 1)  # the last two bits of n
-    sine = (xp.where(odd, y, x) for x, y in zip(s, c, strict=True))
-    cosine = (xp.where(odd, -x, y) for x, y in zip(s, c, strict=True))
-    (s, s_low), (c, c_low) = ([xp.where(beyond, -x, x) for x in pair] for pair in (sine, cosine))
-    s = xp.where(a == 0.0, a, s)  # −0 has the sine −0
-    right = (xp.abs(a) <= REACH) & (xp.abs(r) >= xp.abs(n) * SURE)
+    (s, s_low), (c, c_low), right = near(xp, a, b)
 
     def far() -> tuple[Any, ...]:
         y, x = xp.library("sin", a), xp.library("cos", a)
@@ -98,6 +78,37 @@ def sine_and_cosine(xp: Any, a: Any, b: Any = None) -> tuple[Pair, Pair]:
     usual = (s, c) if b is None else (s, c, s_low, c_low)
     s, c, *lows = xp.rarely(~right, far, usual)
     s_low, c_low = lows or (0.0, 0.0)
+    return (s, s_low), (c, c_low)
+
+
+def near(xp: Any, a: Any, b: Any = None) -> tuple[Pair, Pair, Any]:
+    """Return sine and cosine of ``a`` or of ``a + b`` as pairs, and where they are right."""
+    k = a * TWO_OVER_PI + xp.ROUND
+    n = k - xp.ROUND  # quarters of a turn
+    t, (p, p_low) = _rest(xp, a, n), two_product(xp, n, HALF_PI[1])
+    r, low = two_sum(t, -p)
+    low = plus_product(xp, low - p_low, n, -HALF_PI[2])
+    if b is not None:
+        r, e = two_sum(r, b)
+        low = low + e
+    (s, s_low), cosine = of_rest(xp, k, r, low)
+    s = xp.where(a == 0.0, a, s)  # −0 has the sine −0
+    return (s, s_low), cosine, (xp.abs(a) <= REACH) & (xp.abs(r) >= xp.abs(n) * SURE)
+
+
+def of_rest(xp: Any, k: Any, r: Any, low: Any) -> tuple[Pair, Pair]:
+    """Return sine and cosine of ``r + low``, an eighth of a turn at most, after k quarters."""
+    z, z_low = two_product(xp, r, r)
+    half = 0.5 * z
+    u, u_low = quick_two_sum(1.0, -half)
+    bent = low - half * low  # how the rest turns the sine
+    s = quick_two_sum(r, plus_product(xp, bent, r * z, _sum(xp, SINE, z)))
+    rest = u_low - plus_product(xp, 0.5 * z_low, r, low)
+    c = quick_two_sum(u, plus_product(xp, rest, z * z, _sum(xp, COSINE, z)))
+    odd, beyond = xp.bit(k, 0), xp.bit(k, 1)  # the last two bits of the quarters
+    sine = (xp.where(odd, y, x) for x, y in zip(s, c, strict=True))
+    cosine = (xp.where(odd, -x, y) for x, y in zip(s, c, strict=True))
+    (s, s_low), (c, c_low) = ([xp.where(beyond, -x, x) for x in pair] for pair in (sine, cosine))
     return (s, s_low), (c, c_low)
 
 

@@ -47,7 +47,7 @@ def fma(a: Any, b: Any, c: Any) -> Lanes:
     return intrinsic("fma", a, b, c)
 
 
-def copysign(x: Lanes, y: Lanes) -> Lanes:
+def copysign(x: Any, y: Lanes) -> Lanes:
     """Return ``x`` with the signs of ``y``."""
     return intrinsic("copysign", x, y)
 

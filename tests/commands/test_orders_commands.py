@@ -25,6 +25,7 @@ from tests.commands.running import page, run
         (["order", "(-1,-1|QQ(sqrt(10)))", "--generators", "i, j"],
          ["sum of (1) + (i) + (j) + (k)", "no Eichler order", "not maximal its discriminant ideal(4)"]),
         (["order", "(-1,-3|QQ(sqrt(-5)))", "--format", "latex"], [r"\frac{1}{2}\sqrt{-5}\right)\left("]),
+        (["field", "QQ(sqrt(10))"], ["discriminant 40", "class group ℤ/2 of ideal(2, sqrt(10))", "3+sq"]),
         (["order", "17", "--extremal"], ["reduced discriminant 17"]),
         (["order", "5", "--format", "latex"], [r"\mathbb{Z}\left\langle"]),
         (["classes", "(-1,-11|QQ)", "--level", "3"], ["4, by Eichler's", "mass 10/3", "type number 3"]),
@@ -122,6 +123,8 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["survey", "2..5", "--field", "QQ(sqrt(5))"], "leave D and --groups out"),
         (["survey", "--field", "QQ(I)"], "not totally real"),
         (["survey", "5..2"], "ascending"),
+        (["survey", "2..100000000"], "at most 1000000 of them"),
+        (["survey", "2..1000", "--levels", "1..1000000"], "are more than 1000000 pairs"),
         (["survey", "2..x"], "2..100"),
         (["survey", "2..9", "-o", "rows.txt"], "ends in .jsonl or .parquet"),
         (["survey", "2..9", "-o", "/nonexistent/folder/x.jsonl"], "cannot write"),
@@ -133,6 +136,31 @@ def test_bad_input(capsys, words, hint):
     assert hint in err
     assert err.startswith("hfield: error: ")
     assert err.count("\n") == 1
+
+
+def test_an_interrupted_survey_says_where_its_rows_are_and_goes_on(capsys, tmp_path, monkeypatch):
+    rows = tmp_path / "rows.jsonl"
+    whole, found = census.run, []
+
+    def stopped(*words):
+        yield next(iter(whole(*words)))
+        raise KeyboardInterrupt
+
+    def watched(*words):
+        for some in whole(*words):
+            found.extend(some)
+            yield some
+
+    monkeypatch.setattr(census, "run", stopped)
+    status, _, err = run(capsys, "survey", "2..200", "-o", str(rows))
+    kept = len(rows.read_text().splitlines())
+    assert status == 130
+    assert f"{kept} of 65 rows are in {rows}; the same command goes on there" in " ".join(
+        err.split()
+    )
+    monkeypatch.setattr(census, "run", watched)
+    assert run(capsys, "survey", "2..200", "-o", str(rows))[0] == 0
+    assert 0 < kept < len(rows.read_text().splitlines()) == kept + len(found)
 
 
 @pytest.mark.parametrize(
@@ -282,6 +310,27 @@ def test_a_survey_of_groups(capsys):
     assert len(rows[6]["generators"]) > 1
     assert rows[22]["area"] == "5/3"
     assert rows[22]["generators"] is rows[22]["systole"] is None
+
+
+@pytest.mark.parametrize(
+    ("field", "more", "statement"),
+    [
+        ("QQ(sqrt(10))", [], "class-group{2}"),
+        ("QQ[s]/(s^3-2)", ["--units"], "unit-group{2; 1-s}"),
+    ],
+)
+def test_certificates_of_fields(capsys, tmp_path, field, more, statement):
+    file = tmp_path / "field.json"
+    data = json.loads(
+        page(capsys, "field", field, *more, "--certificate", str(file), "--format", "json")
+    )
+    assert data["units"]["rank"] == 1
+    status, out, _ = run(capsys, "check", str(file))
+    assert status == 0
+    assert f"statement: {statement}" in out
+    status, _, err = run(capsys, "field", "QQ(x)")
+    assert status == 2
+    assert "no number field" in err
 
 
 def test_a_survey_in_processes(capsys, tmp_path):

@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import sys
 
 import pytest
 
@@ -119,6 +120,18 @@ def test_a_read_only_file(tmp_path, monkeypatch):
     monkeypatch.setattr("os.access", lambda *_: False)
     with pytest.raises(OutputError, match="read-only"), open_output(str(target)):
         pass
+
+
+def test_progress_tells_the_time_left_of_what_this_run_did(monkeypatch):
+    now = iter([100.0, 100.1, 120.0])
+    monkeypatch.setattr("hfield.commands.status.time.monotonic", lambda: next(now))
+    monkeypatch.setattr("sys.stderr", Stream("utf-8", True))
+    with Progress("pairs", 60) as progress:
+        progress(61, 100, "a")
+        progress(70, 100, "b")
+        said = sys.stderr.getvalue()
+    assert "61 of 100 pairs, a" in said  # too early to say
+    assert "70 of 100 pairs, 60 s left, b" in said  # ten in 20 s, thirty to go
 
 
 def test_progress_only_on_a_terminal(monkeypatch):

@@ -123,6 +123,6 @@ sys.exit(main(["classes", "163"]))
     status, out = screen.finish()
     assert status == 0
     assert re.search(
-        r"enumerating classes …( \d s)? \(\d+ % of the mass, some \d+ s left\)", screen.seen
+        r"enumerating classes …( \d s)? \(\d+ % of the classes, some \d+ s left\)", screen.seen
     )
     assert "% of" not in out

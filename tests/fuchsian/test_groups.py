@@ -12,7 +12,7 @@ import pytest
 from hfield import QuaternionAlgebra, ring
 from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.factorisation import factorise
-from hfield.fuchsian import area, dirichlet, presentation
+from hfield.fuchsian import area, dirichlet, group, presentation
 from hfield.fuchsian.polygon import Polygon
 from hfield.lattices.lattice import Order
 
@@ -291,9 +291,32 @@ def test_centers() -> None:
     assert all(s.element * c != c * s.element for s in D.sides)
     # i is an elliptic point of SL₂(ℤ), and another point takes its place
     assert abs(G.domain(1j).center - 1j) < 0.2
-    for z in (0.5, -1j):
+    for z in (0.5, -1j, complex("nan+infj"), 1e300j, "x", [1j]):
         with pytest.raises(LatticeError, match="upper half plane"):
             G.domain(z)
+
+
+@pytest.mark.parametrize("constants", [(39, -8, -3), (2, 3, 1), (-3, 7, 1)])
+def test_algebras_with_a_trace(constants: tuple[int, int, int]) -> None:
+    """In [a, b), and with any t: what is real in an element is half its trace, not its first coordinate."""
+    checked(QuaternionAlgebra("QQ", constants[0], constants[1], constants[2]).maximal_order())
+
+
+def test_signatures_without_a_domain(monkeypatch) -> None:
+    """By formulas alone where the area is large; here for all areas, against the domains."""
+    orders = [order(D, N) for D, N in ((6, 1), (14, 1), (10, 9), (1, 36), (1, 13), (1, 1), (6, 7))]
+    known = [O.norm_one_group().signature for O in orders]
+    monkeypatch.setattr(group, "LARGE", 0)
+    assert [O.norm_one_group().signature for O in orders] == known
+    assert order(1, 10**9 + 7).norm_one_group().signature == (83_333_334, (), 2)
+
+
+def test_what_is_too_large_is_refused_at_once() -> None:
+    for b, level, size in ((3, 100_003, "100004/3"), (1_000_003, 1, "166667")):
+        G = QuaternionAlgebra("QQ", -1, b).eichler_order(level).norm_one_group()
+        for center in (None, 1 + 1j):
+            with pytest.raises(TooLargeError, match=f"of area 2π·{size}, is too large"):
+                G.domain(center)
 
 
 def test_definite_orders_are_refused() -> None:
@@ -353,6 +376,8 @@ def test_pictures(tmp_path) -> None:
     for name in ("a.svg", "b.png"):
         D.draw(tmp_path / name, dark=name == "b.png", depth=2)
         assert (tmp_path / name).stat().st_size > 5000
+    assert "</svg>" in D._repr_svg_()
+    assert "5 sides" in repr(D)
     with pytest.raises(LatticeError, match=r"try a file \.svg"):
         D.draw(tmp_path / "nowhere" / "a.svg")
 

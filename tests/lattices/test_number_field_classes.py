@@ -3,13 +3,14 @@
 from collections import Counter
 from fractions import Fraction
 from itertools import product
+from typing import Any
 
 import flint
 import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
 from hfield.errors import IndefiniteError
-from hfield.lattices.over_integers.class_sets import number_by_signs
+from hfield.lattices.over_integers.class_sets import Around, number_by_signs
 
 # discriminant of K: polynomial, classes and types of the maximal order of discriminant 1, mass
 KNOWN = {
@@ -218,3 +219,27 @@ def test_refusals() -> None:
         C.brandt_matrix("1/2")
     with pytest.raises(LatticeError, match="right ideal"):
         C.index(C.order.left_ideal([2]))
+
+
+@pytest.mark.parametrize("name", ["QQ(sqrt(5))", "QQ[s]/(s^3-s^2-2*s+1)", "QQ(sqrt(3))"])
+def test_orbits_of_short_elements(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One group moves all of them: each orbit as it is found alone, by x⁻¹·y being a unit."""
+    whole, several = Around._orbits, []
+
+    def compared(self: Around, matrix: Any, rows: list[list[int]]) -> Any:
+        found, left, alone = list(whole(self, matrix, rows)), rows, []
+        while left:
+            orbit, left = self._orbit(matrix, left)
+            alone.append((self._key(matrix, orbit[0]), len(orbit)))
+        keys = [(self._key(matrix, x), n) for x, n in found]
+        assert set(keys) == set(alone)
+        assert len(keys) == len(alone) or len(self.keys.units) > 1
+        several.append(len(found) > 1 and len(rows) > len(found))
+        return found
+
+    monkeypatch.setattr(Around, "_orbits", compared)
+    A = QuaternionAlgebra(name, -1, -1)
+    for level in (1, 7):
+        C = A.eichler_order(level).class_set()
+        assert sum(Fraction(1, u) for u in C.units) == C.mass
+    assert any(several)

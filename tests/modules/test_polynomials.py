@@ -4,6 +4,7 @@ import json
 from itertools import product
 from random import Random
 
+import numpy as np
 import pytest
 
 from hfield import (
@@ -15,6 +16,7 @@ from hfield import (
     TooLargeError,
     UndecidedError,
 )
+from hfield.modules.polynomials import Factoring
 from tests.commands.running import run
 
 
@@ -124,14 +126,44 @@ def test_over_the_reals_and_number_fields():
     )
 
 
+@pytest.mark.parametrize(
+    ("text", "isolated", "spheres"),
+    [
+        ("x^3 + (i+j)*x + 1", 3, 0),
+        ("x^2 + (1+i)*x + j", 2, 0),
+        ("x^3 + i*x + j", 3, 0),
+        ("x^5 - x - 1", 1, 2),
+        ("x^3 - x + 1", 1, 1),
+    ],
+)
+def test_roots_over_the_reals_that_are_no_radicals(text, isolated, spheres):
+    P = H("RR").polynomials()
+    f = P.parse(text)
+    found = f.roots()
+    assert (len(found.isolated), len(found.spheres), found.families) == (isolated, spheres, ())
+    norm = [complex(c.coordinates[0].ball(64).real.mid(), 0) for c in f.norm().coefficients]
+    near = [complex(z) for z in np.roots(norm[::-1])]
+    floating = [[float(c.ball(64).real.mid()) for c in q.coordinates] for q in found.isolated]
+    for q in floating:  # x² − tx + n divides the norm: its roots are among those of numpy
+        z = complex(q[0], sum(c * c for c in q[1:]) ** 0.5)
+        assert min(abs(z - w) for w in near) < 1e-6
+    for q in found.isolated[:1] if f.degree == 2 or spheres else ():
+        assert not f(q)
+    for t, n in found.spheres:
+        rest = f.divmod_right(P([n, -t, 1]))[1]
+        assert not rest
+
+
 def test_what_is_refused():
     P = H("QQ").polynomials()
     with pytest.raises(CoercionError, match="root of 0"):
         P([]).roots()
-    with pytest.raises(UndecidedError, match="no radicals"):
-        H("RR").polynomials()([1, "i+j", 0, 1]).roots()
-    with pytest.raises(UndecidedError, match="central simple"):
-        H("GF(2)").polynomials()([1, 1]).roots()
+    with pytest.raises(UndecidedError, match="not factored"):
+        H("RR").polynomials()(["sqrt(2)", "i+j", 0, 1]).roots()
+    with pytest.raises(UndecidedError, match="over fields"):
+        H("ZZ").polynomials()([1, 1]).roots()
+    with pytest.raises(UndecidedError, match="a radical and zero divisors modulo it"):
+        QuaternionAlgebra("QQ", 1, 0).polynomials()(["1+i", "1+i"]).roots()
 
 
 def test_every_polynomial_of_degree_one_over_gf_3():
@@ -310,3 +342,65 @@ def test_a_product_of_choices_over_a_split_algebra():
         except UndecidedError:
             continue
         assert found
+
+
+def test_every_product_of_two_over_a_split_algebra_and_no_other():
+    A = QuaternionAlgebra.from_text("[1,1|GF(2))")
+    P, elements = A.polynomials(), list(A.elements())
+    products = {P([-p, 1]) * P([-q, 1]) for p in elements for q in elements}
+    assert len(products) < 256
+    for a, b in product(elements, elements):
+        f = P([a, b, 1])
+        found = f.linear_factors()
+        assert bool(found) == (f in products)
+        if found:
+            c, (p, q) = found
+            assert c == 1
+            assert P([-p, 1]) * P([-q, 1]) == f
+
+
+@pytest.mark.parametrize("text", ["(-1,-1|GF(3))", "(1,2|GF(5))"])
+def test_products_over_finite_fields_are_factored(text):
+    A, rng = QuaternionAlgebra.from_text(text), Random(text)
+    P = A.polynomials()
+    for degree in (2, 3, 4, 5):
+        f = P([1])
+        for _ in range(degree):
+            f = f * P([A.random_element(rng.randrange(10**6)), 1])
+        c, parts = f.linear_factors()
+        again = P([c])
+        for q in parts:
+            again = again * P([-q, 1])
+        assert again == f
+
+
+def test_products_of_three_and_no_others():
+    A, rng = QuaternionAlgebra.from_text("[1,1|GF(2))"), Random(8)
+    P, elements = A.polynomials(), list(A.elements())
+    two = {P([-p, 1]) * P([-q, 1]) for p in elements for q in elements}
+    products = {f * P([-q, 1]) for f in two for q in elements}
+    centre = [P([n, -t, 1]) * P([q, 1]) for t in (0, 1) for n in (0, 1) for q in elements]
+    drawn = [P([*rng.sample(elements, 3), 1]) for _ in range(150)]
+    found = [bool(f.linear_factors()) for f in (*centre, *drawn)]
+    assert found == [f in products for f in (*centre, *drawn)]
+    assert set(found) == {True, False}
+
+
+@pytest.mark.parametrize("text", ["[1,1|GF(2))", "(-1,-1|GF(3))"])
+def test_all_roots_are_tried_over_a_finite_field(text):
+    A, rng = QuaternionAlgebra.from_text(text), Random(4)
+    P, kinds = A.polynomials(), set()
+    nilpotent = next(q for q in A.elements() if q and not q * q)
+    for f in (
+        P([1, 0, 1]) * random_polynomial(P, 1, rng),
+        P([1, 1, 1]) * random_polynomial(P, 1, rng),
+        P([0, nilpotent, 1]),
+        P([0, 0, 1, 1]),
+        P([nilpotent]) * P([1, 1]),
+        *(random_polynomial(P, 3, rng) for _ in range(20)),
+    ):
+        found = f.roots()
+        kinds |= {n for n, some in enumerate((found.spheres, found.families)) if some}
+        tried = set(Factoring(A, False).roots(f, found))
+        assert tried == {q for q in A.elements() if not f(q)}
+    assert kinds == {0, 1}

@@ -48,7 +48,7 @@ L2, L3, L5, L7 = log(2), log(3), log(5), log(7)
         (exp(2 * I * pi / 7), 0.0, {}, 28, 12),
         (cos(pi / 7) + I, 3 * L2, {}, 28, 12),
         (I * cos(pi / 9) * cos(pi / 7), 4 * L2, {}, 252, 72),
-        (sympy.GoldenRatio, L2 + (L2 + L5 / 2) + L2, {(5, 2): 2}, 1, 2),
+        (sympy.GoldenRatio, L2 + L5 / 2, {(5, 2): 2}, 1, 2),
     ],
 )  # fmt: skip
 def test_heights(expr, height, roots, order, degree) -> None:

@@ -11,6 +11,7 @@ import pytest
 from hfield.errors import HFieldError
 from hfield.fields.function_fields.places import FunctionPlace, place_of_functions
 from hfield.fields.number_fields.integers import LocalOrder, dedekind, integral_generator
+from hfield.fields.number_fields.places import place_of_number_field
 from hfield.fields.number_fields.prime_ideals import by_other_generators
 from hfield.fields.number_fields.quadratic.as_number_field import (
     as_number_field,
@@ -233,6 +234,7 @@ def test_places_of_functions(q: int) -> None:
 POLYNOMIALS = (
     "x^3-x^2-2*x-8", "x^4+7*x^2+4*x+2", "x^2-5", "x^3-10", "x^3-2", "x^4-x^3+2*x^2+x+9", "2*x^3+3*x+1/5",
     "x^4-5", "x^3-49", "x^3+x^2-2*x+8", "x^5-x-1", "x^2+x+1/4+3/4", "x^4+3*x^2+27",
+    "x^2-1/121*x+7", "2*x^3-3*x+1/2",
 )  # fmt: skip
 
 
@@ -254,6 +256,9 @@ def test_prime_ideals_by_definition(polynomial: str) -> None:
             assert [min(map(Q.valuation, P.generators)) for Q in above] == [
                 int(Q is P) for Q in above
             ]
+            # and they generate P, not only at p
+            assert K.ideal(P.generators) == K.ideal(P)
+            assert place_of_number_field(K, str(P)) == P
             # β/p has a pole of order 1 here, and none elsewhere
             assert P.valuation(P.inverse_uniformiser) == -1
             assert all(Q.valuation(P.inverse_uniformiser) >= 0 for Q in above if Q is not P)

@@ -15,7 +15,7 @@ import numpy as np
 U = 2.0**-53
 Enclosure = tuple[Any, Any]
 Form = dict[int, Enclosure]  # by the coordinate of the point; the key −1 is that of plain numbers
-_names = itertools.count()
+names = itertools.count()
 
 
 def _out(low: Any, high: Any) -> Enclosure:
@@ -75,6 +75,11 @@ def _scaled(a: Sizes, factor: float) -> Sizes:
     return {k: _up(factor * x) for k, x in a.items()}
 
 
+def half_ulp(size: Any) -> Any:
+    """Return in units of U the most that rounding a number up to that size is off by."""
+    return np.exp2(np.floor(np.log2(np.maximum(size, 2.0**-200))))
+
+
 class Number:
     """A number of a formula, over boxes of inputs.
 
@@ -93,6 +98,17 @@ class Number:
     ) -> None:
         self.value, self.noise, self.rest = value, noise or {}, rest or {}
 
+    scaled = (
+        False  # whether a number's exponent is known, and with it half a unit in the last place
+    )
+
+    def _unit(self) -> Form:
+        """Return what a rounding is multiplied with: the number, or half a unit in its last place."""
+        if not self.scaled:
+            return self.value
+        sizes = _most(_sizes(self.value), _scaled(self.moved, U), _scaled(self.rest, U * U))
+        return {k: (half_ulp(x), half_ulp(x)) for k, x in sizes.items()}
+
     @property
     def moved(self) -> Sizes:
         """Bounds of what all roundings together do in first order, in units of U."""
@@ -100,7 +116,7 @@ class Number:
 
     def rounded(self) -> Number:
         """Return the same after one more rounding."""
-        noise = {**self.noise, next(_names): self.value}
+        noise = {**self.noise, next(names): self._unit()}
         return Number(self.value, noise, _most(self.rest, self.moved, _scaled(self.rest, U)))
 
     def _sum(self, other: Any, sign: float) -> Number:
@@ -147,8 +163,13 @@ class Number:
         if type(other) is int and other == 0:
             return 0
         if not isinstance(other, Number):
-            assert np.frexp(abs(other))[0] == 0.5  # constants of formulas are powers of two
-            return self._by(float(other))
+            if np.frexp(abs(other))[0] == 0.5:
+                return self._by(float(other))
+            other = Number({-1: (float(other), float(other))})
+        return self.product(other).rounded()
+
+    def product(self, other: Number) -> Number:
+        """Return the product before it is rounded."""
         a, b = self, other
         noise: dict[int, Form] = {}
         for k in {*a.noise, *b.noise}:
@@ -158,7 +179,7 @@ class Number:
             )
         x, y = (_most(_sizes(n.value), _scaled(n.moved, U), _scaled(n.rest, U * U)) for n in (a, b))
         rest = _most(_multiplied(x, b.rest), _multiplied(a.rest, y), _multiplied(a.moved, b.moved))
-        return Number(_product(a.value, b.value), noise, rest).rounded()
+        return Number(_product(a.value, b.value), noise, rest)
 
     __rmul__ = __mul__
 
@@ -189,6 +210,41 @@ class Number:
         return Number({-1: root}, noise, {-1: _up(_up(rest * slope[1]) + off)}).rounded()
 
 
+def _apart(total: Number) -> tuple[Number, Number]:
+    """Return a number rounded, and what that cut off."""
+    high = total.rounded()
+    name = next(k for k in high.noise if k not in total.noise)
+    low = {name: {k: (-b, -a) for k, (a, b) in high.noise[name].items()}}
+    zero = {k: (0.0 * a, 0.0 * b) for k, (a, b) in total.value.items()}
+    return high, Number(zero, low, _most(total.moved, _scaled(total.rest, U)))
+
+
+def together(a: Number, b: Number) -> Number:
+    """Return the sum before it is rounded."""
+    noise = {k: _summed(a.noise.get(k, {}), b.noise.get(k, {})) for k in {*a.noise, *b.noise}}
+    return Number(_summed(a.value, b.value), noise, _most(a.rest, b.rest))
+
+
+def fused_numbers(a: Any, b: Any, c: Any) -> Number:
+    """Return ``a·b + c``, rounded once."""
+    a, b = (x if isinstance(x, Number) else Number({-1: (x, x)}) for x in (a, b))
+    total: Number = a.product(b) + c
+    return total
+
+
+def two_sum(a: Any, b: Any) -> tuple[Number, Number]:
+    """Return what `rotation.native.pairs.two_sum` does, with its error as a number."""
+    if not isinstance(a, Number):
+        a, b = b, a
+    b = b if isinstance(b, Number) else Number({-1: (b, b)})
+    return _apart(together(a, b))
+
+
+def two_product(xp: Any, a: Number, b: Number) -> tuple[Number, Number]:
+    """Return the product rounded, and its error."""
+    return _apart(a.product(b))
+
+
 def norm(image: list[Number], keys: tuple[int, ...]) -> tuple[Any, Any]:
     """Return bounds of ‖error‖/‖v‖ of linear forms, in units of U: of first order, and the rest of it.
 
@@ -200,7 +256,7 @@ def norm(image: list[Number], keys: tuple[int, ...]) -> tuple[Any, Any]:
         p = [[row.get(k, 0.0) + 0.0 * image[0].moved[keys[0]] for k in keys] for row in sizes]
         m = [[sum(r[i] * r[j] for r in p) for j in range(len(keys))] for i in range(len(keys))]
         s = [np.ones_like(p[0][0]) for _ in keys]
-        for _ in range(12):
+        for _ in range(6):
             t = [sum(a * b for a, b in zip(row, s, strict=True)) + 1e-9 for row in m]
             s = [x / np.maximum.reduce(t) + 1e-9 for x in t]
         t = [sum(a * b for a, b in zip(row, s, strict=True)) for row in m]

@@ -49,6 +49,23 @@ def test_quaternions_are_right_to_five_ulps_of_the_length(spread: float) -> None
     assert errors(points32[:50], one32, [q32[3]] * 50) <= 5 * 2.0**-23
 
 
+@pytest.mark.parametrize("degrees", [False, True])
+def test_axes_and_angles_are_right_to_five_ulps_of_the_length(degrees: bool) -> None:
+    n = 400
+    axes, points = RNG.normal(size=(2, n, 3)) * 10.0 ** RNG.uniform(-3, 0, (2, n, 3))
+    angles = RNG.uniform(-400, 400, n) if degrees else RNG.uniform(-7, 7, n)
+    turns = []
+    for axis, angle in zip(axes, exact(angles), strict=True):
+        half = angle / 2 * (mp.pi / 180 if degrees else 1)
+        a = exact(axis)
+        turns.append([mp.cos(half) * length(a), *(mp.sin(half) * x for x in a)])
+    turned = rotate(points, axes, angles, degrees=degrees)
+    for v, got, q in zip(points, turned, turns, strict=True):
+        right = matrix_of(q) * mp.matrix(exact(v))
+        error = length([a - b for a, b in zip(exact(got), right, strict=True)])
+        assert error <= 2.5 * ULP * length(exact(v))
+
+
 def sines(angles: Any) -> tuple[Any, Any]:
     """Return x̂ rotated about z by axis and angle, and by an Euler angle: cosine and sine."""
     n = len(angles)

@@ -125,6 +125,19 @@ def test_roots_of_scalars():
     assert split.quadric is not None
 
 
+def test_roots_of_squares_of_scalars_in_characteristic_2():
+    """r + n with n² = 0: r alone in a division algebra, infinitely many elsewhere."""
+    F = ring("GF(2)(t)")
+    s, o = F("t^2+1"), F.zero
+    found = square_roots(F, constants("GF(2)(t)", 1, 1, "t"), (s, o, o, o))
+    assert (found.isolated, found.quadric) == (((F("t+1"), o, o, o),), None)
+    for c in (constants("GF(2)(t)", 1, 1, 1), constants("GF(2)(t)", 1, 0, 1)):
+        found = square_roots(F, c, (s, o, o, o))
+        assert not found.isolated
+        assert any(found.quadric[1:])
+        assert same(F, multiply(c, found.quadric, found.quadric), (s, o, o, o))
+
+
 @pytest.mark.parametrize(
     ("name", "a", "t", "b", "q", "order"),
     [

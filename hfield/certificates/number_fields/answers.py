@@ -23,11 +23,12 @@ from hfield.certificates.glossary import (
     ORDER,
 )
 from hfield.certificates.number_fields.classes import field_of
-from hfield.certificates.number_fields.integers import Integers, integer_row, unit
+from hfield.certificates.number_fields.integers import unit
 from hfield.certificates.number_fields.lattices import (
     Frame,
     Lattice,
     Row,
+    a_frame,
     index,
     need_definite,
     need_locally_principal,
@@ -37,24 +38,12 @@ from hfield.certificates.number_fields.lattices import (
 )
 from hfield.certificates.number_fields.narrow import Narrow
 from hfield.certificates.orders.lattice import rational_rows
-from hfield.certificates.rejection import a_list, an_integer, an_object, reject
+from hfield.certificates.rejection import a_list, an_object, reject
 from hfield.certificates.scalars.matrices import inverse_matrix
-from hfield.certificates.scalars.names import a_rational
 from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge
 
 Parts = tuple[str, ...]
-
-
-def _frame(setting: Setting, basis: object) -> Frame:
-    field = field_of(setting)
-    rows = [
-        [a_rational(c, "a coefficient") for c in a_list(x, "an element")]
-        for x in a_list(basis, "the integral basis")
-    ]
-    if [len(row) for row in rows] != [field.degree] * field.degree:
-        reject(f"an integral basis has {field.degree} elements, of as many coefficients")
-    return Frame(setting, Integers(field, rows))
 
 
 def _narrow(setting: Setting, data: Any) -> tuple[Narrow, Frame]:
@@ -62,26 +51,18 @@ def _narrow(setting: Setting, data: Any) -> tuple[Narrow, Frame]:
     return narrow, Frame(setting, narrow.s.integers)
 
 
-def _element(base: Frame, value: object) -> tuple[int, Row]:
-    entry = an_object(value, "den row", "an element")
-    den, row = an_integer(entry["den"], "a denominator", 1), integer_row(entry["row"], base.size)
-    if not any(row):
-        reject("an element is 0")
-    return den, row
-
-
 # --- orders and ideals ------------------------------------------------------------------------------
 
 
 def _is_order(parts: Parts, setting: Setting, evidence: object) -> Finding:
     data = an_object(evidence, "kind basis", "the evidence")
-    if _frame(setting, data["basis"]).order(parts[0]).discriminant != int(parts[1]):
+    if a_frame(setting, data["basis"]).order(parts[0]).discriminant != int(parts[1]):
         reject("this order has another reduced discriminant")
     return Finding(FIELD, ORDER)
 
 
 def _is_ideal(parts: Parts, setting: Setting, evidence: object) -> Finding:
-    base = _frame(setting, an_object(evidence, "kind basis", "the evidence")["basis"])
+    base = a_frame(setting, an_object(evidence, "kind basis", "the evidence")["basis"])
     ideal = base.lattice(parts[0])
     need_locally_principal(ideal, base.order(parts[2]), parts[1])
     if index(ideal.norm) != Fraction(parts[3]):
@@ -106,11 +87,11 @@ def _unit_index(parts: Parts, setting: Setting, evidence: object) -> Finding:
 
 def _are_equivalent(parts: Parts, setting: Setting, evidence: object) -> Finding:
     data = an_object(evidence, "kind basis element", "the evidence")
-    base = _frame(setting, data["basis"])
+    base = a_frame(setting, data["basis"])
     first, second = map(base.lattice, parts[1:])
     # left ideals go into each other by factors on the right
     side = "right" if parts[0] == "left" else "left"
-    if first.times(*_element(base, data["element"]), side).key != second.key:
+    if first.times(*base.element(data["element"]), side).key != second.key:
         reject("the element does not carry the first lattice to the second")
     return Finding(FIELD, ELEMENT)
 
@@ -167,9 +148,9 @@ def _need_module(lattice: Lattice) -> None:
 
 def _are_isomorphic(parts: Parts, setting: Setting, evidence: object) -> Finding:
     data = an_object(evidence, "kind basis element", "the evidence")
-    base = _frame(setting, data["basis"])
+    base = a_frame(setting, data["basis"])
     first, second = map(base.order, parts)
-    x = _element(base, data["element"])
+    x = base.element(data["element"])
     # a zero divisor x does not give lattices
     if first.times(*x, "left").key != second.times(*x, "right").key:
         reject("the element does not conjugate the first order into the second")
@@ -179,7 +160,7 @@ def _are_isomorphic(parts: Parts, setting: Setting, evidence: object) -> Finding
 def _are_not_isomorphic(parts: Parts, setting: Setting, evidence: object) -> Finding:
     """An isomorphism is known by the images of two elements that generate the algebra: none fits."""
     data = an_object(evidence, "kind basis", "the evidence", "pair order")
-    base = _frame(setting, data["basis"])
+    base = a_frame(setting, data["basis"])
     first, second = map(base.order, parts)
     if first.discriminant != second.discriminant:
         if len(data) > 2:
@@ -189,7 +170,7 @@ def _are_not_isomorphic(parts: Parts, setting: Setting, evidence: object) -> Fin
         reject("the evidence lacks the keys 'pair' and 'order'")
     given = base.given(data["order"], "an order")
     need_same(second, given)
-    pair = [_element(base, x) for x in a_list(data["pair"], "a pair", 2)]
+    pair = [base.element(x) for x in a_list(data["pair"], "a pair", 2)]
     if len(pair) != 2 or not all(first.holds(den, [row]) for den, row in pair):
         reject("a pair is two elements of the first order")
     a, b = (_over(base, *x) for x in pair)

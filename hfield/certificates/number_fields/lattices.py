@@ -10,7 +10,7 @@ from math import lcm, prod
 from typing import Any
 
 from hfield.certificates.language import split
-from hfield.certificates.number_fields.classes import coefficients
+from hfield.certificates.number_fields.classes import coefficients, field_of
 from hfield.certificates.number_fields.integers import (
     Integers,
     Prime,
@@ -23,6 +23,7 @@ from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import Key, hermite, rational_rows, reduced
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
 from hfield.certificates.scalars.matrices import inverse_matrix
+from hfield.certificates.scalars.names import a_rational
 from hfield.certificates.scalars.rationals import root
 from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge
@@ -49,6 +50,7 @@ class Frame:
     def _multiply(self, setting: Setting) -> None:
         """Make the tables of products, and of tr(x·conj(y)), of the basis over ℤ, each times a number."""
         ring, n, size = self.ring, self.n, self.size
+        charge(15 * size**3)
         a, t, b = (ring.value(tree, "a structure constant") for tree in setting.constants)
         one, minus = ring.one, ring.neg(ring.one)
         ab, tb = ring.mul(a, b), ring.mul(t, b)
@@ -108,6 +110,13 @@ class Frame:
 
     def read_rows(self, text: str) -> tuple[int, Rows]:
         """Read a basis over ℤ: elements between bars, four numbers of the field each between commas."""
+        found = self.elements(text)
+        if len(found) != self.size:
+            reject(f"a lattice is written as {self.size} elements, a basis over the integers")
+        return rational_rows(found)
+
+    def elements(self, text: str) -> list[list[Fraction]]:
+        """Read elements between bars."""
         found = []
         for entry in split(text, "|"):
             values = split(entry, ",")
@@ -120,9 +129,18 @@ class Frame:
                 )
                 row += [Fraction(c, den) for c in own]
             found.append(row)
-        if len(found) != self.size:
-            reject(f"a lattice is written as {self.size} elements, a basis over the integers")
-        return rational_rows(found)
+        return found
+
+    def element(self, value: object) -> tuple[int, Row]:
+        """Read an element of the evidence, which is not 0."""
+        entry = an_object(value, "den row", "an element")
+        den, row = (
+            an_integer(entry["den"], "a denominator", 1),
+            integer_row(entry["row"], self.size),
+        )
+        if not any(row):
+            reject("an element is 0")
+        return den, row
 
     def left(self, x: Sequence[int]) -> list[list[int]]:
         """Return the matrix that takes a row y to x·y, ``scale`` times too large."""
@@ -168,6 +186,18 @@ class Frame:
         """The traces tr(x·conj(1)) of the basis, place by place, times the same as :attr:`form`."""
         one = self.integers.one
         return [[sum(map(int.__mul__, line, one)) for line in form] for form in self.form]
+
+
+def a_frame(setting: Setting, basis: object) -> Frame:
+    """Read an integral basis of the field."""
+    field = field_of(setting)
+    rows = [
+        [a_rational(c, "a coefficient") for c in a_list(x, "an element")]
+        for x in a_list(basis, "the integral basis")
+    ]
+    if [len(row) for row in rows] != [field.degree] * field.degree:
+        reject(f"an integral basis has {field.degree} elements, of as many coefficients")
+    return Frame(setting, Integers(field, rows))
 
 
 class Lattice:

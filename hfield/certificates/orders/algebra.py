@@ -1,15 +1,18 @@
 """The algebra i² = a + t·i, j² = b over ℚ, on rows of four integers over a denominator."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from math import lcm
+from math import gcd, lcm
+from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
+from hfield.certificates.language import walk
 from hfield.certificates.rejection import reject
 from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge
 
-Row = tuple[int, ...]
+Row = tuple[Any, ...]
+"""Integers; or those of a number field, at a real place."""
 Rows = tuple[Row, ...]
 
 
@@ -23,36 +26,39 @@ class Algebra:
         ring = setting.field
         if ring is None or ring.name != "QQ" or setting.letters:
             reject("lattices are checked in an algebra over QQ alone, with numbers for constants")
-        evaluator = Evaluator(RingScalars(ring), setting.constants, {})
+        self._tabulate(setting, lambda x: (Fraction(x).denominator, Fraction(x).numerator))
+
+    def _tabulate(self, setting: Setting, parts: Callable[[Any], tuple[int, Any]]) -> None:
+        """Make the tables; ``parts`` returns the denominator and the numerator of a constant."""
+        ring = setting.field
+        assert ring is not None
+        nodes = [node for tree in setting.constants for node in walk(tree)]
+        known = {node: ring.constant(node) for node in nodes if node[0] in ("name", "call")}
+        evaluator = Evaluator(RingScalars(ring), setting.constants, known)
         if evaluator.conditions:
             reject("the structure constants are not defined")
-        a, t, b = map(Fraction, evaluator.constants)
-        bits = sum(n.bit_length() for x in (a, t, b) for n in (x.numerator, x.denominator))
+        a, t, b = evaluator.constants
+        entries = [parts(x) for x in (a, t, b, ring.mul(a, b), ring.mul(t, b))]
+        bits = sum(n.bit_length() for entry in entries[:3] for n in entry)
         charge(1_000 + bits * bits // 2_500)
-        self.scale = s = lcm(*(x.denominator for x in (a, t, b, a * b, t * b)))
-        table = [[[Fraction(0)] * 4 for _ in range(4)] for _ in range(4)]
+        self.scale = s = lcm(*(den for den, _ in entries))
+        a, t, b, ab, tb = (x * (s // den) for den, x in entries)
+        self._table = [[[0] * 4 for _ in range(4)] for _ in range(4)]
         for m, products in enumerate(evaluator.table):
             for n, terms in enumerate(products):
                 for place, c in terms:
-                    table[m][n][place] += c
-        self._table = [[_whole(row, s) for row in rows] for rows in table]
-        form: list[list[int | Fraction]] = [
-            [2, t, 0, 0],
-            [t, -2 * a, 0, 0],
-            [0, 0, -2 * b, -t * b],
-            [0, 0, -t * b, 2 * a * b],
-        ]
-        self.form: Rows = tuple(_whole(row, s) for row in form)
+                    den, x = parts(c)
+                    self._table[m][n][place] = x * (s // den)
+        self.form: Rows = (
+            (2 * s, t, 0, 0),
+            (t, -2 * a, 0, 0),
+            (0, 0, -2 * b, -tb),
+            (0, 0, -tb, 2 * ab),
+        )
         """The matrix of tr(x·conj(y)), from N = n(w, x) − b·n(y, z), n(u, v) = u² + t·uv − a·v²."""
-        bar: list[list[int | Fraction]] = [
-            [1, 0, 0, 0],
-            [t, -1, 0, 0],
-            [0, 0, -1, 0],
-            [0, 0, 0, -1],
-        ]
-        self._bar: Rows = tuple(_whole(row, s) for row in bar)
+        self._bar: Rows = ((s, 0, 0, 0), (t, -s, 0, 0), (0, 0, -s, 0), (0, 0, 0, -s))
         self.bits = longest([*self.form, *(row for rows in self._table for row in rows)])
-        if not (t * t + 4 * a) * b:
+        if not (t * t + 4 * s * a) * b:
             reject("the algebra is degenerate: (t² + 4a)·b is 0")
 
     def left(self, x: Sequence[int]) -> Rows:
@@ -73,14 +79,15 @@ class Algebra:
         """Return the conjugate of a row."""
         return times([x], self._bar)[0]
 
+    def primitive(self, row: Row, den: int = 0) -> tuple[int, Row]:
+        """Divide a row, and a denominator, by the positive integers that divide all of it."""
+        common = gcd(den, *row)
+        return den // common, tuple(x // common for x in row)
+
 
 def longest(rows: Iterable[Sequence[int]]) -> int:
     """Return how many bits the longest number has."""
     return max([n.bit_length() for row in rows for n in row], default=0)
-
-
-def _whole(row: Iterable[int | Fraction], s: int) -> Row:
-    return tuple(int(x * s) for x in row)
 
 
 def times(rows: Iterable[Sequence[int]], matrix: Rows) -> list[Row]:

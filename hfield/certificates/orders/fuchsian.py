@@ -1,8 +1,9 @@
-"""Units of norm 1 of an indefinite order over ℚ: a polygon with their area is their Dirichlet domain.
+"""Units of norm 1 of an indefinite order: a polygon with their area is their Dirichlet domain.
 
 The plane is that of the elements of trace 0 with positive norm, up to positive factors, on the sheet of the
-centre c; g of norm 1 moves x to g·x·ḡ. Points and lines are rows of integers, and the polygon that lies
-nearer to c than to the g·c contains the domain (docs/trust.md).
+centre c; g of norm 1 moves x to g·x·ḡ. Points and lines are rows of integers, over a number field of its
+integers at the real place that splits, and the polygon that lies nearer to c than to the g·c contains the
+domain (docs/trust.md).
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -10,17 +11,30 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
-from math import gcd
+from typing import Any, Protocol
 
-from hfield.certificates.orders.algebra import Row, longest, times
+from hfield.certificates.orders.algebra import Algebra, Row, longest, times
 from hfield.certificates.orders.lattice import Element, Lattice
 from hfield.certificates.orders.local_types import discriminant, eichler_symbol, factored
 from hfield.certificates.rejection import reject
 from hfield.certificates.work import charge
 
-Vector = tuple[int, int, int]
+Vector = tuple[Any, Any, Any]
 Word = tuple[int, ...]
 MOST_SIDES = 5_000
+MOST_ORDER = 21
+"""Elliptic points have at most this order m over a field of degree 6: ζ₂ₘ has degree φ(2m) ≤ 12 over ℚ."""
+
+
+class Order(Protocol):
+    """What a domain asks of an order."""
+
+    @property
+    def algebra(self) -> Algebra:
+        """The algebra."""
+
+    def holds(self, den: int, rows: Sequence[Row]) -> bool:
+        """Tell whether rows over a denominator lie in it."""
 
 
 def area(order: Lattice) -> Fraction:
@@ -52,30 +66,33 @@ class Domain:
     """The Dirichlet domain of the units of norm 1 around the fixed point of c.
 
     Side n lies halfway between c and the image of c under unit n; units and sides go counterclockwise.
+    ``area`` is that of the plane modulo the group, over 2π.
     """
 
-    def __init__(self, order: Lattice, center: Element, units: Sequence[Element]) -> None:
-        self.order, self.algebra, self.units = order, order.algebra, units
+    def __init__(
+        self, order: Order, area: Fraction, center: Element, units: Sequence[Element]
+    ) -> None:
+        self.algebra, self.units, self.area = order.algebra, units, area
         if not 3 <= len(units) <= MOST_SIDES:
             reject(f"a domain has 3 to {MOST_SIDES} sides")
         self._axes = self._seen_from(center)
         bits = longest([*self._axes, *(g.row for g in units)]) + self.algebra.bits
         charge(len(units) * (400 + bits * bits // 3_000))
         for g in units:
-            if not order.holds(g.den, [g.row]) or g.norm(self.algebra) != 1:
+            size = 2 * self.algebra.scale * g.den * g.den
+            if not order.holds(g.den, [g.row]) or self._pairing(g.row, g.row) != size:
                 reject("an element is no unit of norm 1 of the order")
         self._need_polygon()
         self.partners = self._paired()
         self.cycles = list(self._cycles())
-        self.area = area(order)
         angles = sum((Fraction(1, c.order) for c in self.cycles if c.order), Fraction(0))
-        if Fraction(len(units) - 2, 2) - angles != self.area:
+        if Fraction(len(units) - 2, 2) - angles != area:
             reject("the polygon has not the area of the plane modulo the group")
 
     def _seen_from(self, center: Element) -> tuple[Row, Row, Row]:
         """Return c, some u that anticommutes with c, and c·u, up to positive factors."""
         algebra, c = self.algebra, center.row
-        if times([c], algebra.form)[0][0] or center.norm(algebra) <= 0:
+        if times([c], algebra.form)[0][0] or self._pairing(c, c) <= 0:
             reject("the centre is no element of trace 0 and positive norm")
         for k in range(1, 4):
             v = tuple(int(k == m) for m in range(4))
@@ -91,7 +108,7 @@ class Domain:
         """Return x·y, times the scale of the algebra."""
         return times([y], self.algebra.left(x))[0]
 
-    def _pairing(self, x: Row, y: Row) -> int:
+    def _pairing(self, x: Row, y: Row) -> Any:
         """Return tr(x·ȳ), times the scale of the algebra."""
         (row,) = times([x], self.algebra.form)
         return sum(a * b for a, b in zip(row, y, strict=True))
@@ -130,25 +147,32 @@ class Domain:
         if any(size < 0 for size in sizes):
             reject("two sides meet beyond infinity")
         self._ideal = [size == 0 for size in sizes]
-        self.corners = [_primitive(times_axes(x, self._axes)) for x in meetings]
+        self.corners = [self.algebra.primitive(times_axes(x, self._axes))[1] for x in meetings]
 
     def _paired(self) -> list[int]:
         """Return to which side each is mapped by the inverse of its unit, which is the unit there."""
-        places = {_up_to_sign(g): n for n, g in enumerate(self.units)}
+        places = {self._up_to_sign(g): n for n, g in enumerate(self.units)}
         partners = []
         count = len(self.units)
         for n, g in enumerate(self.units):
             bar = self.algebra.conjugate(g.row)
             back = Element(g.den * self.algebra.scale, bar)
-            partner = places.get(_up_to_sign(back))
+            partner = places.get(self._up_to_sign(back))
             if partner is None:
                 reject("the inverse of a unit belongs to no side")
             ends = [self.corners[n], self.corners[(n + 1) % count]]
-            images = [_primitive(self._moved(bar, x)) for x in ends]
-            if images != [self.corners[(partner + 1) % count], self.corners[partner]]:
+            images = [self._moved(bar, x) for x in ends]
+            others = [self.corners[(partner + 1) % count], self.corners[partner]]
+            if not all(map(_same_point, images, others)):
                 reject("a side is not mapped to a side")
             partners.append(partner)
         return partners
+
+    def _up_to_sign(self, g: Element) -> tuple[int, Row]:
+        """Return what g and −g have in common, and no other element."""
+        den, row = self.algebra.primitive(g.row, g.den)
+        first = next((x for x in row if x), 0)
+        return den, tuple(-x for x in row) if first < 0 else row
 
     def _cycles(self) -> Iterator["Cycle"]:
         left, count = set(range(len(self.units))), len(self.units)
@@ -162,26 +186,30 @@ class Domain:
                 left.discard(n)
                 path.append(n)
                 g = self.units[n]
-                row = self._times(self.algebra.conjugate(g.row), around.row)
-                charge(50 + longest([row]) ** 2 // 10_000)
-                den = around.den * g.den * self.algebra.scale**2
-                common = gcd(den, *row)
-                around = Element(den // common, tuple(x // common for x in row))
+                bar = Element(g.den * self.algebra.scale, self.algebra.conjugate(g.row))
+                around = self._product(bar, around)
                 n = (self.partners[n] + 1) % count
             order = self._order(around)
             if (order == 0) != self._ideal[start]:
                 reject("what goes around a corner does not fix it as it should")
             yield Cycle(tuple(path), order)
 
+    def _product(self, g: Element, h: Element) -> Element:
+        row = self._times(g.row, h.row)
+        charge(50 + longest([row]) ** 2 // 10_000)
+        return Element(*self.algebra.primitive(row, g.den * h.den * self.algebra.scale))
+
     def _order(self, g: Element) -> int:
         """Return the order of a unit modulo ±1; 0 for a parabolic one."""
-        if not any(g.row[1:]):
-            return 1
-        trace = abs(times([g.row], self.algebra.form)[0][0])
-        found = {0: 2, 1: 3, 2: 0}.get(Fraction(trace, self.algebra.scale * g.den))  # type: ignore[call-overload]
-        if found is None:
-            reject("what goes around a corner moves it")
-        return int(found)
+        trace = times([g.row], self.algebra.form)[0][0]
+        if any(g.row[1:]) and trace * trace == (2 * self.algebra.scale * g.den) ** 2:
+            return 0
+        power = g
+        for m in range(1, MOST_ORDER + 1):
+            if not any(power.row[1:]):
+                return m
+            power = self._product(power, g)
+        reject("what goes around a corner moves it")
 
     # --- the group -----------------------------------------------------------------------------------
 
@@ -200,6 +228,18 @@ class Domain:
     def genus(self) -> Fraction:
         """The genus of the quotient, from area = 2·genus − 2 + Σ (1 − 1/order) + cusps."""
         return (self.area + 2 - self.cusps - sum(1 - Fraction(1, m) for m in self.elliptic)) / 2
+
+    def need_group(
+        self,
+        signature: tuple[Fraction, list[int], Fraction],
+        generators: Sequence[Element],
+        relations: Sequence[Word],
+    ) -> None:
+        """Reject unless the group has this signature, and this is the presentation that the domain gives."""
+        if signature != (self.genus, self.elliptic, Fraction(self.cusps)):
+            reject("the group has another signature")
+        if (list(generators), list(relations)) != self.presentation():
+            reject("this is not the presentation that the domain gives")
 
     def presentation(self) -> tuple[list[Element], list[Word]]:
         """Return generators and relations: of the sides, less those that a relation expresses by others."""
@@ -288,18 +328,11 @@ def _meeting(f: Vector, g: Vector) -> Vector:
     )
 
 
-def _dot(f: Vector, x: Vector) -> int:
+def _dot(f: Vector, x: Vector) -> Any:
     return f[0] * x[0] + f[1] * x[1] + f[2] * x[2]
 
 
-def _primitive(row: Row) -> Row:
-    """Divide by a positive integer, so that rows of one direction are equal."""
-    common = gcd(*row)
-    return tuple(x // common for x in row)
-
-
-def _up_to_sign(g: Element) -> tuple[int, Row]:
-    """Return what g and −g have in common, and no other element."""
-    common = gcd(g.den, *g.row)
-    row = tuple(x // common for x in g.row)
-    return g.den // common, max(row, tuple(-x for x in row))
+def _same_point(x: Row, y: Row) -> bool:
+    """Tell whether coordinates are multiples of one another; on one sheet the factor is positive."""
+    n = next(n for n, c in enumerate(y) if c)
+    return all(x[n] * b == a * y[n] for a, b in zip(x, y, strict=True))

@@ -28,7 +28,7 @@ from hfield.certificates.glossary import (
 from hfield.certificates.language import Tree
 from hfield.certificates.orders.algebra import Algebra, times
 from hfield.certificates.orders.enumeration import short_vectors
-from hfield.certificates.orders.fuchsian import Domain
+from hfield.certificates.orders.fuchsian import Domain, area
 from hfield.certificates.orders.lattice import Element, Lattice, inverse
 from hfield.certificates.orders.local_types import (
     discriminant,
@@ -248,20 +248,21 @@ def _is_class_set(algebra: Algebra, parts: tuple[str, ...], evidence: object) ->
 def _is_domain(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     an_object(evidence, "kind", "the evidence")
     (center,) = elements_of(parts[1], 1)
-    Domain(an_order(algebra, parts[0]), center, elements_of(parts[2]))
+    order = an_order(algebra, parts[0])
+    Domain(order, area(order), center, elements_of(parts[2]))
     return Finding(FIELD, BY_AREA).citing(SHIMIZU)
 
 
 def _is_group(algebra: Algebra, parts: tuple[str, ...], evidence: object) -> Finding:
     data = an_object(evidence, "kind center units", "the evidence")
     units = [an_element(x) for x in a_list(data["units"], "units")]
-    domain = Domain(an_order(algebra, parts[0]), an_element(data["center"]), units)
-    stated = (a_rational(parts[1]), list(numbers_of(parts[2])), a_rational(parts[3]))
-    if stated != (domain.genus, domain.elliptic, Fraction(domain.cusps)):
-        reject("the group has another signature")
-    generators, relations = domain.presentation()
-    if elements_of(parts[4]) != generators or list(words_of(parts[5])) != relations:
-        reject("this is not the presentation that the domain gives")
+    order = an_order(algebra, parts[0])
+    domain = Domain(order, area(order), an_element(data["center"]), units)
+    domain.need_group(
+        (a_rational(parts[1]), list(numbers_of(parts[2])), a_rational(parts[3])),
+        elements_of(parts[4]),
+        list(words_of(parts[5])),
+    )
     return Finding(FIELD, BY_AREA).citing(SHIMIZU, POINCARE)
 
 

@@ -112,7 +112,8 @@ def root(x: Fraction) -> Fraction | None:
 
 def over_one_denominator(values: Sequence[Fraction]) -> tuple[list[int], int]:
     """Return numbers as integers over their least denominator, and that."""
-    denominators = [x.denominator for x in values]
+    denominators = {x.denominator for x in values}
+    charge(len(values))
     charge_products(denominators, denominators)
     least = lcm(*denominators)
     charge_products([*denominators, *(x.numerator for x in values)], [least])

@@ -31,12 +31,25 @@ class RealRoot:
             least, most = _bounds(x, low, high)
             if least > 0 or most < 0:
                 return 1 if least > 0 else -1
-            middle = (low + high) / 2
-            if (_value(self.f, middle) < 0) == self.rising:
-                low = middle
-            else:
-                high = middle
+            low, high = self._halved(low, high)
         reject("a sign at a real root takes too many halvings")
+
+    def within(self, width: Fraction) -> "RealRoot":
+        """Return the root in an interval of at most this width."""
+        low, high = self.low, self.high
+        for _ in range(MAX_HALVINGS):
+            if high - low <= width:
+                return RealRoot(self.f, low, high)
+            low, high = self._halved(low, high)
+        reject("a real root takes too many halvings")
+
+    def _halved(self, low: Fraction, high: Fraction) -> tuple[Fraction, Fraction]:
+        middle = (low + high) / 2
+        return (middle, high) if (_value(self.f, middle) < 0) == self.rising else (low, middle)
+
+    def bounds(self, x: Sequence[Fraction]) -> tuple[Fraction, Fraction]:
+        """Return bounds of the value of a polynomial at the root."""
+        return _bounds(x, self.low, self.high)
 
 
 def real_roots(f: Sequence[Fraction]) -> list[RealRoot]:

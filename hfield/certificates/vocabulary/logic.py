@@ -8,7 +8,7 @@ The vocabulary, with P, Q for statements of any kind:
 ``basis{4; 1,0,0,0; …}`` · ``determined-by{all; 1,2,3}`` · ``curried-linear{1}`` ·
 ``last-argument{4; 1,2,3}`` · ``class-group{2,4}`` · ``unit-group{2; 1+s}`` ·
 ``ideal-classes{O; 3}`` · and those about lattices, of :mod:`hfield.certificates.orders.words` and, over
-number fields, of :mod:`hfield.certificates.number_fields.answers`.
+number fields, of :mod:`hfield.certificates.number_fields.answers` and ``fuchsian`` beside it.
 
 Lemmas that show relations between closed statements over all fields at once.
 """
@@ -31,7 +31,7 @@ from hfield.certificates.glossary import (
 )
 from hfield.certificates.kinds import establish
 from hfield.certificates.language import BLANKS, Tree, parse, split, walk
-from hfield.certificates.number_fields import answers, classes, ideal_classes
+from hfield.certificates.number_fields import answers, classes, fuchsian, ideal_classes
 from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.words import PARTS as LATTICES
 from hfield.certificates.orders.words import establish_lattices, meaning_of_lattices
@@ -62,7 +62,9 @@ class Proposition:
 
 
 Check = Callable[[tuple[str, ...], Setting, str, Any], Finding]
-ROOMS = (of_fields, linear_algebra, classes, ideal_classes, answers)
+ABOUT_LATTICES = (ideal_classes, answers, fuchsian)
+"""Of any algebra; the other rooms are about H(F)."""
+ROOMS = (of_fields, linear_algebra, classes, *ABOUT_LATTICES)
 SPECIAL: dict[str, Check] = {word: check for room in ROOMS for word, check in room.CHECKS.items()}
 FORMS = {word: form for room in ROOMS for word, form in room.FORMS.items()}
 
@@ -160,7 +162,7 @@ def establish_any(
         need_meaning(p, setting)
     if p.word in LATTICES:
         return establish_lattices(p.word, p.parts, setting, verdict, evidence)
-    if setting.constants != HAMILTON and p.word not in {**ideal_classes.CHECKS, **answers.CHECKS}:
+    if setting.constants != HAMILTON and not any(p.word in room.CHECKS for room in ABOUT_LATTICES):
         reject("statements about wholes are about H(F)")
     if p.word in SPECIAL:
         if setting.field is None and kind_of(evidence) == "over":

@@ -11,44 +11,18 @@ import flint
 from hfield.errors import UndecidedError
 from hfield.primality import primes
 from hfield.rings.balls import precision
+from hfield.rings.isolated_roots import START, IsolatedRoots
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ring import NumberField
 
-START = 64
 MAX_BITS = 1 << 20
 REJECTING_PRIMES = 12
 
 
-class Embeddings:
-    """The roots of a polynomial over ℚ without double roots: real ones ascending, then complex ones.
-
-    Of two conjugate roots the one above the real axis counts. Roots are complex balls of flint that contain
-    one root each, and keep their number at every precision.
-    """
-
-    def __init__(self, polynomial: flint.fmpq_poly) -> None:
-        self._whole = polynomial.numer()
-        first = self._isolated(START)
-        real = sorted((z for z in first if z.imag == 0), key=lambda z: float(z.real.mid()))
-        upper = [z for z in first if z.imag > 0]
-        upper.sort(key=lambda z: (float(z.real.mid()), float(z.imag.mid())))
-        self.real_count, self.count = len(real), len(real) + len(upper)
-        self._at: dict[int, list[Any]] = {START: real + upper}
-
-    def _isolated(self, bits: int) -> list[flint.acb]:
-        with precision(bits):
-            return [flint.acb(z) for z, _ in self._whole.complex_roots()]
-
-    def at(self, bits: int) -> list[flint.acb]:
-        """Return the roots with so many bits."""
-        if bits not in self._at:
-            finer = self._isolated(bits)
-            self._at[bits] = [
-                next(z for z in finer if z.overlaps(known)) for known in self._at[START]
-            ]
-        return self._at[bits]
+class Embeddings(IsolatedRoots):
+    """The roots of the polynomial of a field, and the values of others there."""
 
     def value(self, poly: flint.fmpq_poly, index: int, bits: int) -> flint.acb:
         """Return a ball around the value of a polynomial at a root."""

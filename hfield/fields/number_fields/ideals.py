@@ -8,6 +8,7 @@ equal where matrices are. Inverses and intersections go by duals in the trace fo
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property, lru_cache
@@ -32,6 +33,7 @@ from hfield.fields.number_fields.quadratic.places import QuadraticPlace
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
 from hfield.rings.base import of_fields
+from hfield.syntax.brackets import split
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.classes.class_groups import Principality
@@ -111,16 +113,22 @@ def integers(ring: NumberField | QuadraticField) -> Integers:
     return Integers(ring)
 
 
-def ideal(ring: NumberField | QuadraticField, generators: object) -> Ideal:
-    """Return the fractional ideal that some elements, prime ideals and ideals generate together.
+def ideal(ring: NumberField | QuadraticField, *generators: object) -> Ideal:
+    """Return the fractional ideal that some elements, prime ideals and ideals generate, or that a text names.
 
     Raises :class:`RingError` for the zero ideal, :class:`CoercionError` for what is not of the field.
     """
     frame = integers(ring)
-    if isinstance(generators, Ideal) and generators.ring == ring:
-        return generators
-    several = isinstance(generators, Iterable) and not isinstance(generators, str | Ideal)
-    things: list[Any] = list(generators) if several else [generators]  # type: ignore[call-overload]
+    things: list[Any] = list(generators)
+    if len(things) == 1:
+        (one,) = things
+        if isinstance(one, Ideal) and one.ring == ring:
+            return one
+        if isinstance(one, str):
+            m = re.fullmatch(r"\s*ideal\((.*)\)\s*", one)
+            things = [text for text in split(m[1] if m else one, ",") if text.strip()]
+        elif isinstance(one, Iterable) and not isinstance(one, Ideal):
+            things = list(one)
     rows: list[flint.fmpq] = []
     for x in things:
         rows += _rows(frame, x)

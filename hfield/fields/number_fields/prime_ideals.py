@@ -24,6 +24,7 @@ from hfield.errors import RingError, TooLargeError, shorten
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import (
     LocalOrder,
+    integral_generator,
     left_kernel,
     local_order,
     multiplication_tables,
@@ -242,8 +243,9 @@ def _by_kummer(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
     f = residues(p, [c * scale for c in field.polynomial.numer().coeffs()])
     out = []
     for g, e in sorted_factors(f):
-        pi = order.element(coefficients(g))
-        if len(coefficients(g)) > field.degree:  # p is inert
+        # s is integral at p; what makes it so elsewhere is prime to p
+        pi = order.element(coefficients(g)) * flint.fmpq(integral_generator(field)[0] ** g.degree())
+        if g.degree() == field.degree:  # p is inert
             pi = field(p)
         out.append(
             PrimeIdeal(

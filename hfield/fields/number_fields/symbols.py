@@ -95,6 +95,26 @@ class DyadicPrime:
                 return (d + 1 if split else d), gamma
             u = self._times_square(u, self.one + self._with_leading(d // 2, self._root(leading)))
 
+    def square_class(self, x: FieldElement) -> int:
+        """Return the unit part of x modulo squares as e·f + 1 binary digits, a homomorphism.
+
+        They are the exponents of 1 + ω·ϖᵈ, ω running through a basis of the residues and d odd and below 2e,
+        and of a unit of defect 2e.
+        """
+        prime, found = self.prime, 0
+        _, u = self._class(x)
+        while True:
+            d, gamma = self.defect(u)
+            if d >= 2 * self.e:
+                return found | (d == 2 * self.e) << (self.e * prime.f)
+            u = self.one + gamma
+            leading = prime.residue_of(self._cut(gamma * self._powers[d]))
+            for n, c in enumerate(leading.coeffs()):
+                if c:
+                    found |= 1 << (d // 2 * prime.f + n)
+                    basis = flint.nmod_poly([0] * n + [1], 2)
+                    u = self._cut(u * (self.one + self._with_leading(d, basis)))
+
     @cached_property
     def _powers(self) -> list[FieldElement]:
         """The powers of 1/ϖ, up to the exponent 2e."""
@@ -167,6 +187,13 @@ def hilbert_symbol_number_field(a: FieldElement, b: FieldElement, place: Place) 
 @lru_cache(maxsize=256)
 def _dyadic(prime: PrimeIdeal) -> DyadicPrime:
     return DyadicPrime(prime)
+
+
+def square_class(prime: PrimeIdeal, x: FieldElement) -> int:
+    """Return the unit part of x modulo squares: one binary digit at an odd prime, e·f + 1 above 2."""
+    if prime.p == 2:
+        return _dyadic(prime).square_class(x)
+    return int(residue_symbol(prime, prime.unit_part(x)[1]) < 0)
 
 
 def _tame(prime: PrimeIdeal, a: FieldElement, b: FieldElement) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from hfield.hints import FIELD, Hinted
 from hfield.rings.base import of_fields
 
 if TYPE_CHECKING:
@@ -12,20 +13,22 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.ideals import Ideal
 
 
-class WithIdeals:
+class WithIdeals(Hinted):
     """Ideals of the integers of a number field."""
 
-    def ideal(self, generators: object) -> Ideal:
-        """Return the fractional ideal of an element, a prime ideal, an ideal, or a list of such.
+    elsewhere = FIELD
+
+    def ideal(self, *generators: object) -> Ideal:
+        """Return the fractional ideal of elements, prime ideals and ideals, a list of such, or its text.
 
         Raises :class:`RingError` for the zero ideal, :class:`CoercionError` for what is not of the field.
 
         >>> from hfield import ring
-        >>> K = ring("QQ[s]/(s^3-2)"); a = K.ideal([3, 1 + K.gen])
-        >>> a, a**3, a.norm()
-        (ideal(3, s+s^2), ideal(3), 3)
+        >>> K = ring("QQ[s]/(s^3-2)"); a = K.ideal(3, 1 + K.gen)
+        >>> a, a**3, a.norm(), a == K.ideal("3, 1 + s") == K.ideal(str(a))
+        (ideal(3, s+s^2), ideal(3), 3, True)
         """
-        found: Ideal = of_fields("number_fields.ideals.ideal")(self, generators)
+        found: Ideal = of_fields("number_fields.ideals.ideal")(self, *generators)
         return found
 
     def zeta_minus_one(self) -> Fraction:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.certificates.glossary import (
+    BY_AREA,
     BY_MASS,
     DISCRIMINANT,
     ELEMENT,
@@ -16,6 +17,7 @@ from hfield.certificates.glossary import (
     MASS_OVER_FIELDS,
     NORM,
     ORDER,
+    SHIMIZU,
     SIEGEL,
 )
 from hfield.evidence import Claim
@@ -47,18 +49,24 @@ def of_class_set(classes: IntegersClassSet) -> Claim:
     ring, algebra = frame.integers.ring, frame.algebra
     statement = f"ideal-classes{{{text(order)}; {len(classes)}}}"
     s = s_units(ring)
-    # σ₁ is summed over ideals of norm at most the discriminant, whose square factors have to be known
-    wanted = {p for p in range(2, math.isqrt(s.field.discriminant()) + 1) if is_prime(p)}
-    wanted |= set(factorise(int(order.norm_of_discriminant())))
     shown = {
         "kind": "ideal-classes",
         **_units(frame),
         "narrow": [_product(ring, a) for a in classes.keys.narrow.ideals],
-        "primes": [[p, evidence.seconds_above(s, p)] for p in sorted(wanted)],
+        "primes": _primes(order),
         "classes": [_ideal(classes, n) for n in range(len(classes))],
     }
     cited = (*evidence.cited(s), SIEGEL, MASS_OVER_FIELDS)
     return Claim(algebra, statement, shown, BY_MASS, assumes=cited)
+
+
+def _primes(order: IntegersOrder) -> list[Any]:
+    """Return the prime ideals that the mass formula and Siegel's ask for."""
+    s = s_units(order.algebra.ring)
+    # σ₁ is summed over ideals of norm at most the discriminant, whose square factors have to be known
+    wanted = {p for p in range(2, math.isqrt(s.field.discriminant()) + 1) if is_prime(p)}
+    wanted |= set(factorise(int(order.norm_of_discriminant())))
+    return [[p, evidence.seconds_above(s, p)] for p in sorted(wanted)]
 
 
 def _product(ring: Any, a: Ideal) -> list[Any]:
@@ -101,7 +109,8 @@ def _coordinates(frame: Frame, rows: flint.fmpq_mat) -> tuple[int, list[list[int
     return int(den), [list(map(int, row)) for row in numbers.tolist()]
 
 
-def _element(frame: Frame, row: flint.fmpq_mat) -> dict[str, Any]:
+def element_json(frame: Frame, row: flint.fmpq_mat) -> dict[str, Any]:
+    """Return an element as evidence has it: a row over a denominator."""
     den, table = _coordinates(frame, row)
     return {"den": den, "row": table[0]}
 
@@ -121,8 +130,22 @@ def _claim(
     if "units" in shown:
         cited = evidence.cited(s_units(frame.integers.ring))
     else:
-        shown["basis"] = [frame.field.coordinates(w) for w in frame.omega]
+        shown["basis"] = _integral_basis(frame)
     return Claim(frame.algebra, statement, {"kind": kind, **shown}, method, verdict, assumes=cited)
+
+
+def _integral_basis(frame: Frame) -> list[Any]:
+    return [frame.field.coordinates(w) for w in frame.omega]
+
+
+def of_units(
+    order: IntegersOrder, word: str, parts: list[str], shown: dict[str, Any], *cited: str
+) -> Claim:
+    """Return a statement about the units of norm 1 of an order that splits at one real place."""
+    kind = f"{word}-over-integers"
+    data = {"kind": kind, "basis": _integral_basis(order.frame), "primes": _primes(order), **shown}
+    statement = f"{kind}{{{'; '.join([text(order), *parts])}}}"
+    return Claim(order.algebra, statement, data, BY_AREA, assumes=(SIEGEL, SHIMIZU, *cited))
 
 
 def of_order(order: IntegersOrder) -> Claim:
@@ -152,7 +175,7 @@ def of_equivalence(
     frame = first.frame
     statement = f"equivalent-over-integers{{{first.side}; {text(first)}; {text(second)}}}"
     if element is not None:
-        return _claim(frame, statement, ELEMENT, element=_element(frame, frame.row(element)))
+        return _claim(frame, statement, ELEMENT, element=element_json(frame, frame.row(element)))
     quotient = second.norm() / first.norm()
     nu = totally_positive_generator(quotient)
     shown = _units(frame)
@@ -172,9 +195,9 @@ def of_isomorphism(
     frame = first.frame
     statement = f"isomorphic-over-integers{{{text(first)}; {text(second)}}}"
     if element is not None:
-        return _claim(frame, statement, ELEMENT, element=_element(frame, frame.row(element)))
+        return _claim(frame, statement, ELEMENT, element=element_json(frame, frame.row(element)))
     if first.norm_of_discriminant() != second.norm_of_discriminant():
         return _claim(frame, statement, DISCRIMINANT, "refuted")
-    pair = [_element(frame, x) for x in two_generators(frame, first.rows)]
+    pair = [element_json(frame, x) for x in two_generators(frame, first.rows)]
     basis = _basis(frame, second.rows, frame.field.one)
     return _claim(frame, statement, ENUMERATION, "refuted", pair=pair, order=basis)

@@ -136,10 +136,33 @@ class Around:
                 found.append((vectors, change * coordinates, forms))
         matrix, keys = coordinates * self.rows, []
         rows = _table(flint.fmpz_mat(_first(found)) * self.rows)
-        while rows:
-            start, units, rows = rows[0], *self._orbit(matrix, rows)
+        for start, units in self._orbits(matrix, rows):
             keys.append((self._key(matrix, start), units, start))
         return min(keys)
+
+    def _orbits(self, matrix: flint.fmpz_mat, rows: list[Row]) -> Iterator[tuple[Row, int]]:
+        """Yield an x for each x⁻¹·I, and how many give it: the u·x, u in the group Oˣ/ℤ_Kˣ of the left order.
+
+        The first of them tell the group. Where units have several norms, u·x may have to be divided by a unit
+        of the field; then some x⁻¹·I come more than once.
+        """
+        frame = self.keys.frame
+        first, rest = self._orbit(matrix, rows)
+        yield first[0], len(first)
+        if not rest:
+            return
+        units = flint.fmpq_mat(flint.fmpz_mat(first)) * frame.right(first[0]).inv()
+        group = [frame.left(u).transpose().tolist() for u in units.tolist()]
+        whole, den = flint.fmpq_mat([line for lines in group for line in lines]).numer_denom()
+        seen: set[tuple[int, ...]] = set()
+        for x in rest:
+            if tuple(x) not in seen:
+                column = whole * flint.fmpz_mat([[c] for c in x])  # den·u·x, one u after another
+                image = [int(c) // int(den) for c in column.entries()]
+                for k in range(0, len(image), frame.size):
+                    y = image[k : k + frame.size]
+                    seen |= {tuple(y), tuple(-c for c in y)}
+                yield x, len(first)
 
     def rest(self, row: Row) -> Norm:
         """Return the norm of the lattice that is the key."""
@@ -153,10 +176,10 @@ class Around:
         common = math.gcd(int(den), *entries)
         return int(den) // common, *(c // common for c in entries)
 
-    def _orbit(self, matrix: flint.fmpz_mat, rows: list[Row]) -> tuple[int, list[Row]]:
-        """Return how many y give the same x⁻¹·I as the first, x, and the others: x⁻¹·y is a unit there."""
+    def _orbit(self, matrix: flint.fmpz_mat, rows: list[Row]) -> tuple[list[Row], list[Row]]:
+        """Return the y that give the same x⁻¹·I as the first, x, and the others: x⁻¹·y is a unit there."""
         if len(rows) == 1:
-            return 1, []
+            return rows, []
         inverse = self.keys.frame.left(rows[0]).inv()
         basis = flint.fmpq_mat(matrix) * inverse
         quotients = flint.fmpq_mat(flint.fmpz_mat(rows)) * inverse
@@ -168,9 +191,11 @@ class Around:
             good = [all(c.q == 1 for c in product) for product in products.tolist()]
             outside += [y for y, fits in zip(inside, good, strict=True) if not fits]
             inside = [y for y, fits in zip(inside, good, strict=True) if fits]
+            if len(inside) == 1:  # x itself is always there
+                break
             table = quotients.tolist()
             quotients = flint.fmpq_mat([q for q, fits in zip(table, good, strict=True) if fits])
-        return len(inside), outside
+        return inside, outside
 
 
 Found = tuple[list[Vector], flint.fmpz_mat, tuple[flint.fmpz_mat, ...]]

@@ -24,6 +24,7 @@ from hfield.fields.number_fields.ideals import Ideal
 from hfield.fuchsian.group import NormOneGroup
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.lattices.checked_arguments import checked_side, listed, natural
+from hfield.lattices.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.lattices.eigensystems import WithForms
 from hfield.lattices.over_integers import (
     certificates,
@@ -33,6 +34,7 @@ from hfield.lattices.over_integers import (
     local_orders,
     quadratic_orders,
     related_orders,
+    stable_classes,
 )
 from hfield.lattices.over_integers.dedekind_modules import free_basis, meet, unique_rows
 from hfield.lattices.over_integers.frames import Frame, frame_of
@@ -304,7 +306,7 @@ class IntegersLattice(Hinted):
         return found if left else flint.fmpq_mat(self.frame.conjugate(found.tolist()))
 
 
-class IntegersOrder(IntegersLattice, Certified):
+class IntegersOrder(IntegersLattice, WithStableClasses, Certified):
     """A lattice over the integers of a number field that is a ring with 1.
 
     >>> from hfield import QuaternionAlgebra
@@ -630,6 +632,13 @@ class IntegersOrder(IntegersLattice, Certified):
         """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, by a formula. Raises likewise."""
         return class_sets.mass(self)
 
+    @cached_property
+    def _stable(self) -> StableClasses:
+        return stable_classes.stable_classes(self)
+
+    def _units_modulo_scalars(self) -> int:
+        return self.unit_index()
+
     def class_set(self) -> IntegersClassSet:
         """Return the invertible right ideal classes, complete by the mass formula. Raises likewise."""
         if not self.is_definite():
@@ -792,7 +801,7 @@ class IntegersIdeal(IntegersLattice, Certified):
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
 
 
-class IntegersClassSet(class_sets.Classes, WithForms, Certified, Hinted):
+class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified, Hinted):
     """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
@@ -802,6 +811,7 @@ class IntegersClassSet(class_sets.Classes, WithForms, Certified, Hinted):
     """
 
     elsewhere = CLASSES
+    order: IntegersOrder
 
     def __init__(self, order: IntegersOrder) -> None:
         super().__init__(order)
@@ -832,6 +842,14 @@ class IntegersClassSet(class_sets.Classes, WithForms, Certified, Hinted):
     def left_orders(self) -> list[IntegersOrder]:
         """Return the left orders of the representatives, one a class."""
         return [I.left_order() for I in self]
+
+    def _stable_class(self, n: int) -> tuple[int, int]:
+        stable, norm = self.order._stable, self.norms[n]
+        values = (
+            stable_classes.local_norm(self.frame, self.lattices[n], place.prime) / norm.element
+            for place in stable.places
+        )
+        return norm.number, stable.reduced(values)
 
     @cached_property
     def _forms(self) -> IntegersModule:

@@ -8,13 +8,14 @@ quaternion orders", 2021.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import product
 from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.errors import TooLargeError
+from hfield.lattices.maximal_orders import MOST, in_steps
 from hfield.lattices.over_integers.dedekind_modules import meet, unique_rows
 from hfield.lattices.over_integers.local_orders import Local
 
@@ -22,37 +23,17 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.ideals import Ideal
     from hfield.lattices.over_integers.frames import Frame
 
-MOST = 10_000
-"""No more candidates for orders at one prime than this are tried."""
-
-
 # --- below and above -------------------------------------------------------------------------------
 
 
 def suborders(local: Local, rows: flint.fmpq_mat, k: int) -> list[flint.fmpq_mat]:
     """Return the orders of index Pᵏ in an order. Raises :class:`TooLargeError`."""
-    return _steps(rows, k, lambda order: _maximal_suborders(local, order))
+    return in_steps(rows, k, lambda order: _maximal_suborders(local, order), str)
 
 
 def overorders(local: Local, rows: flint.fmpq_mat, k: int) -> list[flint.fmpq_mat]:
     """Return the orders in which an order has the index Pᵏ. Raises :class:`TooLargeError`."""
-    return _steps(rows, k, lambda order: _minimal_overorders(local, order))
-
-
-Around = Callable[[flint.fmpq_mat], Iterator[tuple[int, flint.fmpq_mat]]]
-
-
-def _steps(rows: flint.fmpq_mat, k: int, around: Around) -> list[flint.fmpq_mat]:
-    """Return what is reached in steps whose lengths add up to k."""
-    reached: list[dict[str, flint.fmpq_mat]] = [{str(rows): rows}, *({} for _ in range(k))]
-    for n in range(k):
-        for order in reached[n].values():
-            for length, other in around(order):
-                if n + length <= k:
-                    reached[n + length].setdefault(str(other), other)
-        if sum(map(len, reached)) > MOST:
-            raise TooLargeError("there are too many orders of this index to list them")
-    return list(reached[k].values())
+    return in_steps(rows, k, lambda order: _minimal_overorders(local, order), str)
 
 
 def _maximal_suborders(local: Local, rows: flint.fmpq_mat) -> Iterator[tuple[int, flint.fmpq_mat]]:

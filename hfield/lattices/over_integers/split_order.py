@@ -10,9 +10,11 @@ from flint import arb, ctx, fmpq
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
+from hfield.evidence import Claim
 from hfield.fields.number_fields.classes.zeta import zeta_minus_one
 from hfield.fuchsian.search import element_of_norm
 from hfield.fuchsian.split_order import SplitOrder
+from hfield.lattices.over_integers import certificates
 from hfield.lattices.over_integers.equivalence import Comparison
 
 if TYPE_CHECKING:
@@ -112,3 +114,10 @@ class SplitIntegersOrder(SplitOrder):
     def flat(self, q: Quaternion) -> list[fmpq]:
         found: list[fmpq] = self.order.frame.row(q).entries()
         return found
+
+    def written(self, g: Quaternion) -> dict[str, Any]:
+        frame = self.order.frame
+        return certificates.element_json(frame, frame.row(g))
+
+    def claim(self, word: str, parts: list[str], shown: dict[str, Any], *cited: str) -> Claim:
+        return certificates.of_units(self.order, word, parts, shown, *cited)

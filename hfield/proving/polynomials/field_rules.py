@@ -133,8 +133,7 @@ def unused_norm(setting: Setting) -> str | None:
 def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
     """Return the rule, or None where the norm has a zero. Raises :class:`UndecidedError`."""
     from hfield.certificates.anisotropy import is_readable
-    from hfield.structure.norm_forms.anisotropy_evidence import norm_evidence
-    from hfield.structure.norm_forms.zero_norms import zero_norm
+    from hfield.structure.norm_forms.zero_norms import norm_evidence, zero_norm
 
     if field.order is not None:  # over a finite field every norm form has zeros
         return None

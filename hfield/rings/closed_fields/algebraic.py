@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield import syntax
-from hfield.errors import CoercionError, NotInvertibleError, UndecidedError, shorten
+from hfield.errors import CoercionError, NotInvertibleError, shorten
 from hfield.product import Scalar
 from hfield.rings.base import INFINITY, Known
-from hfield.rings.closed_fields.radicals import FUNCTIONS
+from hfield.rings.closed_fields.radicals import FUNCTIONS, ROOTS
 from hfield.rings.closed_fields.surds import Surd, from_rational
 from hfield.rings.printing import from_unicode
 from hfield.rings.rational import rational, unwrap
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 
 _I = Surd({-1: flint.fmpq(1)})
+
+MOST_OPERATIONS = 24  # of a root in radicals; longer ones go by number
 
 
 class AlgebraicNumbers(ValueRing):
@@ -81,6 +83,7 @@ class AlgebraicNumbers(ValueRing):
             "cbrt": lambda x: self._root(x, 3),
             "root": self._root,
             **{name: closed.function(name) for name in FUNCTIONS},
+            **{name: closed.polynomial_root(name) for name in ROOTS},
         }
 
     def parse(self, text: str) -> Surd | Closed:
@@ -162,8 +165,9 @@ class AlgebraicNumbers(ValueRing):
     ) -> list[list[Surd | Closed]]:
         """Return the monic irreducible factors of a polynomial that is not 0, each once.
 
-        With rational coefficients those whose roots are radicals or cosines that sympy finds; with others as
-        :meth:`hfield.rings.base.Ring.irreducible_factors`. Raises :class:`UndecidedError` for the rest.
+        With rational coefficients all, their roots radicals or cosines where these are short, else by number
+        (``rootof``); with others as :meth:`hfield.rings.base.Ring.irreducible_factors`. Raises
+        :class:`UndecidedError` for the rest.
         """
         rationals = [
             x.terms.get(1, flint.fmpq(0))
@@ -181,9 +185,13 @@ class AlgebraicNumbers(ValueRing):
 
     def _of_radicals(self, g: flint.fmpq_poly) -> list[list[Surd | Closed]]:
         """Return the factors of an irreducible polynomial over ℚ of degree above 2, by its roots in CC."""
-        roots = list(map(CC, _roots_in_radicals(g)))
-        if len(roots) < g.degree():
-            raise UndecidedError(f"no radicals are known for the roots of {g} in {self.name}")
+        from hfield.rings.closed_fields.closed_forms import number
+        from hfield.rings.closed_fields.polynomial_roots import of_polynomial
+
+        short = _roots_in_radicals(g)
+        if len(short) < g.degree():
+            return [[*map(number, f)] for f in of_polynomial(g, self.is_real)]
+        roots = list(map(CC, short))
         if not self.is_real:
             return [[-z, CC.one] for z in roots]
         real = [z for z in roots if z.is_real()]
@@ -236,7 +244,7 @@ class AlgebraicNumbers(ValueRing):
 
 
 def _roots_in_radicals(g: flint.fmpq_poly) -> list[Any]:
-    """Return what sympy finds of the roots of an irreducible polynomial over ℚ; roots of unity by cosines."""
+    """Return what sympy finds of the roots of an irreducible polynomial over ℚ, if that is short."""
     import sympy
 
     order = (g.numer() if g.denom() == 1 else flint.fmpz_poly([2])).is_cyclotomic()
@@ -244,7 +252,8 @@ def _roots_in_radicals(g: flint.fmpq_poly) -> list[Any]:
         turns = (2 * sympy.pi * k / order for k in range(order) if math.gcd(k, order) == 1)
         return [sympy.cos(turn) + sympy.I * sympy.sin(turn) for turn in turns]
     rationals = [sympy.Rational(int(c.p), int(c.q)) for c in reversed(g.coeffs())]
-    return list(sympy.roots(sympy.Poly(rationals, sympy.Symbol("x"))))
+    roots = list(sympy.roots(sympy.Poly(rationals, sympy.Symbol("x"))))
+    return roots if all(z.count_ops() <= MOST_OPERATIONS for z in roots) else []
 
 
 RR = AlgebraicNumbers("RR")

@@ -3,6 +3,7 @@
 import flint
 import sympy
 
+from hfield.rings.closed_fields.polynomial_roots import RootOf
 from hfield.rings.closed_fields.radicals import FUNCTIONS
 
 _FUNCTIONS = {getattr(sympy, name): name for name in FUNCTIONS}
@@ -11,6 +12,8 @@ _FUNCTIONS = {getattr(sympy, name): name for name in FUNCTIONS}
 def is_known(expr: sympy.Expr) -> bool:
     """Tell whether :func:`evaluate` can enclose the expression: no symbols, floats, other functions."""
     if expr.is_Rational or expr is sympy.I or expr is sympy.pi or expr is sympy.E:
+        return True
+    if isinstance(expr, RootOf):
         return True
     if expr.is_Add or expr.is_Mul or expr.is_Pow or expr.func in _FUNCTIONS:
         return all(is_known(arg) for arg in expr.args)
@@ -34,6 +37,8 @@ def _evaluated(expr: sympy.Expr, known: dict[sympy.Expr, flint.acb]) -> flint.ac
         return flint.acb(flint.arb.pi())
     if expr is sympy.E:
         return flint.acb(flint.arb.const_e())
+    if isinstance(expr, RootOf):
+        return expr.ball()
     if expr.is_Add or expr.is_Mul:
         out = flint.acb(0 if expr.is_Add else 1)
         for arg in expr.args:

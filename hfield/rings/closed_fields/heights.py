@@ -7,11 +7,14 @@ and the degree by the product of the degrees of the radicals, so that an enclosu
 decides; no minimal polynomial is computed.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from math import lcm, log, prod
+from math import lcm, log, perm, prod
 from typing import Any
 
 import sympy
+
+from hfield.rings.closed_fields.polynomial_roots import RootOf
 
 
 @dataclass
@@ -19,17 +22,19 @@ class Bounds:
     """What is known of an algebraic number: a bound of its height, and what its degree comes from.
 
     ``roots`` maps each base under a root to the degrees taken of it; ``order`` is that of a root of
-    unity in whose field the cosines and sines lie.
+    unity in whose field the cosines and sines lie; ``conjugates`` are numbers of roots of a polynomial.
     """
 
     height: float = 0.0
     roots: dict[tuple[Any, int], int] = field(default_factory=dict)
     order: int = 1
+    conjugates: dict[tuple[Any, ...], set[int]] = field(default_factory=dict)
 
     @property
     def degree(self) -> int:
         """A bound of the degree over ℚ of the field of all parts."""
-        return prod(self.roots.values()) * int(sympy.totient(self.order))
+        of_roots = (perm(len(c) - 1, len(chosen)) for c, chosen in self.conjugates.items())
+        return prod(self.roots.values()) * prod(of_roots) * int(sympy.totient(self.order))
 
 
 def bounds(expr: sympy.Expr) -> Bounds | None:
@@ -52,11 +57,7 @@ def _height(expr: sympy.Expr, found: Bounds) -> float | None:
     if expr is sympy.GoldenRatio:
         return _height(expr.expand(func=True), found)
     if expr.is_Add or expr.is_Mul:
-        parts = [_height(arg, found) for arg in expr.args]
-        known = [h for h in parts if h is not None]
-        if len(known) < len(parts):
-            return None
-        return sum(known) + (log(len(known)) if expr.is_Add else 0.0)
+        return _height_of_polynomial(expr.args if expr.is_Add else [expr], found)
     if expr.is_Pow and expr.exp.is_Rational:
         h = _height(expr.base, found)
         if h is None:
@@ -64,7 +65,37 @@ def _height(expr: sympy.Expr, found: Bounds) -> float | None:
         if expr.exp.q > 1:
             found.roots[expr.base, int(expr.exp.q)] = int(expr.exp.q)
         return h * abs(float(expr.exp))
+    if isinstance(expr, RootOf):
+        found.conjugates.setdefault(expr.args[1:], set()).update(expr.conjugates)
+        return expr.height
     return _cyclotomic(expr, found)
+
+
+def _height_of_polynomial(terms: Sequence[sympy.Expr], found: Bounds) -> float | None:
+    """Bound a sum of products of parts: by the size of the coefficients, and each part by its highest power.
+
+    1/x counts as a part beside x, of the same height.
+    """
+    coefficients, powers = [], dict[tuple[Any, bool], int]()
+    for term in terms:
+        coefficient, factors = term.as_coeff_mul()
+        if not coefficient.is_Rational:
+            coefficient, factors = sympy.Integer(1), (coefficient, *factors)
+        coefficients.append(coefficient)
+        for factor in factors:
+            base, exponent = factor.as_base_exp()
+            if not exponent.is_Integer or base is sympy.E:
+                base, exponent = factor, sympy.Integer(1)
+            part = base, exponent < 0
+            powers[part] = max(powers.get(part, 0), abs(int(exponent)))
+    below = lcm(*(int(c.q) for c in coefficients))
+    height = log(max(below, int(sum(abs(c) for c in coefficients) * below)))
+    for (part, _), power in powers.items():
+        h = _height(part, found)
+        if h is None:
+            return None
+        height += power * h
+    return height
 
 
 def _cyclotomic(expr: sympy.Expr, found: Bounds) -> float | None:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 # What closed forms are made of beside roots: the names that sympy, flint and texts share.
 FUNCTIONS = ("cos", "sin", "tan", "cosh", "sinh", "tanh", "exp", "log")
+ROOTS = ("rootof", "rootof_trace", "rootof_norm")  # of polynomials over ℚ, see polynomial_roots
 MAX_OPERATIONS = 3_000
 
 

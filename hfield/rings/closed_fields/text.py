@@ -2,6 +2,7 @@
 
 import sympy
 
+from hfield.rings.closed_fields.polynomial_roots import RootOf
 from hfield.rings.closed_fields.radicals import FUNCTIONS
 from hfield.rings.printing import is_sum, number_text, parentheses, power_text
 
@@ -31,6 +32,8 @@ def _text(expr: sympy.Expr) -> str:
         return number_text(expr)
     if expr is sympy.E:
         return "exp(1)"
+    if isinstance(expr, RootOf):
+        return f"{expr.spelled}({','.join(map(str, expr.args))})"
     if isinstance(expr, _FUNCTIONS):
         return f"{expr.func.__name__}({_text(expr.args[0])})"
     if expr.is_Pow:
@@ -62,7 +65,7 @@ def _power(expr: sympy.Expr) -> str:
     p, q = int(exponent.p), int(exponent.q)
     if q == 1:
         text = _text(base)
-        whole = text.isalnum() or isinstance(base, _FUNCTIONS)
+        whole = text.isalnum() or isinstance(base, (*_FUNCTIONS, RootOf))
         return power_text(text if whole else parentheses(text, "plain"), p, "plain")
     if base.is_negative:  # principal: exp(i·π·p/q) times the root of the absolute value
         turn = f"exp(I*pi*{exponent})"

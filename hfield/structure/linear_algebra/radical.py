@@ -61,17 +61,25 @@ def radical(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:
 def _roots(ring: Ring, c: Constants) -> list[Row]:
     """Return linear equations for ``w² + a·x² + b·y² + ab·z² = 0`` in characteristic 2."""
     squares = [ring.one, c.a, c.b, c.a * c.b]
-    field = global_field(ring)
-    if field is not None:
-        return [list(row) for row in zip(*map(field.square_parts, squares), strict=True)]
     if isinstance(ring, PolynomialRing):
         return _monomial_roots(ring, squares)
-    roots = [ring.sqrt(x) for x in squares]
-    if None in roots:
+    return [list(row) for row in zip(*(square_parts(ring, x) for x in squares), strict=True)]
+
+
+def square_parts(ring: Ring, x: Scalar) -> tuple[Scalar, ...]:
+    """Return (u,) with x = u², or (u, v) with x = u² + g·v², g no square, in a field of characteristic 2.
+
+    Raises :class:`UndecidedError` where neither is known.
+    """
+    field = global_field(ring)
+    if field is not None:
+        return field.square_parts(x)
+    root = ring.sqrt(x)
+    if root is None:
         raise UndecidedError(
             f"{ring.name} is not perfect, and its square roots are not split up here"
         )
-    return [roots]
+    return (root,)
 
 
 def _monomial_roots(ring: PolynomialRing, squares: list[flint.nmod_mpoly]) -> list[Row]:

@@ -5,8 +5,10 @@ procedures are tried from the cheap to the deep, and the first that applies deci
 """
 
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
 
+from hfield.certificates.anisotropy import is_certified
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import INFINITY, Ring
@@ -16,6 +18,7 @@ from hfield.structure.norm_forms import zeros_over_fields, zeros_over_rings
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
 from hfield.structure.norm_forms.zeros_over_fields import zero_norm_finite
 
+Evidence = Mapping[str, Any]
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
 
 
@@ -200,3 +203,19 @@ _PROCEDURES: list[tuple[str, Procedure]] = [
     ("the level of the field", _hamilton),
     *zeros_over_fields.PROCEDURES,
 ]
+
+
+# --- why there is none, as evidence that the checker of certificates accepts -------------------------
+
+
+def norm_evidence(algebra: str, ring: Ring, c: Constants, answer: ZeroNorm) -> Evidence | None:
+    """Return the evidence for an answer without element, or None where there is none that is checked."""
+    by = ({"by": answer.method},) if answer.method in ("ordering", "level") else ()
+    candidates: Iterable[Evidence] = itertools.chain(by, evidence_at(ring, c, answer.places))
+    return next((data for data in candidates if is_certified(algebra, ring.data, data)), None)
+
+
+def evidence_at(ring: Ring, c: Constants, places: Iterable[object]) -> Iterator[Evidence]:
+    """Yield the evidence at those places where the algebra is ramified and residues are finite."""
+    field = global_field(ring)
+    return iter(()) if field is None else field.evidence(c, places)

@@ -70,8 +70,17 @@ def _of_scalar(ring: Ring, c: Constants, s: Scalar) -> SquareRoots:
     if ring.is_zero(s):
         nilpotent = nilpotent_element(ring, c)
         return SquareRoots(((o, o, o, o),) if nilpotent is None else (), nilpotent)
-    scalars = [] if ring.characteristic == 2 else _both_roots(ring, s)
-    root = traceless_root(ring, c, s)
+    root: Coordinates | None
+    scalars = _both_roots(ring, s)
+    if ring.characteristic == 2 and scalars:
+        (r,) = scalars  # other roots differ from it by elements with square 0
+        nilpotent = nilpotent_element(ring, c)
+        if nilpotent is None:
+            return SquareRoots(((r, o, o, o),))
+        w, x, y, z = nilpotent
+        scalars, root = [], (r + w, x, y, z)
+    else:
+        root = traceless_root(ring, c, s)
     if root is not None and not _squares_to(ring, c, root, (s, o, o, o)):
         raise AssertionError("a square root that was found does not square to the scalar")
     return SquareRoots(tuple((r, o, o, o) for r in scalars), root)
@@ -123,11 +132,8 @@ def traceless_root(ring: Ring, c: Constants, s: Scalar) -> Coordinates | None:
 
 
 def _traceless_root_even(ring: Ring, c: Constants, s: Scalar) -> Coordinates | None:
-    """Return x in characteristic 2, where scalars have trace 0, and so has i if t = 0."""
+    """Return x in characteristic 2, where scalars have trace 0, and so has i if t = 0; s is no square."""
     o = ring.zero
-    scalar = ring.sqrt(s)
-    if scalar is not None:
-        return scalar, o, o, o
     field = known_field(ring)  # finite fields of characteristic 2 have all square roots
     if ring.sqrt(c.b) is None:
         w, r = field.as_norm(s, c.b)

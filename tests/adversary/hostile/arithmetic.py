@@ -26,6 +26,16 @@ def dirichlet_domain(level: int) -> str:
     return json.dumps(order.norm_one_group().domain().certificate)
 
 
+def group_over_integers(p: int, whole: bool = True) -> str:
+    A = QuaternionAlgebra.from_text("(-1,sqrt(5)|QQ(sqrt(5)))")
+    group = A.eichler_order(A.ring.primes_above(p)[0]).norm_one_group()
+    return json.dumps((group if whole else group.domain()).certificate)
+
+
+def domain_over_integers(p: int) -> str:
+    return group_over_integers(p, whole=False)
+
+
 def ideal_classes(p: int) -> str:
     A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
     return json.dumps(A.eichler_order(A.ring.primes_above(p)[0]).class_set().certificate)
@@ -48,6 +58,8 @@ FILES: dict[str, Hostile] = {
     "unit-group: a large discriminant": (unit_group, 2, 9_973),
     "norm-one-group: a large level": (norm_one_group, 2, 100),
     "dirichlet-domain: a large level": (dirichlet_domain, 2, 100),
+    "norm-one-group-over-integers: a large level": (group_over_integers, 11, 199),
+    "dirichlet-domain-over-integers: a large level": (domain_over_integers, 11, 199),
     "ideal-classes: a large level": (ideal_classes, 11, 401),
     "order-over-integers: a large level": (over_integers(lambda order, *_: order.claim), 11, 401),
     "ideal-over-integers: a large level": (

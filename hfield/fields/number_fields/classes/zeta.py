@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import lru_cache
+from operator import mul
 from typing import Any
 
 import flint
@@ -21,7 +22,10 @@ from hfield.factorisation import factorise
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import Integers, integers
 from hfield.fields.number_fields.integral_basis import element_of
+from hfield.rings.balls import precision
 
+DIGITS = 64
+"""Binary digits of conjugates that tell that a number is not totally positive."""
 MAX_ELEMENTS = 2_000_000
 """So many lattice points at most are gone through for a value."""
 
@@ -83,6 +87,15 @@ class _Sums:
         self.basis = flint.fmpq_mat([*rest.tolist(), first])
         whole = (self.basis * form * self.basis.transpose()).tolist()
         self.gram = [[Fraction(int(c.p), int(c.q)) for c in row] for row in whole]
+        self.conjugates = self._conjugates()
+
+    def _conjugates(self) -> list[list[int]]:
+        """Return the conjugates of the basis times 2^DIGITS, place by place, less than 1 away."""
+        embeddings, places = self.frame.field.embeddings, range(self.frame.n)
+        elements = [element_of(self.frame.field, row) for row in self.basis.tolist()]
+        values = [[embeddings.value(x.poly, k, 2 * DIGITS).real for x in elements] for k in places]
+        with precision(2 * DIGITS):
+            return [[_near(c * flint.arb(2) ** DIGITS) for c in row] for row in values]
 
     def _different_exponents(self) -> Iterator[tuple[Any, int]]:
         for p in factorise(int(self.different.norm())) if self.different.norm() != 1 else ():
@@ -98,6 +111,9 @@ class _Sums:
     def _positive(self, trace: int) -> Iterator[FieldElement]:
         """Yield the totally positive elements: squares of their conjugates sum to at most l²."""
         for row in _points(self.gram, trace, Fraction(trace * trace)):
+            error = sum(map(abs, row))
+            if any(sum(map(mul, row, c)) < -error for c in self.conjugates):
+                continue
             whole = flint.fmpq_mat(flint.fmpz_mat(1, self.frame.n, row)) * self.basis
             x = element_of(self.frame.field, whole.entries())
             signs = self.frame.field.multiplication(x).charpoly().coeffs()
@@ -116,6 +132,12 @@ class _Sums:
                 e = prime.valuation(x) + self.exponents.get(prime, 0)
                 out *= (prime.norm ** (e + 1) - 1) // (prime.norm - 1)
         return out
+
+
+def _near(x: Any) -> int:
+    """Return an integer less than 1 away from what lies in a narrow ball."""
+    assert x.rad() < 0.5
+    return int((x.mid() + flint.arb(0.5)).mid().floor().unique_fmpz())
 
 
 def _points(gram: list[list[Fraction]], last: int, bound: Fraction) -> Iterator[list[int]]:

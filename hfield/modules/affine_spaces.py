@@ -1,0 +1,95 @@
+"""Elements of given trace and norm among those with a + b·q = 0, in every algebra over a field.
+
+The trace and b·q are linear in q. Along the radical the norm does not change; modulo it the algebra is
+simple, or of dimension 2 or less with a trace that is not 0, so that a line is left, on which the norm has
+degree 2. In characteristic 2 with t = 0 the trace is 0 and the norm additive: linear after taking roots.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.rings.roots import stripped
+from hfield.structure import is_central_simple, is_division
+from hfield.structure.forms import pairing_matrix
+from hfield.structure.linear_algebra.echelon import null_space, solution
+from hfield.structure.linear_algebra.radical import square_parts
+from hfield.structure.single_elements.trace_and_norm import element_of
+
+Spaces = tuple[
+    list[Quaternion], list[Quaternion]
+]  # each of these points plus the span of directions
+
+
+def of_trace_and_norm(A: Parent, t: Any, n: Any) -> Quaternion | None:
+    """Return an element of trace t and norm n that is no scalar, or None. Raises :class:`UndecidedError`."""
+    if is_central_simple(A.ring, A.constants):
+        q = element_of(A.ring, A.constants, t, n)
+        return None if q is None else A(*q)
+    points, directions = on_spaces(A, A.scalar(0), A.scalar(0), t, n)
+    found = (q + v for q in points for v in (A.scalar(0), *directions))
+    return next((q for q in found if any(not A.ring.is_zero(x) for x in q.coordinates[1:])), None)
+
+
+def on_spaces(A: Parent, a: Quaternion, b: Quaternion, t: Any, n: Any) -> Spaces:
+    """Return all q of trace t and norm n with a + b·q = 0, where x² − t·x + n divides norm(a + b·x).
+
+    If b is a unit, there is one q, for norm(a + b·x) is N(b)·(x² − tr(q)·x + N(q)).
+    """
+    F, c = A.ring, A.constants
+    if b.is_unit():
+        double = F.characteristic != 2 and F.equal(t * t, n * 4) and is_division(F, c)
+        return [A.scalar(t / F(2)) if double else -(b.inverse() * a)], []
+    rows: list[list[Any]] = [list(row) for row in b.matrix()]
+    rows.append([F(2), c.t, F.zero, F.zero])
+    start = solution(F, rows, [*([-x] for x in a.coordinates), [t]])
+    if start is None:
+        return [], []
+    q = A(*(row[0] for row in start))
+    free = _elements(A, null_space(F, rows, 4))
+    if F.characteristic == 2 and F.is_zero(c.t):
+        return _additive(q, free, n)
+    pairing = pairing_matrix(F, c)
+    radical = _elements(A, null_space(F, [*rows, *pairing], 4))
+    if len(free) == len(radical):
+        return [q] if F.equal(q.norm(), n) else [], radical
+    v = next(v for v in free if any(not F.is_zero(x) for x in _times(F, pairing, v)))
+    along = [q.norm() - n, (q * v.conjugate()).trace(), v.norm()]
+    if all(map(F.is_zero, along)):
+        return [q], [v]  # the radical is 0: a norm is constant on no line modulo it
+    if F.is_zero(along[1]) and F.is_zero(along[2]):
+        return [], []
+    factors = F.irreducible_factors(stripped(F, along))
+    return [q - v * g[0] for g in factors if len(g) == 2], radical
+
+
+def _additive(q: Quaternion, free: list[Quaternion], n: Any) -> Spaces:
+    """Return the q + Σ s·v with N(q) + Σ s²·N(v) = n."""
+    A, F = q.algebra, q.algebra.ring
+    *parts, right = ([*square_parts(F, x)] for x in (*(v.norm() for v in free), n - q.norm()))
+    rows = [[part[m] for part in parts] for m in range(len(right))]
+    if not free:
+        return ([] if any(not F.is_zero(x) for x in right) else [q]), []
+    start = solution(F, rows, [[x] for x in right])
+    if start is None:
+        return [], []
+
+    def combined(scalars: Sequence[Any]) -> Quaternion:
+        total = A.scalar(0)
+        for s, v in zip(scalars, free, strict=True):
+            total = total + v * s
+        return total
+
+    return [q + combined([row[0] for row in start])], [
+        combined(row) for row in null_space(F, rows, len(free))
+    ]
+
+
+def _elements(A: Parent, rows: Sequence[Sequence[Any]]) -> list[Quaternion]:
+    return [A(*row) for row in rows]
+
+
+def _times(F: Any, rows: Sequence[Sequence[Any]], v: Quaternion) -> list[Any]:
+    return [sum((x * y for x, y in zip(row, v.coordinates, strict=True)), F.zero) for row in rows]

@@ -1,0 +1,80 @@
+"""Roots of polynomials as numbers, without radicals: against the polynomial, numpy, and their own texts."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+from hfield import CC, RR, CoercionError
+
+QUINTIC = (-1, -1, 0, 0, 0, 1)
+
+
+def root(n, kind="rootof", c=QUINTIC, ring=CC):
+    return ring(f"{kind}({n},{','.join(map(str, c))})")
+
+
+def test_they_are_roots():
+    roots = [root(n) for n in range(5)]
+    for z in roots:
+        assert z**5 - z - 1 == 0
+        assert z**5 - z != 0
+    assert sum(roots[1:], roots[0]) == 0
+    near = [complex(z.ball(64).real.mid(), z.ball(64).imag.mid()) for z in roots]
+    assert np.allclose(np.sort_complex(near), np.sort_complex(np.roots(QUINTIC[::-1])))
+    assert [z.is_real() for z in roots] == [True, False, False, False, False]
+    assert near[1].imag > 0 > near[2].imag
+
+
+@pytest.mark.parametrize("n", [1, 3])
+def test_pairs(n):
+    t, norm = root(n, "rootof_trace", ring=RR), root(n, "rootof_norm", ring=RR)
+    assert root(n) + root(n + 1) == t
+    assert root(n) * root(n + 1) == norm
+    assert root(n) ** 2 - t * root(n) + norm == 0
+
+
+def test_texts_hashes_and_pickles():
+    for z in (root(0), root(1) + 2, root(3, "rootof_trace") * root(0) - RR("sqrt(2)"), 1 / root(2)):
+        again = CC(z.text())
+        assert again == z
+        assert hash(again) == hash(z)
+        assert pickle.loads(pickle.dumps(z)) == z
+    assert "operatorname" in root(0).text("latex")
+
+
+def test_factors_over_the_reals():
+    x6 = [1, 0, 1, 0, 0, 0, 1]  # x^6 + x^2 + 1, with two roots on the imaginary axis
+    factors = RR.irreducible_factors([RR(c) for c in x6])
+    assert sorted(map(len, factors)) == [3, 3, 3]
+    product = [RR.one]
+    for f in factors:
+        product = [
+            sum((product[k] * f[n - k] for k in range(len(product)) if 0 <= n - k < 3), RR.zero)
+            for n in range(len(product) + 2)
+        ]
+    assert [float(c.ball(64).real.mid()) for c in product] == pytest.approx(x6)
+    assert [len(f) for f in CC.irreducible_factors([CC(c) for c in QUINTIC])] == [2] * 5
+    assert RR.irreducible_factors([RR(-2), RR(0), RR(0), RR(1)])[0][0] == -RR("root(2,3)")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "rootof(5,-1,-1,0,0,0,1)",
+        "rootof(-1,-1,-1,0,0,0,1)",
+        "rootof(0,-2,0,1)",
+        "rootof(0,-2,-2,0,0,0,2)",
+        "rootof(0,-1,0,0,1)",
+        "rootof(1/2,-1,-1,0,0,0,1)",
+        "rootof_trace(0,-1,-1,0,0,0,1)",
+        "rootof_norm(2,-1,-1,0,0,0,1)",
+        "rootof(0)",
+        "rootof(sqrt(2),1,2,3,4)",
+    ],
+)
+def test_what_is_no_root(text):
+    with pytest.raises(CoercionError, match="takes"):
+        CC(text)
+    with pytest.raises(CoercionError, match="not real"):
+        RR("rootof(1,-1,-1,0,0,0,1)")
