@@ -4,9 +4,9 @@
 
 Peers are scipy, numpy-quaternion, quaternionic and pytransform3d on numpy's arrays, roma on torch, jaxlie
 on JAX; who is not installed is left out. All take turns within SECONDS (default 0.1) for each call and size,
-and the least time of each counts, so that a busy machine disturbs all alike. Below 1 we are faster; the letter
-says than whom. Single precision is timed where points keep it. At 10⁶ our conversions are compared with the
-floor that memory sets, and at the end new processes tell what importing and the first call take.
+and the least time of each counts, so that a busy machine disturbs all alike. Below 1 we are faster; the
+letter says than whom. Single precision is timed where points keep it. At 10⁶ our conversions are compared
+with the floor that memory sets, and at the end new processes tell what importing and the first call take.
 """
 
 import os

@@ -185,7 +185,7 @@ class Rotation(Conversions):
                 if product is not None and q.shape == shape and p.size <= MUCH:
                     out = _empty(shape)
                     if product(p, q, out) == 0:
-                        out.setflags(False)
+                        out.setflags(False)  # type: ignore[call-arg]  # as in Batch._of
                         made = new(type(self))
                         hold(made, out)
                         if "jax" in modules or "torch" in modules:
