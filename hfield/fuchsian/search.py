@@ -61,7 +61,7 @@ class Sight:
         self.empty = np.empty((0, self.rank), dtype=np.int64)
         # the norms at the other places, one form each
         traces = np.array(order.traces_elsewhere(basis), dtype=float)
-        self.elsewhere = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
+        self.elsewhere: Any = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
         if norm is not None:  # elements of this norm, of another lattice, look as units do
             size = math.sqrt(abs(real(norm)))
             self.a, self.b = self.a / size, self.b / size

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -71,6 +73,20 @@ class SplitOrder(ABC):
     def elsewhere(self, x: Any) -> list[float]:
         """Return about the values at the other real places, where the norm is definite."""
         return []
+
+    @abstractmethod
+    def root(self, x: Any) -> Any:
+        """Return a square root of an exact number, as one of the base ring, or None."""
+
+    @abstractmethod
+    def primitive(self, x: Quaternion) -> Quaternion:
+        """Return a multiple, by a number, that lies in the order, without what divides it."""
+
+    @abstractmethod
+    def involutions(self, norms: Sequence[object]) -> Sequence[Quaternion]:
+        """Return elements of positive norm that normalise the order and, with numbers and units, generate
+        all of them; or those of some norms. Raises :class:`LatticeError`, and :class:`TooLargeError`.
+        """
 
     @abstractmethod
     def flat(self, q: Quaternion) -> list[fmpq]:
@@ -152,6 +168,21 @@ class RationalOrder(SplitOrder):
 
     def ball(self, x: fmpq) -> arb:
         return arb(x)
+
+    def root(self, x: fmpq) -> Fraction | None:
+        p, q = int(x.p), int(x.q)
+        r, s = math.isqrt(max(p, 0)), math.isqrt(q)
+        return Fraction(r, s) if r * r == p and s * s == q else None
+
+    def primitive(self, x: Quaternion) -> Quaternion:
+        row = fmpq_mat([self.flat(x)]) * self.inverse
+        whole, denominator = row.numer_denom()
+        return x * Fraction(int(denominator), math.gcd(*map(int, whole.entries())))
+
+    def involutions(self, norms: Sequence[object]) -> Sequence[Quaternion]:
+        from hfield.fuchsian import normaliser
+
+        return normaliser.involutions(self, norms)
 
     def flat(self, q: Quaternion) -> list[fmpq]:
         return [self.scalar(x) for x in q.coordinates]

@@ -106,9 +106,9 @@ OVER_FIELDS = [
 ]
 
 
-def over_field(field: str, real: list[int], p: int | None):
+def over_field(field: str, real: list[int], *primes: int | None):
     K = ring(field)
-    places = [K.real_places()[n] for n in real] + ([] if p is None else [K.primes_above(p)[0]])
+    places = [K.real_places()[n] for n in real] + [K.primes_above(p)[0] for p in primes if p]
     return QuaternionAlgebra.from_ramification(K, places)
 
 
@@ -159,6 +159,36 @@ def test_some_involutions() -> None:
     for m in (4, 5, 0):
         with pytest.raises(LatticeError, match="exact divisor"):
             G.quotient(m)
+
+
+# the same over fields: maximal groups in the commensurability classes of Takeuchi's triangle groups, and two
+# fields with ideals that are not principal, where the index was counted by hand
+STARS_OVER_FIELDS = [
+    ("QQ[s]/(s^3+s^2-2*s-1)", [0, 1], [], 1, (2, 3, 7)),
+    ("QQ(sqrt(5))", [0], [2], 2, (2, 4, 5)),
+    ("QQ(sqrt(5))", [0], [5], 2, (2, 3, 10)),
+    ("QQ(sqrt(5))", [0], [3], 2, (2, 5, 6)),
+    ("QQ(sqrt(2))", [0], [2], 2, (2, 3, 8)),
+    ("QQ(sqrt(3))", [0], [2], 2, (2, 3, 12)),
+    ("QQ(sqrt(3))", [0], [3], 2, (2, 4, 12)),
+    ("QQ(sqrt(6))", [0], [2], 2, (3, 4, 6)),
+    ("QQ(sqrt(10))", [0], [3], 2, (2, 2, 3, 4, 4)),  # P₃ is in no square class; P₂² = (2)
+    ("QQ(sqrt(15))", [0], [2], 4, (2, 2, 3, 6)),  # 4 + √15 is no square, P₂² = (2)
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("field", "real", "primes", "index", "orders"), STARS_OVER_FIELDS)
+def test_modulo_the_normaliser_over_a_field(field, real, primes, index, orders) -> None:
+    O = over_field(field, real, *primes).maximal_order()
+    G = O.norm_one_group()
+    star = G.quotient()
+    assert star.signature == (0, orders, 0)
+    assert len(star.elements) == index
+    assert star.area == G.area / index == sum(1 - Fraction(1, m) for m in orders) - 2
+    for n, w in star.elements.items():
+        assert w.norm() == n
+        assert all(v.sign(n) > 0 for v in O.algebra.ring.real_places())
+        assert O.left_ideal([w]) == O.right_ideal([w])
 
 
 def test_principal_ideals_over_fields() -> None:
