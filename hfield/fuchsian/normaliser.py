@@ -9,9 +9,8 @@ A domain of the larger group lies in one of the smaller.
 
 from __future__ import annotations
 
-import math
 import random
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -19,41 +18,18 @@ from typing import Any
 import numpy as np
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import LatticeError, TooLargeError
-from hfield.factorisation import factorise
+from hfield.errors import TooLargeError
 from hfield.fuchsian import dirichlet
 from hfield.fuchsian.growing import grown
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, element_of_norm, free_centers
-from hfield.fuchsian.split_order import RationalOrder, SplitOrder
-from hfield.lattices import z_lattice
-from hfield.lattices.ideals_of_norm import two_sided_prime
+from hfield.fuchsian.split_order import SplitOrder
 
 CENTERS = 20
 """Centres that are tried at most."""
 MOST = 128
 """Coordinates of an element of the larger group, over all cosets, at most."""
-
-
-def involutions(order: RationalOrder, norms: Sequence[object]) -> list[Quaternion]:
-    """Return elements of an order over ℤ that normalise it, primitive, with these norms or all norms pᵉ.
-
-    Raises :class:`LatticeError` where m and discriminant/m are not coprime whole numbers.
-    """
-    whole = order.order.discriminant
-    found = []
-    for m in norms or [p**e for p, e in factorise(whole).items()]:
-        if not isinstance(m, int) or m < 1 or whole % m or math.gcd(m, whole // m) != 1:
-            raise LatticeError(
-                f"{m} is no exact divisor of {whole}, the discriminant of the order: "
-                "an involution belongs to a divisor that is coprime to its cofactor"
-            )
-        ideal: Any = order.order
-        for p in factorise(m) if m > 1 else ():
-            ideal = z_lattice.meet(ideal, two_sided_prime(order.order, p))
-        found.append(generator(order, ideal.basis, Fraction(m)))
-    return found
 
 
 def generator(order: SplitOrder, basis: Sequence[Quaternion], norm: Any) -> Quaternion:
@@ -68,16 +44,17 @@ def generator(order: SplitOrder, basis: Sequence[Quaternion], norm: Any) -> Quat
 
 
 class Cosets:
-    """What elements that normalise an order generate, modulo numbers and the units of norm 1.
+    """The elements that normalise an order, or those with some norms, modulo numbers and units of norm 1.
 
     Coset n is represented by ``elements[n]``, an element of the order; the product of cosets m and n is
     number m ^ n. An element of the larger group is, up to a number, a representative times a unit:
     it is written as the unit's coordinates in the block of its coset, with 0 in the other blocks.
     """
 
-    def __init__(self, order: SplitOrder, generators: Iterable[Quaternion]) -> None:
+    def __init__(self, order: SplitOrder, norms: Sequence[object]) -> None:
         self.order, self.elements = order, [order.algebra(1)]
-        for g in generators:
+        for basis, norm in order.normalising(norms):
+            g = generator(order, basis, norm)
             if not any(self._same(g, w) for w in self.elements):
                 self.elements += [order.primitive(g * w) for w in self.elements]
         self.size = len(order.basis)

@@ -14,9 +14,8 @@ from hfield.errors import IndefiniteError, LatticeError, TooLargeError, Undecide
 from hfield.evidence import Claim
 from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.number_fields.classes.zeta import zeta_minus_one
-from hfield.fuchsian.normaliser import generator
 from hfield.fuchsian.search import element_of_norm
-from hfield.fuchsian.split_order import SplitOrder
+from hfield.fuchsian.split_order import SplitOrder, TwoSided
 from hfield.lattices.over_integers import certificates
 from hfield.lattices.over_integers.equivalence import Comparison
 from hfield.lattices.over_integers.local_orders import Local
@@ -28,7 +27,7 @@ from hfield.lattices.over_integers.positive_generators import (
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import Ideal
-    from hfield.lattices.over_integers.lattices import IntegersLattice, IntegersOrder
+    from hfield.lattices.over_integers.lattices import IntegersOrder
 
 MOST_IDEALS = 10_000
 """Products of a class of ideals and of two-sided primes, at most."""
@@ -66,7 +65,7 @@ def element_generating(order: IntegersOrder, rows: Any, norm: Ideal) -> Comparis
     raise UndecidedError(f"no element whose norm generates {norm} was found in this lattice")
 
 
-class TwoSided:
+class TwoSidedIdeals:
     """The invertible two-sided ideals of an Eichler order: 𝔞·∏J_P, 𝔞 of the field, P over the discriminant.
 
     J_P² = Pᵉ·O. Sets of primes are numbers: bit k is the k-th prime of the discriminant. Modulo numbers
@@ -106,18 +105,19 @@ class TwoSided:
             )
         return chosen
 
-    def generated(self, chosen: int) -> list[tuple[IntegersLattice, FieldElement]]:
+    def generated(self, chosen: int) -> list[TwoSided]:
         """Return the 𝔞·∏J_P of a set, one for each class of 𝔞, whose norm has a totally positive generator.
 
         With the generator. Of the empty set O is the first.
         """
-        norm, found = self.norm(chosen), []
+        norm = self.norm(chosen)
+        found: list[TwoSided] = []
         for a in self.classes:
             generator = totally_positive_generator(a * a * norm)
             if generator is not None:
                 some = [P for k, P in enumerate(self.primes) if chosen >> k & 1]
                 factors = map(self.order.two_sided_prime, some)
-                found.append((prod(factors, start=self.order * a), generator))
+                found.append((prod(factors, start=self.order * a).basis, generator))
         return found
 
 
@@ -195,24 +195,29 @@ class SplitIntegersOrder(SplitOrder):
         found: Quaternion = x * frame.integers.outside(scale)
         return found
 
-    def involutions(self, norms: Sequence[object]) -> list[Quaternion]:
-        ideals = TwoSided(self.order)
+    def normalising(self, norms: Sequence[object]) -> list[TwoSided]:
+        """Return O with units, 𝔞·O for ideals 𝔞 of the field, and what the norms, or all, need."""
+        ideals = TwoSidedIdeals(self.order)
         chosen = [ideals.primes_of(m) for m in norms]
-        units = units_modulo_squares(self.algebra.ring)
-        pairs: list[Any] = [(self.order, units[1 << k]) for k in range(len(units).bit_length() - 1)]
-        pairs += ideals.generated(0)[1:]
+        units = units_modulo_squares(self.algebra.ring)  # each bit of a number is a generator
+        found: list[TwoSided] = [
+            (self.basis, units[1 << k]) for k in range(len(units).bit_length() - 1)
+        ]
+        found += ideals.generated(0)[1:]
         reached = [0]
         for primes in chosen or range(1 << len(ideals.powers)):
-            found = [] if primes in reached else ideals.generated(primes)[:1]
-            if found:
+            if primes in reached:
+                continue
+            some = ideals.generated(primes)[:1]
+            if some:
                 reached += [primes ^ other for other in reached]
-            elif chosen and primes not in reached:
+            elif chosen:
                 raise LatticeError(
                     f"no element of totally positive norm generates a two-sided ideal of norm "
-                    f"{ideals.norm(primes)}, not even times the square of an ideal of the field"
+                    f"{ideals.norm(primes)}, not even times an ideal of the field"
                 )
-            pairs += found
-        return [generator(self, ideal.basis, norm) for ideal, norm in pairs]
+            found += some
+        return found
 
     def flat(self, q: Quaternion) -> list[fmpq]:
         found: list[fmpq] = self.order.frame.row(q).entries()
