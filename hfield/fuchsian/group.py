@@ -364,7 +364,7 @@ class NormOneGroup(Certified, Hinted):
         """
         from hfield.fuchsian import normaliser
 
-        cosets = normaliser.Cosets(self.order, norms)
+        cosets = normaliser.Cosets(self._domain.polygon, norms)
         _, partners, cycles = normaliser.domain(cosets, self.area)
         area = self.area / len(cosets.elements)
         elements: dict[Any, Quaternion] = {}

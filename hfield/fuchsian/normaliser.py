@@ -28,6 +28,8 @@ from hfield.fuchsian.split_order import SplitOrder
 
 CENTERS = 20
 """Centres that are tried at most."""
+FEW = 3
+"""So many may see too little of the plane for a domain of the units."""
 MOST = 128
 """Coordinates of an element of the larger group, over all cosets, at most."""
 
@@ -51,12 +53,18 @@ class Cosets:
     it is written as the unit's coordinates in the block of its coset, with 0 in the other blocks.
     """
 
-    def __init__(self, order: SplitOrder, norms: Sequence[object]) -> None:
-        self.order, self.elements = order, [order.algebra(1)]
+    def __init__(self, polygon: Polygon, norms: Sequence[object]) -> None:
+        """``polygon`` is a domain of the units of norm 1: representatives move its centre inside."""
+        self.order = order = polygon.plane.order
+        self.elements = [order.algebra(1)]
         for basis, norm in order.normalising(norms):
             g = generator(order, basis, norm)
             if not any(self._same(g, w) for w in self.elements):
-                self.elements += [order.primitive(g * w) for w in self.elements]
+                for w in tuple(self.elements):
+                    x = order.primitive(g * w)
+                    for n in polygon.reduced(polygon.plane.image(x))[1]:
+                        x = polygon.units[n].conjugate() * x
+                    self.elements.append(x)
         self.size = len(order.basis)
         if self.size * len(self.elements) > MOST:
             raise TooLargeError(
@@ -137,7 +145,12 @@ def domain(cosets: Cosets, area: Fraction) -> dirichlet.Found:
     new = np.concatenate([cosets.block(n, one) for n in range(count)])[1:]
     for n in range(CENTERS):
         center = plane.nearby(0.4 * rng.random() * np.exp(6.28j * rng.random()), 5 + n // 4)
-        units, partners, cycles = dirichlet.domain(order, center, area)
+        try:
+            units, partners, cycles = dirichlet.domain(order, center, area)
+        except TooLargeError:  # some centres see the plane worse than others
+            if n >= FEW:
+                raise
+            continue
         if count == 1:
             return units, partners, cycles
         sight = CosetSight(units.plane, cosets)

@@ -208,7 +208,7 @@ def test_modulo_the_normaliser_of_eichler_orders_over_a_field() -> None:
 def test_the_index_in_the_normaliser_against_pari() -> None:
     """[U⁺ : U²] times the pairs (class of 𝔞, S) with 𝔞²·∏Pᵉ narrowly principal, with PARI's class groups."""
     pari = pytest.importorskip("cypari", reason="cypari, an oracle, is not installed").pari
-    for d, p, level in [(10, 3, 2), (15, 2, 7), (34, 2, 3), (30, 2, 1), (79, 2, 1), (5, 2, 11)]:
+    for d, p, level in [(10, 3, 2), (15, 2, 7), (34, 2, 3), (30, 2, 1), (5, 2, 11)]:
         K = ring(f"QQ(sqrt({d}))")
         P = K.primes_above(level)[0] if level > 1 else None
         A = over_field(K.name, [0], p)
@@ -228,7 +228,7 @@ def test_the_index_in_the_normaliser_against_pari() -> None:
                 ideal = pari.idealmul(bnf, ideal, pari.idealpow(bnf, Q, k))
             pairs += not any(pari.bnrisprincipal(narrow, ideal, 0))
         G = O.norm_one_group()
-        assert len(normaliser.Cosets(G.order, ()).elements) == 2 ** (2 - rank) * pairs
+        assert len(normaliser.Cosets(G.domain().polygon, ()).elements) == 2 ** (2 - rank) * pairs
 
 
 def test_some_involutions_over_a_field() -> None:

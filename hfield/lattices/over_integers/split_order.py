@@ -191,7 +191,8 @@ class SplitIntegersOrder(SplitOrder):
         rows = frame.left(frame.row(x).entries())
         into = frame.scalars_into(self.order.rows * rows, self.order.rows)
         scales = s_units(self.algebra.ring).short(into, SCALES)
-        scale = min(scales, key=lambda c: abs(c.norm()))
+        norm = self.scalar(x.norm())
+        scale = min(scales, key=lambda c: (abs(c.norm()), (c * c * norm).trace()))
         found: Quaternion = x * frame.integers.outside(scale)
         return found
 
