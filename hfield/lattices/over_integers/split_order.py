@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cached_property
 from math import prod
 from typing import TYPE_CHECKING, Any
 
-from flint import arb, ctx, fmpq
+import numpy as np
+from flint import arb, ctx, fmpq, fmpq_mat, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, LatticeError, TooLargeError, UndecidedError, shorten
 from hfield.evidence import Claim
 from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.number_fields.classes.zeta import zeta_minus_one
-from hfield.fuchsian.search import element_of_norm
+from hfield.fuchsian.search import Sight, element_of_norm, first_plane, reduction
 from hfield.fuchsian.split_order import SplitOrder, TwoSided
 from hfield.lattices.over_integers import certificates
 from hfield.lattices.over_integers.equivalence import Comparison
@@ -128,7 +130,7 @@ class SplitIntegersOrder(SplitOrder):
     """
 
     def __init__(self, order: IntegersOrder) -> None:
-        self.order, self.algebra, self.basis = order, order.algebra, order.basis
+        self.order, self.algebra = order, order.algebra
         field, frame = order.field, order.frame
         real, n = field.real_places(), field.degree
         split = [v.index for v in real if v.sign(frame.a) > 0 or v.sign(frame.b) > 0]
@@ -144,6 +146,14 @@ class SplitIntegersOrder(SplitOrder):
         self._value = field.embeddings
         self.level = order.level
         self.title = "maximal order" if order.is_maximal() else f"order of level {self.level}"
+
+    @cached_property
+    def basis(self) -> tuple[Quaternion, ...]:  # type: ignore[override]
+        """A basis over ℤ that looks short from a point, so that products have small coordinates."""
+        sight = Sight(first_plane(self), self.order.basis)
+        steps = reduction(sight.forms(np.zeros(1), 1.0)[0]).tolist()
+        whole = fmpq_mat(fmpz_mat(steps)) * self.order.rows
+        return tuple(map(self.order.frame.quaternion, whole.tolist()))
 
     def __contains__(self, x: Quaternion) -> bool:
         return x in self.order
