@@ -9,7 +9,7 @@ import flint
 import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
-from hfield.errors import IndefiniteError
+from hfield.errors import IndefiniteError, TooLargeError
 from hfield.lattices.over_integers.class_sets import Around, number_by_signs
 
 # discriminant of K: polynomial, classes and types of the maximal order of discriminant 1, mass
@@ -101,9 +101,45 @@ def test_brandt_matrices_of_powers(name: str, level: int, p: int) -> None:
     Q = K.ideal(K.primes_above(7)[0])
     S, T = (flint.fmpz_mat(C.brandt_matrix(a)) for a in (P**2, Q))
     assert C.brandt_matrix(P**2 * Q) == (S * T).table()
-    if level > 1:
-        with pytest.raises(LatticeError, match="not maximal at"):
-            C.brandt_matrix(K.ideal(K.primes_above(level)[0]) ** 2)
+
+
+@pytest.mark.parametrize(("name", "p"), [("s^2-5", 2), ("s^2-10", 3), ("s^2-3", 2)])
+def test_powers_of_primes_of_the_level(name: str, p: int) -> None:
+    """By the affine Weyl group, and by counting elements; so many rows as local ideals of that norm."""
+    A = unramified(name)
+    P = A.ring.primes_above(p)[0]
+    C = A.eichler_order([(P, 1)]).class_set()
+    q = P.p**P.f
+    for e in (1, 2, 3) if q < 4 else (1, 2):
+        B = flint.fmpz_mat(C.brandt_matrix(A.ring.ideal(P) ** e))
+        assert B == C._by_elements(C.frame.ideal(P) ** e)
+        total = sum(q ** abs(e - 2 * b) for b in range(e + 1))
+        total += sum(q ** abs(2 * b - e - 1) for b in range(1, e + 1))
+        assert {sum(map(int, row)) for row in B.tolist()} == {total}
+
+
+def test_a_newform_at_powers_of_its_level() -> None:
+    """Of an elliptic curve over ℚ(√5) with multiplicative reduction at 31: a(Pᵉ) = a(P)ᵉ, a(P) = −1."""
+    K: Any = ring("QQ(sqrt(5))")
+    P = K.ideal(K.primes_above(31)[0])
+    C = QuaternionAlgebra(K, -1, -1).eichler_order(P).class_set()
+    for e in (1, 2, 3):
+        (a, b), _ = matrix = C.brandt_matrix(P**e)
+        trace = sum(matrix[n][n] for n in range(2))
+        assert trace - (a + b) == (-1) ** e
+
+
+def test_powers_where_the_order_is_neither_maximal_nor_of_prime_level() -> None:
+    """The ideals x·O of one class, as lattices."""
+    K: Any = ring("QQ(sqrt(5))")
+    A, P = QuaternionAlgebra(K, -1, -1), K.ideal(2)
+    C = A.order(["i", "j"]).class_set()
+    assert len(C) == 1
+    for e in (1, 2):
+        found = {C.order.right_ideal([x]) for x in C.order.elements_of_norm(2**e)}
+        assert C.brandt_matrix(P**e) == [[len(found)]]
+    with pytest.raises(TooLargeError, match="counted by their elements"):
+        C.brandt_matrix(P**9)
 
 
 def test_equivalence_and_index() -> None:

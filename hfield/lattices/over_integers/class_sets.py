@@ -34,7 +34,11 @@ from hfield.lattices.enumeration import Vector, least_vectors
 from hfield.lattices.over_integers import ideals_of_norm
 from hfield.lattices.over_integers.dedekind_modules import unique_rows
 from hfield.lattices.over_integers.equivalence import conjugator
-from hfield.lattices.over_integers.positive_generators import narrow_classes, units_modulo_squares
+from hfield.lattices.over_integers.positive_generators import (
+    narrow_classes,
+    totally_positive_generator,
+    units_modulo_squares,
+)
 from hfield.lattices.over_integers.trace_forms import trace_forms
 from hfield.primality import primes
 from hfield.progress import along, tell
@@ -321,10 +325,14 @@ class Classes:
 
     def neighbours_of(self, n: int, prime: PrimeIdeal) -> Counter[int]:
         """Return how many ideals of relative norm P in class n belong to which class."""
+        return Counter(self._classes_inside(n, prime))
+
+    def _classes_inside(self, n: int, prime: PrimeIdeal) -> list[int]:
+        """Return the classes of the ideals of relative norm P in class n, in the order of `generators`."""
         lattice = self.lattices[n]
         around = Around(self.keys, self._step(prime, n), lattice)
         inside = ideals_of_norm.coordinates_of_subideals(*self._inside(prime), lattice)
-        return Counter(self._look_up(around, J) for J in inside)
+        return [self._look_up(around, J) for J in inside]
 
     def _inside(self, prime: PrimeIdeal) -> tuple[Local, list[flint.fmpq_mat]]:
         """Return what :func:`coordinates_of_subideals` asks, for a prime."""
@@ -449,38 +457,94 @@ class Classes:
         """Return the Brandt matrix of an ideal: [i][j] counts the ideals of that norm in I_i of class j.
 
         They are the invertible ideals of that relative norm. It may be given as a number that generates it.
-        Raises :class:`LatticeError` for the square of a prime at which the order is not maximal.
+        Raises :class:`LatticeError` for what is no ideal of the integers.
         """
         size, ideal = range(len(self)), self.frame.ideal(norm)
         if not ideal.is_integral():
             raise LatticeError(f"expected an ideal of the integers, not {shorten(ideal)}")
         found = flint.fmpz_mat([[int(i == j) for j in size] for i in size])
         for P, e in ideal.factorisation():
-            found = found * self._prime_power(self.frame.prime(P), P, e)
+            found = found * self._prime_power(self.frame.prime(P), e)
         return [[int(x) for x in row] for row in found.tolist()]
 
-    def _prime_power(self, P: PrimeIdeal, shown: Any, e: int) -> flint.fmpz_mat:
+    def _prime_power(self, P: PrimeIdeal, e: int) -> flint.fmpz_mat:
         """Return the Brandt matrix of Pᵉ, by the classes of P·I (Voight, section 41.3).
 
-        Where the algebra ramifies and the order is maximal it is a power.
+        Where the algebra ramifies and the order is maximal it is a power. Elements are counted for orders
+        that are at P neither maximal nor Eichler of level P.
         """
+        exponent, ramified = self.ring.discriminant().valuation(P), P in self.frame.ramified
+        if e == 1 or (exponent == 1 and ramified):
+            return self._matrix(self.neighbours(P)) ** e
+        ideal = self.frame.integers.prime(P)
+        if exponent > 1:
+            return self._by_elements(ideal**e)
         size = range(len(self))
-        first = flint.fmpz_mat([[row[j] for j in size] for row in self.neighbours(P)])
-        discriminant = self.ring.discriminant().valuation(P)
-        if e == 1 or (discriminant == 1 and P in self.frame.ramified):
-            return first**e
-        if discriminant:
-            raise LatticeError(
-                f"the order is not maximal at {shorten(shown)}: there the Brandt matrix of the prime is "
-                f"known, and not that of its power {e}"
+
+        def by(rows: flint.fmpq_mat) -> flint.fmpq_mat:
+            return unique_rows(self.frame.multiple(rows, ideal))
+
+        central = self._matrix([Counter([self._times(n, by, ideal**2)]) for n in size])
+        if exponent:
+            return self._at_level(P, central, e)
+        return of_power(self._matrix(self.neighbours(P)), central * P.norm, e)
+
+    def _matrix(self, rows: list[Counter[int]]) -> flint.fmpz_mat:
+        return flint.fmpz_mat([[row[j] for j in range(len(self))] for row in rows])
+
+    def _at_level(self, P: PrimeIdeal, central: flint.fmpz_mat, e: int) -> flint.fmpz_mat:
+        """Return the Brandt matrix of Pᵉ for an order that is Eichler of level P there.
+
+        With U and V of the ideals of norm P in either column and W of the two-sided one, Pᵉ has those of
+        diagonal matrices, Dₑ = Uᵉ + Vᵉ + central·Dₑ₋₂, and W·Dₑ₋₁ (the affine Weyl group of GL₂).
+        """
+        q, one = P.norm, central**0
+        found = [self._classes_inside(n, P) for n in along(range(len(self)), len(self), "rows")]
+        cuts = (slice(q), slice(q, 2 * q), slice(2 * q, None))
+        U, V, W = (self._matrix([Counter(classes[cut]) for classes in found]) for cut in cuts)
+        diagonal = [one * 0, one]
+        for k in range(1, e + 1):
+            diagonal.append(U**k + V**k + central * diagonal[-2])
+        return diagonal[-1] + W * diagonal[-2]
+
+    def _by_elements(self, norm: Ideal) -> flint.fmpz_mat:
+        """Return the Brandt matrix of an ideal for any order: the x·I_j in I_i, x modulo units.
+
+        N(x) generates norm·N(I_i)/N(I_j), and of all x·u, u a unit of the field, one of ±x has one of the
+        totally positive generators modulo squares of units as its norm. Raises :class:`TooLargeError`.
+        """
+        if norm.norm() > ideals_of_norm.MOST:
+            raise TooLargeError(
+                f"there are too many ideals of norm {shorten(norm)} in an order neither maximal nor of "
+                "level P at its primes: there they are counted by their elements"
             )
-        frame, ideal = self.frame, self.frame.integers.ring.ideal(shown)
-        by = [
-            self._times(n, lambda I: unique_rows(frame.multiple(I, ideal)), ideal**2) for n in size
+        frame, keys, size = self.frame, self.keys, range(len(self))
+        ideals = keys.narrow.ideals
+        generators = {
+            (m, n): totally_positive_generator(norm * a / b)
+            for m, a in enumerate(ideals)
+            for n, b in enumerate(ideals)
+        }
+        inverses = [
+            unique_rows(
+                frame.multiple(
+                    flint.fmpq_mat(frame.conjugate(rows.tolist())),
+                    frame.norm_ideal(rows).inverse(),
+                )
+            )
+            for rows in self.lattices
         ]
-        return of_power(
-            first, flint.fmpz_mat([[P.norm * int(by[i] == j) for j in size] for i in size]), e
-        )
+        table = [[0] * len(self) for _ in size]
+        for i in along(size, len(self), "rows"):
+            for j in size:
+                I, J = self.norms[i], self.norms[j]
+                generator = generators[I.number, J.number]
+                if generator is not None:
+                    between = frame.product(self.lattices[i], inverses[j])
+                    values = (generator * u * I.element / J.element for u in keys.units)
+                    found = sum(1 for x in values for _ in keys.forms.elements_of_norm(between, x))
+                    table[i][j] = found // self.units[j]
+        return flint.fmpz_mat(table)
 
     def hecke_polynomial(self, norm: object) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first."""

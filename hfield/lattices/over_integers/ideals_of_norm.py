@@ -114,7 +114,7 @@ def multiples_from_left(local: Local, x: flint.fmpq_mat, rows: flint.fmpq_mat) -
 def subideals(local: Local, ideal: flint.fmpq_mat, found: list[Rows]) -> Iterator[flint.fmpq_mat]:
     """Yield the right ideals of relative norm P in an invertible one; ``found`` are those of its order."""
     frame = local.frame
-    y = _generator(local, ideal)
+    y = local_generator(local, ideal)
     below = local.times_prime(ideal).tolist()
     for pair in found:
         elements = [y * frame.right(row) for row in pair]
@@ -127,14 +127,14 @@ def coordinates_of_subideals(
 ) -> Iterator[flint.fmpz_mat]:
     """Yield the same in coordinates of the ideal; ``spans`` are the elements found, with their multiples."""
     frame, inverse = local.frame, ideal.inv()
-    y = frame.left(_generator(local, ideal).entries()) * inverse
+    y = frame.left(local_generator(local, ideal).entries()) * inverse
     below = (local.times_prime(ideal) * inverse).numer_denom()[0].tolist()
     for span in spans:
         whole = flint.fmpz_mat([*(span * y).numer_denom()[0].tolist(), *below]).hnf()
         yield flint.fmpz_mat(frame.size, frame.size, whole.entries()[: frame.size**2])
 
 
-def _generator(local: Local, ideal: flint.fmpq_mat) -> flint.fmpq_mat:
+def local_generator(local: Local, ideal: flint.fmpq_mat) -> flint.fmpq_mat:
     """Return an element that generates an invertible ideal at P: its norm is that of the ideal there."""
     frame, rows = local.frame, ideal.tolist()
     least = frame.norm_ideal(ideal).valuation(local.prime)

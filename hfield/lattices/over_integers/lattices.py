@@ -844,11 +844,12 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
         return [I.left_order() for I in self]
 
     def _stable_class(self, n: int) -> tuple[int, int]:
-        stable, norm = self.order._stable, self.norms[n]
-        values = (
-            stable_classes.local_norm(self.frame, self.lattices[n], place.prime) / norm.element
+        stable, norm, frame = self.order._stable, self.norms[n], self.frame
+        local = (
+            ideals_of_norm.local_generator(Local(frame, place.prime), self.lattices[n])
             for place in stable.places
         )
+        values = (frame.norm(x.entries()) / norm.element for x in local)
         return norm.number, stable.reduced(values)
 
     @cached_property

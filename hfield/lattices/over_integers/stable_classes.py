@@ -1,5 +1,4 @@
-"""Local norms of orders over ℤ_K, and of ideals, for the stable classes
-(:mod:`hfield.lattices.class_number`).
+"""Local norms of orders over ℤ_K, for the stable classes (:mod:`hfield.lattices.class_number`).
 
 Where the Eichler symbol is 0 the units of O_P are those of ℤ_P times 1 + J, J the radical: above an odd prime
 their norms are squares. Above 2 those of 1 + y, with y in bases of J, J², …, generate the norms of 1 + J;
@@ -10,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
-from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -50,13 +48,3 @@ def _norms(frame: Frame, rows: flint.fmpq_mat, P: PrimeIdeal) -> Iterator[FieldE
         for row in power.tolist():
             yield frame.norm((flint.fmpq_mat([row]) + one).entries())
         power = frame.product(power, radical)
-
-
-def local_norm(frame: Frame, rows: flint.fmpq_mat, P: PrimeIdeal) -> FieldElement:
-    """Return the norm of an element that generates an invertible ideal at P: one of least valuation."""
-    table, least = rows.tolist(), frame.norm_ideal(rows).valuation(P)
-    pairs: Iterator[Any] = (
-        [x + y for x, y in zip(v, w, strict=True)] for v in table for w in table
-    )
-    norms: Iterator[FieldElement] = map(frame.norm, chain(table, pairs))
-    return next(norm for norm in norms if P.valuation(norm) == least)
