@@ -206,7 +206,8 @@ def render(
     from anim.output.writing import open_film
     from rotation.figures.backend import import_matplotlib
 
-    import_matplotlib()  # here first, so that other processes know where its folder is
+    if jobs > 1:
+        import_matplotlib()  # here first, so that other processes know where its folder is
 
     def samples() -> list[Frame]:
         return [draw(scene.task(number)) for number in sampled(film.frames)]

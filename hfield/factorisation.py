@@ -134,6 +134,10 @@ class _KnownPrimes:
 
 def checked_primes(factors: Factors) -> frozenset[int]:
     """Return the numbers, each proved prime. Raises :class:`RingError` for what is none."""
+    if isinstance(factors, str) or not isinstance(factors, Iterable):
+        raise RingError(
+            f"{shorten(repr(factors))} is no list of prime factors; expected such as [2, 11]"
+        )
     primes = set()
     for given in factors:
         try:

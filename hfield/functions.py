@@ -76,6 +76,7 @@ def conjugator(p: Quaternion, q: object) -> Quaternion | None:
 def _quaternion(function: str, q: object) -> Quaternion:
     if isinstance(q, Quaternion):
         return q
+    shown = shorten(repr(q))
     raise CoercionError(
-        f"{function} takes a quaternion, found {shorten(q)}; A({shorten(q)}) makes one in an algebra A"
+        f"{function} takes a quaternion, found {shown}; A({shown}) makes one in an algebra A"
     )

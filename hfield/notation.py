@@ -37,7 +37,8 @@ def split_algebra(text: str) -> tuple[str, str, str, str]:
         return constants[0], "1", constants[1], field
     if m[1] == "[" and len(constants) == 3:
         return constants[0], constants[2], constants[1], field
-    raise NotationError(f"{shorten(text)!r} has {len(constants)} structure constants: {_EXPECTED}")
+    count = f"{len(constants)} structure constant{'s' * (len(constants) != 1)}"
+    raise NotationError(f"{shorten(text)!r} has {count}, which commas separate: {_EXPECTED}")
 
 
 def parse_algebra(text: str) -> tuple[Ring, Constants]:

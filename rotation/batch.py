@@ -12,7 +12,7 @@ from rotation.errors import DTypeError, ForeignArrayError, MemberError, Rotation
 from rotation.immutable_arrays import ImmutableArray
 from rotation.namespaces import Array, floats, is_numpy, namespace
 
-_new, _hold = object.__new__, vars(ImmutableArray)["_q"].__set__
+new, hold = object.__new__, vars(ImmutableArray)["_q"].__set__
 
 
 class Batch(ImmutableArray):
@@ -26,10 +26,10 @@ class Batch(ImmutableArray):
         """Wrap unit quaternions that nobody else will write to."""
         if "jax" in modules or "torch" in modules:
             pytrees.announce()
-        self = _new(cls)
+        self = new(cls)
         if type(q) is np.ndarray or isinstance(q, np.ndarray):
             q.setflags(False)  # type: ignore[call-arg]  # by position: three times as quick
-        _hold(self, q)
+        hold(self, q)
         return self
 
     @classmethod

@@ -79,14 +79,14 @@ def product(p: Array, q: Array) -> Array:
     """
     if not type(p) is type(q) is np.ndarray:
         namespace(p, q)  # of two libraries it raises
-    return _PRODUCT.alike(p, q)
+    return PRODUCT(p, q)
 
 
 def _product(p: Array, q: Array) -> Array:
     return join(namespace(p), steadied(multiplied(split(p), split(q))))
 
 
-_PRODUCT = Formula(_product, (4,), (4,))
+PRODUCT = Formula(_product, (4,), (4,))
 
 
 def multiplied(p: Coordinates, q: Coordinates) -> Coordinates:
@@ -102,14 +102,14 @@ def steadied(c: Coordinates) -> Coordinates:
 
 def inverse(q: Array) -> Array:
     """Return the conjugates of unit quaternions, which undo them (thesis, Definition 3 and 4)."""
-    return _INVERSE(q)
+    return INVERSE(q)
 
 
 def _inverse(q: Array) -> Array:
     return join(namespace(q), formula.conjugate(HAMILTON, split(q)))
 
 
-_INVERSE = Formula(_inverse, (4,))
+INVERSE = Formula(_inverse, (4,))
 
 
 def canonical(q: Array) -> Array:

@@ -1,6 +1,7 @@
 """`Rotation`: one rotation of space or a whole array of them, immutable, on any array library."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from sys import modules
 from typing import Any, Self
 
 import numpy as np
@@ -8,12 +9,16 @@ import numpy as np
 from rotation import groups, hints, pytrees, quaternions, sampling
 from rotation.action import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW
 from rotation.arrays import common_batch, precision, real
-from rotation.batch import Batch, expect_rotations
+from rotation.batch import Batch, expect_rotations, hold, new
 from rotation.conversions import Conversions
 from rotation.errors import ForeignArrayError, RotationError
 from rotation.matrices import TO_MATRIX, to_matrix
 from rotation.namespaces import Array, expect_last, expect_numpy, floats, is_numpy, namespace, quiet
 from rotation.native import tensors
+from rotation.quaternions import INVERSE, PRODUCT
+from rotation.rowwise import FLOAT64, MUCH
+
+_ndarray, _empty = np.ndarray, np.empty
 
 
 @pytrees.holding("_q")
@@ -173,10 +178,26 @@ class Rotation(Conversions):
     # The group
 
     def __mul__(self, other: object) -> Self:
+        if type(other) is type(self):  # one product is mostly calls of Python: there are none here
+            p, q = self._q, other._q
+            if type(p) is type(q) is _ndarray and p.dtype is q.dtype is FLOAT64:
+                shape, product = p.shape, PRODUCT.function
+                if product is not None and q.shape == shape and p.size <= MUCH:
+                    out = _empty(shape)
+                    if product(p, q, out) == 0:
+                        out.setflags(False)  # type: ignore[call-arg]  # as in Batch._of
+                        made = new(type(self))
+                        hold(made, out)
+                        if "jax" in modules or "torch" in modules:
+                            pytrees.announce()
+                        return made
         if not isinstance(other, Rotation):
             self._refuse_factor(other)
             return NotImplemented
-        return self._of(_paired(self, other, quaternions.product))
+        p, q = self._q, other._q
+        if p.shape != q.shape:
+            common_batch(left=self.shape, right=other.shape)
+        return self._of(quaternions.product(p, q))
 
     def __pow__(self, exponent: Any) -> Self:
         if not isinstance(exponent, int | float):
@@ -188,7 +209,12 @@ class Rotation(Conversions):
 
     def inverse(self) -> Self:
         """Return the inverse rotations."""
-        return self._of(quaternions.inverse(self._q))
+        q, conjugated = self._q, INVERSE.function
+        if type(q) is _ndarray and q.dtype is FLOAT64 and conjugated is not None and q.size <= MUCH:
+            out = _empty(q.shape)
+            if conjugated(q, out) == 0:
+                return self._of(out)
+        return self._of(quaternions.inverse(q))
 
     inv = inverse  # as scipy calls it
 
@@ -206,11 +232,11 @@ class Rotation(Conversions):
         if not isinstance(other, Rotation):
             return NotImplemented
 
-        def same(p: Array, q: Array) -> Array:
-            xp = namespace(p, q)
-            return xp.all(p == q, axis=-1) | xp.all(p == -q, axis=-1)
-
-        return _paired(self, other, same)
+        p, q = self._q, other._q
+        if p.shape != q.shape:
+            common_batch(left=self.shape, right=other.shape)
+        xp = namespace(p, q)
+        return xp.all(p == q, axis=-1) | xp.all(p == -q, axis=-1)
 
     def __ne__(self, other: object) -> Any:
         """Compare entry by entry: the opposite of ``==``."""
@@ -445,10 +471,3 @@ class Rotation(Conversions):
         v = real(points, "points") if is_numpy(xp) else xp.asarray(points)
         q = self._q[(..., *(None,) * (len(v.shape) - 1), slice(None))]
         return self._of(q).apply(v)
-
-
-def _paired(p: Rotation, q: Rotation, operation: Callable[[Array, Array], Array]) -> Array:
-    """Apply an operation to quaternions whose batch shapes broadcast; say so where they do not."""
-    if p._q.shape != q._q.shape:
-        common_batch(left=p.shape, right=q.shape)
-    return operation(p._q, q._q)

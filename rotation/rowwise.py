@@ -22,10 +22,10 @@ from rotation.native import builtins, tensors
 from rotation.pool import threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
-_MUCH = 200_000  # numbers that are worth asking whether a second thread pays
+MUCH = 200_000  # numbers that are worth asking whether a second thread pays
 _WORTH = 750_000  # nanoseconds of work that pay for a thread; a row takes about 3, and 0.04 for each step
-_FLOAT32, _FLOAT64 = np.dtype(np.float32), np.dtype(np.float64)
-_WORDS = {_FLOAT32: "float", _FLOAT64: "double"}
+_FLOAT32, FLOAT64 = np.dtype(np.float32), np.dtype(np.float64)
+_WORDS = {_FLOAT32: "float", FLOAT64: "double"}
 
 Kinds = tuple[np.dtype[Any], ...]
 
@@ -51,12 +51,16 @@ class Formula:
         Which of the arrays always have one row: it is read once for all rows of the others.
     kinds : tuple of dtypes, optional
         In which the arrays are stored; by default all in double. For others it makes others itself.
+
+    Attributes
+    ----------
+    function : callable or None
+        The machine code, once there is some, of the arrays and that of the values; 0 when all is done.
     """
 
     __slots__ = (
         "_axes",
         "_formula",
-        "_function",
         "_kind",
         "_kinds",
         "_others",
@@ -65,6 +69,7 @@ class Formula:
         "_shapes",
         "_shortest",
         "_single",
+        "function",
     )
 
     def __init__(
@@ -76,29 +81,18 @@ class Formula:
         kinds: Kinds | None = None,
     ) -> None:
         self._single = single
-        self._kinds = kinds or (_FLOAT64,) * len(shapes)
+        self._kinds = kinds or (FLOAT64,) * len(shapes)
         self._kind = max(self._kinds, key=_size)  # that of the result
         self._others: dict[Kinds, Formula] = {}
         self._formula, self._shapes, self._parameters = formula, shapes, parameters
         self._axes = tuple(-len(shape) or None for shape in shapes)  # where those of a row begin
-        self._function: Callable[..., int] | None = None
+        self.function: Callable[..., int] | None = None
         self._row: tuple[int, ...] = ()
         _made.append(self)
 
     def __call__(self, *arrays: Array) -> Array:
         """Return the values, of the batch shape that all arrays broadcast to."""
         return self.told(*arrays)[0]
-
-    def alike(self, a: Array, b: Array) -> Array:
-        """Return the values, which have the shape of the arrays if that is one: the quick way of few rows."""
-        function = self._function
-        if function is not None and type(a) is type(b) is np.ndarray:
-            shape = a.shape
-            if b.shape == shape and a.dtype is b.dtype is _FLOAT64 and a.size <= _MUCH:
-                out = np.empty(shape)
-                if function(a, b, out) == 0:
-                    return out
-        return self(a, b)
 
     def told(self, *arrays: Array) -> tuple[Array, bool]:
         """Return the values, and whether a row may be one of which the formula has something to tell."""
@@ -109,11 +103,11 @@ class Formula:
             own = a.shape[:axes]
             if own != batch:
                 batch = np.broadcast_shapes(own, batch) if batch and own else own or batch
-        function = self._function or self._compiled()
+        function = self.function or self._compiled()
         if function is None:
             return self._plainly(arrays), True
         out = np.empty(batch + self._row, self._kind)
-        if out.size > _MUCH:
+        if out.size > MUCH:
             if out.nbytes >= LARGE:
                 out = block(out.shape, self._kind.str)[0]
             status = self._shared(function, arrays, batch, out)
@@ -128,7 +122,7 @@ class Formula:
         if not builtins.available():
             return None
         with machine_code.lock:
-            if self._function is None:
+            if self.function is None:
                 function, self._row, steps = builtins.assembled(
                     self._formula,
                     self._shapes,
@@ -137,8 +131,8 @@ class Formula:
                     tuple(_WORDS[kind] for kind in (*self._kinds, self._kind)),
                 )
                 self._shortest = int(_WORTH / (3.0 + 0.04 * steps))
-                self._function = function
-        return self._function
+                self.function = function
+        return self.function
 
     def _straightened(self, arrays: tuple[Array, ...], batch: tuple[int, ...]) -> list[Array]:
         """Return the arrays in one piece each, of the batch shape or of one row."""
@@ -174,7 +168,7 @@ class Formula:
     def _elsewhere(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
         """Compute on arrays stored otherwise, or of other libraries: tensors in memory as numpy's are."""
         if all(isinstance(a, np.ndarray | np.generic) for a in arrays):
-            kinds = tuple(_FLOAT32 if a.dtype == _FLOAT32 else _FLOAT64 for a in arrays)
+            kinds = tuple(_FLOAT32 if a.dtype == _FLOAT32 else FLOAT64 for a in arrays)
             plain = (np.array(a, k, copy=None) for a, k in zip(arrays, kinds, strict=True))
             return self._of(kinds).told(*map(np.asarray, plain))
         if not tensors.readable(arrays) or not builtins.available():
@@ -200,8 +194,8 @@ class Formula:
     def _plainly(self, arrays: tuple[Array, ...]) -> Array:
         """Compute by the arrays' own library; long numpy arrays piece by piece, always in double."""
         if _FLOAT32 in self._kinds:
-            doubles = self._of((_FLOAT64,) * len(arrays))
-            return doubles._plainly(tuple(a.astype(_FLOAT64) for a in arrays)).astype(self._kind)
+            doubles = self._of((FLOAT64,) * len(arrays))
+            return doubles._plainly(tuple(a.astype(FLOAT64) for a in arrays)).astype(self._kind)
         parameters = self._parameters
         rows = max(
             int(np.prod(a.shape[: a.ndim - len(shape)], dtype=np.int64))

@@ -178,9 +178,9 @@ print(add(40, 2), other(40, 2))
 
 
 def test_a_function_of_python_keeps_what_it_is_made_of() -> None:
-    from rotation.quaternions import _PRODUCT
+    from rotation.quaternions import PRODUCT
 
-    function = _PRODUCT._compiled()
+    function = PRODUCT._compiled()
     assert function is not None
     method = function.__self__  # type: ignore[attr-defined]
     assert isinstance(method, ctypes.Structure)

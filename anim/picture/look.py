@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from re import fullmatch
 from typing import Any
 
 from anim.checks import one_of, real, whole
@@ -129,11 +130,14 @@ class Look:
 
 def colour(name: str, value: Any) -> RGB:
     """Return a colour as 8-bit sRGB; ``name`` says in an error what it is the colour of."""
+    if isinstance(value, str) and fullmatch("#[0-9a-fA-F]{6}", value):  # without matplotlib
+        red, green, blue = bytes.fromhex(value[1:])
+        return red, green, blue
     import_matplotlib()
     from matplotlib.colors import to_rgba
 
     try:
-        red, green, blue, opacity = to_rgba(value)
+        *channels, opacity = to_rgba(value)
     except (ValueError, TypeError):
         raise AnimationError(
             f"{name} is {value!r}; expected a colour, such as white or #f5f2ea"
@@ -142,7 +146,8 @@ def colour(name: str, value: Any) -> RGB:
         raise AnimationError(
             f"{name} is {value!r}, which is transparent; expected an opaque colour"
         )
-    return round(255 * red), round(255 * green), round(255 * blue)
+    red, green, blue = (round(255 * channel) for channel in channels)
+    return red, green, blue
 
 
 def _size(size: Any) -> tuple[int, int]:

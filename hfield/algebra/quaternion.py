@@ -663,6 +663,14 @@ class SquareRoots:
         return f"SquareRoots({shown}{more})"
 
 
+def product_plus(p: Quaternion, q: Quaternion, r: Quaternion) -> Quaternion:
+    """Return ``p * q + r``, over arrays of a finite ring in one loop."""
+    together: Any = getattr(p._how, "product_plus", None)
+    if together is None or not p._how is q._how is r._how:
+        return p * q + r
+    return held_by(p._algebra, p._how, together(p._held, q._held, r._held))
+
+
 def held_by(algebra: Parent, how: Holding, held: Any) -> Quaternion:
     """Return the element that ``how``, a holding of this algebra, holds as ``held``."""
     q: Quaternion = _blank(Quaternion)

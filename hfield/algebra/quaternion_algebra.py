@@ -11,6 +11,7 @@ from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Quaternion, held_by, is_many
 from hfield.errors import (
     CoercionError,
+    HFieldError,
     MixedParentsError,
     NotFiniteError,
     RingError,
@@ -870,8 +871,21 @@ class QuaternionAlgebra(Hinted):
         return QuaternionAlgebra, (self.ring, a, b, t)
 
 
+def _names_a_ring(text: str) -> bool:
+    try:
+        read_ring(text)
+    except HFieldError:
+        return False
+    return True
+
+
 def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, object]:
     """Return the ring and the constants a, b, t of an algebra that is named by less than all of them."""
+    if b is not None and isinstance(a, str) and "|" not in a and _names_a_ring(a):
+        raise RingError(
+            f"an algebra has two constants, and over {a} the one given is {shorten(b)}: write "
+            f"QuaternionAlgebra({a!r}, {shorten(b)}, -1)"
+        )
     if b is not None and not isinstance(a, Ring):
         return field_named_by(a, b) or QQ, a, b, t
     if b is None and isinstance(a, str):

@@ -87,8 +87,8 @@ class Evaluator(Generic[S, T]):
         zero = self.s.zero
         return x if isinstance(x, Quaternion) else Quaternion((x, zero, zero, zero))
 
-    def product(self, x: Quaternion, y: Quaternion) -> Quaternion:
-        """Return x·y."""
+    def product(self, x: Quaternion, y: Quaternion, asked: range = range(4)) -> Quaternion:
+        """Return x·y, of which only the coordinates asked for are worked out, the others 0."""
         s = self.s
         charge(20)
         out = [s.zero] * 4
@@ -96,10 +96,12 @@ class Evaluator(Generic[S, T]):
             for n, v in enumerate(y):
                 if u == s.zero or v == s.zero:
                     continue
-                uv = s.mul(u, v)
-                for place, c in self.table[m][n]:
-                    if c != s.zero:
-                        out[place] = s.add(out[place], uv if c == s.one else s.mul(c, uv))
+                parts = [
+                    part for part in self.table[m][n] if part[0] in asked and part[1] != s.zero
+                ]
+                uv = s.mul(u, v) if parts else s.zero
+                for place, c in parts:
+                    out[place] = s.add(out[place], uv if c == s.one else s.mul(c, uv))
         return Quaternion(out)
 
     def conjugate(self, q: Quaternion) -> Quaternion:
@@ -110,7 +112,7 @@ class Evaluator(Generic[S, T]):
 
     def norm(self, q: Quaternion) -> S:
         """Return the coefficient of e in q·conj(q), which is all there is of it."""
-        n: S = self.product(q, self.conjugate(q))[0]
+        n: S = self.product(q, self.conjugate(q), range(1))[0]
         return n
 
     def value(self, tree: Tree) -> S | Quaternion:
@@ -122,6 +124,8 @@ class Evaluator(Generic[S, T]):
         if (
             kind == "call" and tree[1] in FUNCTIONS
         ):  # others are short; all of a tree would be hashed
+            if tree[1] == "trace" and tree[2][0][0] == "*":
+                return self._call("trace", self._traced(*map(self.value, tree[2][0][1:])))
             return self._call(tree[1], *map(self.value, tree[2]))
         if kind in ("name", "call") and tree in self.values:
             return self.values[tree]
@@ -208,6 +212,12 @@ class Evaluator(Generic[S, T]):
         if isinstance(y, Quaternion):
             return Quaternion([s.mul(x, v) for v in y])
         return s.mul(x, y)
+
+    def _traced(self, x: S | Quaternion, y: S | Quaternion) -> S | Quaternion:
+        """Return x·y as far as its trace depends on it."""
+        if isinstance(x, Quaternion) and isinstance(y, Quaternion):
+            return self.product(x, y, range(1 if self.t == self.s.zero else 2))
+        return self._times(x, y)
 
     def _power(self, x: S | Quaternion, n: int) -> S | Quaternion:
         return power(self.s.one, x, n, self._times)

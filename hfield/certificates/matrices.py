@@ -140,7 +140,7 @@ class _Writer:
             return ("call", "norm", (x,))
 
         # the determinant of the four by four matrix over a splitting field
-        corner = ("*", ("*", ("*", ("call", "conj", (a,)), b), ("call", "conj", (d,))), c)
+        corner = ("*", ("*", ("call", "conj", (a,)), b), ("*", ("call", "conj", (d,)), c))
         squares = ("+", ("*", norm(a), norm(d)), ("*", norm(b), norm(c)))
         return ("-", squares, ("call", "trace", (corner,)))
 

@@ -16,7 +16,7 @@ from hfield.commands.orders import (
     ideal_json,
     level_of,
 )
-from hfield.commands.output import OutputError, gone_on
+from hfield.commands.output import OutputError, gone_on, try_picture
 from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
 from hfield.commands.status import Waiting
 from hfield.errors import shorten
@@ -64,6 +64,8 @@ def run(args: Namespace) -> int:
 def _answer(args: Namespace) -> Answer:
     from hfield.primality import is_prime
 
+    if args.plot:
+        try_picture(args.plot)
     A = algebra_of(args.algebra)
     over_integers = A.over_integers
     n = level_of(args.prime, A) if over_integers else _index(args.prime)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.commands.answers import of_parts
 from hfield.commands.orders import add_algebra, algebra_of, answer_certified, level_of
+from hfield.commands.output import try_picture
 from hfield.commands.parser import UsageError, add_factors, add_format
 from hfield.errors import shorten
 
@@ -44,6 +45,8 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Compute the domain, draw it, and print what it is."""
     center = None if args.center is None else _complex(args.center)
+    if args.output is not None:
+        try_picture(args.output, ".html")
     A = algebra_of(args.algebra)
     domain = A.eichler_order(level_of(args.level, A)).norm_one_group().domain(center)
     if args.output is not None:

@@ -195,6 +195,20 @@ def _lay_out(data: Mapping[str, object], ensure_ascii: bool = False) -> str:
     return "{\n" + ",\n".join(f" {dump(key)}: {dump(value)}" for key, value in data.items()) + "\n}"
 
 
+def try_picture(path: str, *more: str) -> None:
+    """Raise :class:`OutputError` where nothing could be drawn, before what takes long is computed.
+
+    ``more`` are suffixes that are written besides those of pictures.
+    """
+    suffixes = (".svg", ".png", ".pdf", *more)
+    if Path(path).suffix.lower() not in suffixes:
+        raise OutputError(
+            f"cannot draw to {shorten(path)!r}: expected a name that ends in {', '.join(suffixes)}"
+        )
+    if not (folder := Path(path).absolute().parent).is_dir():
+        raise OutputError(f"cannot draw to {shorten(path)!r}: there is no folder {shorten(folder)}")
+
+
 def note(text: str) -> None:
     """Tell the reader something on stderr that is no error."""
     say("note", text)

@@ -242,6 +242,8 @@ def algebra_of(args: Namespace) -> QuaternionAlgebra:
 
     where = getattr(args, "where", None)
     algebra = where if where is not None and where.startswith(("(", "[", "H(")) else args.algebra
+    if algebra is None and where is not None and where.isascii() and where.isdecimal():
+        return QuaternionAlgebra(int(where))  # of that discriminant
     if algebra is not None:
         return QuaternionAlgebra.from_text(algebra)
     return H(where or args.field or "QQ")

@@ -48,7 +48,8 @@ def run(args: Namespace) -> int:
         try:
             data = _upgraded(name)
         except (OSError, UnicodeDecodeError) as error:
-            raise UsageError(f"cannot read {shorten(name)!r}: {error}") from None
+            reason = getattr(error, "strerror", None) or error
+            raise UsageError(f"cannot read {shorten(name)!r}: {reason}") from None
         except (HFieldError, Rejected) as error:
             note(f"{name}: nothing is written: {error}")
             status = 1

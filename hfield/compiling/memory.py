@@ -19,7 +19,7 @@ import numpy as np
 Array = np.ndarray[Any, np.dtype[Any]]
 Rows = tuple[Array, ...]
 
-LARGE = 1_000_000  # bytes; what the allocator is given back in several pieces goes to the system again
+LARGE = 1_000_000  # bytes; several pieces given back go to the system again
 KEPT = 5 << 24
 _kept: deque[Array] = deque()  # the last given back at the end
 

@@ -810,6 +810,8 @@ class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
 
     def __getitem__(self, n: int) -> Ideal:
         """Return the representative of class n, a primitive integral right ideal; class 0 is that of O."""
+        if not -len(self) <= n < len(self):
+            raise IndexError(f"there are {len(self)} classes, numbered from 0: {n} is none of them")
         return Ideal(self._representative(n), "right", self.order)
 
     def __iter__(self) -> Iterator[Ideal]:

@@ -13,7 +13,7 @@ from typing import Any
 
 import flint
 
-from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.algebra.quaternion import Parent, Quaternion, product_plus
 from hfield.structure.linear_algebra.echelon import echelon, null_space, solution
 
 Rows = Sequence[Sequence[Quaternion]]
@@ -148,7 +148,7 @@ def dot(row: Sequence[Quaternion], column: Sequence[Quaternion]) -> Quaternion:
     """Return Σ x·y."""
     total = row[0] * column[0]
     for x, y in zip(row[1:], column[1:], strict=True):
-        total = total + x * y
+        total = product_plus(x, y, total)
     return total
 
 

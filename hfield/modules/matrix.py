@@ -107,7 +107,12 @@ class Matrix:
     def __getitem__(self, place: tuple[int, int]) -> Quaternion:
         if not isinstance(place, tuple) or len(place) != 2:
             raise CoercionError(f"an entry is M[i, j], from 0; found M[{place!r}]")
-        return self.rows[place[0]][place[1]]
+        try:
+            return self.rows[place[0]][place[1]]
+        except IndexError:
+            raise IndexError(
+                f"M[{place[0]}, {place[1]}] is no entry of a matrix of shape {self.shape}, numbered from 0"
+            ) from None
 
     @property
     def T(self) -> Matrix:

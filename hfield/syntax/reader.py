@@ -157,7 +157,10 @@ _MENDS = {
     "∀": "unknowns stand for all elements, without a sign",
     "{": "write parentheses ( )",
     "}": "write parentheses ( )",
+    ";": "join statements by and",
 }
+_JOINS = {"implies": "=>", "then": "=>", "iff": "<=>"}
+_FOR_ALL = ("forall", "all", "every", "for")
 
 
 @lru_cache(maxsize=1024)
@@ -228,8 +231,14 @@ class _Parser:
     def mend(self) -> str:
         """Say what to write where a product's sign is missing, as in ``2q``."""
         before = self.tokens[self.index - 1][1]
-        if before in ("forall", "all", "every"):
+        if before in _FOR_ALL:
             return f": unknowns stand for all elements, write the statement without {before!r}"
+        if before == "there":
+            return ": write exists q: …"
+        if before == "if":
+            return ": write h => goal for “if h then goal”"
+        if self.token in _JOINS:
+            return f": write {_JOINS[self.token]}"
         if (
             (self.kind != "name" and self.token != "(")
             or self.token in _WORDS

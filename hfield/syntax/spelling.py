@@ -134,4 +134,6 @@ def elsewhere(function: str) -> str:
     >>> elsewhere("reduced_norm"), elsewhere("det")
     (', write norm', '')
     """
+    if function == "sqrt":
+        return ", but over a field that has the root, such as QQ(sqrt(2)), it is an element"
     return f", write {ELSEWHERE[function]}" if function in ELSEWHERE else ""

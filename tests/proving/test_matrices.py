@@ -12,8 +12,10 @@ import pytest
 
 from hfield import QuaternionAlgebra, Rejected, check
 from hfield.certificates.check import Pin
+from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.language import parse as parse_for_checker
 from hfield.certificates.matrices import without_matrices
+from hfield.certificates.scalars.rationals import ZZ
 from hfield.certificates.statement import read_setting
 from hfield.certificates.statement import read_statement as read_for_checker
 from hfield.errors import NotationError
@@ -251,3 +253,30 @@ def test_names_of_matrices_that_a_field_has() -> None:
     ).certificate  # of the same statement over all fields it is no witness
     with pytest.raises(Rejected):
         check({**everywhere, "statement": over["statement"], "evidence": over["evidence"]})
+
+
+def test_the_norm_of_a_product_is_checked_with_what_is_done_for_one_file() -> None:
+    # what the checker does not follow is not written
+    assert prove("norm(M*N) == norm(M)*norm(N)").certificate is not None
+
+
+@pytest.mark.parametrize("constants", [(-1, 0, -1), (2, 1, 3), (0, 3, 0)])
+def test_the_trace_of_a_product_needs_two_of_its_coordinates(
+    constants: tuple[int, int, int],
+) -> None:
+    a, t, b = constants
+    rng, scalars = Random(a), RingScalars(ZZ)
+    evaluator = Evaluator(scalars, tuple(("num", n) for n in constants), {})
+    terms = [
+        parse_for_checker(x) for x in ("trace(P*Q)", "trace(P*Q*P)", "norm(P*Q)", "trace(2*P)")
+    ]
+    A = QuaternionAlgebra("ZZ", a, b, t)
+    for _ in range(10):
+        rows = [[rng.randint(-5, 5) for _ in range(4)] for _ in range(2)]
+        p, q = (A(*row) for row in rows)
+        named = dict(zip("PQ", (Quaternion(map(ZZ.fraction, row)) for row in rows), strict=True))
+        evaluator.values = {("name", name): x for name, x in named.items()}
+        found = [evaluator.value(term) for term in terms]
+        assert [*map(int, found)] == [
+            int(x) for x in ((p * q).trace(), (p * q * p).trace(), (p * q).norm(), (2 * p).trace())
+        ]

@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hfield import H, QuaternionAlgebra, ring
+from hfield.algebra.quaternion import product_plus
 from hfield.compiling import calling, machine_code
 from hfield.compiling.arithmetics import register_tables
 from hfield.compiling.arithmetics.extension_fields import ExtensionField
@@ -49,6 +50,18 @@ def elements(F, rng, count):
         tuple(rng.choice(ends) if rng.random() < 0.4 else F.random(rng) for _ in range(4))
         for _ in range(count)
     ]
+
+
+@pytest.mark.parametrize("name", ["GF(7)", "ZZ/4294967296", "GF(2^9)", "GF(9, x^2+1)"])
+def test_a_product_and_a_sum_in_one_loop(name):
+    F = ring(name)
+    for a, b, t in [(-1, -1, 0), (0, 0, 1)]:
+        A = QuaternionAlgebra(F, a, b, t)
+        coordinates = (zip(*elements(F, Random(n), COUNT), strict=True) for n in range(3))
+        p, q, r = (A(*map(list, rows)) for rows in coordinates)
+        assert hasattr(p._how, "product_plus")
+        assert (product_plus(p, q, r) == p * q + r).all()
+        assert (product_plus(p, A.basis[2], r) == p * A.basis[2] + r).all()
 
 
 def extremes(F):

@@ -78,3 +78,20 @@ def test_what_is_no_root(text):
         CC(text)
     with pytest.raises(CoercionError, match="not real"):
         RR("rootof(1,-1,-1,0,0,0,1)")
+
+
+def test_bounds_hold_for_sums_and_products_of_two():
+    """Of x⁵ − x − 1, with the symmetric group: all are integers, so that heights are means of logarithms."""
+    roots = np.roots(QUINTIC[::-1])
+    pairs = [(z, w) for n, z in enumerate(roots) for w in roots[:n]]
+    for number, values in [
+        (root(1, "rootof_trace"), [z + w for z, w in pairs]),
+        (root(1, "rootof_norm"), [z * w for z, w in pairs]),
+        (root(0) + 2 * root(1), [z + 2 * w for z in roots for w in roots if z != w]),
+        (root(0) ** 3 * root(3) - 7, [z**3 * w - 7 for z in roots for w in roots if z != w]),
+        (2 * root(2) ** 40 + 1, 2 * roots**40 + 1),
+    ]:
+        height = np.log(np.maximum(abs(np.array(values)), 1)).mean()
+        assert 0 < height <= number.bounds.height
+        assert len(values) <= number.bounds.degree
+    assert (root(0) + 2 * root(1)).bounds.degree == 20

@@ -12,7 +12,7 @@ import pytest
 from hfield.compiling import disk_cache
 from rotation import Rotation, threads
 from rotation.namespaces import quiet
-from rotation.quaternions import _PRODUCT, _product, normalise
+from rotation.quaternions import PRODUCT, _product, normalise
 from rotation.rowwise import Formula
 
 RNG = np.random.default_rng(11)
@@ -33,7 +33,7 @@ def run(code: str, **variables: str) -> str:
 @pytest.mark.parametrize("n", [0, 1, 2, 7, 8, 9, 15, 17, 100, 5000, 40_000])
 def test_every_number_of_rows(n: int) -> None:
     p, q = UNITS[:n], UNITS[::-1][:n]
-    np.testing.assert_array_equal(_PRODUCT(p, q), _product(p, q))
+    np.testing.assert_array_equal(PRODUCT(p, q), _product(p, q))
 
 
 @pytest.mark.parametrize("number", [1, 3])
@@ -42,8 +42,8 @@ def test_threads_share_the_rows(number: int) -> None:
     threads(number)
     try:
         p = np.tile(UNITS, (5, 1))
-        np.testing.assert_array_equal(_PRODUCT(p, p[::-1]), _product(p, p[::-1]))
-        np.testing.assert_array_equal(_PRODUCT(p, p[3]), _product(p, p[3]))
+        np.testing.assert_array_equal(PRODUCT(p, p[::-1]), _product(p, p[::-1]))
+        np.testing.assert_array_equal(PRODUCT(p, p[3]), _product(p, p[3]))
     finally:
         threads(before)
 
@@ -67,7 +67,7 @@ def test_batches_broadcast(one: Any, other: Any) -> None:
     p = RNG.standard_normal((*one, 4))
     q = RNG.standard_normal((*other, 4))
     wanted = _product(p, q)
-    found = _PRODUCT(p, q)
+    found = PRODUCT(p, q)
     assert found.shape == wanted.shape
     np.testing.assert_array_equal(found, wanted)
 
@@ -78,7 +78,7 @@ def test_every_stride_and_alignment() -> None:
     askew = raw[1:].view(np.float64).reshape(60, 4)
     askew[...] = base[:, :4]
     for q in (base[:, ::2], base[::-1, :4], np.asfortranarray(base[:, :4]), askew):
-        np.testing.assert_array_equal(_PRODUCT(q, q), _product(np.array(q), np.array(q)))
+        np.testing.assert_array_equal(PRODUCT(q, q), _product(np.array(q), np.array(q)))
 
 
 def test_a_formula_tells_of_rows_and_of_the_rows_alone() -> None:

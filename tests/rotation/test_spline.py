@@ -1,5 +1,7 @@
 """The spline through rotations: it goes through them, and its rate and acceleration have no jump."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -31,6 +33,25 @@ def test_keyframes_nearly_half_a_turn_apart(seed: int) -> None:
     times, keys = np.arange(10.0), Rotation.random(10, rng=seed)
     curve, inner, e = RotationSpline(times, keys), times[1:-1], 1e-9
     np.testing.assert_allclose(curve(inner - e, 2), curve(inner + e, 2), rtol=0, atol=1e-5)
+
+
+@pytest.mark.parametrize("n", [4, 10, 100, 1000])
+@pytest.mark.parametrize("scale", [0.1, 0.5, 1.0])
+def test_five_steps_of_newtons_method_are_enough(
+    n: int, scale: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    taken: list[float] = []
+    newton = spline._Jumps._newton
+
+    def counted(self: Any, turns: Any, share: float) -> Any:
+        taken.append(share)
+        return newton(self, turns, share)
+
+    monkeypatch.setattr(spline._Jumps, "_newton", counted)
+    times, keys = keyframes(n, scale)
+    RotationSpline(times, keys)
+    assert taken[:2] == [0.0, 1.0]  # one linear step, then Newton's
+    assert len(taken) <= 5
 
 
 def test_rates_and_accelerations_are_the_derivatives() -> None:

@@ -110,7 +110,7 @@ for room in (action, matrices, quaternions, vectors):
     for name, value in vars(room).items():
         found = value.values() if isinstance(value, dict) else value if isinstance(value, list) else [value]
         for f in found:
-            if isinstance(f, Formula) and f._function is None:
+            if isinstance(f, Formula) and f.function is None:
                 print(room.__name__, name)
 """
     env = {**os.environ, "PYTHONPATH": str(ROOT)}

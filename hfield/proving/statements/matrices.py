@@ -221,5 +221,5 @@ def _reduced_norm(a: Node, b: Node, c: Node, d: Node) -> Node:
     def of(function: str, x: Node) -> Node:
         return Call(function, (x,))
 
-    mixed = of("conj", a) * b * of("conj", d) * c
+    mixed = (of("conj", a) * b) * (of("conj", d) * c)
     return of("norm", a) * of("norm", d) + of("norm", b) * of("norm", c) - of("trace", mixed)

@@ -33,6 +33,7 @@ from hfield.rings.array_held.rows import Row, RowArrays, inverses
 from hfield.rings.arrays import objects
 from hfield.rings.holding import Batch
 from hfield.rings.rational import is_plain_array
+from hfield.straight_line import Program
 
 if TYPE_CHECKING:
     import galois
@@ -165,6 +166,19 @@ class LabelArrays(RowArrays):
         constants = {n: self.ring.label(x) for n, x in given if n in program.inputs}
         return Kernel(program, self.arithmetic, sides, constants)
 
+    def program(self, name: str) -> tuple[Program, programs.Sides]:
+        """Return the program of an operation; beside those of all rows a product with a sum after it."""
+        if name == "product plus":
+            program, sides = super().program("product")
+            return programs.with_sum(program), (*sides, programs.THIRD)
+        return super().program(name)
+
+    def product_plus(self, p: Rows, q: Rows, r: Rows) -> Rows:
+        """Return p·q + r, in one loop."""
+        if self.compiles:
+            return self.kernel("product plus")(p, q, r)[0]
+        return self.sum(self.product(p, q), r)
+
     def elementwise(self, name: str, *operands: Rows) -> Rows:
         """Run a loop that returns elements."""
         if self.compiles:
@@ -237,8 +251,16 @@ class LabelArrays(RowArrays):
         return tuple(factorise(self.ring.order))
 
     def prepare(self) -> None:
-        """Compile every loop, or read it from the disk."""
-        for name in ("product", "conjugate", "norm", "trace", "adjoint", *programs.COORDINATEWISE):
+        """Compile every loop but the one of matrices, or read it from the disk."""
+        for name in (
+            "product",
+            "product plus",
+            "conjugate",
+            "norm",
+            "trace",
+            "adjoint",
+            *programs.COORDINATEWISE,
+        ):
             self.kernel(name).prepare()
 
 

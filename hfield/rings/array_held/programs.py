@@ -1,11 +1,12 @@
 """The programs that arrays of quaternions need beside those of the one formula: coordinate by coordinate."""
 
-from hfield.straight_line import FIRST, SECOND, Program, Step
+from hfield.straight_line import FIRST, SECOND, ZERO, Program, Step
 
 Sides = tuple[tuple[str, ...], ...]  # the names of the rows of each operand
 
 SCALAR = ("s1",)
 OTHER_SCALAR = ("s2",)
+THIRD = ("w3", "x3", "y3", "z3")
 
 
 def _each(operation: str, names: tuple[tuple[str, ...], ...]) -> Program:
@@ -29,6 +30,14 @@ SCALARS: dict[str, tuple[Program, Sides]] = {
     "product": COORDINATEWISE["scalar product"],
     "negative": (_each("neg", (SCALAR,)), (SCALAR,)),
 }
+
+
+def with_sum(program: Program) -> Program:
+    """Return the program of a product and the sum of it and a third element."""
+    pairs = list(zip(program.outputs, THIRD, strict=True))
+    steps = [Step(f"r{n}", "+", pair) for n, pair in enumerate(pairs) if pair[0] != ZERO]
+    outputs = tuple(z if x == ZERO else f"r{n}" for n, (x, z) in enumerate(pairs))
+    return Program((*program.inputs, *THIRD), (*program.steps, *steps), outputs)
 
 
 def with_denominators(program: Program) -> Program:

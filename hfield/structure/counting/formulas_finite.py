@@ -55,7 +55,7 @@ def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
     """
     if not has_formulas(ring):
         raise NotFiniteError(
-            f"{ring.name} is not a finite field, nor ZZ/n: counting formulas are for these"
+            f"{ring.name} is not a finite field, nor ZZ/n: count over these, such as GF(9) or ZZ/6"
         )
     if kind not in KINDS:
         raise CoercionError(f"there is no count of {kind!r}: expected one of {', '.join(KINDS)}")
