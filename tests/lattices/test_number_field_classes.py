@@ -238,6 +238,35 @@ def test_strong_approximation_counts_classes_of_ideals_by_signs(name: str) -> No
         some.maximal_order().class_set()
 
 
+@pytest.mark.parametrize(
+    "name", ["QQ(sqrt(10))", "QQ(sqrt(15))", "QQ(sqrt(-23))", "QQ[s]/(s^3-4*s-1)"]
+)
+def test_classes_by_norm(name: str) -> None:
+    """As many as are counted by signs, no two equivalent; those of x·I are the same; types of squares."""
+    A = QuaternionAlgebra(name, -1, 3)
+    O = A.maximal_order()
+    C, K = O.classes_by_norm(), A.ring
+    assert len(C) == A.class_number() == len(set(C)) == len(list(C))
+    x = A(3, K.gen, 2, 1)
+    assert K.ideal(x.norm()) != 1
+    for n, I in enumerate(C):
+        assert I.is_integral()
+        assert I.right_order() == O
+        assert C.index(I) == C.index(x * I) == n
+        assert C[n] == I
+    a = C.group.class_of
+    squares = {a(K.ideal(I.norm()) ** 2) for I in C}
+    moved = {a(K.ideal(P)) for P, _ in O.discriminant().factorisation()}
+    assert (C.type_number == len(C)) == (len(squares | moved | {a(K.ideal(1))}) == 1)
+
+
+def test_refusals_of_classes_by_norm() -> None:
+    with pytest.raises(IndefiniteError, match="class_set"):
+        icosians().maximal_order().classes_by_norm()
+    with pytest.raises(IndefiniteError, match="Eichler symbol 0"):
+        QuaternionAlgebra("QQ(sqrt(10))", -1, 3).order(["i", "2*j"]).classes_by_norm()
+
+
 def test_class_numbers_of_definite_algebras_are_counted() -> None:
     A = icosians()
     assert A.class_number(A.ring("6 + sqrt(5)")) == 2

@@ -47,6 +47,7 @@ from hfield.lattices.ternary_forms import TernaryForm, form_of
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.lattices.over_integers.dedekind_modules import PseudoBasis
+    from hfield.lattices.over_integers.indefinite_classes import IndefiniteClassSet
 
 OTHER = {"left": "right", "right": "left"}
 
@@ -647,9 +648,32 @@ class IntegersOrder(IntegersLattice, WithStableClasses, Certified):
                 f"{self.algebra} is split at an infinite place: by strong approximation an Eichler order "
                 f"has as many right ideal classes as the ideals of {self.algebra.ring.name} have modulo "
                 f"generators that are positive where the algebra ramifies, {number}, told by the reduced "
-                "norm; class sets by enumeration are for totally definite algebras"
+                "norm, and classes_by_norm() has representatives; class_set() enumerates in totally definite "
+                "algebras"
             )
         return IntegersClassSet(self)
+
+    def classes_by_norm(self) -> IndefiniteClassSet:
+        """Return the right ideal classes where the algebra splits at an infinite place, with representatives.
+
+        Raises :class:`IndefiniteError` for a totally definite algebra, and for orders of which local units do
+        not have all norms.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra("QQ(sqrt(10))", -1, 3).maximal_order().classes_by_norm()
+        >>> len(C), [I.norm() for I in C], [C.index(I) for I in C], C.type_number
+        (2, [ideal(1), ideal(2, sqrt(10))], [0, 1], 1)
+        """
+        from hfield.lattices.over_integers.indefinite_classes import IndefiniteClassSet
+
+        return IndefiniteClassSet(self)
+
+    def expect_right_ideal(self, ideal: object) -> None:
+        """Raise :class:`LatticeError` unless this is an invertible right ideal of the order."""
+        if not isinstance(ideal, IntegersIdeal) or ideal.side != "right":
+            raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
+        if ideal.order != self or not ideal.is_invertible():
+            raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of {self}")
 
 
 class IntegersIdeal(IntegersLattice, Certified):
@@ -831,12 +855,7 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
 
     def index(self, ideal: IntegersIdeal) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        if not isinstance(ideal, IntegersIdeal) or ideal.side != "right":
-            raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
-        if ideal.order != self.order or not ideal.is_invertible():
-            raise LatticeError(
-                f"{shorten(repr(ideal))} is no invertible right ideal of {self.order}"
-            )
+        self.order.expect_right_ideal(ideal)
         return self.class_of(ideal.rows, ideal.norm())
 
     def left_orders(self) -> list[IntegersOrder]:
