@@ -201,10 +201,17 @@ def _split_place(setting: Setting, base: Frame) -> RealRoot:
 
 
 def area(order: Lattice, factors: Factors) -> Fraction:
-    """Return the area of the plane modulo the units of norm 1 over 2π: Shimizu's formula, which is cited."""
-    if any(symbol == 0 for _, symbol in symbols(order, factors)):
-        reject("the area is known here for orders without Eichler symbols that are 0")
-    return 2 * mass(order, factors)
+    """Return the area of the plane modulo the units of norm 1 over 2π: Shimizu's formula, which is cited.
+
+    It is twice the mass, divided by the local indices of norms of units: 2 at an odd prime with the symbol 0,
+    where they are the squares modulo it.
+    """
+    found = 2 * mass(order, factors)
+    for q, symbol in symbols(order, factors):
+        if symbol == 0 and q % 2 == 0:
+            reject("the area is not known here where an Eichler symbol above 2 is 0")
+        found /= 1 if symbol else 2
+    return found
 
 
 # --- the statements -----------------------------------------------------------------------------------

@@ -22,6 +22,7 @@ from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.residues import local_place
+from hfield.fields.number_fields.symbols import square_class
 from hfield.lattices.over_integers.dedekind_modules import hermite, unique_rows
 from hfield.lattices.over_integers.frames import Frame
 from hfield.primality import WORD
@@ -196,6 +197,26 @@ class Local:
                 root = place.quadratic_root(place.one, place.zero - trace, norm)
                 return -1 if root is None else 1
         return 0
+
+    def norm_index(self, rows: flint.fmpq_mat) -> int:
+        """Return the index of the norms of units of an order with the symbol 0 in the units of ℤ_P.
+
+        With J the radical they are, modulo squares, the norms of 1 + J, which the 1 + b for bases of all Jᵏ
+        generate. J⁴ is in P·O, so the last ones are 1 modulo 4P, and the norms are squares there.
+        """
+        digits, e = (self.prime.e * self.prime.f + 1, self.prime.e) if self.p == 2 else (1, 0)
+        radical, classes = self.radical(rows), [0]
+        power, one = radical, self.frame.row(1)
+        for _ in range(4 * (2 * e + 1)):
+            for row in power.tolist():
+                unit = (flint.fmpq_mat([row]) + one).entries()
+                c = square_class(self.prime, self.frame.norm(unit))
+                if c not in classes:
+                    classes += [c ^ other for other in classes]
+            if self.p > 2 or len(classes) == 2**digits:
+                break
+            power = self.frame.product(power, radical)
+        return int(2**digits // len(classes))
 
     @cached_property
     def representatives(self) -> list[FieldElement]:

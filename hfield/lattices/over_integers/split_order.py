@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import prod
 from typing import TYPE_CHECKING, Any
 
 from flint import arb, ctx, fmpq
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
+from hfield.errors import IndefiniteError, UndecidedError, shorten
 from hfield.evidence import Claim
 from hfield.fields.number_fields.classes.zeta import zeta_minus_one
 from hfield.fuchsian.search import element_of_norm
 from hfield.fuchsian.split_order import SplitOrder
 from hfield.lattices.over_integers import certificates
 from hfield.lattices.over_integers.equivalence import Comparison
+from hfield.lattices.over_integers.local_orders import Local
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
@@ -81,16 +81,19 @@ class SplitIntegersOrder(SplitOrder):
         return x in self.order
 
     def area(self) -> Fraction:
-        """Return the area by Shimizu's formula, for Eichler orders (Voight, theorem 39.1.8)."""
-        if not self.order.is_eichler():
-            raise LatticeError(
-                f"the area of the group is known for Eichler orders here, and {self.order} is none"
-            )
-        found = abs(zeta_minus_one(self.algebra.ring)) * Fraction(4, 2**self.order.field.degree)
-        found *= prod(prime.norm - 1 for prime in self.order.frame.ramified)
-        for prime, e in self.level.factorisation():
-            q = self.order.frame.prime(prime).norm
-            found *= (q + 1) * q ** (e - 1)
+        """Return the area by Shimizu's formula and the local indices of units.
+
+        These are divided by those of their norms (Voight, theorem 39.1.8 and lemma 26.6.7).
+        """
+        order, frame = self.order, self.order.frame
+        found = abs(zeta_minus_one(self.algebra.ring)) * Fraction(4, 2**order.field.degree)
+        found *= order.norm_of_discriminant()
+        for place, _ in order.discriminant().factorisation():
+            local = Local(frame, frame.prime(place))
+            q, symbol = local.prime.norm, local.symbol(order.rows)
+            found *= (1 - Fraction(1, q * q)) / (1 - Fraction(symbol, q))
+            if symbol == 0:
+                found /= local.norm_index(order.rows)
         return found
 
     def scalar(self, x: Any) -> FieldElement:
