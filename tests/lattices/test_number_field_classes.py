@@ -308,3 +308,17 @@ def test_orbits_of_short_elements(name: str, monkeypatch: pytest.MonkeyPatch) ->
         C = A.eichler_order(level).class_set()
         assert sum(Fraction(1, u) for u in C.units) == C.mass
     assert any(several)
+
+
+@pytest.mark.parametrize("name", ["QQ(sqrt(-5))", "QQ(sqrt(-23))", "QQ(sqrt(10))"])
+def test_strong_approximation_decides_where_no_element_is_sought(name):
+    """Right ideals over CM fields, or split at two real places: as their norms are in the class group."""
+    O = QuaternionAlgebra(name, 2, 3).maximal_order()
+    K, C = O.algebra.ring, O.classes_by_norm()
+    assert all(I.is_equivalent(J) == (I is J) for I in C for J in C)
+    assert [bool(I.is_principal()) for I in C] == [True] + [False] * (len(C) - 1)
+    assert [C.index(I * O.right_ideal([K(2)])) for I in C] == list(range(len(C)))
+    for x in ("1 + i", "3 + j", "1 + i + 2*j + k"):
+        principal = O.right_ideal([x])
+        answer = principal.is_principal()
+        assert (bool(answer), answer.element, answer.certificate) == (True, None, None)

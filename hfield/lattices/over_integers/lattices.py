@@ -788,8 +788,10 @@ class IntegersIdeal(IntegersLattice, Certified):
     def equivalence(self, other: IntegersIdeal) -> equivalence.Comparison:
         """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
 
-        Where there is none it is false, and ``reason`` says why. Raises :class:`LatticeError` for ideals that
-        are not invertible, or of different orders or sides, :class:`IndefiniteError`.
+        Where there is none it is false, and ``reason`` says why. Where the algebra splits at several infinite
+        places, or at a complex one, strong approximation decides, and no element is told. Raises
+        :class:`LatticeError` for ideals that are not invertible, or of different orders or sides,
+        :class:`IndefiniteError` where an Eichler symbol is 0 in such an algebra.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order()
@@ -810,11 +812,19 @@ class IntegersIdeal(IntegersLattice, Certified):
         norm = other.norm() / self.norm()
         if self.frame.is_definite:
             found = equivalence.element_generating(self.frame, between.rows, norm)
-        else:
+        elif self.frame.is_fuchsian:
             from hfield.lattices.over_integers.split_order import element_generating
 
             found = element_generating(self.order, between.rows, norm)
+        else:
+            from hfield.lattices.over_integers import indefinite_classes
+
+            return indefinite_classes.equivalence(self.order, norm)
         return replace(found, claimed=partial(certificates.of_equivalence, self, other))
+
+    def is_equivalent(self, other: IntegersIdeal) -> bool:
+        """Tell whether J = I·c, or c·I, for some c. Raises as :meth:`equivalence` does."""
+        return bool(self.equivalence(other))
 
     @property
     def claim(self) -> Claim:
