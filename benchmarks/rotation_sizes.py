@@ -275,9 +275,8 @@ def least(ways: Ways, seconds: float) -> dict[str, float]:
         call()
         number[name] = max(1, int(RUN / max(time.perf_counter() - start, 1e-7)))
     best = dict.fromkeys(ways, float("inf"))
-    end, rounds = time.perf_counter() + seconds, 0
-    while time.perf_counter() < end or rounds < 3:
-        rounds += 1
+    end = time.perf_counter() + seconds
+    while time.perf_counter() < end or max(best.values()) == float("inf"):
         for name, call in ways.items():
             start = time.perf_counter()
             for _ in range(number[name]):

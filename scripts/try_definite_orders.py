@@ -31,12 +31,13 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from hfield import QuaternionAlgebra, ring
 from hfield.primality import primes
 
-KNOWN = {1: (40, 39), 2: (211, 175), 3: (63, 62), 4: (59, 40), 5: (5, 5), 6: (2, 0)}
+KNOWN = {1: (40, 39), 2: (211, 175), 3: (63, 62), 4: (61, 40), 5: (5, 5), 6: (2, 0)}
 """Hermite orders up to isomorphism over the base, and those with cancellation, by degree.
 
-They are those of D. Smertnig and J. Voight, *Trans. London Math. Soc.* 6, 2019, 375 and 316, and five that
-are not in their list, suborders of index P where the algebra ramifies: over ℚ(√2), N(P) = 7, and over the
-cubic field of discriminant 49, N(P) = 13.
+They are those of D. Smertnig and J. Voight, *Trans. London Math. Soc.* 6, 2019, 375 and 316, and seven that
+are not in their list: suborders of index P where the algebra ramifies, over ℚ(√2), N(P) = 7, and over the
+cubic field of discriminant 49, N(P) = 13; a maximal order of discriminant 1 over ℚ(√3, √5), and the Eichler
+order of level P, N(P) = 4, in it. For degrees 5 and 6 they are the published numbers.
 """
 SIZES = {3: (14, 14), 4: (64, 20), 5: (8, 8)}
 """The largest constant term, and the largest of the other coefficients below the first two."""
@@ -170,10 +171,13 @@ def hermite_orders(name: str, ramified: list[Any]) -> list[Any]:
     for O, units, _ in found:  # which grows
         for P in small:
             for k in (1, 2):
-                if fits(O, units, P, k):
-                    # Hermite Eichler orders of level P are conjugate by units of a maximal order
-                    one = k == 1 and O.eichler_symbol(P) is None
-                    for S in O.suborders(P, k)[: 1 if one else None]:
+                if not fits(O, units, P, k):
+                    continue
+                if k == 1 and O.eichler_symbol(P) is None:
+                    # all are Eichler, and if one is Hermite units of O conjugate them
+                    keep(O & O.ideals_of_norm(P)[0].right_order())
+                else:
+                    for S in O.suborders(P, k):
                         keep(S)
     return [O for O, _, _ in found]
 

@@ -3,7 +3,13 @@
 import pytest
 
 from hfield import GF, QQ, H, QuaternionAlgebra, conjugator, ring
-from hfield.errors import CoercionError, MixedParentsError, NotFiniteError, RingError
+from hfield.errors import (
+    CoercionError,
+    HFieldError,
+    MixedParentsError,
+    NotFiniteError,
+    RingError,
+)
 
 algebra = QuaternionAlgebra.from_text
 
@@ -171,3 +177,25 @@ def test_orders() -> None:
         algebra("(-1,-3|QQ)").hurwitz_order()
     with pytest.raises(RingError, match="over QQ"):
         H("GF(5)").maximal_order()
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda A, order: order.ternary_theta_series(10**30),
+        lambda A, order: order.ternary_theta_series(10**12),
+        lambda A, order: A.matrix(A(1)),
+        lambda A, order: A.polynomials("x")(A(1)),
+        lambda A, order: A.polynomials(None),
+        lambda A, order: A.matrix([[1]]).solve(None),
+        lambda A, order: A.tensor(None),
+        lambda A, order: ring("QQ(sqrt(2))").ideal(A(1)),
+        lambda A, order: QuaternionAlgebra.from_ramification("QQ", None),
+        lambda A, order: len(A(1)),
+        lambda A, order: A(1)[0],
+    ],
+)
+def test_wrong_arguments_get_errors_of_ours(call) -> None:
+    A = QuaternionAlgebra("QQ", -1, -11)
+    with pytest.raises(HFieldError):
+        call(A, A.maximal_order())

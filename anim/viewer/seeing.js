@@ -41,6 +41,7 @@ class Seeing {
   constructor() {
     Object.assign(this, { base: ONE, view: [0.5, 0.35], goal: null, chosen: null, circles: fibres() });
     for (const name of ["space", "side", "axis", "turn"]) $(name).addEventListener("input", () => this.change(name));
+    $("unit").addEventListener("input", () => ($("unit").value ? this.take(Number($("unit").value)) : this.reset()));
     $("back").addEventListener("click", () => this.reset());
     const view = $("view");
     view.addEventListener("pointerdown", (e) => { this.held = this.began = [e.clientX, e.clientY]; view.setPointerCapture(e.pointerId); });
@@ -50,6 +51,14 @@ class Seeing {
       this.held = null;
     });
     view.addEventListener("pointercancel", () => (this.held = null));
+    view.addEventListener("keydown", (e) => {
+      const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
+      if (!way) return;
+      e.preventDefault();
+      this.held = [0, 0];
+      this.drag(way.map((x) => 13 * x)); // p by 5 degrees
+      this.held = null;
+    });
     document.addEventListener("keydown", (e) => e.key === "Escape" && this.reset());
     new ResizeObserver(() => this.draw()).observe(view);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw());
@@ -62,6 +71,8 @@ class Seeing {
     if (name === "space") {
       const prime = this.prime, list = prime ? corners(prime) : [];
       [this.points, this.names] = [list.map(placed), list.map((corner) => reduced(corner, prime))];
+      $("unit").parentElement.hidden = !prime;
+      $("unit").replaceChildren(new Option("none", ""), ...this.names.map((name, n) => new Option(`(${name.join(", ")})`, n)));
       const near = prime === 3 ? 0.49 : 0.8;
       this.edges = [];
       this.points.forEach((p, m) => this.points.forEach((q, n) => m < n && p.reduce((sum, x, k) => sum + x * q[k], 0) > near && this.edges.push([m, n])));
@@ -72,6 +83,15 @@ class Seeing {
   reset() {
     Object.assign(this, { base: ONE, chosen: null });
     $("turn").value = 0;
+    $("unit").value = "";
+    this.draw();
+  }
+
+  // The slider leads from 1 to the unit g.
+  take(number) {
+    [this.base, this.chosen] = [ONE, number];
+    $("turn").value = 360;
+    $("unit").value = number;
     this.draw();
   }
 
@@ -98,16 +118,13 @@ class Seeing {
     this.draw();
   }
 
-  // Over a finite field a click takes the nearest unit g, and the slider leads from 1 to g.
+  // Over a finite field a click takes the nearest unit.
   choose(event) {
     if (!this.prime) return;
     const box = $("view").getBoundingClientRect(), at = [event.clientX - box.left, event.clientY - box.top];
     const far = this.points.map((x) => { const there = this.moved(x, this.turn), [u, v] = this.seen(there); return there[0] < FAR ? Infinity : Math.hypot(u - at[0], v - at[1]); });
     const nearest = far.indexOf(Math.min(...far));
-    if (far[nearest] > 30) return;
-    [this.base, this.chosen] = [ONE, nearest];
-    $("turn").value = 360;
-    this.draw();
+    if (far[nearest] <= 30) this.take(nearest);
   }
 
   // Where a unit quaternion is seen: x, y in pixels, depth from −1 to 1.
@@ -124,30 +141,36 @@ class Seeing {
     this.size = Math.min(this.width, this.height) / 5;
     const c = view.getContext("2d"), p = this.turn, dark = matchMedia("(prefers-color-scheme: dark)").matches;
     c.scale(ratio, ratio);
-    c.lineCap = "round";
+    c.lineCap = c.lineJoin = "round";
     const strokes = [];
-    const stroke = (from, to, hue) => {
-      if (from[0] < FAR || to[0] < FAR) return;
-      const [u, v] = [this.seen(from), this.seen(to)];
-      if (Math.hypot(u[0] - v[0], u[1] - v[1]) < 4 * this.size) strokes.push([(u[2] + v[2]) / 2, u, v, hue]);
+    // Pieces of nearly one depth: where two pieces end, their smoothed edges lie upon each other, and that shows as a bead.
+    const stroke = (line, hue) => {
+      let piece = [];
+      const end = (next) => {
+        if (piece.length > 1) strokes.push([(piece[0][2] + piece.at(-1)[2]) / 2, piece, hue]);
+        piece = next;
+      };
+      for (const x of line) {
+        const at = this.seen(x), last = piece.at(-1);
+        if (x[0] < FAR) end([]);
+        else if (last && Math.hypot(at[0] - last[0], at[1] - last[1]) > 4 * this.size) end([at]);
+        else if (piece.push(at) && Math.abs(at[2] - piece[0][2]) > 0.12) end([at]);
+      }
+      end([]);
     };
     if (!this.prime)
-      for (const { line, hue } of this.circles) {
-        const there = line.map((x) => this.moved(x, p));
-        for (let k = 0; k + 1 < there.length; k++) stroke(there[k], there[k + 1], hue);
-      }
+      for (const { line, hue } of this.circles) stroke(line.map((x) => this.moved(x, p)), hue);
     const points = this.points.map((x) => this.moved(x, p));
-    for (const [m, n] of this.edges) stroke(points[m], points[n], 210);
+    for (const [m, n] of this.edges) stroke([points[m], points[n]], 210);
     strokes.sort((a, b) => a[0] - b[0]);
-    for (const [depth, u, v, hue] of strokes) {
-      // Circles are opaque, paler with distance: of what shines through, the ends of the pieces would show as beads.
+    for (const [depth, piece, hue] of strokes) {
+      // Circles are opaque, paler with distance: of what shines through, the ends of the pieces would show as well.
       const near = (depth + 1) / 2, seen = 0.35 + 0.65 * near;
       c.strokeStyle = this.prime ? `hsl(${hue} 25% ${dark ? 62 : 45}% / ${this.prime === 5 ? 0.1 + 0.36 * near : 0.35 + 0.6 * near})`
         : `hsl(${hue} ${75 * seen}% ${dark ? 12 + 50 * seen : 91 - 46 * seen}%)`;
       c.lineWidth = (this.prime ? 0.8 : 1.6) + (depth + 1) * 0.7;
       c.beginPath();
-      c.moveTo(u[0], u[1]);
-      c.lineTo(v[0], v[1]);
+      for (const [u, v] of piece) c.lineTo(u, v);
       c.stroke();
     }
     c.font = "12px system-ui, sans-serif";
@@ -167,10 +190,11 @@ class Seeing {
   tell(p) {
     const angle = (Math.acos(Math.max(-1, Math.min(1, p[0]))) * 180) / Math.PI, full = Math.hypot(p[0] + 1, ...p.slice(1)) < 0.02, side = $("side").value;
     $("number").textContent = `p = ${["", "i", "j", "k"].map((unit, n) => `${p[n] < -5e-4 ? "−" : n ? "+" : ""} ${Math.abs(p[n]).toFixed(3)}${unit}`).join(" ")}`;
+    $("turn").setAttribute("aria-valuetext", `${$("turn").value}°, ${$("number").textContent}`);
     if (this.chosen !== null)
       $("said").textContent = `g = (${this.names[this.chosen].join(", ")}) over GF(${this.prime}). At 360 the slider has brought every unit x to where ${{ left: "g·x", right: "x·g", both: "g·x·g⁻¹" }[side]} was: the ${this.points.length} units change places.`;
     else if (this.prime)
-      $("said").textContent = `The ${this.points.length} quaternions of norm 1 over GF(${this.prime}), joined where one is the other times a unit nearest to 1. Choose one with a click.`;
+      $("said").textContent = `The ${this.points.length} quaternions of norm 1 over GF(${this.prime}), joined where one is the other times a unit nearest to 1. Choose one.`;
     else
       $("said").textContent = full ? (side === "both" ? "p = −1, and yet space is as it was: p and −p are the same turn." : "p = −1: every x has gone to −x, the opposite point. Only two full turns bring it back.")
         : side === "both" ? "x ↦ p·x·p⁻¹ keeps 1, and turns space by twice the angle of p." : `x ↦ ${side === "left" ? "p·x" : "x·p"} moves every point along a great circle by ${angle.toFixed(0)}°, the angle of p; p·x·p⁻¹ turns space by twice as much.`;

@@ -465,14 +465,16 @@ class Quaternion(Hinted):
 
     def __len__(self) -> int:
         if not self.shape:
-            raise TypeError("a single quaternion has no length; its coordinates are .coordinates")
+            raise CoercionError(
+                "a single quaternion has no length; its coordinates are .coordinates"
+            )
         return self.shape[0]
 
     def __getitem__(self, index: Index) -> Quaternion:
         """Take elements out of an array of quaternions, as numpy indexes arrays."""
         how = self._how
         if not isinstance(how, Batch) or not how.shape(self._held):
-            raise TypeError("a single quaternion cannot be indexed; use q.coordinates[n]")
+            raise CoercionError("a single quaternion cannot be indexed; use q.coordinates[n]")
         return self._one_or_many(how, how.part(self._held, index))
 
     def _one_or_many(self, how: Batch, held: Any) -> Quaternion:

@@ -115,6 +115,10 @@ class QuaternionAlgebra(Hinted):
         field = global_field(F)
         if field is None:
             raise no_flag(F)
+        if isinstance(primes, str) or not isinstance(primes, Iterable):
+            raise CoercionError(
+                f"the places must be a list such as [2, 3], found {shorten(primes)}"
+            )
         return cls(F, *field.with_ramification(list(primes), infinite))
 
     @cached_property
@@ -564,6 +568,8 @@ class QuaternionAlgebra(Hinted):
         """
         from hfield.algebra.brauer import TensorProduct
 
+        if not isinstance(other, QuaternionAlgebra):
+            raise CoercionError(f"expected an algebra over {self.ring}, found {shorten(other)}")
         return TensorProduct(self, other)
 
     def corestriction(self, base: Ring | str = "QQ") -> Corestriction:
@@ -630,7 +636,7 @@ class QuaternionAlgebra(Hinted):
         """
         from hfield.modules.polynomials import Polynomials
 
-        if not variable.isidentifier():
+        if not (isinstance(variable, str) and variable.isidentifier()):
             raise RingError(f"{shorten(variable)!r} is not the name of a variable such as x")
         return Polynomials(self, variable)
 

@@ -25,7 +25,6 @@ from hfield.lattices import (
     certificates,
     class_number,
     compatible_products,
-    enumeration,
     equivalence,
     hermite,
     ideals_of_norm,
@@ -373,13 +372,11 @@ class Order(WithStableClasses, Certified, Lattice):
     def ternary_theta_series(self, n: int) -> list[int]:
         """Return [r(0), …, r(n)], where r(m) elements of norm m are in the trace-0 part of ℤ + 2O.
 
-        Raises :class:`IndefiniteError`. It is Gross's ternary lattice ("Heights and the special values
-        of L-series", 1987).
+        Raises :class:`IndefiniteError` and :class:`TooLargeError`. It is Gross's ternary lattice ("Heights
+        and the special values of L-series", 1987).
         """
         expect_definite(self.value, "ternary_theta_series()")
-        return enumeration.theta_series(
-            self.value.reduced_ternary[2], natural(n, "a theta series goes up to")
-        )
+        return short_elements.theta_series_of_form(self.value.reduced_ternary[2], n)
 
     def ternary_form(self) -> TernaryForm:
         """Return the form whose even Clifford algebra is the order, reduced where it is definite.

@@ -100,7 +100,11 @@ def _signed(lattice: ZLattice, rows: Iterable[Row]) -> tuple[Quaternion, ...]:
 
 def theta_series(lattice: ZLattice, n: object) -> list[int]:
     """Return [r(0), …, r(n)], where r(m) elements have the norm ``m·norm``. Raises :class:`TooLargeError`."""
+    return theta_series_of_form(lattice.reduced[1], n)
+
+
+def theta_series_of_form(gram: enumeration.Gram, n: object) -> list[int]:
+    """Return [r(0), …, r(n)], where r(m) vectors have the value 2m. Raises :class:`TooLargeError`."""
     m = natural(n, "a theta series goes up to")
-    _, gram = lattice.reduced
-    expect_affordable(enumeration.volume(gram, 2 * m, 4), "elements as short as")
+    expect_affordable(enumeration.volume(gram, 2 * m, len(gram)), "elements as short as")
     return enumeration.theta_series(gram, m)

@@ -14,6 +14,7 @@ from typing import Any
 import flint
 
 from hfield.algebra.quaternion import Parent, Quaternion, product_plus
+from hfield.errors import CoercionError
 from hfield.structure.linear_algebra.echelon import echelon, null_space, solution
 
 Rows = Sequence[Sequence[Quaternion]]
@@ -58,6 +59,10 @@ class Cleared:
     """
 
     def __init__(self, A: Parent, rows: Rows, width: int, leftmost: bool = False) -> None:
+        if any(q.shape for row in rows for q in row):
+            raise CoercionError(
+                "rows are cleared where entries are single quaternions, and here some are arrays"
+            )
         self.algebra, self.width = A, width
         self.done, self.pivots = list[list[Quaternion]](), list[int]()
         self.rest = [list(row) for row in rows]

@@ -411,6 +411,8 @@ class Matrix:
         :class:`UndecidedError` where M has no inverse.
         """
         F = self.algebra.ring
+        if not isinstance(b, Iterable | Matrix):
+            raise CoercionError(f"b must be a matrix, or the list of a column, found {shorten(b)}")
         target = b if isinstance(b, Matrix) else Matrix(self.algebra, [[x] for x in b])
         if target.algebra != self.algebra or target.shape[0] != self.shape[0]:
             raise CoercionError(

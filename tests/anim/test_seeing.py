@@ -1,5 +1,6 @@
 """The page Seeing quaternions: its groups are those of H(GF(p)), and its turns are products."""
 
+import math
 from itertools import product
 
 import pytest
@@ -63,6 +64,33 @@ def test_a_full_turn_brings_space_back_and_not_the_quaternions(
     assert browser.evaluate("document.getElementById('said').textContent").startswith("p = −1")
 
 
+def test_keys_alone_turn_choose_and_go_back(browser: Browser) -> None:
+    put(browser, "space", 0)
+    put(browser, "hand", "p")
+    browser.evaluate("document.getElementById('view').focus()")
+    for _ in range(3):
+        browser.key("ArrowRight")
+    angle = browser.evaluate("2 * Math.acos(seeing.base[0]) * 180 / Math.PI")
+    assert angle == pytest.approx(2 * 3 * 13 / 150 * 180 / math.pi)
+    put(browser, "hand", "view")
+    before, base = browser.evaluate("seeing.view"), browser.evaluate("seeing.base")
+    browser.key("ArrowUp")
+    assert browser.evaluate("seeing.view")[1] < before[1]
+    assert browser.evaluate("seeing.base") == base
+    put(browser, "hand", "p")
+    assert browser.evaluate("document.getElementById('unit').parentElement.hidden")
+    put(browser, "space", 5)
+    assert browser.evaluate("document.getElementById('unit').options.length") == 121
+    put(browser, "unit", 7)
+    assert browser.evaluate("seeing.chosen") == 7
+    said = browser.evaluate("document.getElementById('turn').getAttribute('aria-valuetext')")
+    assert said.startswith("360°, p = ")
+    browser.key("Escape")
+    assert browser.evaluate("[seeing.chosen, document.getElementById('unit').value]") == [None, ""]
+    assert browser.evaluate("document.querySelectorAll('[aria-live], [role=status]').length") == 0
+    assert browser.complaints == []
+
+
 def test_the_hand_turns_and_a_click_chooses(browser: Browser) -> None:
     put(browser, "space", 0)
     put(browser, "side", "left")
@@ -77,6 +105,7 @@ def test_the_hand_turns_and_a_click_chooses(browser: Browser) -> None:
     browser.drag((x, y), (x, y))
     chosen = browser.evaluate("seeing.chosen")
     assert chosen is not None
+    assert browser.evaluate("document.getElementById('unit').value") == str(chosen)
     moved = browser.evaluate("seeing.moved([1, 0, 0, 0], seeing.turn)")
     assert moved == pytest.approx(browser.evaluate("seeing.points[seeing.chosen]"))
     assert browser.complaints == []

@@ -238,6 +238,35 @@ def test_strong_approximation_counts_classes_of_ideals_by_signs(name: str) -> No
         some.maximal_order().class_set()
 
 
+@pytest.mark.parametrize(
+    "name", ["QQ(sqrt(10))", "QQ(sqrt(15))", "QQ(sqrt(-23))", "QQ[s]/(s^3-4*s-1)"]
+)
+def test_classes_by_norm(name: str) -> None:
+    """As many as are counted by signs, no two equivalent; those of x·I are the same; types of squares."""
+    A = QuaternionAlgebra(name, -1, 3)
+    O = A.maximal_order()
+    C, K = O.classes_by_norm(), A.ring
+    assert len(C) == A.class_number() == len(set(C)) == len(list(C))
+    x = A(3, K.gen, 2, 1)
+    assert K.ideal(x.norm()) != 1
+    for n, I in enumerate(C):
+        assert I.is_integral()
+        assert I.right_order() == O
+        assert C.index(I) == C.index(x * I) == n
+        assert C[n] == I
+    a = C.group.class_of
+    squares = {a(K.ideal(I.norm()) ** 2) for I in C}
+    moved = {a(K.ideal(P)) for P, _ in O.discriminant().factorisation()}
+    assert (C.type_number == len(C)) == (len(squares | moved | {a(K.ideal(1))}) == 1)
+
+
+def test_refusals_of_classes_by_norm() -> None:
+    with pytest.raises(IndefiniteError, match="class_set"):
+        icosians().maximal_order().classes_by_norm()
+    with pytest.raises(IndefiniteError, match="Eichler symbol 0"):
+        QuaternionAlgebra("QQ(sqrt(10))", -1, 3).order(["i", "2*j"]).classes_by_norm()
+
+
 def test_class_numbers_of_definite_algebras_are_counted() -> None:
     A = icosians()
     assert A.class_number(A.ring("6 + sqrt(5)")) == 2
@@ -279,3 +308,17 @@ def test_orbits_of_short_elements(name: str, monkeypatch: pytest.MonkeyPatch) ->
         C = A.eichler_order(level).class_set()
         assert sum(Fraction(1, u) for u in C.units) == C.mass
     assert any(several)
+
+
+@pytest.mark.parametrize("name", ["QQ(sqrt(-5))", "QQ(sqrt(-23))", "QQ(sqrt(10))"])
+def test_strong_approximation_decides_where_no_element_is_sought(name):
+    """Right ideals over CM fields, or split at two real places: as their norms are in the class group."""
+    O = QuaternionAlgebra(name, 2, 3).maximal_order()
+    K, C = O.algebra.ring, O.classes_by_norm()
+    assert all(I.is_equivalent(J) == (I is J) for I in C for J in C)
+    assert [bool(I.is_principal()) for I in C] == [True] + [False] * (len(C) - 1)
+    assert [C.index(I * O.right_ideal([K(2)])) for I in C] == list(range(len(C)))
+    for x in ("1 + i", "3 + j", "1 + i + 2*j + k"):
+        principal = O.right_ideal([x])
+        answer = principal.is_principal()
+        assert (bool(answer), answer.element, answer.certificate) == (True, None, None)

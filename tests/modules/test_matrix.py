@@ -156,6 +156,9 @@ def test_arrays_as_entries():
     assert stacked(many) @ stacked(other) == stacked(
         [M @ N for M, N in zip(many, other, strict=True)]
     )
+    for asked in ("rank", "inverse", "right_kernel", "left_kernel", "echelon_form"):
+        with pytest.raises(CoercionError, match="single quaternions"):
+            getattr(stacked(many), asked)()
 
 
 def test_elements_multiply_on_their_side():

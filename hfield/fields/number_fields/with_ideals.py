@@ -62,9 +62,7 @@ class WithIdeals(Hinted):
         >>> ring("QQ(sqrt(3))").narrow_class_group().order
         2
         """
-        found: ClassGroup = of_fields("number_fields.classes.class_groups.class_group")(
-            self, narrow=True
-        )
+        found: ClassGroup = of_fields("number_fields.classes.class_groups.narrow_class_group")(self)
         return found
 
     def unit_group(self) -> UnitGroup:

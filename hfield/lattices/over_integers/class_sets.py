@@ -255,6 +255,18 @@ def _table(matrix: flint.fmpz_mat) -> list[list[int]]:
     return [list(map(int, row)) for row in matrix.tolist()]
 
 
+def good_primes(order: Any) -> Iterator[PrimeIdeal]:
+    """Yield the primes that do not divide the discriminant of an order, ascending by their norms."""
+    number = count()
+    waiting: list[tuple[int, int, PrimeIdeal]] = []
+    for p in primes():
+        while waiting and waiting[0][0] < p:
+            yield heappop(waiting)[2]
+        for _, prime in order.frame.integers.primes_above(p):
+            if not order.discriminant().valuation(prime):
+                heappush(waiting, (prime.norm, next(number), prime))
+
+
 class Classes:
     """The classes as values: keys, norms, units of left orders, and neighbours."""
 
@@ -293,14 +305,7 @@ class Classes:
 
     def good_primes(self) -> Iterator[PrimeIdeal]:
         """Yield the primes that do not divide the discriminant, ascending by their norms."""
-        number = count()
-        waiting: list[tuple[int, int, PrimeIdeal]] = []
-        for p in primes():
-            while waiting and waiting[0][0] < p:
-                yield heappop(waiting)[2]
-            for _, prime in self.frame.integers.primes_above(p):
-                if not self.ring.discriminant().valuation(prime):
-                    heappush(waiting, (prime.norm, next(number), prime))
+        return good_primes(self.ring)
 
     def _look_up(self, around: Around, coordinates: flint.fmpz_mat) -> int:
         """Return the number of the class of a sublattice, which may be new."""

@@ -99,9 +99,18 @@ class Frame:
     @cached_property
     def is_definite(self) -> bool:
         """Whether the field is totally real and the algebra ramifies at all its real places."""
+        return len(self.field.real_places()) == self.n and not self.split_places
+
+    @cached_property
+    def split_places(self) -> tuple[Any, ...]:
+        """The real places at which the algebra splits."""
         places = self.field.real_places()
-        signs = [v.sign(x) for v in places for x in (self.a, self.b)]
-        return len(places) == self.n and all(sign < 0 for sign in signs)
+        return tuple(v for v in places if max(v.sign(self.a), v.sign(self.b)) > 0)
+
+    @property
+    def is_fuchsian(self) -> bool:
+        """Whether the field is totally real and the algebra splits at one of its real places alone."""
+        return len(self.field.real_places()) == self.n and len(self.split_places) == 1
 
     @cached_property
     def discriminant(self) -> Ideal:

@@ -47,6 +47,7 @@ from hfield.lattices.ternary_forms import TernaryForm, form_of
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.lattices.over_integers.dedekind_modules import PseudoBasis
+    from hfield.lattices.over_integers.indefinite_classes import IndefiniteClassSet
 
 OTHER = {"left": "right", "right": "left"}
 
@@ -647,9 +648,32 @@ class IntegersOrder(IntegersLattice, WithStableClasses, Certified):
                 f"{self.algebra} is split at an infinite place: by strong approximation an Eichler order "
                 f"has as many right ideal classes as the ideals of {self.algebra.ring.name} have modulo "
                 f"generators that are positive where the algebra ramifies, {number}, told by the reduced "
-                "norm; class sets by enumeration are for totally definite algebras"
+                "norm, and classes_by_norm() has representatives; class_set() enumerates in totally definite "
+                "algebras"
             )
         return IntegersClassSet(self)
+
+    def classes_by_norm(self) -> IndefiniteClassSet:
+        """Return the right ideal classes where the algebra splits at an infinite place, with representatives.
+
+        Raises :class:`IndefiniteError` for a totally definite algebra, and for orders of which local units do
+        not have all norms.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra("QQ(sqrt(10))", -1, 3).maximal_order().classes_by_norm()
+        >>> len(C), [I.norm() for I in C], [C.index(I) for I in C], C.type_number
+        (2, [ideal(1), ideal(2, sqrt(10))], [0, 1], 1)
+        """
+        from hfield.lattices.over_integers.indefinite_classes import IndefiniteClassSet
+
+        return IndefiniteClassSet(self)
+
+    def expect_right_ideal(self, ideal: object) -> None:
+        """Raise :class:`LatticeError` unless this is an invertible right ideal of the order."""
+        if not isinstance(ideal, IntegersIdeal) or ideal.side != "right":
+            raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
+        if ideal.order != self or not ideal.is_invertible():
+            raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of {self}")
 
 
 class IntegersIdeal(IntegersLattice, Certified):
@@ -764,8 +788,10 @@ class IntegersIdeal(IntegersLattice, Certified):
     def equivalence(self, other: IntegersIdeal) -> equivalence.Comparison:
         """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
 
-        Where there is none it is false, and ``reason`` says why. Raises :class:`LatticeError` for ideals that
-        are not invertible, or of different orders or sides, :class:`IndefiniteError`.
+        Where there is none it is false, and ``reason`` says why. Where the algebra splits at several infinite
+        places, or at a complex one, strong approximation decides, and no element is told. Raises
+        :class:`LatticeError` for ideals that are not invertible, or of different orders or sides,
+        :class:`IndefiniteError` where an Eichler symbol is 0 in such an algebra.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order()
@@ -786,11 +812,19 @@ class IntegersIdeal(IntegersLattice, Certified):
         norm = other.norm() / self.norm()
         if self.frame.is_definite:
             found = equivalence.element_generating(self.frame, between.rows, norm)
-        else:
+        elif self.frame.is_fuchsian:
             from hfield.lattices.over_integers.split_order import element_generating
 
             found = element_generating(self.order, between.rows, norm)
+        else:
+            from hfield.lattices.over_integers import indefinite_classes
+
+            return indefinite_classes.equivalence(self.order, norm)
         return replace(found, claimed=partial(certificates.of_equivalence, self, other))
+
+    def is_equivalent(self, other: IntegersIdeal) -> bool:
+        """Tell whether J = I·c, or c·I, for some c. Raises as :meth:`equivalence` does."""
+        return bool(self.equivalence(other))
 
     @property
     def claim(self) -> Claim:
@@ -831,12 +865,7 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
 
     def index(self, ideal: IntegersIdeal) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        if not isinstance(ideal, IntegersIdeal) or ideal.side != "right":
-            raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
-        if ideal.order != self.order or not ideal.is_invertible():
-            raise LatticeError(
-                f"{shorten(repr(ideal))} is no invertible right ideal of {self.order}"
-            )
+        self.order.expect_right_ideal(ideal)
         return self.class_of(ideal.rows, ideal.norm())
 
     def left_orders(self) -> list[IntegersOrder]:

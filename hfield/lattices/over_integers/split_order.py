@@ -133,8 +133,8 @@ class SplitIntegersOrder(SplitOrder):
         self.order, self.algebra = order, order.algebra
         field, frame = order.field, order.frame
         real, n = field.real_places(), field.degree
-        split = [v.index for v in real if v.sign(frame.a) > 0 or v.sign(frame.b) > 0]
-        if len(real) < n or len(split) != 1:
+        split = [v.index for v in frame.split_places]
+        if not frame.is_fuchsian:
             complex_ones = (n - len(real)) // 2
             raise IndefiniteError(
                 f"{shorten(self.algebra)} splits at {len(split)} of the {len(real)} real places"

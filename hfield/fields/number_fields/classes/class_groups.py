@@ -222,7 +222,7 @@ def is_principal(a: Ideal) -> Principality:
 
 
 class ClassGroup(Certified):
-    """The class group of a number field, proved without hypotheses, or the narrow one.
+    """The class group of a number field, proved without hypotheses, narrow at some real places.
 
     ``order``, ``invariants`` d₁ | d₂ | …, ``generators`` (ideals, of these orders), ``evidence``, and
     ``assumes``, which is empty.
@@ -235,17 +235,14 @@ class ClassGroup(Certified):
 
     assumes: tuple[str, ...] = ()
 
-    def __init__(self, ring: Any, narrow: bool = False) -> None:
-        self.ring, self.narrow, self._field = ring, narrow, _field(ring)
-        s = self._field.s
-        self._signs = s.field.signature[0] if narrow else 0
+    def __init__(self, ring: Any, signs: tuple[int, ...] = ()) -> None:
+        self.ring, self.narrow, self._field, self._signs = ring, bool(signs), _field(ring), signs
+        s, places = self._field.s, len(signs)
         k = len(s.primes)
         rows = [[*row, *self._of_signs(x)] for row, x in zip(s.rows, s.generators, strict=True)]
         rows += [[0] * k + self._of_signs(-s.field.one)]
-        rows += [
-            [0] * k + [2 * int(i == j) for j in range(self._signs)] for i in range(self._signs)
-        ]
-        self.group = AbelianGroup(rows, k + self._signs)
+        rows += [[0] * k + [2 * int(i == j) for j in range(places)] for i in range(places)]
+        self.group = AbelianGroup(rows, k + places)
         self.order, self.invariants = self.group.order, self.group.invariants
 
     def __len__(self) -> int:
@@ -255,7 +252,7 @@ class ClassGroup(Certified):
         return " × ".join(f"ℤ/{d}" for d in self.invariants) or "the trivial group"
 
     def _of_signs(self, x: FieldElement) -> list[int]:
-        return [int(self._field.s.field.sign(x, k) < 0) for k in range(self._signs)]
+        return [int(self._field.s.field.sign(x, k) < 0) for k in self._signs]
 
     def class_of(self, a: Ideal) -> tuple[int, ...]:
         """Return the class of an ideal, in the cyclic factors."""
@@ -286,7 +283,7 @@ class ClassGroup(Certified):
         s = self._field.s
         found = [a]
         for y in s.short(a.inverse(), 40):
-            if all(s.field.sign(y, k) > 0 for k in range(self._signs)):
+            if all(s.field.sign(y, k) > 0 for k in self._signs):
                 found.append(a * s.frame.principal(y))
         return min((b for b in found if b.is_integral()), key=lambda b: b.norm(), default=a)
 
@@ -377,9 +374,14 @@ class UnitGroup(Certified):
 
 
 @lru_cache(maxsize=256)
-def class_group(ring: Any, narrow: bool = False) -> ClassGroup:
-    """Return the class group, or the narrow one."""
-    return ClassGroup(ring, narrow)
+def class_group(ring: Any, signs: tuple[int, ...] = ()) -> ClassGroup:
+    """Return the group of ideals modulo generators that are positive at some real places."""
+    return ClassGroup(ring, signs)
+
+
+def narrow_class_group(ring: Any) -> ClassGroup:
+    """Return the group of ideals modulo those with a totally positive generator."""
+    return class_group(ring, tuple(range(_field(ring).s.field.signature[0])))
 
 
 @lru_cache(maxsize=256)
