@@ -155,7 +155,7 @@ def test_some_involutions() -> None:
     G = order(6).norm_one_group()
     found = {m: G.quotient(m).signature.orders for m in (2, 3, 6)}
     assert found == {2: (3, 4, 4), 3: (2, 6, 6), 6: (2, 2, 2, 3)}  # of index 2 in (2, 4, 6)
-    assert len(G.quotient(2, 3).elements) == 4
+    assert len(G.quotient(2, 3).elements) == len(G.quotient(2, 3, 6).elements) == 4
     for m in (4, 5, 0):
         with pytest.raises(LatticeError, match="exact divisor"):
             G.quotient(m)
@@ -229,6 +229,30 @@ def test_the_index_in_the_normaliser_against_pari() -> None:
             pairs += not any(pari.bnrisprincipal(narrow, ideal, 0))
         G = O.norm_one_group()
         assert len(normaliser.Cosets(G.domain().polygon, ()).elements) == 2 ** (2 - rank) * pairs
+
+
+def test_products_and_inverses_of_cosets() -> None:
+    """In coordinates of cosets they are those of the elements, up to numbers."""
+    for O in (order(6), over_field("QQ(sqrt(15))", [0], 2).maximal_order()):
+        G = O.norm_one_group()
+        cosets = normaliser.Cosets(G.domain().polygon, ())
+        units = G.order.rows([G.evaluate((1, 2, -1)), G.evaluate((2, 2, 1))])
+        rows = [row for n in range(4) for row in cosets.block(n, units)]
+        elements = list(map(cosets.element, rows))
+        for x, row in zip(elements, rows, strict=True):
+            inverse = cosets.element(row @ cosets.bar)
+            assert (x * inverse).conjugate() == x * inverse
+            for y, other in zip(elements, rows, strict=True):
+                z = x * y / cosets.element(row @ (other @ cosets.products))
+                assert z.conjugate() == z
+
+
+def test_products_of_a_basis_stay_small_over_a_field() -> None:
+    """The Hermite basis of this order has products with six digits; those of units overflowed with it."""
+    A = over_field("QQ[s]/(s^3-7*s-5)", [1, 2])
+    order = A.eichler_order(3).norm_one_group().order
+    assert max(abs(c) for row in order.products for c in row) < 50
+    assert order.order == A.order(order.basis)
 
 
 def test_some_involutions_over_a_field() -> None:
