@@ -210,7 +210,7 @@ def _hyperbolic(domain: Domain, most: float) -> list[Quaternion]:
     for g in units:
         t = order.scalar(g.trace())
         if order.sign(t * t - 4) > 0 and (length := abs(order.real(t))) < bound:
-            sized.append((length, g))
+            sized.append((length, g if order.sign(t) > 0 else -g))
     return [g for _, g in sorted(sized, key=lambda pair: pair[0])]
 
 

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.evidence import Certified, Claim
-from hfield.factorisation import factorise
 from hfield.fuchsian import area, presentation
 from hfield.fuchsian.presentation import Word
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
@@ -58,12 +57,12 @@ class Quotient(NamedTuple):
     """The plane modulo a group between the units of norm 1 and the normaliser of an order.
 
     ``elements`` has for each norm an element of the normaliser: these represent the larger group modulo the
-    smaller.
+    smaller and the numbers of the field.
     """
 
     signature: Signature
     area: Fraction
-    elements: dict[int, Quaternion]
+    elements: dict[Any, Quaternion]
 
 
 @dataclass(frozen=True)
@@ -350,26 +349,29 @@ class NormOneGroup(Certified, Hinted):
 
     # --- larger groups -----------------------------------------------------------------------------
 
-    def quotient(self, *norms: int) -> Quotient:
-        """Return the plane modulo this group and the Atkin–Lehner involutions with these norms, or all.
+    def quotient(self, *norms: object) -> Quotient:
+        """Return the plane modulo this group and elements of totally positive norm that normalise the order.
 
-        Norms are exact divisors of the discriminant of an Eichler order over ℤ. Raises
-        :class:`LatticeError` for others, and :class:`TooLargeError` where none was found.
+        All of them, or those with the given norms, up to squares of ideals, and products: exact divisors of
+        the discriminant of an Eichler order (Atkin and Lehner), whole numbers over ℤ, else ideals or what
+        generates them. Over other fields units of totally positive norm always belong to them. Raises
+        :class:`LatticeError` for other norms, and those that no such element has, :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 3]).maximal_order().norm_one_group()
         >>> G.quotient().signature
         Signature(genus=0, orders=(2, 4, 6), cusps=0)
         """
-        if not isinstance(self.order, RationalOrder):
-            raise LatticeError("involutions of Atkin and Lehner are known here for orders over ZZ")
         from hfield.fuchsian import normaliser
 
-        whole = self.order.order.discriminant
-        every = norms or tuple(p**e for p, e in factorise(whole).items())
-        elements = normaliser.generated(self.order, every)
-        _, partners, cycles = normaliser.domain(self.order, elements, self.area)
-        area = self.area / len(elements)
+        cosets = normaliser.Cosets(self._domain.polygon, norms)
+        _, partners, cycles = normaliser.domain(cosets, self.area)
+        area = self.area / len(cosets.elements)
+        elements: dict[Any, Quaternion] = {}
+        for w in cosets.elements:
+            while w.norm() in elements:  # two ideals may have one norm
+                w = 2 * w
+            elements[w.norm()] = w
         return Quotient(signature_of(partners, cycles, area), area, elements)
 
     def unit_of_norm(self, u: object) -> Quaternion | None:

@@ -1,107 +1,165 @@
-"""The Atkin–Lehner involutions of an Eichler order over ℤ, and the plane modulo the group with some of them.
+"""Elements of positive norm that normalise an Eichler order, and the plane modulo the group with them.
 
-For pᵉ exactly dividing the discriminant D·N, the two-sided ideal of this norm has a generator w of
-positive norm; these generate the normaliser of the order, modulo numbers and the units of norm 1
-(Voight, *Quaternion Algebras*, section 28.9). A domain of the larger group lies in one of the smaller.
+An element x normalises the order where x·O is a two-sided ideal: an ideal of the field times a product of the
+two-sided primes over the discriminant. By strong approximation such an ideal has a generator of any norm
+that generates the norm of the ideal and is totally positive (Voight, *Quaternion Algebras*, sections 28.5
+and 28.9). Modulo numbers and the units of norm 1 they are a group in which squares are 1.
+A domain of the larger group lies in one of the smaller.
 """
 
 from __future__ import annotations
 
-import math
 import random
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import LatticeError, TooLargeError
-from hfield.factorisation import factorise
+from hfield.errors import TooLargeError
 from hfield.fuchsian import dirichlet
 from hfield.fuchsian.growing import grown
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, element_of_norm, free_centers
-from hfield.fuchsian.split_order import RationalOrder
-from hfield.lattices import z_lattice
-from hfield.lattices.ideals_of_norm import two_sided_prime
+from hfield.fuchsian.split_order import SplitOrder
 
 CENTERS = 20
 """Centres that are tried at most."""
+FEW = 3
+"""So many may see too little of the plane for a domain of the units."""
+MOST = 128
+"""Coordinates of an element of the larger group, over all cosets, at most."""
 
 
-def involution(order: RationalOrder, m: int) -> Quaternion:
-    """Return a primitive element of the order with norm m that normalises it.
-
-    Raises :class:`LatticeError` where m and discriminant/m are not coprime whole numbers.
-    """
-    whole = order.order.discriminant
-    if not isinstance(m, int) or m < 1 or whole % m or math.gcd(m, whole // m) != 1:
-        raise LatticeError(
-            f"{m} is no exact divisor of {whole}, the discriminant of the order: "
-            "an involution belongs to a divisor that is coprime to its cofactor"
-        )
-    lattice = order.order
-    ideals = [two_sided_prime(lattice, p) for p in factorise(m)] if m > 1 else []
-    ideal: Any = lattice
-    for other in ideals:
-        ideal = z_lattice.meet(ideal, other)
-    found = element_of_norm(order, ideal.basis, order.scalar(Fraction(m)))
-    if found is None:
-        raise TooLargeError(f"no element of norm {m} that normalises the order was found")
-    return found
-
-
-def generated(order: RationalOrder, norms: Sequence[int]) -> dict[int, Quaternion]:
-    """Return an element for each product, modulo squares, of exact divisors."""
-    found = {1: order.algebra(1)}
-    for m in norms:
-        if m not in found:
-            w = involution(order, m)
-            found |= {
-                m * n // math.gcd(m, n) ** 2: w * x / math.gcd(m, n) for n, x in found.items()
-            }
-    return found
-
-
-class NormaliserSight(Sight):
-    """Primitive elements of an order that normalise it, as they look from a point, in floats."""
-
-    def motions(self, rows: Rows) -> tuple[Any, Any]:
-        """Return a and b of elements, divided by the roots of their norms."""
-        a, b = super().motions(rows)
-        size = np.sqrt(abs(a) ** 2 - abs(b) ** 2)
-        return a / size, b / size
-
-    def times(self, matrices: Any, rows: Rows) -> Rows:
-        """Return products without the numbers that divide them."""
-        found = super().times(matrices, rows)
-        return found // np.gcd.reduce(found, axis=1)[:, None]
-
-
-def domain(
-    order: RationalOrder, elements: dict[int, Quaternion], area: Fraction
-) -> dirichlet.Found:
-    """Return a domain, proved complete, of the group with these elements; ``area`` is that of the units.
+def generator(order: SplitOrder, basis: Sequence[Quaternion], norm: Any) -> Quaternion:
+    """Return an element of a two-sided ideal with a norm that generates that of the ideal.
 
     Raises :class:`TooLargeError` where none was found.
     """
+    found = element_of_norm(order, basis, order.scalar(norm))
+    if found is None or not all(found * x / found in order for x in order.basis):
+        raise TooLargeError(f"no element of norm {norm} that normalises the order was found")
+    return found
+
+
+class Cosets:
+    """The elements that normalise an order, or those with some norms, modulo numbers and units of norm 1.
+
+    Coset n is represented by ``elements[n]``, an element of the order; the product of cosets m and n is
+    number m ^ n. An element of the larger group is, up to a number, a representative times a unit:
+    it is written as the unit's coordinates in the block of its coset, with 0 in the other blocks.
+    """
+
+    def __init__(self, polygon: Polygon, norms: Sequence[object]) -> None:
+        """``polygon`` is a domain of the units of norm 1: representatives move its centre inside."""
+        self.order = order = polygon.plane.order
+        self.elements = [order.algebra(1)]
+        for basis, norm in order.normalising(norms):
+            g = generator(order, basis, norm)
+            if not any(self._same(g, w) for w in self.elements):
+                for w in tuple(self.elements):
+                    x = order.primitive(g * w)
+                    for n in polygon.reduced(polygon.plane.image(x))[1]:
+                        x = polygon.units[n].conjugate() * x
+                    self.elements.append(x)
+        self.size = len(order.basis)
+        if self.size * len(self.elements) > MOST:
+            raise TooLargeError(
+                f"the group is of index {len(self.elements)} in the larger one: up to "
+                f"{MOST // self.size} are within reach in this field, and quotient() takes norms"
+            )
+
+    def _same(self, x: Quaternion, y: Quaternion) -> bool:
+        z = x / y
+        root = self.order.root(self.order.scalar(z.norm()))
+        return root is not None and z / root in self.order
+
+    def block(self, n: int, rows: Any) -> Rows:
+        """Return coordinates in coset n of what has the given coordinates with respect to the order."""
+        found = np.zeros((len(rows), len(self.elements), self.size), dtype=np.int64)
+        found[:, n] = rows
+        return found.reshape(len(rows), -1)
+
+    def element(self, row: Any) -> Quaternion | None:
+        """Return an element with these coordinates, or None if what it has there is no unit of norm 1."""
+        blocks = row.reshape(-1, self.size)
+        n = int(abs(blocks).sum(axis=1).argmax())
+        unit = self.order.element(blocks[n].tolist())
+        return self.elements[n] * unit if unit.norm() == 1 else None
+
+    @cached_property
+    def products(self) -> Any:
+        """The products of the basis: (w·x)·(w'·y) is a number times w''·(w''⁻¹·w·x·w'·y)."""
+        order, found = self.order, []
+        norms = [order.scalar(w.norm()) for w in self.elements]
+        table = np.array(order.products).reshape((self.size,) * 3)
+        for m, w in enumerate(self.elements):
+            for n, v in enumerate(self.elements):
+                u = self.elements[m ^ n]
+                number = order.root(norms[m] * norms[n] / norms[m ^ n])
+                left = np.array(order.rows([u.inverse() * w * x * v / number for x in order.basis]))
+                rows = np.einsum("ix,xjk->ijk", left, table).reshape(-1, self.size)
+                found.append(self.block(m ^ n, rows).reshape(self.size, self.size, -1))
+        count = len(self.elements)
+        whole = np.array(found).reshape(count, count, self.size, self.size, -1)
+        return whole.transpose(0, 2, 1, 3, 4).reshape((self.size * count,) * 3)
+
+    @cached_property
+    def bar(self) -> Any:
+        """The conjugates of the basis, which are inverses up to numbers."""
+        found = [
+            self.block(
+                n, self.order.rows([w.inverse() * (w * x).conjugate() for x in self.order.basis])
+            )
+            for n, w in enumerate(self.elements)
+        ]
+        return np.concatenate(found)
+
+
+class CosetSight(Sight):
+    """The elements of cosets, divided by the roots of their norms, as they look from a point, in floats."""
+
+    def __init__(self, plane: Plane, cosets: Cosets) -> None:
+        super().__init__(plane)
+        a, b = self.motions(np.array(plane.order.rows(cosets.elements)))
+        a, b = np.array([a, b])[:, :, None] / np.sqrt(abs(a) ** 2 - abs(b) ** 2)[:, None]
+        self.a, self.b = (
+            (a * self.a + b * self.b.conj()).reshape(-1),
+            (a * self.b + b * self.a.conj()).reshape(-1),
+        )
+        self.elsewhere = np.kron(np.eye(len(a))[None], self.elsewhere)
+        self.products, self.bar, self.rank = cosets.products, cosets.bar, len(self.a)
+
+
+def domain(cosets: Cosets, area: Fraction) -> dirichlet.Found:
+    """Return a domain, proved complete, of the group of cosets; ``area`` is that of the units of norm 1.
+
+    Raises :class:`TooLargeError` where none was found.
+    """
+    order, count = cosets.order, len(cosets.elements)
     plane, rng = Plane(order, next(free_centers(order))), random.Random(1)
-    rows = np.array(order.rows(list(elements.values()))[1:]).reshape(-1, 4)
+    one = order.rows([order.algebra(1)])
+    new = np.concatenate([cosets.block(n, one) for n in range(count)])[1:]
     for n in range(CENTERS):
         center = plane.nearby(0.4 * rng.random() * np.exp(6.28j * rng.random()), 5 + n // 4)
-        units, _, _ = dirichlet.domain(order, center, area)
-        sight = NormaliserSight(units.plane)
-        if (abs(sight.motions(rows)[1]) < 1e-6).any():
+        try:
+            units, partners, cycles = dirichlet.domain(order, center, area)
+        except TooLargeError:  # some centres see the plane worse than others
+            if n >= FEW:
+                raise
             continue
-        shape = grown(sight, np.array(order.rows(units.units)), rows)
-        sides = Polygon(units.plane, [order.element(row) for row in shape.rows.tolist()])
-        found = dirichlet.proof(sides.without_points(), area / len(elements))
-        if found is not None and all(_normalises(order, g) for g in sides.units):
+        if count == 1:
+            return units, partners, cycles
+        sight = CosetSight(units.plane, cosets)
+        if (abs(sight.motions(new)[1]) < 1e-6).any():
+            continue
+        shape = grown(sight, cosets.block(0, order.rows(units.units)), new)
+        elements = [g for row in shape.rows if (g := cosets.element(row)) is not None]
+        sides = Polygon(units.plane, elements)
+        found = dirichlet.proof(sides.without_points(), area / count)
+        if found is not None:
             return found
     raise TooLargeError(f"no domain of the larger group was completed around {CENTERS} points")
-
-
-def _normalises(order: RationalOrder, g: Quaternion) -> bool:
-    return g in order and all(g * x / g in order for x in order.basis)

@@ -61,7 +61,7 @@ class Sight:
         self.empty = np.empty((0, self.rank), dtype=np.int64)
         # the norms at the other places, one form each
         traces = np.array(order.traces_elsewhere(basis), dtype=float)
-        self.elsewhere = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
+        self.elsewhere: Any = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
         if norm is not None:  # elements of this norm, of another lattice, look as units do
             size = math.sqrt(abs(real(norm)))
             self.a, self.b = self.a / size, self.b / size
@@ -161,12 +161,17 @@ def is_fixed(order: SplitOrder, center: Quaternion) -> bool:
     return bool((abs(found) < NEAR).any())
 
 
-def free_centers(order: SplitOrder) -> Iterator[Quaternion]:
-    """Yield elements of trace 0, of positive norm at the place, that no unit but ±1 seems to fix."""
+def first_plane(order: SplitOrder) -> Plane:
+    """Return the plane around the simplest element of trace 0 that fixes a point."""
     _, i, j, _ = order.algebra.basis
     u = i - i.trace() / 2
-    first = next(c for c in (u, j, u * j) if order.sign(order.scalar(c.norm())) > 0)
-    plane = Plane(order, first)
+    centers = (c for c in (u, j, u * j) if order.sign(order.scalar(c.norm())) > 0)
+    return Plane(order, next(centers))
+
+
+def free_centers(order: SplitOrder) -> Iterator[Quaternion]:
+    """Yield elements of trace 0, of positive norm at the place, that no unit but ±1 seems to fix."""
+    plane = first_plane(order)
     if len(order.basis) == 4:
         candidates = _small(order, Sight(plane))
     else:  # small elements are mostly fixed by units

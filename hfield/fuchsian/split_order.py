@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -11,12 +13,17 @@ from flint import arb, fmpq, fmpq_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.certificates.glossary import BY_AREA, SHIMIZU
-from hfield.errors import IndefiniteError
+from hfield.errors import IndefiniteError, LatticeError
 from hfield.evidence import Claim
+from hfield.factorisation import factorise
 from hfield.fuchsian import area
+from hfield.lattices import z_lattice
 from hfield.lattices.certificates import element_json, text
-from hfield.lattices.z_lattice import contains
+from hfield.lattices.ideals_of_norm import two_sided_prime
 from hfield.lattices.z_order import ZOrder
+
+TwoSided = tuple[Sequence[Quaternion], Any]
+"""A basis over ℤ of a two-sided ideal, and an exact number that generates its norm."""
 
 
 class SplitOrder(ABC):
@@ -71,6 +78,22 @@ class SplitOrder(ABC):
     def elsewhere(self, x: Any) -> list[float]:
         """Return about the values at the other real places, where the norm is definite."""
         return []
+
+    @abstractmethod
+    def root(self, x: Any) -> Any:
+        """Return a square root of an exact number, as one of the base ring, or None."""
+
+    @abstractmethod
+    def primitive(self, x: Quaternion) -> Quaternion:
+        """Return a multiple, by a number, that lies in the order, without what divides it."""
+
+    @abstractmethod
+    def normalising(self, norms: Sequence[object]) -> list[TwoSided]:
+        """Return two-sided ideals and norms whose generators, with numbers and units of norm 1, generate
+        all elements of totally positive norm that normalise the order; or those with some norms.
+
+        Raises :class:`LatticeError`, and :class:`TooLargeError`.
+        """
 
     @abstractmethod
     def flat(self, q: Quaternion) -> list[fmpq]:
@@ -130,7 +153,7 @@ class RationalOrder(SplitOrder):
         self.title = "maximal order" if self.level == 1 else f"order of level {self.level}"
 
     def __contains__(self, x: Quaternion) -> bool:
-        return contains(self.order, x)
+        return z_lattice.contains(self.order, x)
 
     def area(self) -> Fraction:
         return area.area(self.order)
@@ -152,6 +175,31 @@ class RationalOrder(SplitOrder):
 
     def ball(self, x: fmpq) -> arb:
         return arb(x)
+
+    def root(self, x: fmpq) -> Fraction | None:
+        p, q = int(x.p), int(x.q)
+        r, s = math.isqrt(max(p, 0)), math.isqrt(q)
+        return Fraction(r, s) if r * r == p and s * s == q else None
+
+    def primitive(self, x: Quaternion) -> Quaternion:
+        row = fmpq_mat([self.flat(x)]) * self.inverse
+        whole, denominator = row.numer_denom()
+        return x * Fraction(int(denominator), math.gcd(*map(int, whole.entries())))
+
+    def normalising(self, norms: Sequence[object]) -> list[TwoSided]:
+        """Return for each norm m, or each pᵉ, the product of the two-sided primes (Atkin and Lehner)."""
+        order, whole, found = self.order, self.order.discriminant, []
+        for m in norms or [p**e for p, e in factorise(whole).items()]:
+            if not isinstance(m, int) or m < 1 or whole % m or math.gcd(m, whole // m) != 1:
+                raise LatticeError(
+                    f"{m} is no exact divisor of {whole}, the discriminant of the order: "
+                    "an involution belongs to a divisor that is coprime to its cofactor"
+                )
+            ideal: Any = order
+            for p in factorise(m) if m > 1 else ():
+                ideal = z_lattice.meet(ideal, two_sided_prime(order, p))
+            found.append((ideal.basis, self.scalar(Fraction(m))))
+        return found
 
     def flat(self, q: Quaternion) -> list[fmpq]:
         return [self.scalar(x) for x in q.coordinates]

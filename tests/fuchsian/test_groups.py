@@ -12,7 +12,7 @@ import pytest
 from hfield import QuaternionAlgebra, ring
 from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.factorisation import factorise
-from hfield.fuchsian import area, dirichlet, group, presentation
+from hfield.fuchsian import area, dirichlet, group, normaliser, presentation
 from hfield.fuchsian.polygon import Polygon
 from hfield.lattices.lattice import Order
 
@@ -106,9 +106,9 @@ OVER_FIELDS = [
 ]
 
 
-def over_field(field: str, real: list[int], p: int | None):
+def over_field(field: str, real: list[int], *primes: int | None):
     K = ring(field)
-    places = [K.real_places()[n] for n in real] + ([] if p is None else [K.primes_above(p)[0]])
+    places = [K.real_places()[n] for n in real] + [K.primes_above(p)[0] for p in primes if p]
     return QuaternionAlgebra.from_ramification(K, places)
 
 
@@ -159,6 +159,94 @@ def test_some_involutions() -> None:
     for m in (4, 5, 0):
         with pytest.raises(LatticeError, match="exact divisor"):
             G.quotient(m)
+
+
+# the same over fields: maximal groups in the commensurability classes of Takeuchi's triangle groups, and two
+# fields with ideals that are not principal, where the index was counted by hand
+STARS_OVER_FIELDS = [
+    ("QQ[s]/(s^4-4*s^2+2)", [0, 1, 2], [2], 2, (2, 3, 16)),
+    ("QQ[s]/(s^3-3*s-1)", [0, 1], [2, 3], 4, (2, 4, 18)),
+    ("QQ(sqrt(5))", [0], [2], 2, (2, 4, 5)),
+    ("QQ(sqrt(5))", [0], [5], 2, (2, 3, 10)),
+    ("QQ(sqrt(5))", [0], [3], 2, (2, 5, 6)),
+    ("QQ(sqrt(2))", [0], [2], 2, (2, 3, 8)),
+    ("QQ(sqrt(3))", [0], [2], 2, (2, 3, 12)),
+    ("QQ(sqrt(3))", [0], [3], 2, (2, 4, 12)),
+    ("QQ(sqrt(6))", [0], [2], 2, (3, 4, 6)),
+    ("QQ(sqrt(10))", [0], [3], 2, (2, 2, 3, 4, 4)),  # P₃ is in no square class; P₂² = (2)
+    ("QQ(sqrt(15))", [0], [2], 4, (2, 2, 3, 6)),  # 4 + √15 is no square, P₂² = (2)
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("field", "real", "primes", "index", "orders"), STARS_OVER_FIELDS)
+def test_modulo_the_normaliser_over_a_field(field, real, primes, index, orders) -> None:
+    O = over_field(field, real, *primes).maximal_order()
+    G = O.norm_one_group()
+    star = G.quotient()
+    assert star.signature == (0, orders, 0)
+    assert len(star.elements) == index
+    assert star.area == G.area / index == sum(1 - Fraction(1, m) for m in orders) - 2
+    for n, w in star.elements.items():
+        assert w.norm() == n
+        assert all(v.sign(n) > 0 for v in O.algebra.ring.real_places())
+        assert O.left_ideal([w]) == O.right_ideal([w])
+
+
+def test_modulo_the_normaliser_of_eichler_orders_over_a_field() -> None:
+    """Triangle groups commensurable to (2, 3, 7) and (2, 3, 9), by their areas of level P₂, P₇ and P₃."""
+    for field, p, orders in [
+        ("QQ[s]/(s^3+s^2-2*s-1)", None, (2, 3, 7)),
+        ("QQ[s]/(s^3+s^2-2*s-1)", 2, (2, 4, 7)),
+        ("QQ[s]/(s^3+s^2-2*s-1)", 7, (2, 3, 14)),
+        ("QQ[s]/(s^3-3*s-1)", 3, (2, 3, 18)),
+    ]:
+        A = over_field(field, [0, 1])
+        O = A.eichler_order(A.ring.primes_above(p)[0] if p else 1)
+        assert O.norm_one_group().quotient().signature == (0, orders, 0)
+
+
+def test_the_index_in_the_normaliser_against_pari() -> None:
+    """[U⁺ : U²] times the pairs (class of 𝔞, S) with 𝔞²·∏Pᵉ narrowly principal, with PARI's class groups."""
+    pari = pytest.importorskip("cypari", reason="cypari, an oracle, is not installed").pari
+    for d, p, level in [(10, 3, 2), (15, 2, 7), (34, 2, 3), (30, 2, 1), (5, 2, 11)]:
+        K = ring(f"QQ(sqrt({d}))")
+        P = K.primes_above(level)[0] if level > 1 else None
+        A = over_field(K.name, [0], p)
+        O = A.eichler_order(P or 1)
+        bnf = pari.bnfinit(pari.polredbest(f"x^2-{d}"), 1)
+        narrow = pari.bnrinit(bnf, pari("[1,[1,1]]"), 1)
+        signs = pari.matconcat([pari.bnfsignunit(bnf), pari("[-1;-1]")])
+        rank = int(pari.matrank(pari("m->(matrix(#m~,#m,i,j,Mod(m[i,j]<0,2)))")(signs)))
+        cyc = [int(c) for c in bnf.bnf_get_cyc()]
+        primes = [pari.idealprimedec(bnf, q)[0] for q in (p, level) if q > 1]
+        pairs = 0
+        for e in product(*map(range, cyc), *[range(2)] * len(primes)):
+            ideal = pari(1)
+            for a, k in zip(bnf.bnf_get_gen(), e, strict=False):
+                ideal = pari.idealmul(bnf, ideal, pari.idealpow(bnf, a, 2 * k))
+            for Q, k in zip(primes, e[len(cyc) :], strict=True):
+                ideal = pari.idealmul(bnf, ideal, pari.idealpow(bnf, Q, k))
+            pairs += not any(pari.bnrisprincipal(narrow, ideal, 0))
+        G = O.norm_one_group()
+        assert len(normaliser.Cosets(G.domain().polygon, ()).elements) == 2 ** (2 - rank) * pairs
+
+
+def test_some_involutions_over_a_field() -> None:
+    A = over_field("QQ(sqrt(3))", [0], 2)
+    K = A.ring
+    (P, Q), R = (K.ideal(K.primes_above(p)[0]) for p in (2, 3)), K.ideal(K.primes_above(11)[0])
+    G = A.eichler_order(Q).norm_one_group()
+    # 1 + √3 has norm −2 and √3 has −3: neither has a totally positive generator, their product has
+    assert len(G.quotient(1).elements) == 2
+    assert len(G.quotient(P * Q).elements) == len(G.quotient().elements) == 4
+    for norm in (P, Q):
+        with pytest.raises(LatticeError, match="no element of totally positive norm"):
+            G.quotient(norm)
+    for norm in (2, 3, R, P * Q * Q):
+        with pytest.raises(LatticeError, match="exact divisor"):
+            G.quotient(norm)
+    with pytest.raises(LatticeError, match="Eichler orders"):
+        QuaternionAlgebra(K, -1, K.gen).order(["i", "j"]).norm_one_group().quotient()
 
 
 def test_principal_ideals_over_fields() -> None:
