@@ -203,6 +203,15 @@ def multiplied(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
     return out
 
 
+def substituted(ring: Ring, f: Sequence[Any], shift: Any) -> list[Any]:
+    """Return f(x + shift)."""
+    line, out = [shift, ring.one], [ring.zero]
+    for c in reversed(f):
+        out = multiplied(ring, out, line)
+        out[0] = out[0] + c
+    return stripped(ring, out)
+
+
 def stripped(ring: Ring, f: Sequence[Any]) -> list[Any]:
     """Return the coefficients without zeros at the end."""
     out = list(f)

@@ -1,5 +1,7 @@
 """Rational functions and polynomials: lowest terms, texts, roots, what divides what, and bounds."""
 
+from random import Random
+
 import pytest
 import sympy
 from hypothesis import given, settings
@@ -13,6 +15,7 @@ from hfield.errors import (
     TooLargeError,
 )
 from hfield.rings import INFINITY, ring
+from hfield.rings.roots import divided, multiplied, stripped
 from tests.steps import steps
 
 coefficients = st.lists(st.integers(-5, 5), min_size=1, max_size=4)
@@ -160,3 +163,27 @@ def test_large_texts_are_refused_before_they_are_multiplied_out():
     assert len(R("(a+b+c+d)^20")) == 1771
     big = R("a^500*b^500*c^500*d^500*123456789123456789123456789")
     assert R(R.text(big)) == big
+
+
+@pytest.mark.parametrize("name", ["GF(4)(t)", "GF(8)(t)", "GF(9)(t)", "GF(25)(t)"])
+def test_factors_over_functions_with_constants_in_an_extension(name):
+    """Products of random polynomials, some repeated, are taken apart to what is not taken apart further."""
+    F, rng = ring(name), Random(7)
+
+    def random(degree):
+        constants = (F.constant(F.base.random(rng)) for _ in range(degree + 1))
+        return sum((c * F.gen**k for k, c in enumerate(constants)), F.zero)
+
+    for trial in range(4):
+        given = [[random(2) for _ in range(rng.randint(1, 2))] + [F.one] for _ in range(2)]
+        f = multiplied(F, *given) if trial % 2 else multiplied(F, given[0], given[0])
+        rest, factors = f, F.irreducible_factors(f)
+        for g in factors:
+            assert F.irreducible_factors(g) == [g]
+            while not stripped(F, divided(F, rest, g)[1]):
+                rest = divided(F, rest, g)[0]
+        assert len(rest) == 1
+    p, q = F.characteristic, F.base.order
+    inseparable = [-F.gen, *[F.zero] * (p - 1), F.one]
+    assert F.irreducible_factors(inseparable) == [inseparable]
+    assert len(F.irreducible_factors([F.zero, -F.one, *[F.zero] * (q - 2), F.one])) == q

@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import atexit
 import gc
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator, Sequence
+from itertools import count
 from random import Random
 from typing import TYPE_CHECKING, Any
 
@@ -20,11 +21,12 @@ from hfield.errors import CoercionError
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
 from hfield.product import Constants, Coordinates
 from hfield.rings.base import INFINITY, Known, Ring, shared
-from hfield.rings.finite import ExtensionField
+from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.held.numerators import Held, Numerators
 from hfield.rings.holding import Holding
 from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.residue_polynomials import polynomials_modulo
+from hfield.rings.roots import common_divisor, monic, multiplied, substituted
 from hfield.straight_line import named
 
 if TYPE_CHECKING:
@@ -38,6 +40,13 @@ __all__ = ["FunctionField", "Quotient"]
 # nothing is collected any more at exit.
 _CONTEXTS: dict[Ring, Any] = {}
 atexit.register(gc.freeze)
+
+
+def _number(c: flint.fq_default) -> int:
+    """Return an element of GF(p) as a number."""
+    first, *rest = c.to_list()
+    assert not any(rest), "a norm lies in the field below"
+    return int(first)
 
 
 class FunctionField(FractionField):
@@ -119,6 +128,44 @@ class FunctionField(FractionField):
     def base_element(self, c: Coefficient) -> Coefficient:
         """Return a coefficient as flint gives it as an element of the base field."""
         return c if isinstance(c, (flint.fq_default, flint.fmpq)) else self.base(int(c))
+
+    def irreducible_factors(self, coefficients: Sequence[Quotient]) -> list[list[Quotient]]:
+        """Return the monic irreducible factors of a polynomial that is not 0, each once.
+
+        Over GF(q)(t), q no prime, by the norm to GF(p)(t) of f(x − s·α), α the generator and s = 0, 1, t, …
+        (B. Trager, Proc. SYMSAC 1976): what f has in common with an irreducible factor of the norm is
+        irreducible if the factor's degree is [GF(q) : GF(p)] times its own.
+        """
+        if not isinstance(self.base, ExtensionField):
+            return super().irreducible_factors(coefficients)
+        below = shared(FunctionField, shared(PrimeField, self.characteristic), self.gen_name)
+        n, alpha, f = self.base.degree, self.constant(self.base.gen), monic(self, coefficients)
+        for k in count(-1):
+            shift = alpha * self._gen**k if k >= 0 else self.zero
+            moved = substituted(self, f, -shift)
+            norm, conjugate = moved, moved
+            for _ in range(n - 1):
+                conjugate = [self._by_constants(c, self, self._frobenius) for c in conjugate]
+                norm = multiplied(self, norm, conjugate)
+            down = [self._by_constants(c, below, _number) for c in norm]
+            factors = [
+                [self._by_constants(c, self, lambda c: self.base(int(c))) for c in g]
+                for g in below.irreducible_factors(down)
+            ]
+            found = [common_divisor(self, moved, g) for g in factors]
+            if all((len(h) - 1) * n == len(g) - 1 for g, h in zip(factors, found, strict=True)):
+                return [substituted(self, h, shift) for h in found]
+        raise AssertionError("some shift of infinitely many serves")
+
+    def _frobenius(self, c: flint.fq_default) -> flint.fq_default:
+        return c**self.characteristic
+
+    def _by_constants(
+        self, x: Quotient, target: FunctionField, change: Callable[[Coefficient], Coefficient]
+    ) -> Quotient:
+        """Return x with its coefficients changed, as a function of another field."""
+        num, den = (target._polynomial([change(c) for c in p.coeffs()]) for p in (x.num, x.den))
+        return Quotient(target, num, den)
 
     def from_below(self, x: object) -> Quotient:
         """Turn a number or an element of the base field into a constant. Raises :class:`CoercionError`."""

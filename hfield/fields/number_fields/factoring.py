@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.rings.roots import common_divisor, divided, monic, multiplied
+from hfield.rings.roots import common_divisor, divided, monic, substituted
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
@@ -31,23 +31,14 @@ def irreducible_factors(
     derivative = [x * n for n, x in enumerate(f)][1:]
     f = divided(field, f, common_divisor(field, f, derivative))[0]
     for c in count():
-        moved = _substituted(field, f, field.gen * -c)
+        moved = substituted(field, f, field.gen * -c)
         norm = _norm(field, moved)
         if norm.gcd(norm.derivative()).degree() == 0:
             break
     shared = (
         common_divisor(field, moved, [field(x) for x in g.coeffs()]) for g, _ in norm.factor()[1]
     )
-    return [monic(field, _substituted(field, g, field.gen * c)) for g in shared]
-
-
-def _substituted(field: NumberField, f: Coefficients, shift: FieldElement) -> Coefficients:
-    """Return f(x + shift)."""
-    line, out = [shift, field.one], [field.zero]
-    for c in reversed(f):
-        out = multiplied(field, out, line)
-        out[0] = out[0] + c
-    return out
+    return [monic(field, substituted(field, g, field.gen * c)) for g in shared]
 
 
 def _norm(field: NumberField, f: Coefficients) -> flint.fmpq_poly:
