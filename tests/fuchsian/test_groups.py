@@ -151,7 +151,7 @@ def test_modulo_the_normaliser(D: int, N: int) -> None:
         assert O.left_ideal([w]) == O.right_ideal([w])
 
 
-def test_some_involutions() -> None:
+def test_some_involutions(monkeypatch: pytest.MonkeyPatch) -> None:
     G = order(6).norm_one_group()
     found = {m: G.quotient(m).signature.orders for m in (2, 3, 6)}
     assert found == {2: (3, 4, 4), 3: (2, 6, 6), 6: (2, 2, 2, 3)}  # of index 2 in (2, 4, 6)
@@ -159,6 +159,10 @@ def test_some_involutions() -> None:
     for m in (4, 5, 0):
         with pytest.raises(LatticeError, match="exact divisor"):
             G.quotient(m)
+    monkeypatch.setattr(normaliser, "MOST", 8)
+    assert len(G.quotient(2).elements) == 2
+    with pytest.raises(TooLargeError, match="up to 2 are within reach"):
+        G.quotient()
 
 
 # the same over fields: maximal groups in the commensurability classes of Takeuchi's triangle groups, and two
