@@ -92,7 +92,8 @@ def place_of_number_field(field: NumberField, place: object) -> Place:
                 pi = field(second)
             except HFieldError as error:
                 raise RingError(f"the place {shorten(place)!r} cannot be read: {error}") from error
-            within = [P for P in primes_above(field, int(p)) if pi in P]
+            # the checker's names have numbers that are integral at p, perhaps not elsewhere
+            within = [P for P in primes_above(field, int(p)) if not pi or P.valuation(pi) > 0]
             if len(within) == 1:
                 return within[0]
         elif len(above) == 1:

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import flint
 
 from hfield.errors import RingError, TooLargeError, shorten
+from hfield.factorisation import remove
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import (
     LocalOrder,
@@ -75,8 +76,9 @@ class PrimeIdeal:
 
     @property
     def generators(self) -> tuple[FieldElement, FieldElement]:
-        """Return p and a second number that generate the ideal."""
-        return self.field(self.p), self.pi
+        """Return p and a second number that generate the ideal: ``pi``, made an integer elsewhere too."""
+        scale = remove(integral_generator(self.field)[0], self.p)[1]
+        return self.field(self.p), self.pi * flint.fmpq(scale ** self.pi.poly.degree())
 
     @property
     def norm(self) -> int:
@@ -243,8 +245,7 @@ def _by_kummer(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
     f = residues(p, [c * scale for c in field.polynomial.numer().coeffs()])
     out = []
     for g, e in sorted_factors(f):
-        # s is integral at p; what makes it so elsewhere is prime to p
-        pi = order.element(coefficients(g)) * flint.fmpq(integral_generator(field)[0] ** g.degree())
+        pi = order.element(coefficients(g))
         if g.degree() == field.degree:  # p is inert
             pi = field(p)
         out.append(
