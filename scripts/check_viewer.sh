@@ -19,4 +19,4 @@ if command -v npm >/dev/null; then
     npm install --silent --no-save --prefix "${TMPDIR:-/tmp}/hfield-axe" axe-core >/dev/null || true
     export NODE_PATH="${TMPDIR:-/tmp}/hfield-axe/node_modules${NODE_PATH:+:$NODE_PATH}"
 fi
-python -m pytest -rs tests/anim/test_page_accessibility.py tests/anim/test_viewer.py tests/docs/test_checker_page.py
+python -m pytest -rs tests/anim/test_page_accessibility.py tests/anim/test_viewer.py tests/docs/test_checker_page.py tests/fuchsian/test_page_in_a_browser.py
