@@ -28,8 +28,8 @@ Rows = Any
 MANY = 200
 """About so many vectors are looked at for each point."""
 NEAR = 1e-6
-TRIES = 200
-"""So often elements of a norm are looked for from eight points."""
+TRIES, LEVELS = 300, 10
+"""So often elements of a norm are looked for from eight points, which come as near as 2⁻¹⁰ to the circle."""
 MANIFOLD = 7.0
 """Lattices that have e⁷ times as many short vectors as another one are left out."""
 FAR = 1e9
@@ -144,7 +144,7 @@ def element_of_norm(order: SplitOrder, basis: Sequence[Quaternion], norm: Any) -
     sight = Sight(Plane(order, next(free_centers(order))), basis, norm)
     rng = np.random.default_rng(1)
     for n in range(TRIES):
-        radius, turn = np.sqrt(rng.random(8)) * (1 - 0.5 ** (n % 7 + 1)), rng.random(8)
+        radius, turn = np.sqrt(rng.random(8)) * (1 - 0.5 ** (n % LEVELS + 1)), rng.random(8)
         rows = sight.near(radius * np.exp(2j * np.pi * turn))
         for row in rows[sight.of_norm(rows, order.sign(norm))].tolist():
             terms = (x * c for x, c in zip(sight.basis, row, strict=True))

@@ -54,3 +54,11 @@ def test_the_trial_can_fail(monkeypatch: pytest.MonkeyPatch) -> None:
     assert trial(rng, order).startswith("failed: no generator")
     Answer.element = other
     assert "does not generate" in trial(rng, order)
+
+
+def test_an_element_that_is_short_from_far_away_alone() -> None:
+    """Of 20 000 random ideals this one had no generator found, from points that were not far enough."""
+    O = QuaternionAlgebra("QQ", 1, 1).eichler_order(252)
+    I = O.right_ideal([2823, "3/2*i + 993*j + 288669/2*k", "1/2 + 1/2*i + 2303/2*j + 59803/2*k"])
+    assert I.norm() == 2823
+    assert O.right_ideal([I.is_principal().element]) == I
