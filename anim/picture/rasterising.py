@@ -25,54 +25,21 @@ ROWS = 32
 """Rows of pixels in a stripe."""
 
 
-def paint(
-    pixels: Bytes,
-    box: tuple[int, int, int, int],
-    smooth: bool,
-    corners: Floats,
-    order: Indices,
-    triangles: Indices,
-    lit: Indices,
-    light: Floats,
-    paints: Floats,
-    linear: Floats,
-    encoded: Bytes,
-) -> None:
-    """Draw the triangles that face the viewer over ``pixels`` (height, width, 3), inside ``box``.
-
-    The picture is the mean of some moments. ``corners`` (moments, k, 2) are pixels, y downwards;
-    ``triangles`` (m, 3) index them, counter-clockwise as seen from outside: a quarter of them is the lowest
-    piece, a half the middle one, a quarter the highest; ``order`` (moments, 3) has the pieces from the
-    farthest to the nearest. ``lit`` (m, 3) index ``light`` (moments, l, 2), the share of its own colour and
-    the white that each corner sends; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB,
-    ``encoded`` encodes equal steps of linear light. Unless ``smooth``, a pixel is what its middle shows.
-    """
-    wide, moments, count = box[2] - box[0], len(corners), len(triangles)
-    if wide > 0:
-        painted(
-            pixels,
-            box,
-            smooth,
-            corners,
-            order,
-            triangles,
-            lit,
-            light,
-            paints,
-            linear,
-            encoded,
-            np.zeros((ROWS, wide, 4), np.float32),
-            np.empty((ROWS, wide), np.float32),
-            np.empty((ROWS, wide, 4), np.float32),
-            np.empty((ROWS, 2), np.int64),
-            np.empty((moments, count, 3), np.int64),
-            np.zeros((moments, 4), np.int64),
-            np.empty((2, 3)),
-        )
+def workspace(width: int, moments: int, triangles: int) -> tuple[Samples | Indices | Floats, ...]:
+    """Return what :func:`paint` reckons in, for a box of this width."""
+    return (
+        np.zeros((ROWS, width, 4), np.float32),
+        np.empty((ROWS, width), np.float32),
+        np.empty((ROWS, width, 4), np.float32),
+        np.empty((ROWS, 2), np.int64),
+        np.empty((moments, triangles, 3), np.int64),
+        np.zeros((moments, 4), np.int64),
+        np.empty((2, 3)),
+    )
 
 
 @kernel
-def painted(
+def paint(
     pixels: Bytes,
     box: tuple[int, int, int, int],
     smooth: bool,
@@ -92,9 +59,17 @@ def painted(
     found: Indices,
     corner: Floats,
 ) -> None:
-    """Do what :func:`paint` says: a stripe's piece, what is covered, and all of it so far are in ``layer`` …
+    """Draw the triangles that face the viewer over ``pixels`` (height, width, 3), inside ``box``.
 
-    ``front`` (moments, m, 3) are the triangles that face the viewer, with their first and last rows.
+    The picture is the mean of some moments. ``corners`` (moments, k, 2) are pixels, y downwards;
+    ``triangles`` (m, 3) index them, counter-clockwise as seen from outside: a quarter of them is the lowest
+    piece, a half the middle one, a quarter the highest; ``order`` (moments, 3) has the pieces from the
+    farthest to the nearest. ``lit`` (m, 3) index ``light`` (moments, l, 2), the share of its own colour and
+    the white that each corner sends; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB,
+    ``encoded`` encodes equal steps of linear light. Unless ``smooth``, a pixel is what its middle shows.
+
+    The rest is :func:`workspace`: of a stripe a piece, what it covers, the sum, and what is reached of rows;
+    ``front``, the triangles that face the viewer, with first and last rows, and how many; three corners.
     """
     xs, ys = corner[0], corner[1]
     left, top, right, bottom = box

@@ -71,10 +71,13 @@ class ShadedBody:
     def _paint(
         self, canvas: Surface, views: list[View], rotations: list[Floats], paints: Floats
     ) -> None:
-        from anim.picture.rasterising import paint
+        from anim.picture.rasterising import paint, workspace
 
         seen = np.stack([view.project(self._points) for view in views])
         box = canvas.touch(seen.reshape(-1, 2), 0)
+        width = box[2] - box[0]
+        if width <= 0:
+            return
         seen[..., 1] = canvas.height - seen[..., 1]
         paint(
             canvas.pixels,
@@ -88,6 +91,7 @@ class ShadedBody:
             paints,
             LINEAR,
             self._encoded,
+            *workspace(width, len(views), len(self._triangles)),
         )
 
     def lighting(self, view: View, rotation: Floats) -> Floats:
