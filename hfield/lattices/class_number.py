@@ -12,10 +12,11 @@ local units are norms but where the Eichler symbol is 0.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import partial
 from itertools import product
 from typing import Any
 
@@ -177,9 +178,10 @@ class WithStableClasses:
     mass: Callable[[], Fraction]
     _units_modulo_scalars: Callable[[], int]
 
-    @cached_property
+    @property
+    @abstractmethod
     def _stable(self) -> StableClasses:
-        raise NotImplementedError
+        """The stable classes, by local norms."""
 
     def stable_class_number(self) -> int:
         """Return how many right ideal classes there are up to I ⊕ O ≅ J ⊕ O. Raises :class:`IndefiniteError`.

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import flint
 
@@ -46,7 +46,7 @@ class IndefiniteClassSet(Hinted):
     ``group`` is the group of ideals modulo generators positive where the algebra ramifies, with ``class_of``.
     """
 
-    elsewhere = CLASSES
+    elsewhere: ClassVar = {name: hint for name, hint in CLASSES.items() if "brandt" not in hint}
 
     def __init__(self, order: IntegersOrder) -> None:
         self.order, frame = order, order.frame
@@ -61,12 +61,8 @@ class IndefiniteClassSet(Hinted):
                     f"classes are told by narrow classes of norms where all local units are norms; at {P} "
                     "the order has the Eichler symbol 0, which asks for a ray class group: none is computed"
                 )
-        field = frame.field
-        ramified = tuple(
-            k
-            for k in range(field.signature[0])
-            if max(field.sign(x, k) for x in (frame.a, frame.b)) < 0
-        )
+        places = frame.field.real_places()
+        ramified = tuple(v.index for v in places if v not in frame.split_places)
         self.group = class_group(frame.integers.ring, ramified)
 
     def __len__(self) -> int:

@@ -807,19 +807,19 @@ class IntegersIdeal(IntegersLattice, Certified):
             raise LatticeError(
                 f"expected two invertible {self.side} ideals of one order, not {shorten(repr(other))}"
             )
-        pair = (self.inverse(), other) if self.side == "left" else (other, self.inverse())
-        between = pair[0] * pair[1]
         norm = other.norm() / self.norm()
-        if self.frame.is_definite:
-            found = equivalence.element_generating(self.frame, between.rows, norm)
-        elif self.frame.is_fuchsian:
-            from hfield.lattices.over_integers.split_order import element_generating
-
-            found = element_generating(self.order, between.rows, norm)
-        else:
+        if not (self.frame.is_definite or self.frame.is_fuchsian):
             from hfield.lattices.over_integers import indefinite_classes
 
             return indefinite_classes.equivalence(self.order, norm)
+        pair = (self.inverse(), other) if self.side == "left" else (other, self.inverse())
+        between = pair[0] * pair[1]
+        if self.frame.is_definite:
+            found = equivalence.element_generating(self.frame, between.rows, norm)
+        else:
+            from hfield.lattices.over_integers.split_order import element_generating
+
+            found = element_generating(self.order, between.rows, norm)
         return replace(found, claimed=partial(certificates.of_equivalence, self, other))
 
     def is_equivalent(self, other: IntegersIdeal) -> bool:
