@@ -33,6 +33,7 @@ from rotation.kernels import threads
 Ways = dict[str, Callable[[], Any]]  # by whose they are; ours first
 SIZES = (1, 10, 100, 1000, 10_000, 1_000_000)
 RUN = 2e-4  # seconds of a run of calls
+SLOW = 5.0  # seconds of a call that is not repeated
 PEERS = {
     "scipy": "s",
     "quaternion": "q",
@@ -267,21 +268,25 @@ def transforms(
 
 
 def least(ways: Ways, seconds: float) -> dict[str, float]:
-    """Return the least time of each of the calls, which take turns."""
-    number = {}
+    """Return the least time of each of the calls, which take turns; one that takes seconds is timed once."""
+    best, number = {}, {}
     for name, call in ways.items():
-        call()  # which compiles
-        start = time.perf_counter()
-        call()
-        number[name] = max(1, int(RUN / max(time.perf_counter() - start, 1e-7)))
-    best = dict.fromkeys(ways, float("inf"))
-    end = time.perf_counter() + seconds
-    while time.perf_counter() < end or max(best.values()) == float("inf"):
-        for name, call in ways.items():
+        for _ in range(2):  # the first compiles
             start = time.perf_counter()
-            for _ in range(number[name]):
+            call()
+            best[name] = time.perf_counter() - start
+            if best[name] > SLOW:
+                break
+        else:
+            number[name] = max(1, int(RUN / max(best[name], 1e-7)))
+    end, rounds = time.perf_counter() + seconds, 0
+    while rounds == 0 or time.perf_counter() < end:
+        for name, repeats in number.items():
+            call, start = ways[name], time.perf_counter()
+            for _ in range(repeats):
                 call()
-            best[name] = min(best[name], (time.perf_counter() - start) / number[name])
+            best[name] = min(best[name], (time.perf_counter() - start) / repeats)
+        rounds += 1
     return best
 
 
