@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 HELP = (
     "Enumerate the right ideal classes of an Eichler order of a definite algebra over QQ or a totally real "
     "field, compare with the mass and, over QQ, with Eichler's class number formula; tell types and units. "
+    "In an indefinite algebra norms tell the classes. "
     "--newforms tells the cusp forms of weight 2 with rational eigenvalues."
 )
 DOING = "enumerating classes"
@@ -67,6 +68,8 @@ def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
     A = algebra_of(args.algebra)
     level = level_of(args.level, A)
     O = A.eichler_order(level)
+    if not O.is_definite():
+        return _indefinite(args, O)
     if A.over_integers:
         return _over_integers(args, O)
     number, mass = A.class_number(level), O.mass()
@@ -181,6 +184,51 @@ def _over_integers(args: Namespace, O: IntegersOrder) -> tuple[Answer, Callable[
         return [Facts(facts, 14), table, *(_forms(C) if args.newforms else [])]
 
     return of_parts(data, parts), lambda: C.claim
+
+
+def _indefinite(args: Namespace, O: Any) -> tuple[Answer, Callable[[], Claim]]:
+    """Answer by strong approximation where an infinite place splits: over QQ there is one class."""
+    from hfield.evidence import Claim
+    from hfield.lattices.over_integers.indefinite_classes import REFUSAL
+
+    A, over_integers = O.algebra, O.algebra.over_integers
+    if args.newforms:
+        raise UsageError(f"--newforms asks for a definite algebra, and {A} is indefinite")
+    ideals: Any = O.classes_by_norm() if over_integers else [O]
+    types = ideals.type_number if over_integers else 1
+    told = ideal_json if over_integers else int
+
+    def data() -> dict[str, object]:
+        classes = [
+            {"norm": told(I.norm()), **({"pseudo_basis": summands(I)} if over_integers else {})}
+            for I in ideals
+        ]
+        return {
+            "schema": "hfield-classes/1",
+            "algebra": str(A),
+            "discriminant": told(O.discriminant()),
+            "level": told(O.level),
+            "class_number": len(ideals),
+            "type_number": types,
+            "classes": classes,
+        }
+
+    def parts() -> list[Part]:
+        from hfield.presenting import Facts
+
+        facts = [
+            ("algebra", f"{A}, discriminant of the order {O.discriminant()}: indefinite"),
+            (
+                "class number",
+                f"{len(ideals)}, by strong approximation: the reduced norm tells the class",
+            ),
+            ("type number", str(types)),
+            ("norms", ", ".join(str(I.norm()) for I in islice(ideals, SHOWN))),
+        ]
+        return [Facts(facts, 14)]
+
+    claim = Claim(A, "classes", {}, "strong approximation", refusal=REFUSAL)
+    return of_parts(data, parts), lambda: claim
 
 
 def _forms_data(C: Any) -> dict[str, object]:

@@ -19,7 +19,7 @@ from typing import Any
 
 from flint import fmpz_mat
 
-from hfield.errors import LatticeError, TooLargeError
+from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.evidence import Certified, Claim
 from hfield.factorisation import factorise
 from hfield.lattices import brandt, certificates, enumeration, hermite
@@ -33,7 +33,7 @@ from hfield.lattices.ideals_of_norm import (
     two_sided_prime,
 )
 from hfield.lattices.isomorphic_orders import isomorphism
-from hfield.lattices.short_elements import expect_definite, theta_series
+from hfield.lattices.short_elements import theta_series
 from hfield.lattices.z_lattice import (
     ZLattice,
     conjugate,
@@ -88,7 +88,11 @@ class Classes(Certified):
     """The classes as values: their lattices, units and neighbours."""
 
     def __init__(self, ring: ZOrder) -> None:
-        expect_definite(ring, "class_set()")
+        if not ring.regular.definite:
+            raise IndefiniteError(
+                f"{ring.algebra} is indefinite: by strong approximation an Eichler order has one right ideal "
+                "class there; class_set() enumerates in definite algebras"
+            )
         self.ring = ring
         self.mass = mass(ring)
         if self.mass > MOST_CLASSES:

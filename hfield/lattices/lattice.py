@@ -276,8 +276,8 @@ class Order(WithStableClasses, Certified, Lattice):
 
     >>> from hfield import QuaternionAlgebra
     >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order()
-    >>> O.discriminant(), O.is_maximal(), O.unit_count()
-    (11, True, 4)
+    >>> O.discriminant(), O.is_maximal(), O.is_definite(), O.unit_count()
+    (11, True, True, 4)
     """
 
     elsewhere = ORDER
@@ -349,6 +349,10 @@ class Order(WithStableClasses, Certified, Lattice):
     def level(self) -> int:
         """The index in a maximal order: the reduced discriminant over that of the algebra."""
         return self.value.level
+
+    def is_definite(self) -> bool:
+        """Tell whether the algebra ramifies at the infinite place: the order has finitely many units."""
+        return bool(self.value.regular.definite)
 
     def is_maximal(self) -> bool:
         """Tell whether no larger order contains this one: whether its discriminant is that small."""

@@ -40,6 +40,8 @@ from tests.commands.running import page, run
             ["2 classes", "3 3", "5 1", "x^2 - 4*x - 12"],
         ),
         (["classes", "11", "--format", "latex"], [r"\begin{tabular}", r"1 & 2 & 6 & $\mathrm{C6}$ & 1 \\"]),
+        (["classes", "(3,5|QQ)", "--level", "7"], ["order 105: indefinite", "class number 1, by strong"]),
+        (["classes", "(-1,3|QQ(sqrt(10)))"], ["number 2, by", "norms ideal(1), ideal(2, sqrt(10))"]),
         (["classes", "1019"], ["more; --format json lists all"]),
         (["brandt", "37", "--prime", "2"], ["1 1 1 1 0 2 1 2 0", "x^3 - x^2 - 6*x"]),
         (["brandt", "11", "3", "--prime", "5", "--format", "edges"], ["0 0 2 0 1 1"]),
@@ -57,6 +59,11 @@ def test_json(capsys):
     O = QuaternionAlgebra("QQ", -1, -11).maximal_order()
     assert (data["den"], data["rows"]) == (O.hnf[0], [list(row) for row in O.hnf[1]])
     assert data["schema"] == "hfield-order/1"
+    data = json.loads(page(capsys, "classes", "(-1,3|QQ(sqrt(10)))", "--format", "json"))
+    assert [(c["norm"]["norm"], len(c["pseudo_basis"])) for c in data["classes"]] == [
+        ("1", 4),
+        ("2", 4),
+    ]
     data = json.loads(page(capsys, "classes", "30", "--level", "7", "--format", "json"))
     assert data["class_number"] == len(data["classes"]) == 8
     assert Fraction(data["mass"]) == sum(Fraction(2, c["units"]) for c in data["classes"])
@@ -101,8 +108,9 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["order", "11", "--generators", ","], "no element"),
         (["order", "11", "--generators", "i/2, j"], "generate no order"),
         (["order", "(2,3|QQ)", "--extremal"], "prime discriminant"),
-        (["classes", "(2,3|QQ)"], "definite"),
-        (["classes", "(-1,-1|QQ(sqrt(-5)))"], "split at an infinite place"),
+        (["classes", "(2,3|QQ)", "--newforms"], "indefinite"),
+        (["brandt", "(2,3|QQ)"], "one right ideal class"),
+        (["brandt", "(-1,-1|QQ(sqrt(-5)))"], "split at an infinite place"),
         (["classes", "(-1,-1|QQ(sqrt(5)))", "--formula"], "over QQ"),
         (["classes", "11", "--formula", "--newforms"], "enumerates none"),
         (["brandt", "(-1,-1|QQ(sqrt(5)))", "--prime", "1/2"], "an ideal of the integers"),
