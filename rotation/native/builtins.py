@@ -1,17 +1,16 @@
 """A formula as a builtin function of Python: its trace is put into a loop over rows, compiled by LLVM.
 
 The function is one as those of extensions in C are: it reads the addresses and the lengths of numpy's arrays
-from their headers, whose layout numpy's ABI fixes. That is why it has a loop of its own: a call for one
-rotation takes less time than Python needs to look at its arrays. It answers 0 when all is done; 1 where the
-arrays are not such as it reads (C order, aligned, rows that fit); 2 when all is done and the formula had
-something to `tell`. Long work frees the interpreter lock.
+from their headers, whose layout numpy's ABI fixes, has numpy make the result, and puts that into an object.
+For a call for one rotation takes less time than Python needs to look at its arrays. Long work frees the
+interpreter lock.
 """
 
 import ctypes
 import os
 import sys
 from collections.abc import Callable
-from functools import cache
+from functools import cache, reduce
 from typing import Any
 
 import numpy as np
@@ -23,10 +22,15 @@ from rotation.native.symbols import LIBRARY, WIDTH, Lanes, Program, Rows
 
 AHEAD = 4  # blocks, whose memory is asked for to be written and so is not fetched twice
 FREE = 2048  # rows for which it pays to free the interpreter lock
+MUCH = 200_000  # numbers that are worth asking whether a second thread pays
 _HEAD = object.__basicsize__
-DATA, NDIM, LENGTHS, FLAGS = (_HEAD + n for n in (0, 8, 16, 48))  # where numpy's header has them
-USABLE = 0x0001 | 0x0100  # C order, aligned
+KIND = _HEAD - 8  # where an object has its class
+DATA, NDIM, LENGTHS, DTYPE, FLAGS = (_HEAD + n for n in (0, 8, 16, 40, 48))  # as numpy's header does
+USABLE, WRITEABLE = 0x0001 | 0x0100, 0x0400  # C order, aligned
 BYTES = {"double": 8, "float": 4}
+NUMBERS = {"double": 12, "float": 11}  # of numpy's types
+MOST = 64  # axes of an array of numpy's
+NUMPY = {"PyArray_New": 93, "PyArray_Return": 76}  # the places in its table of functions
 HALVES = vector("float", WIDTH)
 
 Function = Callable[..., int]
@@ -51,19 +55,29 @@ def available() -> bool:
         return False
     if not machine_code.available():
         return False
-    probe = np.zeros((3, 5))
+    probe, number = np.zeros((3, 5)), 0.75
 
     def read(offset: int, kind: Any) -> int:
         return int(kind.from_address(id(probe) + offset).value)
 
     address = probe.__array_interface__["data"][0]
     lengths = read(LENGTHS, ctypes.c_size_t)
+    flags = USABLE | WRITEABLE
     return (
-        read(DATA, ctypes.c_size_t) == address
+        read(KIND, ctypes.c_size_t) == id(np.ndarray)
+        and read(DATA, ctypes.c_size_t) == address
         and read(NDIM, ctypes.c_int) == 2
         and [ctypes.c_ssize_t.from_address(lengths + 8 * n).value for n in (0, 1)] == [3, 5]
-        and read(FLAGS, ctypes.c_int) & USABLE == USABLE
+        and read(DTYPE, ctypes.c_size_t) == id(probe.dtype)
+        and read(FLAGS, ctypes.c_int) & flags == flags
+        and ctypes.c_double.from_address(id(number) + _HEAD).value == number
     )
+
+
+def _place(slot: Any) -> int:
+    """Return how many bytes into an object a slot of its class lies, by its descriptor."""
+    described = ctypes.c_void_p.from_address(id(slot) + _HEAD + 24).value or 0
+    return int(ctypes.c_ssize_t.from_address(described + 16).value)
 
 
 @cache
@@ -72,8 +86,15 @@ def introduce() -> None:
     system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
     for name in LIBRARY:
         machine_code.introduce(f"rotation_{name}", _address(getattr(system, name)))
-    for name in ("PyLong_FromLong", "PyEval_SaveThread", "PyEval_RestoreThread"):
+    python = ("PyBool_FromLong", "PyType_GenericAlloc", "Py_IncRef", "Py_DecRef")
+    for name in (*python, "PyEval_SaveThread", "PyEval_RestoreThread"):
         machine_code.introduce(name, _address(getattr(ctypes.pythonapi, name)))
+    opened = ctypes.pythonapi.PyCapsule_GetPointer
+    opened.restype, opened.argtypes = ctypes.c_void_p, (ctypes.py_object, ctypes.c_char_p)
+    table = opened(np._core._multiarray_umath._ARRAY_API, None)  # type: ignore[attr-defined]
+    for name, number in NUMPY.items():
+        address = ctypes.c_void_p.from_address(table + 8 * number).value
+        machine_code.introduce(name, address or 0)
     if not machine_code.processor_has("fma") and "fma" in vars(tracing):
         del tracing.fma
 
@@ -88,10 +109,17 @@ def assembled(
     parameters: tuple[Any, ...],
     single: tuple[int, ...],
     words: tuple[str, ...],
+    slot: Any,
 ) -> tuple[Function, Shape, int]:
-    """Return the function ``f(*arrays, out)`` that fills ``out`` with ``formula(*arrays, *parameters)``.
+    """Return the function ``f(where, *arrays)`` that computes ``formula(*arrays, *parameters)``.
 
-    Second comes the shape of a row of ``out``, third how many steps eight rows take.
+    ``where`` is None for a new array, or a class, for an object of it that holds that, read-only. The answer
+    is None where nothing was made: the arrays are not such as it reads (numpy's, of the types said, in C
+    order and aligned, each of the same batch or of one row without a batch; a float of Python is an array of
+    no axes), the result has more than `MUCH` numbers, or the formula had something to `tell`.
+    An array for ``where`` is filled, however many numbers it has; the answer is whether something was told.
+
+    Second comes the shape of a row of the result, third how many steps eight rows take.
 
     Parameters
     ----------
@@ -102,19 +130,32 @@ def assembled(
     words : tuple of str
         LLVM's word for the numbers of each array, and last of the result: ``double`` or ``float``. All is
         computed in double.
+    slot : descriptor
+        What holds the array in an object of a class.
     """
     with machine_code.lock:
         introduce()
         block, row = _block(formula, shapes, parameters, single, words)
-        sizes = [int(np.prod(shape)) for shape in (*shapes, row)]
-        text = module(block, _elements(), _entry(sizes, single, words))
+        text = module(block, _product(), _alike(), _entry((*shapes, row), single, words, _place(slot)))
         address = machine_code.compiled(text, "entry")
     method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype = ctypes.py_object
     make.argtypes = (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
-    function = make(ctypes.addressof(method), method, None)  # it keeps its ``self`` alive
+    _methods.append(method)
+    function = make(ctypes.addressof(method), _known()[0], None)
     return function, row, len(block.lines)
+
+
+_methods: list[_Method] = []  # functions have their addresses
+
+
+@cache
+def _known() -> tuple[Any, Any]:
+    """Return an array of the addresses of what programs compare with, and what is to be kept for that."""
+    one = np.zeros(())  # stands for a float of Python, whose number lies elsewhere
+    things = (np.ndarray, float, None, one, np.dtype(np.float64), np.dtype(np.float32))
+    return np.array([id(thing) for thing in things]), things
 
 
 # --- eight rows ----------------------------------------------------------------------------------
@@ -220,58 +261,140 @@ def _store_few(program: Program, names: list[str], word: str) -> None:
     ((whole, length),) = parts
     order = [c * WIDTH + r for r in range(WIDTH) for c in range(width)]
     kind = vector(word, length)
-    program.store(kind, program.shuffled(kind, whole, "poison", order), "%out", BYTES[word])
+    rows, few = program.shuffled(kind, whole, "poison", order), 16 // BYTES[word]
+    for n in range(0, length, few):
+        piece = program.shuffled(kind, rows, "poison", range(n, n + few))
+        program.do(f"store volatile {vector(word, few)} {piece}, ptr {program.at(word, chr(37)+chr(111)+chr(117)+chr(116), n)}, align {BYTES[word]}")
 
 
 # --- all rows ------------------------------------------------------------------------------------
 
 
-def _elements() -> Code:
-    """Write the function that tells how many numbers an array has."""
-    code = Code("internal i64 @elements(ptr %array)")
-    dimensions = code.load("i32", code.at("i8", "%array", NDIM))
-    lengths = code.load("ptr", code.at("i8", "%array", LENGTHS))
+def _product() -> Code:
+    """Write the function that multiplies lengths: how many rows there are, or numbers."""
+    code = Code("internal i64 @product(ptr %lengths, i64 %count)")
 
     def length(i: str, size: str) -> list[str]:
-        return [code.value(f"mul i64 {size}, {code.load('i64', code.at('i64', lengths, i))}")]
+        return [code.value(f"mul i64 {size}, {code.load('i64', code.at('i64', '%lengths', i))}")]
 
-    count = code.value(f"sext i32 {dimensions} to i64")
-    (size,) = code.loop("0", count, length, first=[("i64", "1")])
+    (size,) = code.loop("0", "%count", length, first=[("i64", "1")])
     code.end(f"i64 {size}")
     return code
 
 
-def _entry(sizes: list[int], single: tuple[int, ...], words: tuple[str, ...]) -> Code:
+def _alike() -> Code:
+    """Write the function that tells whether lengths are the same."""
+    code = Code("internal i1 @alike(ptr %a, ptr %b, i64 %count)")
+
+    def length(i: str, same: str) -> list[str]:
+        a, b = (code.load("i64", code.at("i64", lengths, i)) for lengths in ("%a", "%b"))
+        return [code.value(f"and i1 {same}, {code.value(f'icmp eq i64 {a}, {b}')}")]
+
+    (same,) = code.loop("0", "%count", length, first=[("i1", "true")])
+    code.end(f"i1 {same}")
+    return code
+
+
+def _entry(
+    shapes: tuple[Shape, ...], single: tuple[int, ...], words: tuple[str, ...], slot: int
+) -> Code:
     """Write the builtin: it reads the arrays' headers and runs through blocks of eight rows.
 
     The rows left over at the end go through a buffer, as does the one row of an array that is the same
     for all, but of those that always have one row: the block itself spreads them.
     """
     code = Code("ptr @entry(ptr %self, ptr %args, i64 %nargs)")
-    v = code.value
+    v, count = code.value, len(shapes) - 1
+    sizes = [int(np.prod(shape)) for shape in shapes]
     bytes_of = [n * BYTES[word] for n, word in zip(sizes, words, strict=True)]  # of one row
-    arrays = code.entries("ptr", "%args", len(sizes))
-    data = [code.load("ptr", code.at("i8", array, DATA)) for array in arrays]
-    moving = [n for n in range(len(sizes) - 1) if n not in single]
+    moving = [n for n in range(count) if n not in single]
     buffers = [code.room(vector(w, n * WIDTH)) for n, w in zip(sizes, words, strict=True)]
-    counts = [
-        v(f"sdiv i64 {code.once(f'call i64 @elements(ptr {array})')}, {size}")
-        for array, size in zip(arrays, sizes, strict=True)
-    ]
-    bits = [code.load("i32", code.at("i8", array, FLAGS)) for array in arrays]
-    usable = [v(f"icmp eq i32 {v(f'and i32 {b}, {USABLE}')}, {USABLE}") for b in bits]
-    rows, good, moves = counts[-1], usable[-1], list[str]()
-    for n in range(len(sizes) - 1):
-        moves.append(v(f"icmp eq i64 {counts[n]}, {rows}"))
-        one = v(f"icmp eq i64 {counts[n]}, 1")
-        fits = one if n in single else v(f"or i1 {moves[n]}, {one}")
-        good = v(f"and i1 {good}, {v(f'and i1 {fits}, {usable[n]}')}")
-    fixed = [v(f"xor i1 {same}, true") for same in moves]
+    lengths = code.room(f"[{MOST + len(shapes[-1])} x i64]")
+    known = code.entries("ptr", code.load("ptr", code.at("i8", "%self", DATA)), 6)
+    ndarray, number, none, one = known[:4]
+    dtypes = dict(zip(BYTES, known[4:], strict=True))
 
-    def number(x: str) -> str:
-        return f"ptr {code.call('ptr', 'PyLong_FromLong', ('i64', x))}"
+    def every(*conditions: str) -> str:
+        return reduce(lambda a, b: v(f"and i1 {a}, {b}"), conditions, "true")
 
-    code.leave(v(f"xor i1 {good}, true"), lambda: number("1"))
+    def nothing() -> str:
+        code.call("void", "Py_IncRef", ("ptr", none))
+        return f"ptr {none}"
+
+    def require(*conditions: str) -> None:
+        code.leave(v(f"xor i1 {every(*conditions)}, true"), nothing)
+
+    def is_a(thing: str, kind: str) -> str:
+        return v(f"icmp eq ptr {code.load('ptr', code.at('i8', thing, KIND))}, {kind}")
+
+    def header(array: str, word: str) -> tuple[str, str, str]:
+        """Return how many axes there are, where their lengths lie, and whether all is as it is read."""
+        axes = v(f"sext i32 {code.load('i32', code.at('i8', array, NDIM))} to i64")
+        bits = v(f"and i32 {code.load('i32', code.at('i8', array, FLAGS))}, {USABLE}")
+        dtype = code.load("ptr", code.at("i8", array, DTYPE))
+        fits = every(v(f"icmp eq i32 {bits}, {USABLE}"), v(f"icmp eq ptr {dtype}, {dtypes[word]}"))
+        return axes, code.load("ptr", code.at("i8", array, LENGTHS)), fits
+
+    require(v(f"icmp eq i64 %nargs, {count + 1}"))
+    where, *arrays = code.entries("ptr", "%args", count + 1)
+    filling = is_a(where, ndarray)
+    data, right = [""] * count, list[str]()
+    floats = {n: is_a(arrays[n], number) for n in range(count) if (shapes[n], words[n]) == ((), "double")}
+    for n, array in enumerate(arrays):
+        readable = is_a(array, ndarray)
+        if n in floats:
+            readable = v(f"or i1 {readable}, {floats[n]}")
+            data[n] = code.at("i8", array, _HEAD)
+            arrays[n] = v(f"select i1 {floats[n]}, ptr {one}, ptr {array}")
+        right.append(readable)
+    require(*right)
+    batches, places, right = list[str](), list[str](), list[str]()
+    for n, (array, shape, word) in enumerate(zip(arrays, shapes, words, strict=False)):
+        axes, place, fits = header(array, word)
+        batches.append(v(f"sub i64 {axes}, {len(shape)}"))
+        places.append(place)
+        right += [fits, v(f"icmp sge i64 {batches[n]}, 0")]
+        here = code.load("ptr", code.at("i8", array, DATA))
+        data[n] = v(f"select i1 {floats[n]}, ptr {data[n]}, ptr {here}") if n in floats else here
+    require(*right)
+    batch, start = batches[moving[0]], places[moving[0]]  # of the result
+    for n in moving[1:]:
+        more = v(f"icmp sgt i64 {batches[n]}, {batch}")
+        batch = v(f"select i1 {more}, i64 {batches[n]}, i64 {batch}")
+        start = v(f"select i1 {more}, ptr {places[n]}, ptr {start}")
+    fixed, right = list[str](), list[str]()
+    for own, place, shape in zip(batches, places, shapes, strict=False):
+        for k, length in enumerate(shape):
+            found = code.load("i64", code.at("i64", code.at("i64", place, own), k))
+            right.append(v(f"icmp eq i64 {found}, {length}"))
+        fixed.append(v(f"icmp eq i64 {own}, 0"))
+    for n in range(count):
+        if n in single:
+            right.append(fixed[n])
+        elif len(moving) > 1:
+            same = code.once(f"call i1 @alike(ptr {places[n]}, ptr {start}, i64 {batches[n]})")
+            same = every(same, v(f"icmp eq i64 {batches[n]}, {batch}"))
+            right.append(v(f"or i1 {fixed[n]}, {same}"))
+    rows = code.once(f"call i64 @product(ptr {start}, i64 {batch})")
+    total = v(f"mul i64 {rows}, {sizes[-1]}")
+    require(*right)
+
+    def new() -> str:
+        require(v(f"icmp sle i64 {total}, {MUCH}"))
+        code.copy(lengths, start, v(f"mul i64 {batch}, 8"))
+        for k, length in enumerate(shapes[-1]):
+            code.store("i64", str(length), code.at("i64", code.at("i64", lengths, batch), k))
+        axes = v(f"trunc i64 {v(f'add i64 {batch}, {len(shapes[-1])}')} to i32")
+        kind = [("ptr", ndarray), ("i32", axes), ("ptr", lengths), ("i32", str(NUMBERS[words[-1]]))]
+        rest = [("ptr", "null"), ("ptr", "null"), ("i32", "0"), ("i32", "0"), ("ptr", "null")]
+        made = code.call("ptr", "PyArray_New", *kind, *rest)
+        code.leave(v(f"icmp eq ptr {made}, null"), lambda: "ptr null")
+        return made
+
+    (out,) = code.when(v(f"xor i1 {filling}, true"), lambda: [("ptr", new(), where)])
+    axes, place, fits = header(out, words[-1])
+    require(fits, v(f"icmp eq i64 {code.once(f'call i64 @product(ptr {place}, i64 {axes})')}, {total}"))
+    data.append(code.load("ptr", code.at("i8", out, DATA)))
 
     def spread(n: int, start: str) -> None:
         for row in range(WIDTH):
@@ -294,7 +417,8 @@ def _entry(sizes: list[int], single: tuple[int, ...], words: tuple[str, ...]) ->
 
         def partly() -> None:
             for n, start in zip(moving, here, strict=True):
-                code.when(moves[n], lambda n=n, s=start: filled(n, s))  # type: ignore[misc]
+                moves = v(f"xor i1 {fixed[n]}, true")
+                code.when(moves, lambda n=n, s=start: filled(n, s))  # type: ignore[misc]
 
         code.when(few, partly)
         sources = list(data[:-1])
@@ -310,5 +434,22 @@ def _entry(sizes: list[int], single: tuple[int, ...], words: tuple[str, ...]) ->
 
     (told,) = code.loop("0", rows, turn, WIDTH, [("i1", "false")])
     code.when(long, lambda: code.call("void", "PyEval_RestoreThread", ("ptr", state)))
-    code.end(number(v(f"select i1 {told}, i64 2, i64 0")))
+
+    def dropped(result: Callable[[], str]) -> str:
+        code.call("void", "Py_DecRef", ("ptr", out))
+        return result()
+
+    def answer() -> str:
+        return f"ptr {code.call('ptr', 'PyBool_FromLong', ('i64', v(f'zext i1 {told} to i64')))}"
+
+    code.leave(filling, answer)
+    code.leave(told, lambda: dropped(nothing))
+    plain = v(f"icmp eq ptr {where}, {none}")
+    code.leave(plain, lambda: f"ptr {code.call('ptr', 'PyArray_Return', ('ptr', out))}")
+    bits = code.at("i8", out, FLAGS)
+    code.store("i32", v(f"and i32 {code.load('i32', bits)}, {~WRITEABLE}"), bits)
+    holder = code.call("ptr", "PyType_GenericAlloc", ("ptr", where), ("i64", "0"))
+    code.leave(v(f"icmp eq ptr {holder}, null"), lambda: dropped(lambda: "ptr null"))
+    code.store("ptr", out, code.at("i8", holder, slot))
+    code.end(f"ptr {holder}")
     return code
