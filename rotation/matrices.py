@@ -318,7 +318,7 @@ def _nearest(xp: Any, m: Array) -> Array:
 
 
 def _proper(u: Array, s: Array, vt: Array) -> Array:
-    """Values and vectors of matrices ``u·s·vt`` with signs for which ``u·vt`` is a rotation: u, below it s."""
+    """Return u, and s below it, of matrices ``u·s·vt``, with signs by which ``u·vt`` is a rotation."""
     xp = namespace(u)
     mirrored = _determinant(_entries(u)) * _determinant(_entries(vt)) < 0.0
     rows = [(a, b, xp.where(mirrored, -c, c)) for a, b, c in (*_entries(u), split(s))]

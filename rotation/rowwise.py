@@ -17,9 +17,10 @@ import numpy as np
 from hfield.compiling import machine_code
 from hfield.compiling.memory import LARGE, block, in_one_piece
 from hfield.compiling.threads import in_pieces
-from rotation.namespaces import Array, quiet
 from rotation.immutable_arrays import ImmutableArray
+from rotation.namespaces import Array, quiet
 from rotation.native import builtins, tensors
+from rotation.native.entry import MUCH
 from rotation.pool import threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
@@ -102,7 +103,7 @@ class Formula:
         return self._told(arrays) if made is None else (made, False)
 
     def _told(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
-        """Do what `told` does with arrays that the machine code does not take as they are, or before it is there."""
+        """Do what `told` does where the machine code does not, or is not there yet."""
         batch: tuple[int, ...] = ()
         for a, axes, kind in zip(arrays, self._axes, self._kinds, strict=True):
             if type(a) is not np.ndarray or a.dtype is not kind:
@@ -115,7 +116,7 @@ class Formula:
             return self._plainly(arrays), True
         out = np.empty(batch + self._row, self._kind)
         straight = self._straightened(arrays, batch)
-        if out.size > builtins.MUCH:
+        if out.size > MUCH:
             if out.nbytes >= LARGE:
                 out = block(out.shape, self._kind.str)[0]
             told = self._shared(function, straight, out)
@@ -147,7 +148,9 @@ class Formula:
         for a, shape in zip(arrays, self._shapes, strict=True):
             own = a.shape[: a.ndim - len(shape)]
             one = all(n == 1 for n in own)
-            straight.append(in_one_piece(a.reshape(shape), shape) if one else in_one_piece(a, batch + shape))
+            straight.append(
+                in_one_piece(a.reshape(shape), shape) if one else in_one_piece(a, batch + shape)
+            )
         return straight
 
     def _shared(self, function: Callable[..., bool], arrays: list[Array], out: Array) -> bool:
@@ -167,7 +170,7 @@ class Formula:
             )
 
         threads()  # a wrong number is an error of ours
-        return in_pieces(work, rows, _ROWS, self._shortest, (flat, result))
+        return bool(in_pieces(work, rows, _ROWS, self._shortest, (flat, result)))
 
     def _elsewhere(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
         """Compute on arrays stored otherwise, or of other libraries: tensors in memory as numpy's are."""

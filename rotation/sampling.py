@@ -17,8 +17,11 @@ def as_shape(shape: int | Sequence[int] | None) -> tuple[int, ...]:
     if shape is None:
         return ()
     try:
-        several = isinstance(shape, Sequence)
-        batch = tuple(map(operator.index, shape)) if several else (operator.index(shape),)
+        batch = (
+            tuple(map(operator.index, shape))
+            if isinstance(shape, Sequence)
+            else (operator.index(shape),)
+        )
     except TypeError:
         batch = (-1,)
     if min(batch, default=0) < 0:

@@ -141,7 +141,7 @@ def remaining(q: Array, a: Array, b: Array, w: Array) -> Array:
 
 
 _LENGTH = Formula(lambda v: length(namespace(v), split(v)), (3,))
-_TIMES = Formula(lambda v, w: join(namespace(v), [w[...] * c for c in split(v)]), (3,), ())
+_TIMES = Formula(lambda v, w: join(namespace(v), tuple(w[...] * c for c in split(v))), (3,), ())
 
 
 def _weights(xp: Any, weights: Any, vectors: Array) -> Array:

@@ -10,7 +10,7 @@ import ctypes
 import os
 import sys
 from collections.abc import Callable
-from functools import cache, reduce
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -18,23 +18,30 @@ import numpy as np
 from hfield.compiling import machine_code
 from hfield.compiling.instructions import Code, module, vector
 from rotation.native import tracing
+from rotation.native.entry import (
+    DATA,
+    DTYPE,
+    FLAGS,
+    HEAD,
+    KIND,
+    LENGTHS,
+    NDIM,
+    USABLE,
+    WRITEABLE,
+    Entry,
+    Shape,
+    alike,
+    product,
+)
 from rotation.native.symbols import LIBRARY, WIDTH, Lanes, Program, Rows
 
 AHEAD = 4  # blocks, whose memory is asked for to be written and so is not fetched twice
 FREE = 2048  # rows for which it pays to free the interpreter lock
-MUCH = 200_000  # numbers that are worth asking whether a second thread pays
-_HEAD = object.__basicsize__
-KIND = _HEAD - 8  # where an object has its class
-DATA, NDIM, LENGTHS, DTYPE, FLAGS = (_HEAD + n for n in (0, 8, 16, 40, 48))  # as numpy's header does
-USABLE, WRITEABLE = 0x0001 | 0x0100, 0x0400  # C order, aligned
 BYTES = {"double": 8, "float": 4}
-NUMBERS = {"double": 12, "float": 11}  # of numpy's types
-MOST = 64  # axes of an array of numpy's
 NUMPY = {"PyArray_New": 93, "PyArray_Return": 76}  # the places in its table of functions
 HALVES = vector("float", WIDTH)
 
-Function = Callable[..., int]
-Shape = tuple[int, ...]
+Function = Callable[..., Any]
 
 
 class _Method(ctypes.Structure):
@@ -70,13 +77,13 @@ def available() -> bool:
         and [ctypes.c_ssize_t.from_address(lengths + 8 * n).value for n in (0, 1)] == [3, 5]
         and read(DTYPE, ctypes.c_size_t) == id(probe.dtype)
         and read(FLAGS, ctypes.c_int) & flags == flags
-        and ctypes.c_double.from_address(id(number) + _HEAD).value == number
+        and ctypes.c_double.from_address(id(number) + HEAD).value == number
     )
 
 
 def _place(slot: Any) -> int:
     """Return how many bytes into an object a slot of its class lies, by its descriptor."""
-    described = ctypes.c_void_p.from_address(id(slot) + _HEAD + 24).value or 0
+    described = ctypes.c_void_p.from_address(id(slot) + HEAD + 24).value or 0
     return int(ctypes.c_ssize_t.from_address(described + 16).value)
 
 
@@ -136,7 +143,10 @@ def assembled(
     with machine_code.lock:
         introduce()
         block, row = _block(formula, shapes, parameters, single, words)
-        text = module(block, _product(), _alike(), _entry((*shapes, row), single, words, _place(slot)))
+        whole = (*shapes, row)
+        moving = [n for n in range(len(shapes)) if n not in single]
+        entry = Entry(whole, moving, words, _place(slot))
+        text = module(block, product(), alike(), _rows(whole, moving, words), entry)
         address = machine_code.compiled(text, "entry")
     method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
     make = ctypes.pythonapi.PyCFunction_NewEx
@@ -152,7 +162,7 @@ _methods: list[_Method] = []  # functions have their addresses
 
 @cache
 def _known() -> tuple[Any, Any]:
-    """Return an array of the addresses of what programs compare with, and what is to be kept for that."""
+    """Return an array of the addresses of what an `Entry` knows, and what is to be kept for that."""
     one = np.zeros(())  # stands for a float of Python, whose number lies elsewhere
     things = (np.ndarray, float, None, one, np.dtype(np.float64), np.dtype(np.float32))
     return np.array([id(thing) for thing in things]), things
@@ -244,7 +254,10 @@ def _transposed(program: Program, columns: list[str], kind: str) -> list[str]:
 
 
 def _store_few(program: Program, names: list[str], word: str) -> None:
-    """Write fewer than eight columns in one piece."""
+    """Write fewer than eight columns, in pieces of 16 bytes, the least that numpy aligns memory to.
+
+    What crosses the end of a line of memory takes five times as long, so LLVM may not join them.
+    """
     width = len(names)
     parts = [(n, WIDTH) for n in names]
     while len(parts) > 1:  # joined in pairs; the last one may stay over
@@ -264,152 +277,41 @@ def _store_few(program: Program, names: list[str], word: str) -> None:
     rows, few = program.shuffled(kind, whole, "poison", order), 16 // BYTES[word]
     for n in range(0, length, few):
         piece = program.shuffled(kind, rows, "poison", range(n, n + few))
-        program.do(f"store volatile {vector(word, few)} {piece}, ptr {program.at(word, chr(37)+chr(111)+chr(117)+chr(116), n)}, align {BYTES[word]}")
+        place = program.at(word, "%out", n)
+        program.do(f"store volatile {vector(word, few)} {piece}, ptr {place}, align {BYTES[word]}")
 
 
 # --- all rows ------------------------------------------------------------------------------------
 
 
-def _product() -> Code:
-    """Write the function that multiplies lengths: how many rows there are, or numbers."""
-    code = Code("internal i64 @product(ptr %lengths, i64 %count)")
+def _rows(shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...]) -> Code:
+    """Write the function that runs through blocks of eight rows; it returns whether one told something.
 
-    def length(i: str, size: str) -> list[str]:
-        return [code.value(f"mul i64 {size}, {code.load('i64', code.at('i64', '%lengths', i))}")]
-
-    (size,) = code.loop("0", "%count", length, first=[("i64", "1")])
-    code.end(f"i64 {size}")
-    return code
-
-
-def _alike() -> Code:
-    """Write the function that tells whether lengths are the same."""
-    code = Code("internal i1 @alike(ptr %a, ptr %b, i64 %count)")
-
-    def length(i: str, same: str) -> list[str]:
-        a, b = (code.load("i64", code.at("i64", lengths, i)) for lengths in ("%a", "%b"))
-        return [code.value(f"and i1 {same}, {code.value(f'icmp eq i64 {a}, {b}')}")]
-
-    (same,) = code.loop("0", "%count", length, first=[("i1", "true")])
-    code.end(f"i1 {same}")
-    return code
-
-
-def _entry(
-    shapes: tuple[Shape, ...], single: tuple[int, ...], words: tuple[str, ...], slot: int
-) -> Code:
-    """Write the builtin: it reads the arrays' headers and runs through blocks of eight rows.
-
-    The rows left over at the end go through a buffer, as does the one row of an array that is the same
-    for all, but of those that always have one row: the block itself spreads them.
+    It takes the number of rows, for each array where its numbers lie and whether it has one row for all,
+    and where to write. The rows left over at the end go through a buffer, as does the one row of an array
+    that is the same for all, but of those that always have one row: the block itself spreads them.
     """
-    code = Code("ptr @entry(ptr %self, ptr %args, i64 %nargs)")
-    v, count = code.value, len(shapes) - 1
     sizes = [int(np.prod(shape)) for shape in shapes]
     bytes_of = [n * BYTES[word] for n, word in zip(sizes, words, strict=True)]  # of one row
-    moving = [n for n in range(count) if n not in single]
+    given = "".join(f", ptr %in{n}, i1 %one{n}" for n in range(len(sizes) - 1))
+    code = Code(f"internal i1 @rows(i64 %count{given}, ptr %out)")
+    v = code.value
     buffers = [code.room(vector(w, n * WIDTH)) for n, w in zip(sizes, words, strict=True)]
-    lengths = code.room(f"[{MOST + len(shapes[-1])} x i64]")
-    known = code.entries("ptr", code.load("ptr", code.at("i8", "%self", DATA)), 6)
-    ndarray, number, none, one = known[:4]
-    dtypes = dict(zip(BYTES, known[4:], strict=True))
-
-    def every(*conditions: str) -> str:
-        return reduce(lambda a, b: v(f"and i1 {a}, {b}"), conditions, "true")
-
-    def nothing() -> str:
-        code.call("void", "Py_IncRef", ("ptr", none))
-        return f"ptr {none}"
-
-    def require(*conditions: str) -> None:
-        code.leave(v(f"xor i1 {every(*conditions)}, true"), nothing)
-
-    def is_a(thing: str, kind: str) -> str:
-        return v(f"icmp eq ptr {code.load('ptr', code.at('i8', thing, KIND))}, {kind}")
-
-    def header(array: str, word: str) -> tuple[str, str, str]:
-        """Return how many axes there are, where their lengths lie, and whether all is as it is read."""
-        axes = v(f"sext i32 {code.load('i32', code.at('i8', array, NDIM))} to i64")
-        bits = v(f"and i32 {code.load('i32', code.at('i8', array, FLAGS))}, {USABLE}")
-        dtype = code.load("ptr", code.at("i8", array, DTYPE))
-        fits = every(v(f"icmp eq i32 {bits}, {USABLE}"), v(f"icmp eq ptr {dtype}, {dtypes[word]}"))
-        return axes, code.load("ptr", code.at("i8", array, LENGTHS)), fits
-
-    require(v(f"icmp eq i64 %nargs, {count + 1}"))
-    where, *arrays = code.entries("ptr", "%args", count + 1)
-    filling = is_a(where, ndarray)
-    data, right = [""] * count, list[str]()
-    floats = {n: is_a(arrays[n], number) for n in range(count) if (shapes[n], words[n]) == ((), "double")}
-    for n, array in enumerate(arrays):
-        readable = is_a(array, ndarray)
-        if n in floats:
-            readable = v(f"or i1 {readable}, {floats[n]}")
-            data[n] = code.at("i8", array, _HEAD)
-            arrays[n] = v(f"select i1 {floats[n]}, ptr {one}, ptr {array}")
-        right.append(readable)
-    require(*right)
-    batches, places, right = list[str](), list[str](), list[str]()
-    for n, (array, shape, word) in enumerate(zip(arrays, shapes, words, strict=False)):
-        axes, place, fits = header(array, word)
-        batches.append(v(f"sub i64 {axes}, {len(shape)}"))
-        places.append(place)
-        right += [fits, v(f"icmp sge i64 {batches[n]}, 0")]
-        here = code.load("ptr", code.at("i8", array, DATA))
-        data[n] = v(f"select i1 {floats[n]}, ptr {data[n]}, ptr {here}") if n in floats else here
-    require(*right)
-    batch, start = batches[moving[0]], places[moving[0]]  # of the result
-    for n in moving[1:]:
-        more = v(f"icmp sgt i64 {batches[n]}, {batch}")
-        batch = v(f"select i1 {more}, i64 {batches[n]}, i64 {batch}")
-        start = v(f"select i1 {more}, ptr {places[n]}, ptr {start}")
-    fixed, right = list[str](), list[str]()
-    for own, place, shape in zip(batches, places, shapes, strict=False):
-        for k, length in enumerate(shape):
-            found = code.load("i64", code.at("i64", code.at("i64", place, own), k))
-            right.append(v(f"icmp eq i64 {found}, {length}"))
-        fixed.append(v(f"icmp eq i64 {own}, 0"))
-    for n in range(count):
-        if n in single:
-            right.append(fixed[n])
-        elif len(moving) > 1:
-            same = code.once(f"call i1 @alike(ptr {places[n]}, ptr {start}, i64 {batches[n]})")
-            same = every(same, v(f"icmp eq i64 {batches[n]}, {batch}"))
-            right.append(v(f"or i1 {fixed[n]}, {same}"))
-    rows = code.once(f"call i64 @product(ptr {start}, i64 {batch})")
-    total = v(f"mul i64 {rows}, {sizes[-1]}")
-    require(*right)
-
-    def new() -> str:
-        require(v(f"icmp sle i64 {total}, {MUCH}"))
-        code.copy(lengths, start, v(f"mul i64 {batch}, 8"))
-        for k, length in enumerate(shapes[-1]):
-            code.store("i64", str(length), code.at("i64", code.at("i64", lengths, batch), k))
-        axes = v(f"trunc i64 {v(f'add i64 {batch}, {len(shapes[-1])}')} to i32")
-        kind = [("ptr", ndarray), ("i32", axes), ("ptr", lengths), ("i32", str(NUMBERS[words[-1]]))]
-        rest = [("ptr", "null"), ("ptr", "null"), ("i32", "0"), ("i32", "0"), ("ptr", "null")]
-        made = code.call("ptr", "PyArray_New", *kind, *rest)
-        code.leave(v(f"icmp eq ptr {made}, null"), lambda: "ptr null")
-        return made
-
-    (out,) = code.when(v(f"xor i1 {filling}, true"), lambda: [("ptr", new(), where)])
-    axes, place, fits = header(out, words[-1])
-    require(fits, v(f"icmp eq i64 {code.once(f'call i64 @product(ptr {place}, i64 {axes})')}, {total}"))
-    data.append(code.load("ptr", code.at("i8", out, DATA)))
 
     def spread(n: int, start: str) -> None:
         for row in range(WIDTH):
             code.copy(code.at("i8", buffers[n], row * bytes_of[n]), start, bytes_of[n])
 
     for n in moving:
-        code.when(fixed[n], lambda n=n: spread(n, data[n]))  # type: ignore[misc]
-    long = v(f"icmp sge i64 {rows}, {FREE}")
+        code.when(f"%one{n}", lambda n=n: spread(n, f"%in{n}"))  # type: ignore[misc]
+    long = v(f"icmp sge i64 %count, {FREE}")
     (state,) = code.when(long, lambda: [("ptr", code.call("ptr", "PyEval_SaveThread"), "null")])
 
     def turn(i: str, told: str) -> list[str]:
-        left = v(f"sub i64 {rows}, {i}")
+        left = v(f"sub i64 %count, {i}")
         full = v(f"icmp sge i64 {left}, {WIDTH}")
         few = v(f"xor i1 {full}, true")
-        here = [code.at("i8", data[n], v(f"mul i64 {i}, {bytes_of[n]}")) for n in moving]
+        here = [code.at("i8", f"%in{n}", v(f"mul i64 {i}, {bytes_of[n]}")) for n in moving]
 
         def filled(n: int, start: str) -> None:
             spread(n, start)  # so that no row of the buffer is what nobody wrote
@@ -417,39 +319,22 @@ def _entry(
 
         def partly() -> None:
             for n, start in zip(moving, here, strict=True):
-                moves = v(f"xor i1 {fixed[n]}, true")
+                moves = v(f"xor i1 %one{n}, true")
                 code.when(moves, lambda n=n, s=start: filled(n, s))  # type: ignore[misc]
 
         code.when(few, partly)
-        sources = list(data[:-1])
+        sources = [f"%in{n}" for n in range(len(sizes) - 1)]
         for n, start in zip(moving, here, strict=True):
             row = v(f"select i1 {full}, ptr {start}, ptr {buffers[n]}")
-            sources[n] = v(f"select i1 {fixed[n]}, ptr {buffers[n]}, ptr {row}")
-        there = code.at("i8", data[-1], v(f"mul i64 {i}, {bytes_of[-1]}"))
+            sources[n] = v(f"select i1 %one{n}, ptr {buffers[n]}, ptr {row}")
+        there = code.at("i8", "%out", v(f"mul i64 {i}, {bytes_of[-1]}"))
         target = v(f"select i1 {full}, ptr {there}, ptr {buffers[-1]}")
-        given = ", ".join(f"ptr {x}" for x in (*sources, target))
-        told = v(f"or i1 {told}, {code.once(f'call i1 @block({given})')}")
+        passed = ", ".join(f"ptr {x}" for x in (*sources, target))
+        told = v(f"or i1 {told}, {code.once(f'call i1 @block({passed})')}")
         code.when(few, lambda: code.copy(there, buffers[-1], v(f"mul i64 {left}, {bytes_of[-1]}")))
         return [told]
 
-    (told,) = code.loop("0", rows, turn, WIDTH, [("i1", "false")])
+    (told,) = code.loop("0", "%count", turn, WIDTH, [("i1", "false")])
     code.when(long, lambda: code.call("void", "PyEval_RestoreThread", ("ptr", state)))
-
-    def dropped(result: Callable[[], str]) -> str:
-        code.call("void", "Py_DecRef", ("ptr", out))
-        return result()
-
-    def answer() -> str:
-        return f"ptr {code.call('ptr', 'PyBool_FromLong', ('i64', v(f'zext i1 {told} to i64')))}"
-
-    code.leave(filling, answer)
-    code.leave(told, lambda: dropped(nothing))
-    plain = v(f"icmp eq ptr {where}, {none}")
-    code.leave(plain, lambda: f"ptr {code.call('ptr', 'PyArray_Return', ('ptr', out))}")
-    bits = code.at("i8", out, FLAGS)
-    code.store("i32", v(f"and i32 {code.load('i32', bits)}, {~WRITEABLE}"), bits)
-    holder = code.call("ptr", "PyType_GenericAlloc", ("ptr", where), ("i64", "0"))
-    code.leave(v(f"icmp eq ptr {holder}, null"), lambda: dropped(lambda: "ptr null"))
-    code.store("ptr", out, code.at("i8", holder, slot))
-    code.end(f"ptr {holder}")
+    code.end(f"i1 {told}")
     return code
