@@ -44,14 +44,18 @@ HALVES = vector("float", WIDTH)
 Function = Callable[..., Any]
 
 
+_Known: Any = ctypes.py_object * 6
+
+
 class _Method(ctypes.Structure):
-    """CPython's PyMethodDef."""
+    """CPython's PyMethodDef, and behind it what an `Entry` knows."""
 
     _fields_ = (
         ("name", ctypes.c_char_p),
         ("address", ctypes.c_void_p),
         ("flags", ctypes.c_int),
         ("doc", ctypes.c_char_p),
+        ("known", _Known),
     )
 
 
@@ -148,24 +152,16 @@ def assembled(
         entry = Entry(whole, moving, words, _place(slot))
         text = module(block, product(), alike(), _rows(whole, moving, words), entry)
         address = machine_code.compiled(text, "entry")
-    method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
+    one = np.zeros(())  # stands for a float of Python, whose number lies elsewhere
+    things = (np.ndarray, float, None, one, np.dtype(np.float64), np.dtype(np.float32))
+    name = formula.__name__.encode()
+    method = _Method(name, address, 0x0080, None, _Known(*things))  # METH_FASTCALL
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype = ctypes.py_object
     make.argtypes = (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
-    _methods.append(method)
-    function = make(ctypes.addressof(method), _known()[0], None)
+    own = np.frombuffer(method, np.uint8)  # type: ignore[call-overload]  # programs read arrays
+    function = make(ctypes.addressof(method), own, None)  # it keeps its ``self`` alive
     return function, row, len(block.lines)
-
-
-_methods: list[_Method] = []  # functions have their addresses
-
-
-@cache
-def _known() -> tuple[Any, Any]:
-    """Return an array of the addresses of what an `Entry` knows, and what is to be kept for that."""
-    one = np.zeros(())  # stands for a float of Python, whose number lies elsewhere
-    things = (np.ndarray, float, None, one, np.dtype(np.float64), np.dtype(np.float32))
-    return np.array([id(thing) for thing in things]), things
 
 
 # --- eight rows ----------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ DATA, NDIM, LENGTHS, DTYPE, FLAGS = (HEAD + n for n in (0, 8, 16, 40, 48))
 USABLE, WRITEABLE = 0x0001 | 0x0100, 0x0400  # C order, aligned
 NUMBERS = {"double": 12, "float": 11}  # of numpy's types
 MOST = 64  # axes of an array of numpy's
+METHOD = 32  # bytes of a PyMethodDef
 
 Shape = tuple[int, ...]
 
@@ -31,7 +32,8 @@ class Entry(Code):
         super().__init__("ptr @entry(ptr %self, ptr %args, i64 %nargs)")
         (*shapes_in, self.row), self.word = shapes, words[-1]
         self.lengths = self.room(f"[{MOST} x i64]")
-        known = self.entries("ptr", self.load("ptr", self.at("i8", "%self", DATA)), 6)
+        method = self.load("ptr", self.at("i8", "%self", DATA))
+        known = self.entries("ptr", self.at("i8", method, METHOD), 6)
         self.ndarray, self.number, self.none, self.one = known[:4]
         self.dtypes = dict(zip(NUMBERS, known[4:], strict=True))
         self.require(self.value(f"icmp eq i64 %nargs, {len(shapes)}"))
@@ -130,7 +132,9 @@ class Entry(Code):
     def new(self, total: str, batch: str, start: str) -> str:
         """Return a new array for the values, unless it has too many numbers or axes."""
         v = self.value
-        self.require(v(f"icmp sle i64 {total}, {MUCH}"), v(f"icmp sle i64 {batch}, {MOST - len(self.row)}"))
+        self.require(
+            v(f"icmp sle i64 {total}, {MUCH}"), v(f"icmp sle i64 {batch}, {MOST - len(self.row)}")
+        )
         self.copy(self.lengths, start, v(f"mul i64 {batch}, 8"))
         for k, length in enumerate(self.row):
             place = self.at("i64", self.at("i64", self.lengths, batch), k)

@@ -157,14 +157,21 @@ def test_a_rotation_is_made_whole_and_of_the_class_of_the_left_one() -> None:
         (m**0.3, Marked, (5,)),
     ):
         q = made._q
-        assert type(made) is kind and made.shape == shape and type(q) is np.ndarray
-        assert q.flags.owndata and not q.flags.writeable and q.base is None
-        assert weakref.ref(made)() is made and gc.is_tracked(made)
+        assert type(made) is kind
+        assert made.shape == shape
+        assert type(q) is np.ndarray
+        assert q.flags.owndata
+        assert not q.flags.writeable
+        assert q.base is None
+        assert weakref.ref(made)() is made
+        assert gc.is_tracked(made)
         again = pickle.loads(pickle.dumps(made))
-        assert type(again) is kind and (again._q == q).all()
+        assert type(again) is kind
+        assert (again._q == q).all()
     made = m.inv()
     made.__dict__["note"] = "some"
-    assert made.note == "some" and Marked.note == "none"
+    assert made.note == "some"
+    assert Marked.note == "none"
 
 
 @compiled
@@ -200,7 +207,8 @@ def test_what_a_builtin_does_not_take_is_answered_by_none() -> None:
     assert [f(None, *given) for given in wrong] == [None] * len(wrong)
     assert [g(None, p, e) for e in (1, True, np.float32(1), "1", [0.5])] == [None] * 5
     much = np.ones((MUCH // 4 + 1, 4))
-    assert f(None, much, p[0]) is None and f(None, much[1:], p[0]) is not None
+    assert f(None, much, p[0]) is None
+    assert f(None, much[1:], p[0]) is not None
     assert f(np.empty((6, 3)), p, p) is f(np.empty((5, 4)), p, p) is None
     axes = np.ones((1,) * 63 + (4,))
     assert INVERSE(axes).ndim == INVERSE.function(None, axes).ndim == 64
