@@ -18,13 +18,13 @@ def as_shape(shape: int | Sequence[int] | None) -> tuple[int, ...]:
         return ()
     try:
         batch = (
-            tuple(map(operator.index, shape))
-            if isinstance(shape, Sequence)
-            else (operator.index(shape),)
+            (operator.index(shape),)
+            if isinstance(shape, int) or not isinstance(shape, Sequence)
+            else tuple(map(operator.index, shape))
         )
     except TypeError:
         batch = (-1,)
-    if min(batch, default=0) < 0:
+    if batch and min(batch) < 0:
         raise RotationError(
             f"shape {shape!r}: a number of rotations or a tuple of such numbers is expected"
         )

@@ -252,7 +252,7 @@ def _transposed(program: Program, columns: list[str], kind: str) -> list[str]:
 def _store_few(program: Program, names: list[str], word: str) -> None:
     """Write fewer than eight columns, in pieces of 16 bytes, the least that numpy aligns memory to.
 
-    What crosses the end of a line of memory takes five times as long, so LLVM may not join them.
+    A copy by pieces that cross the end of a line of memory takes twice as long, so LLVM may not join them.
     """
     width = len(names)
     parts = [(n, WIDTH) for n in names]
