@@ -1,16 +1,16 @@
 """An immutable array of unit quaternions: the half of `Rotation` that knows shapes and storage."""
 
 from collections.abc import Iterable, Sequence
-from sys import modules
 from typing import Any, Self
 
 import numpy as np
 
-from rotation import hints, pytrees
+from rotation import hints
 from rotation.arrays import precision
 from rotation.errors import DTypeError, ForeignArrayError, MemberError, RotationError
 from rotation.immutable_arrays import ImmutableArray
 from rotation.namespaces import Array, floats, is_numpy, namespace
+from rotation.pytrees import known
 
 new, hold = object.__new__, vars(ImmutableArray)["_q"].__set__
 
@@ -24,13 +24,11 @@ class Batch(ImmutableArray):
     @classmethod
     def _of(cls, q: Array) -> Self:
         """Wrap unit quaternions that nobody else will write to."""
-        if "jax" in modules or "torch" in modules:
-            pytrees.announce()
         self = new(cls)
         if type(q) is np.ndarray or isinstance(q, np.ndarray):
             q.setflags(False)  # type: ignore[call-arg]  # by position: three times as quick
         hold(self, q)
-        return self
+        return known(self)
 
     @classmethod
     def _stored(cls, q: Array, dtype: Any) -> Self:

@@ -317,6 +317,17 @@ def _nearest(xp: Any, m: Array) -> Array:
     return xp.where(finite, xp.matmul(u, vt), m)
 
 
+def _proper(u: Array, s: Array, vt: Array) -> Array:
+    """Return u, and s below it, of matrices ``u·s·vt``, with signs by which ``u·vt`` is a rotation."""
+    xp = namespace(u)
+    mirrored = _determinant(_entries(u)) * _determinant(_entries(vt)) < 0.0
+    rows = [(a, b, xp.where(mirrored, -c, c)) for a, b, c in (*_entries(u), split(s))]
+    return xp.stack([join(xp, row) for row in rows], axis=-2)
+
+
+PROPER = Formula(_proper, (3, 3), (3,), (3, 3))
+
+
 def _dominant_row(xp: Any, r: Entries) -> Coordinates:
     """A multiple of q: of the four rows of ``4·q·qᵀ`` the one with the largest diagonal entry.
 

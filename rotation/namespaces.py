@@ -205,7 +205,7 @@ def certainly(condition: Array) -> bool:
 def first_row(bad: Array) -> tuple[int, ...] | None:
     """Return the index of the first row where ``bad`` is true, or None."""
     xp = namespace(bad)
-    if not certainly(xp.any(bad)):
+    if not certainly(xp.any(bad) if bad.ndim else bad):
         return None
     return tuple(int(axis[0]) for axis in xp.nonzero(bad)) if bad.ndim else ()
 

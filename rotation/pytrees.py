@@ -7,33 +7,43 @@ is imported here.
 
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from importlib import import_module
 from typing import Any, TypeVar
 
 _modules = sys.modules
 _Class = TypeVar("_Class", bound=type)
-_kinds: list[tuple[type, tuple[str, ...]]] = []
-_announced: dict[str, int] = {"jax": 0, "torch": 0}  # how many of them are known there
+_Value = TypeVar("_Value")
+_Kind = tuple[type, tuple[str, ...]]
+_kinds: list[_Kind] = []
+_for_jax: list[_Kind] = []  # of which it has not been told
+_for_torch: list[_Kind] = []
 
 
 def holding(*names: str) -> Callable[[_Class], _Class]:
     """Say of a class which attributes hold its arrays, or containers of such; it has no others but None."""
 
     def noted(kind: _Class) -> _Class:
-        _kinds.append((kind, names))
+        for kinds in (_kinds, _for_jax, _for_torch):
+            kinds.append((kind, names))
         return kind
 
     return noted
 
 
-def announce() -> None:
-    """Make the classes known to those of the libraries that are there."""
-    for library, known in _announced.items():
-        if known < len(_kinds) and library in _modules:
-            register = _jax if library == "jax" else _torch
-            _announced[library] = len(_kinds)
-            for kind, names in _kinds[known:]:
-                register(kind, names)
+def known(value: _Value) -> _Value:
+    """Return a value, once the classes are known to those of the libraries that are there."""
+    if _for_jax and "jax" in _modules:
+        _announce(_for_jax, _jax)
+    if _for_torch and "torch" in _modules:
+        _announce(_for_torch, _torch)
+    return value
+
+
+def _announce(kinds: list[_Kind], register: Callable[[type, tuple[str, ...]], None]) -> None:
+    with suppress(IndexError):  # each is taken by one thread
+        while True:
+            register(*kinds.pop())
 
 
 def _parts(names: tuple[str, ...]) -> Callable[[Any], tuple[Any, ...]]:

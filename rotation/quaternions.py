@@ -79,6 +79,8 @@ def product(p: Array, q: Array) -> Array:
     """
     if not type(p) is type(q) is np.ndarray:
         namespace(p, q)  # of two libraries it raises
+    if p.shape != q.shape:
+        common_batch(left=tuple(p.shape[:-1]), right=tuple(q.shape[:-1]))
     return PRODUCT(p, q)
 
 
@@ -174,15 +176,15 @@ def power(q: Array, exponent: Any) -> Array:
     RotationError
         A whole number beyond the largest float.
     """
-    return _raised(q, exponent, True)
+    return _raised(SHORTER_POWER, q, exponent)
 
 
 def direct_power(q: Array, exponent: Any) -> Array:
     """Return the power of unit quaternions (…, 4) as they stand: −q turns the long way round."""
-    return _raised(q, exponent, False)
+    return _raised(_POWER, q, exponent)
 
 
-def _raised(q: Array, exponent: Any, shorter: bool) -> Array:
+def _raised(formula: Formula, q: Array, exponent: Any) -> Array:
     if isinstance(exponent, int | float):
         exponent = namespace(q).asarray(
             number(exponent, "exponent"), dtype=None if type(q) is np.ndarray else q.dtype
@@ -190,7 +192,7 @@ def _raised(q: Array, exponent: Any, shorter: bool) -> Array:
     else:
         namespace(q, exponent)  # of two libraries it raises
         common_batch(rotations=tuple(q.shape[:-1]), exponents=tuple(getattr(exponent, "shape", ())))
-    raised = _POWER[shorter](q, exponent)
+    raised = formula(q, exponent)
     # What exponents are stored in does not decide for numpy; floats of Python are of every precision.
     return raised.astype(q.dtype, copy=False) if type(q) is np.ndarray else raised
 
@@ -210,7 +212,7 @@ def _power(q: Array, exponent: Array, shorter: bool) -> Array:
     return join(xp, (cosine, *(ratio * c for c in u)))
 
 
-_POWER = [Formula(_power, (4,), (), parameters=(shorter,)) for shorter in (False, True)]
+_POWER, SHORTER_POWER = (Formula(_power, (4,), (), parameters=(short,)) for short in (False, True))
 
 
 @quiet

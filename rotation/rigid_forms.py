@@ -1,7 +1,6 @@
 """Rigid motions from their forms and back: matrices, components, twists, dual quaternions, screws."""
 
 from collections.abc import Sequence
-from sys import modules
 from typing import Any, Self
 
 import numpy as np
@@ -32,8 +31,6 @@ class Forms(ImmutableArray):
     @classmethod
     def _of(cls, q: Array, t: Array) -> Self:
         """Wrap unit quaternions and translations that nobody else writes to, of shapes that broadcast."""
-        if "jax" in modules or "torch" in modules:
-            pytrees.announce()
         xp = namespace(q, t)
         batch = np.broadcast_shapes(tuple(q.shape[:-1]), tuple(t.shape[:-1]))
         self = object.__new__(cls)
@@ -44,7 +41,7 @@ class Forms(ImmutableArray):
                 array.flags.writeable = False
             object.__setattr__(self, name, array)
         object.__setattr__(self, "_matrix", None)
-        return self
+        return pytrees.known(self)
 
     @classmethod
     def _of_rows(cls, rows: Array) -> Self:

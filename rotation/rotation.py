@@ -1,7 +1,6 @@
 """`Rotation`: one rotation of space or a whole array of them, immutable, on any array library."""
 
 from collections.abc import Sequence
-from sys import modules
 from typing import Any, Self
 
 import numpy as np
@@ -9,16 +8,14 @@ import numpy as np
 from rotation import groups, hints, pytrees, quaternions, sampling
 from rotation.action import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW
 from rotation.arrays import common_batch, precision, real
-from rotation.batch import Batch, expect_rotations, hold, new
+from rotation.batch import Batch, expect_rotations
 from rotation.conversions import Conversions
 from rotation.errors import ForeignArrayError, RotationError
 from rotation.matrices import TO_MATRIX, to_matrix
 from rotation.namespaces import Array, expect_last, expect_numpy, floats, is_numpy, namespace, quiet
 from rotation.native import tensors
-from rotation.quaternions import INVERSE, PRODUCT
-from rotation.rowwise import FLOAT64, MUCH
-
-_ndarray, _empty = np.ndarray, np.empty
+from rotation.pytrees import known
+from rotation.quaternions import INVERSE, PRODUCT, SHORTER_POWER
 
 
 @pytrees.holding("_q")
@@ -178,26 +175,12 @@ class Rotation(Conversions):
     # The group
 
     def __mul__(self, other: object) -> Self:
-        if type(other) is type(self):  # one product is mostly calls of Python: there are none here
-            p, q = self._q, other._q
-            if type(p) is type(q) is _ndarray and p.dtype is q.dtype is FLOAT64:
-                shape, product = p.shape, PRODUCT.function
-                if product is not None and q.shape == shape and p.size <= MUCH:
-                    out = _empty(shape)
-                    if product(p, q, out) == 0:
-                        out.setflags(False)  # type: ignore[call-arg]  # as in Batch._of
-                        made = new(type(self))
-                        hold(made, out)
-                        if "jax" in modules or "torch" in modules:
-                            pytrees.announce()
-                        return made
         if not isinstance(other, Rotation):
             self._refuse_factor(other)
             return NotImplemented
         p, q = self._q, other._q
-        if p.shape != q.shape:
-            common_batch(left=self.shape, right=other.shape)
-        return self._of(quaternions.product(p, q))
+        made = PRODUCT.function(type(self), p, q)
+        return self._of(quaternions.product(p, q)) if made is None else known(made)
 
     def __pow__(self, exponent: Any) -> Self:
         if not isinstance(exponent, int | float):
@@ -205,16 +188,13 @@ class Rotation(Conversions):
         elif abs(exponent) == 1:  # nothing is rounded; the sign is that of all other powers
             q = quaternions.canonical(self._q)
             return self._of(quaternions.inverse(q) if exponent < 0 else q)
-        return self._of(quaternions.power(self._q, exponent))
+        made = SHORTER_POWER.function(type(self), self._q, exponent)
+        return self._of(quaternions.power(self._q, exponent)) if made is None else known(made)
 
     def inverse(self) -> Self:
         """Return the inverse rotations."""
-        q, conjugated = self._q, INVERSE.function
-        if type(q) is _ndarray and q.dtype is FLOAT64 and conjugated is not None and q.size <= MUCH:
-            out = _empty(q.shape)
-            if conjugated(q, out) == 0:
-                return self._of(out)
-        return self._of(quaternions.inverse(q))
+        made = INVERSE.function(type(self), self._q)
+        return self._of(quaternions.inverse(self._q)) if made is None else known(made)
 
     inv = inverse  # as scipy calls it
 

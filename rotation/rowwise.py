@@ -17,12 +17,13 @@ import numpy as np
 from hfield.compiling import machine_code
 from hfield.compiling.memory import LARGE, block, in_one_piece
 from hfield.compiling.threads import in_pieces
+from rotation.immutable_arrays import ImmutableArray
 from rotation.namespaces import Array, quiet
 from rotation.native import builtins, tensors
+from rotation.native.entry import MUCH
 from rotation.pool import threads
 
 _ROWS = 16384  # a piece: it stays in the processor's cache
-MUCH = 200_000  # numbers that are worth asking whether a second thread pays
 _WORTH = 750_000  # nanoseconds of work that pay for a thread; a row takes about 3, and 0.04 for each step
 _FLOAT32, FLOAT64 = np.dtype(np.float32), np.dtype(np.float64)
 _WORDS = {_FLOAT32: "float", FLOAT64: "double"}
@@ -54,8 +55,9 @@ class Formula:
 
     Attributes
     ----------
-    function : callable or None
-        The machine code, once there is some, of the arrays and that of the values; 0 when all is done.
+    function : callable
+        ``function(where, *arrays)``, the machine code as `builtins.assembled` tells, once there is some: for
+        what it can do nothing is quicker. It answers None for all else, which calling the formula does.
     """
 
     __slots__ = (
@@ -86,16 +88,22 @@ class Formula:
         self._others: dict[Kinds, Formula] = {}
         self._formula, self._shapes, self._parameters = formula, shapes, parameters
         self._axes = tuple(-len(shape) or None for shape in shapes)  # where those of a row begin
-        self.function: Callable[..., int] | None = None
+        self.function: Callable[..., Any] = unmade
         self._row: tuple[int, ...] = ()
         _made.append(self)
 
     def __call__(self, *arrays: Array) -> Array:
         """Return the values, of the batch shape that all arrays broadcast to."""
-        return self.told(*arrays)[0]
+        made = self.function(None, *arrays)
+        return self._told(arrays)[0] if made is None else made
 
     def told(self, *arrays: Array) -> tuple[Array, bool]:
         """Return the values, and whether a row may be one of which the formula has something to tell."""
+        made = self.function(None, *arrays)
+        return self._told(arrays) if made is None else (made, False)
+
+    def _told(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
+        """Do what `told` does where the machine code does not, or is not there yet."""
         batch: tuple[int, ...] = ()
         for a, axes, kind in zip(arrays, self._axes, self._kinds, strict=True):
             if type(a) is not np.ndarray or a.dtype is not kind:
@@ -103,67 +111,66 @@ class Formula:
             own = a.shape[:axes]
             if own != batch:
                 batch = np.broadcast_shapes(own, batch) if batch and own else own or batch
-        function = self.function or self._compiled()
-        if function is None:
+        function = self._compiled()
+        if function is unmade:
             return self._plainly(arrays), True
         out = np.empty(batch + self._row, self._kind)
+        straight = self._straightened(arrays, batch)
         if out.size > MUCH:
             if out.nbytes >= LARGE:
                 out = block(out.shape, self._kind.str)[0]
-            status = self._shared(function, arrays, batch, out)
+            told = self._shared(function, straight, out)
         else:
-            status = function(*arrays, out)
-            if status == 1:
-                status = function(*self._straightened(arrays, batch), out)
-        return out if out.ndim else out[()], status == 2
+            told = function(out, *straight)
+        return out if out.ndim else out[()], told
 
-    def _compiled(self) -> Callable[..., int] | None:
-        """Return the machine code, or None where there can be none."""
+    def _compiled(self) -> Callable[..., Any]:
+        """Return the machine code, or `unmade` where there can be none."""
         if not builtins.available():
-            return None
+            return unmade
         with machine_code.lock:
-            if self.function is None:
+            if self.function is unmade:
                 function, self._row, steps = builtins.assembled(
                     self._formula,
                     self._shapes,
                     self._parameters,
                     self._single,
                     tuple(_WORDS[kind] for kind in (*self._kinds, self._kind)),
+                    vars(ImmutableArray)["_q"],
                 )
                 self._shortest = int(_WORTH / (3.0 + 0.04 * steps))
                 self.function = function
         return self.function
 
     def _straightened(self, arrays: tuple[Array, ...], batch: tuple[int, ...]) -> list[Array]:
-        """Return the arrays in one piece each, of the batch shape or of one row."""
+        """Return the arrays in one piece each, of the batch shape, or of one row and no batch."""
         straight = []
         for a, shape in zip(arrays, self._shapes, strict=True):
             own = a.shape[: a.ndim - len(shape)]
             one = all(n == 1 for n in own)
-            straight.append(in_one_piece(a, a.shape if one or own == batch else batch + shape))
+            straight.append(
+                in_one_piece(a.reshape(shape), shape) if one else in_one_piece(a, batch + shape)
+            )
         return straight
 
-    def _shared(
-        self,
-        function: Callable[..., int],
-        arrays: tuple[Array, ...],
-        batch: tuple[int, ...],
-        out: Array,
-    ) -> int:
+    def _shared(self, function: Callable[..., bool], arrays: list[Array], out: Array) -> bool:
         """Compute piece by piece, in as many threads as there are."""
         rows = out.size // int(np.prod(self._row, dtype=np.int64))
         flat = [
-            a.reshape(-1, *shape)
-            for a, shape in zip(self._straightened(arrays, batch), self._shapes, strict=True)
+            a if a.ndim == len(shape) else a.reshape(rows, *shape)
+            for a, shape in zip(arrays, self._shapes, strict=True)
         ]
+        moving = [a.ndim > len(shape) for a, shape in zip(arrays, self._shapes, strict=True)]
         result = out.reshape(rows, *self._row)
 
-        def work(start: int, end: int) -> int:
+        def work(start: int, end: int) -> bool:
             piece = slice(start, end)
-            return function(*(a[piece] if len(a) == rows else a for a in flat), result[piece])
+            return function(
+                result[piece], *(a[piece] if m else a for a, m in zip(flat, moving, strict=True))
+            )
 
         threads()  # a wrong number is an error of ours
-        return in_pieces(work, rows, _ROWS, self._shortest, (flat, result))
+        return bool(in_pieces(work, rows, _ROWS, self._shortest, (flat, result)))
 
     def _elsewhere(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
         """Compute on arrays stored otherwise, or of other libraries: tensors in memory as numpy's are."""
@@ -221,6 +228,10 @@ class Formula:
             )
         result = np.concatenate(parts)
         return result.reshape(*batch, *result.shape[1:])
+
+
+def unmade(*_: Any) -> None:
+    """Stand for machine code that is not there yet: nothing can be done by it."""
 
 
 def _size(kind: np.dtype[Any]) -> int:

@@ -14,19 +14,21 @@ _PSI = 1.533751168755204288118041  # ψ⁴ = ψ + 4
 
 def as_shape(shape: int | Sequence[int] | None) -> tuple[int, ...]:
     """Return a batch shape: ``()`` for None, ``(n,)`` for a number."""
+    if shape is None:
+        return ()
     try:
-        batch = () if shape is None else tuple(map(operator.index, _listed(shape)))
+        batch = (
+            (operator.index(shape),)
+            if isinstance(shape, int) or not isinstance(shape, Sequence)
+            else tuple(map(operator.index, shape))
+        )
     except TypeError:
         batch = (-1,)
-    if any(n < 0 for n in batch):
+    if batch and min(batch) < 0:
         raise RotationError(
             f"shape {shape!r}: a number of rotations or a tuple of such numbers is expected"
         )
     return batch
-
-
-def _listed(shape: int | Sequence[int]) -> Sequence[int]:
-    return shape if isinstance(shape, Sequence) else (shape,)
 
 
 def generator(rng: Any, seed: Any) -> "np.random.Generator":

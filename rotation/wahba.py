@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from rotation.coordinates import length, split
+from rotation.coordinates import join, length, split
 from rotation.errors import RotationError
-from rotation.matrices import from_matrix, largest, scaled, to_matrix
+from rotation.matrices import PROPER, from_matrix, largest, scaled, to_matrix
 from rotation.namespaces import (
     Array,
     certainly,
@@ -141,6 +141,7 @@ def remaining(q: Array, a: Array, b: Array, w: Array) -> Array:
 
 
 _LENGTH = Formula(lambda v: length(namespace(v), split(v)), (3,))
+_TIMES = Formula(lambda v, w: join(namespace(v), tuple(w[...] * c for c in split(v))), (3,), ())
 
 
 def _weights(xp: Any, weights: Any, vectors: Array) -> Array:
@@ -154,11 +155,10 @@ def _weights(xp: Any, weights: Any, vectors: Array) -> Array:
 
 def _best(xp: Any, a: Array, b: Array, w: Array) -> Array:
     # Only directions matter, and lengths relative to each other: nothing overflows when squared.
-    a, b = scaled(xp, a), scaled(xp, b)
+    a, b = a / largest(xp, a), b / largest(xp, b)
     heaviest = xp.max(w, axis=-1, keepdims=True)
     refuse_rows(heaviest[..., 0] == 0.0, "the weights", "are all zero")
-    w = w / heaviest
-    m = xp.matmul(xp.matrix_transpose(a * w[..., None]), b)
+    m = xp.matmul(xp.matrix_transpose(_TIMES(a, w / heaviest)), b)
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))
     m = xp.where(finite[..., None, None], m, xp.eye(3, dtype=m.dtype))
     u, s, vt = xp.linalg.svd(held(m))
@@ -167,17 +167,16 @@ def _best(xp: Any, a: Array, b: Array, w: Array) -> Array:
         "the vectors",
         "are zero wherever they have weight: no rotation is determined",
     )
+    proper = PROPER(u, s, vt)
+    u, s = proper[..., :3, :], proper[..., 3, :]
     tiny = 16.0 * float(xp.finfo(m.dtype).eps) * s[..., 0]
     line = s[..., 1] <= tiny
-    one = xp.ones_like(s[..., 0])
-    sign = xp.where(xp.linalg.det(xp.matmul(u, vt)) < 0.0, -one, one)
     refuse_rows(
-        ~line & (s[..., 1] + sign * s[..., 2] <= tiny),
+        ~line & (s[..., 1] + s[..., 2] <= tiny),
         "the vectors",
         "determine no rotation: a reflection would align them, and several rotations do it equally well",
     )
-    signs = xp.stack([one, one, sign], axis=-1)
-    best = from_matrix(xp.matmul(u * signs[..., None, :], vt))
+    best = from_matrix(xp.matmul(u, vt))
     if derived(m):
         nothing = xp.eye(3, dtype=m.dtype)
         k = xp.where(line[..., None, None], nothing, m)

@@ -182,10 +182,10 @@ def test_a_function_of_python_keeps_what_it_is_made_of() -> None:
 
     function = PRODUCT._compiled()
     assert function is not None
-    method = function.__self__  # type: ignore[attr-defined]
-    assert isinstance(method, ctypes.Structure)
+    array = function.__self__  # type: ignore[attr-defined]
+    assert isinstance(array.base, ctypes.Structure)
     gc.unfreeze()  # what is frozen refers to nothing, for the collector
-    assert any(referrer is function for referrer in gc.get_referrers(method))
+    assert any(referrer is function for referrer in gc.get_referrers(array))
 
 
 FORK = """

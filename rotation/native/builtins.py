@@ -1,10 +1,9 @@
 """A formula as a builtin function of Python: its trace is put into a loop over rows, compiled by LLVM.
 
 The function is one as those of extensions in C are: it reads the addresses and the lengths of numpy's arrays
-from their headers, whose layout numpy's ABI fixes. That is why it has a loop of its own: a call for one
-rotation takes less time than Python needs to look at its arrays. It answers 0 when all is done; 1 where the
-arrays are not such as it reads (C order, aligned, rows that fit); 2 when all is done and the formula had
-something to `tell`. Long work frees the interpreter lock.
+from their headers, whose layout numpy's ABI fixes, has numpy make the result, and puts that into an object.
+For a call for one rotation takes less time than Python needs to look at its arrays. Long work frees the
+interpreter lock.
 """
 
 import ctypes
@@ -19,28 +18,44 @@ import numpy as np
 from hfield.compiling import machine_code
 from hfield.compiling.instructions import Code, module, vector
 from rotation.native import tracing
+from rotation.native.entry import (
+    DATA,
+    DTYPE,
+    FLAGS,
+    HEAD,
+    KIND,
+    LENGTHS,
+    NDIM,
+    USABLE,
+    WRITEABLE,
+    Entry,
+    Shape,
+    alike,
+    product,
+)
 from rotation.native.symbols import LIBRARY, WIDTH, Lanes, Program, Rows
 
 AHEAD = 4  # blocks, whose memory is asked for to be written and so is not fetched twice
 FREE = 2048  # rows for which it pays to free the interpreter lock
-_HEAD = object.__basicsize__
-DATA, NDIM, LENGTHS, FLAGS = (_HEAD + n for n in (0, 8, 16, 48))  # where numpy's header has them
-USABLE = 0x0001 | 0x0100  # C order, aligned
 BYTES = {"double": 8, "float": 4}
+NUMPY = {"PyArray_New": 93, "PyArray_Return": 76}  # the places in its table of functions
 HALVES = vector("float", WIDTH)
 
-Function = Callable[..., int]
-Shape = tuple[int, ...]
+Function = Callable[..., Any]
+
+
+_Known: Any = ctypes.py_object * 6
 
 
 class _Method(ctypes.Structure):
-    """CPython's PyMethodDef."""
+    """CPython's PyMethodDef, and behind it what an `Entry` knows."""
 
     _fields_ = (
         ("name", ctypes.c_char_p),
         ("address", ctypes.c_void_p),
         ("flags", ctypes.c_int),
         ("doc", ctypes.c_char_p),
+        ("known", _Known),
     )
 
 
@@ -51,19 +66,29 @@ def available() -> bool:
         return False
     if not machine_code.available():
         return False
-    probe = np.zeros((3, 5))
+    probe, number = np.zeros((3, 5)), 0.75
 
     def read(offset: int, kind: Any) -> int:
         return int(kind.from_address(id(probe) + offset).value)
 
     address = probe.__array_interface__["data"][0]
     lengths = read(LENGTHS, ctypes.c_size_t)
+    flags = USABLE | WRITEABLE
     return (
-        read(DATA, ctypes.c_size_t) == address
+        read(KIND, ctypes.c_size_t) == id(np.ndarray)
+        and read(DATA, ctypes.c_size_t) == address
         and read(NDIM, ctypes.c_int) == 2
         and [ctypes.c_ssize_t.from_address(lengths + 8 * n).value for n in (0, 1)] == [3, 5]
-        and read(FLAGS, ctypes.c_int) & USABLE == USABLE
+        and read(DTYPE, ctypes.c_size_t) == id(probe.dtype)
+        and read(FLAGS, ctypes.c_int) & flags == flags
+        and ctypes.c_double.from_address(id(number) + HEAD).value == number
     )
+
+
+def _place(slot: Any) -> int:
+    """Return how many bytes into an object a slot of its class lies, by its descriptor."""
+    described = ctypes.c_void_p.from_address(id(slot) + HEAD + 24).value or 0
+    return int(ctypes.c_ssize_t.from_address(described + 16).value)
 
 
 @cache
@@ -72,8 +97,15 @@ def introduce() -> None:
     system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
     for name in LIBRARY:
         machine_code.introduce(f"rotation_{name}", _address(getattr(system, name)))
-    for name in ("PyLong_FromLong", "PyEval_SaveThread", "PyEval_RestoreThread"):
+    python = ("PyBool_FromLong", "PyType_GenericAlloc", "Py_IncRef", "Py_DecRef")
+    for name in (*python, "PyEval_SaveThread", "PyEval_RestoreThread"):
         machine_code.introduce(name, _address(getattr(ctypes.pythonapi, name)))
+    opened = ctypes.pythonapi.PyCapsule_GetPointer
+    opened.restype, opened.argtypes = ctypes.c_void_p, (ctypes.py_object, ctypes.c_char_p)
+    table = opened(np._core._multiarray_umath._ARRAY_API, None)  # type: ignore[attr-defined]
+    for name, number in NUMPY.items():
+        address = ctypes.c_void_p.from_address(table + 8 * number).value
+        machine_code.introduce(name, address or 0)
     if not machine_code.processor_has("fma") and "fma" in vars(tracing):
         del tracing.fma
 
@@ -88,10 +120,17 @@ def assembled(
     parameters: tuple[Any, ...],
     single: tuple[int, ...],
     words: tuple[str, ...],
+    slot: Any,
 ) -> tuple[Function, Shape, int]:
-    """Return the function ``f(*arrays, out)`` that fills ``out`` with ``formula(*arrays, *parameters)``.
+    """Return the function ``f(where, *arrays)`` that computes ``formula(*arrays, *parameters)``.
 
-    Second comes the shape of a row of ``out``, third how many steps eight rows take.
+    ``where`` is None for a new array, or a class, for an object of it that holds that, read-only. The answer
+    is None where nothing was made: the arrays are not such as it reads (numpy's, of the types said, in C
+    order and aligned, each of the same batch or of one row without a batch; a float of Python is an array of
+    no axes), the result has more than `MUCH` numbers, or the formula had something to `tell`.
+    An array for ``where`` is filled, however many numbers it has; the answer is whether something was told.
+
+    Second comes the shape of a row of the result, third how many steps eight rows take.
 
     Parameters
     ----------
@@ -102,18 +141,26 @@ def assembled(
     words : tuple of str
         LLVM's word for the numbers of each array, and last of the result: ``double`` or ``float``. All is
         computed in double.
+    slot : descriptor
+        What holds the array in an object of a class.
     """
     with machine_code.lock:
         introduce()
         block, row = _block(formula, shapes, parameters, single, words)
-        sizes = [int(np.prod(shape)) for shape in (*shapes, row)]
-        text = module(block, _elements(), _entry(sizes, single, words))
+        whole = (*shapes, row)
+        moving = [n for n in range(len(shapes)) if n not in single]
+        entry = Entry(whole, moving, words, _place(slot))
+        text = module(block, product(), alike(), _rows(whole, moving, words), entry)
         address = machine_code.compiled(text, "entry")
-    method = _Method(formula.__name__.encode(), address, 0x0080, None)  # METH_FASTCALL
+    one = np.zeros(())  # stands for a float of Python, whose number lies elsewhere
+    things = (np.ndarray, float, None, one, np.dtype(np.float64), np.dtype(np.float32))
+    name = formula.__name__.encode()
+    method = _Method(name, address, 0x0080, None, _Known(*things))  # METH_FASTCALL
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype = ctypes.py_object
     make.argtypes = (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
-    function = make(ctypes.addressof(method), method, None)  # it keeps its ``self`` alive
+    own = np.frombuffer(method, np.uint8)  # type: ignore[call-overload]  # programs read arrays
+    function = make(ctypes.addressof(method), own, None)  # it keeps its ``self`` alive
     return function, row, len(block.lines)
 
 
@@ -203,7 +250,10 @@ def _transposed(program: Program, columns: list[str], kind: str) -> list[str]:
 
 
 def _store_few(program: Program, names: list[str], word: str) -> None:
-    """Write fewer than eight columns in one piece."""
+    """Write fewer than eight columns, in pieces of 16 bytes, the least that numpy aligns memory to.
+
+    A copy by pieces that cross the end of a line of memory takes twice as long, so LLVM may not join them.
+    """
     width = len(names)
     parts = [(n, WIDTH) for n in names]
     while len(parts) > 1:  # joined in pairs; the last one may stay over
@@ -220,73 +270,44 @@ def _store_few(program: Program, names: list[str], word: str) -> None:
     ((whole, length),) = parts
     order = [c * WIDTH + r for r in range(WIDTH) for c in range(width)]
     kind = vector(word, length)
-    program.store(kind, program.shuffled(kind, whole, "poison", order), "%out", BYTES[word])
+    rows, few = program.shuffled(kind, whole, "poison", order), 16 // BYTES[word]
+    for n in range(0, length, few):
+        piece = program.shuffled(kind, rows, "poison", range(n, n + few))
+        place = program.at(word, "%out", n)
+        program.do(f"store volatile {vector(word, few)} {piece}, ptr {place}, align {BYTES[word]}")
 
 
 # --- all rows ------------------------------------------------------------------------------------
 
 
-def _elements() -> Code:
-    """Write the function that tells how many numbers an array has."""
-    code = Code("internal i64 @elements(ptr %array)")
-    dimensions = code.load("i32", code.at("i8", "%array", NDIM))
-    lengths = code.load("ptr", code.at("i8", "%array", LENGTHS))
+def _rows(shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...]) -> Code:
+    """Write the function that runs through blocks of eight rows; it returns whether one told something.
 
-    def length(i: str, size: str) -> list[str]:
-        return [code.value(f"mul i64 {size}, {code.load('i64', code.at('i64', lengths, i))}")]
-
-    count = code.value(f"sext i32 {dimensions} to i64")
-    (size,) = code.loop("0", count, length, first=[("i64", "1")])
-    code.end(f"i64 {size}")
-    return code
-
-
-def _entry(sizes: list[int], single: tuple[int, ...], words: tuple[str, ...]) -> Code:
-    """Write the builtin: it reads the arrays' headers and runs through blocks of eight rows.
-
-    The rows left over at the end go through a buffer, as does the one row of an array that is the same
-    for all, but of those that always have one row: the block itself spreads them.
+    It takes the number of rows, for each array where its numbers lie and whether it has one row for all,
+    and where to write. The rows left over at the end go through a buffer, as does the one row of an array
+    that is the same for all, but of those that always have one row: the block itself spreads them.
     """
-    code = Code("ptr @entry(ptr %self, ptr %args, i64 %nargs)")
-    v = code.value
+    sizes = [int(np.prod(shape)) for shape in shapes]
     bytes_of = [n * BYTES[word] for n, word in zip(sizes, words, strict=True)]  # of one row
-    arrays = code.entries("ptr", "%args", len(sizes))
-    data = [code.load("ptr", code.at("i8", array, DATA)) for array in arrays]
-    moving = [n for n in range(len(sizes) - 1) if n not in single]
+    given = "".join(f", ptr %in{n}, i1 %one{n}" for n in range(len(sizes) - 1))
+    code = Code(f"internal i1 @rows(i64 %count{given}, ptr %out)")
+    v = code.value
     buffers = [code.room(vector(w, n * WIDTH)) for n, w in zip(sizes, words, strict=True)]
-    counts = [
-        v(f"sdiv i64 {code.once(f'call i64 @elements(ptr {array})')}, {size}")
-        for array, size in zip(arrays, sizes, strict=True)
-    ]
-    bits = [code.load("i32", code.at("i8", array, FLAGS)) for array in arrays]
-    usable = [v(f"icmp eq i32 {v(f'and i32 {b}, {USABLE}')}, {USABLE}") for b in bits]
-    rows, good, moves = counts[-1], usable[-1], list[str]()
-    for n in range(len(sizes) - 1):
-        moves.append(v(f"icmp eq i64 {counts[n]}, {rows}"))
-        one = v(f"icmp eq i64 {counts[n]}, 1")
-        fits = one if n in single else v(f"or i1 {moves[n]}, {one}")
-        good = v(f"and i1 {good}, {v(f'and i1 {fits}, {usable[n]}')}")
-    fixed = [v(f"xor i1 {same}, true") for same in moves]
-
-    def number(x: str) -> str:
-        return f"ptr {code.call('ptr', 'PyLong_FromLong', ('i64', x))}"
-
-    code.leave(v(f"xor i1 {good}, true"), lambda: number("1"))
 
     def spread(n: int, start: str) -> None:
         for row in range(WIDTH):
             code.copy(code.at("i8", buffers[n], row * bytes_of[n]), start, bytes_of[n])
 
     for n in moving:
-        code.when(fixed[n], lambda n=n: spread(n, data[n]))  # type: ignore[misc]
-    long = v(f"icmp sge i64 {rows}, {FREE}")
+        code.when(f"%one{n}", lambda n=n: spread(n, f"%in{n}"))  # type: ignore[misc]
+    long = v(f"icmp sge i64 %count, {FREE}")
     (state,) = code.when(long, lambda: [("ptr", code.call("ptr", "PyEval_SaveThread"), "null")])
 
     def turn(i: str, told: str) -> list[str]:
-        left = v(f"sub i64 {rows}, {i}")
+        left = v(f"sub i64 %count, {i}")
         full = v(f"icmp sge i64 {left}, {WIDTH}")
         few = v(f"xor i1 {full}, true")
-        here = [code.at("i8", data[n], v(f"mul i64 {i}, {bytes_of[n]}")) for n in moving]
+        here = [code.at("i8", f"%in{n}", v(f"mul i64 {i}, {bytes_of[n]}")) for n in moving]
 
         def filled(n: int, start: str) -> None:
             spread(n, start)  # so that no row of the buffer is what nobody wrote
@@ -294,21 +315,22 @@ def _entry(sizes: list[int], single: tuple[int, ...], words: tuple[str, ...]) ->
 
         def partly() -> None:
             for n, start in zip(moving, here, strict=True):
-                code.when(moves[n], lambda n=n, s=start: filled(n, s))  # type: ignore[misc]
+                moves = v(f"xor i1 %one{n}, true")
+                code.when(moves, lambda n=n, s=start: filled(n, s))  # type: ignore[misc]
 
         code.when(few, partly)
-        sources = list(data[:-1])
+        sources = [f"%in{n}" for n in range(len(sizes) - 1)]
         for n, start in zip(moving, here, strict=True):
             row = v(f"select i1 {full}, ptr {start}, ptr {buffers[n]}")
-            sources[n] = v(f"select i1 {fixed[n]}, ptr {buffers[n]}, ptr {row}")
-        there = code.at("i8", data[-1], v(f"mul i64 {i}, {bytes_of[-1]}"))
+            sources[n] = v(f"select i1 %one{n}, ptr {buffers[n]}, ptr {row}")
+        there = code.at("i8", "%out", v(f"mul i64 {i}, {bytes_of[-1]}"))
         target = v(f"select i1 {full}, ptr {there}, ptr {buffers[-1]}")
-        given = ", ".join(f"ptr {x}" for x in (*sources, target))
-        told = v(f"or i1 {told}, {code.once(f'call i1 @block({given})')}")
+        passed = ", ".join(f"ptr {x}" for x in (*sources, target))
+        told = v(f"or i1 {told}, {code.once(f'call i1 @block({passed})')}")
         code.when(few, lambda: code.copy(there, buffers[-1], v(f"mul i64 {left}, {bytes_of[-1]}")))
         return [told]
 
-    (told,) = code.loop("0", rows, turn, WIDTH, [("i1", "false")])
+    (told,) = code.loop("0", "%count", turn, WIDTH, [("i1", "false")])
     code.when(long, lambda: code.call("void", "PyEval_RestoreThread", ("ptr", state)))
-    code.end(number(v(f"select i1 {told}, i64 2, i64 0")))
+    code.end(f"i1 {told}")
     return code

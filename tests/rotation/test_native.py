@@ -1,8 +1,11 @@
 """Formulas as machine code: the same numbers as by numpy, whatever the shapes, strides and threads."""
 
+import gc
 import os
+import pickle
 import subprocess
 import sys
+import weakref
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +15,9 @@ import pytest
 from hfield.compiling import disk_cache
 from rotation import Rotation, threads
 from rotation.namespaces import quiet
-from rotation.quaternions import PRODUCT, _product, normalise
+from rotation.native import builtins
+from rotation.native.entry import MUCH
+from rotation.quaternions import INVERSE, PRODUCT, SHORTER_POWER, _product, normalise
 from rotation.rowwise import Formula
 
 RNG = np.random.default_rng(11)
@@ -127,3 +132,117 @@ def test_few_rotations_and_points_import_no_numba(tmp_path: Path) -> None:
 def test_a_program_rounds_as_numpy_does() -> None:
     q = RNG.standard_normal((1000, 4)) * 10.0 ** RNG.uniform(-300, 300, (1000, 1))
     np.testing.assert_array_equal(Rotation(q).as_quat(), quiet(normalise)(q))
+
+
+# --- what the builtins take, and what they make ---------------------------------------------------
+
+compiled = pytest.mark.skipif(not builtins.available(), reason="there is no machine code")
+
+
+class Marked(Rotation):
+    """A subclass with more to hold than a rotation."""
+
+    note = "none"
+
+
+@compiled
+def test_a_rotation_is_made_whole_and_of_the_class_of_the_left_one() -> None:
+    r, m = Rotation(UNITS[0]), Marked(UNITS[:5])
+    r * r, m * m  # compiled
+    for made, kind, shape in (
+        (r * r, Rotation, ()),
+        (m * r, Marked, (5,)),
+        (r * m, Rotation, (5,)),
+        (m.inv(), Marked, (5,)),
+        (m**0.3, Marked, (5,)),
+    ):
+        q = made._q
+        assert type(made) is kind
+        assert made.shape == shape
+        assert type(q) is np.ndarray
+        assert q.flags.owndata
+        assert not q.flags.writeable
+        assert q.base is None
+        assert weakref.ref(made)() is made
+        assert gc.is_tracked(made)
+        again = pickle.loads(pickle.dumps(made))
+        assert type(again) is kind
+        assert (again._q == q).all()
+    made = m.inv()
+    made.__dict__["note"] = "some"
+    assert made.note == "some"
+    assert Marked.note == "none"
+
+
+@compiled
+def test_what_a_builtin_does_not_take_is_answered_by_none() -> None:
+    product, power = PRODUCT, SHORTER_POWER
+    p = UNITS[:6]
+    product(p, p), power(p, np.float64(0.3))  # compiled
+    f, g = product.function, power.function
+    assert (f(None, p, p) == _product(p, p)).all()
+    assert (f(None, p, p[0]) == _product(p, p[0])).all()
+    assert (g(None, p, 0.3) == g(None, p, np.array(0.3))).all()
+    wrong: list[tuple[Any, ...]] = [
+        (p,),
+        (p, p, p),
+        (p, p[:5]),
+        (p, p[:1]),
+        (p, p[:, None]),
+        (p, p[:, :3]),
+        (p[::2], p[:3]),
+        (p.T.copy().T, p),
+        (p.astype(np.float32), p),
+        (p.astype(">f8"), p),
+        (p.view(np.recarray), p),
+        (p.tolist(), p),
+        (p, None),
+        (p, 0.5),
+        (p, np.float64(0.5)),
+        (p[0, 0], p[0, 0]),
+        (p, np.ones((6, 3))),
+        (np.ones((6, 8)), p),
+        (np.ones(()), p),
+    ]
+    assert [f(None, *given) for given in wrong] == [None] * len(wrong)
+    assert [g(None, p, e) for e in (1, True, np.float32(1), "1", [0.5])] == [None] * 5
+    much = np.ones((MUCH // 4 + 1, 4))
+    assert f(None, much, p[0]) is None
+    assert f(None, much[1:], p[0]) is not None
+    assert f(np.empty((6, 3)), p, p) is f(np.empty((5, 4)), p, p) is None
+    axes = np.ones((1,) * 63 + (4,))
+    assert INVERSE(axes).ndim == INVERSE.function(None, axes).ndim == 64
+    with pytest.raises(ValueError, match="64"):
+        Rotation(axes).as_matrix()
+
+
+@compiled
+def test_nothing_is_made_of_rows_of_which_something_is_told() -> None:
+    formula = Formula(normalise, (4,))
+    zeros = np.zeros((3, 4))
+    formula(UNITS[:3])
+    assert formula.function(None, UNITS[:3]) is not None
+    assert formula.function(None, zeros) is None
+    out = np.ones((3, 4))
+    assert formula.function(out, UNITS[:3]) is False
+    assert formula.function(out, zeros) is True
+
+
+@compiled
+def test_what_is_made_and_what_is_not_leaves_no_reference_behind() -> None:
+    r, formula = Marked(UNITS[:3]), Formula(normalise, (4,))
+    zeros, one = np.zeros((3, 4)), np.ones(4)
+
+    def all_ways() -> None:
+        r * r, r.inv(), r**0.3, r.magnitude(), r[0].magnitude()
+        formula.told(zeros), PRODUCT(one, 7 * UNITS[:2]), PRODUCT.function(None, zeros)
+
+    def counts() -> list[int]:
+        things = (None, Marked, np.dtype(np.float64), np.ndarray, zeros, one, r._q)
+        return [sys.getrefcount(thing) for thing in things]
+
+    all_ways()
+    before = counts()
+    for _ in range(1000):
+        all_ways()
+    assert all(abs(a - b) < 200 for a, b in zip(before, counts(), strict=True))
