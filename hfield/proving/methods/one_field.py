@@ -115,8 +115,12 @@ def _unexpanded(problem: Problem, why: str) -> Decision:
 
 
 def exhaust(problem: Problem, x: Expanded | None) -> Decision:
-    """Decide over a finite ring by all cases; when they are too many, look at small places."""
-    used = None if x is None else used_variables(x)
+    """Decide over a finite ring by all cases; when they are too many, look at small places.
+
+    Clauses tell what matters where "defined" is "not 0": over a field, or where nothing divides.
+    """
+    known = x is not None and (problem.ring.is_field or not problem.statement.divides)
+    used = used_variables(x) if x is not None and known else None
     try:
         found, cases = counterexample(problem, used)
     except (TooLargeError, UndecidedError) as error:
