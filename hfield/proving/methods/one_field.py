@@ -119,8 +119,8 @@ def exhaust(problem: Problem, x: Expanded | None) -> Decision:
 
     Clauses tell what matters where "defined" is "not 0": over a field, or where nothing divides.
     """
-    known = x is not None and (problem.ring.is_field or not problem.statement.divides)
-    used = used_variables(x) if x is not None and known else None
+    divides = problem.statement.divides or problem.setting.divides
+    used = None if x is None or (divides and not problem.ring.is_field) else used_variables(x)
     try:
         found, cases = counterexample(problem, used)
     except (TooLargeError, UndecidedError) as error:
