@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from hfield.commands.output import OutputError, encodable, open_output
+from hfield.commands.output import OutputError, encodable, open_output, writing
 from hfield.commands.status import Progress
 from tests.commands.running import run
 
@@ -151,3 +151,8 @@ def test_names_of_files_that_are_no_text_are_told(tmp_path, capsys):
     assert (status, err) == (0, "")
     assert "?.v: " in out
     assert path.exists()
+
+
+def test_a_reader_that_leaves_the_terminal_is_no_fault_of_a_file():
+    with pytest.raises(BrokenPipeError), writing("'certificate.json'"):
+        raise BrokenPipeError
