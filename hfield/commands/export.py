@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from hfield.commands.output import note, open_output
+from hfield.commands.output import encodable, note, open_output
 from hfield.commands.parser import UsageError, add_repeated
 from hfield.commands.status import Progress, Waiting
 from hfield.errors import shorten
@@ -86,7 +87,7 @@ def run(args: Namespace) -> int:
     if args.coq == "-":
         note(summary)
     else:
-        print(f"{args.coq}: {summary}")
+        print(encodable(f"{args.coq}: {summary}", sys.stdout))
     return int(bool(named))
 
 
@@ -112,7 +113,7 @@ def _lean(args: Namespace) -> int:
     if args.lean == "-":
         note(summary)
     else:
-        print(f"{args.lean}: {summary}")
+        print(encodable(f"{args.lean}: {summary}", sys.stdout))
     return int(bool(left))
 
 

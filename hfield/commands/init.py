@@ -23,7 +23,7 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Write the ledger, unless the file is there."""
-    if args.file != "-" and Path(args.file).exists():
+    if args.file not in ("-", "") and Path(args.file).exists():
         raise UsageError(
             f"{shorten(args.file)!r} is there already, and stays as it is: name another file"
         )

@@ -104,7 +104,7 @@ def texts(args: Namespace) -> Iterator[str]:
 
 def _lines_of(name: str) -> Iterator[str]:
     try:
-        with nullcontext(sys.stdin) if name == "-" else open(name, encoding="utf-8") as stream:
+        with nullcontext(sys.stdin) if name == "-" else open(name, encoding="utf-8-sig") as stream:
             for line in stream:
                 text = line.strip()
                 if text and not text.startswith("#"):

@@ -17,6 +17,7 @@ from hfield.commands.parser import (
     given_factors,
 )
 from hfield.errors import shorten
+from hfield.syntax.brackets import split
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
@@ -103,7 +104,7 @@ def announce(number: int, seconds: float, instead: str) -> None:
 
 def elements_of(A: QuaternionAlgebra, text: str, what: str) -> list[Quaternion]:
     """Read elements that are separated by commas. Raises :class:`UsageError` where there is none."""
-    words = [word for word in text.split(",") if word.strip()]
+    words = [word for word in split(text, ",") if word.strip()]
     if not words:
         raise UsageError(f"{what} names no element; expected elements such as 'i, j'")
     return [A(word) for word in words]

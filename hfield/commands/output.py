@@ -136,7 +136,7 @@ def writing(what: str, instead: str = "file") -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        if isinstance(error, HFieldError):
+        if isinstance(error, HFieldError | BrokenPipeError):  # of a terminal whose reader has left
             raise
         reason = error.strerror or str(error)
         raise OutputError(f"cannot write {what}: {reason}; choose another {instead}") from error

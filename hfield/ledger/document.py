@@ -64,7 +64,7 @@ def read_ledger(path: str | Path) -> tuple[Claim, ...]:
     if len(content) > MAX_BYTES:
         raise LedgerError(f"{path} is larger than {MAX_BYTES} bytes")
     try:
-        text = content.decode("utf-8")
+        text = content.decode("utf-8-sig")  # editors may put a mark in front
     except UnicodeDecodeError as error:
         raise LedgerError(f"{path} is not text in UTF-8 (byte {error.start + 1})") from None
     return _Document(text, str(path), ("", str(path))).claims({}, verify=True)
@@ -72,7 +72,7 @@ def read_ledger(path: str | Path) -> tuple[Claim, ...]:
 
 def read_title(path: str | Path) -> str:
     """Return the title of a ledger that can be read: what it says at its top, or the name of its file."""
-    text = Path(path).read_text(encoding="utf-8")
+    text = Path(path).read_text(encoding="utf-8-sig")
     return _Document(text, str(path)).title or Path(path).stem
 
 

@@ -20,6 +20,7 @@ def run(capsys, *words):
 @pytest.mark.parametrize(
     ("words", "lines"),
     [
+        (["3, comm(i, j)/2"], ["left ideal of", "norm 1: integral"]),
         (["3, 1 + j"], ["left ideal of", "norm 3: integral, locally principal", "right order"]),
         (["j"], ["norm 11: integral, locally principal, two-sided"]),
         (["3, 1 + j", "--principal"], ["principal yes with 1/2 + 1/2*j"]),

@@ -27,3 +27,7 @@ def test_a_file_that_is_there_stays(tmp_path: Path, capsys) -> None:
     assert status == 2
     assert "is there already" in err
     assert path.read_text() == "mine"
+
+
+def test_a_name_is_needed(capsys) -> None:
+    assert "the output file is empty" in run(capsys, "init", "")[2]

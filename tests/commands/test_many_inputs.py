@@ -27,7 +27,7 @@ def test_each_argument_is_answered_in_order(run):
 
 def test_lines_of_a_file_and_of_standard_input(run, tmp_path):
     file = tmp_path / "algebras.txt"
-    file.write_text("# two\n(-1,-3|QQ)\n\n  (1,1|GF(3))\n", encoding="utf-8")
+    file.write_text("# two\n(-1,-3|QQ)\n\n  (1,1|GF(3))\n", encoding="utf-8-sig")
     words = ("info", "-", "--from", str(file), "--format", "jsonl")
     status, out, err = run(*words, typed="(-1,-1|QQ)\n")
     assert (status, err) == (0, "")

@@ -7,8 +7,9 @@ import sys
 
 import pytest
 
-from hfield.commands.output import OutputError, encodable, open_output
+from hfield.commands.output import OutputError, encodable, open_output, writing
 from hfield.commands.status import Progress
+from tests.commands.running import run
 
 
 class Stream(io.StringIO):
@@ -142,3 +143,16 @@ def test_progress_only_on_a_terminal(monkeypatch):
             progress(1, 2, "QQ")
         assert ("1 of 2 rows, QQ" in stream.getvalue()) is terminal
         assert stream.getvalue().endswith("\r\x1b[K") is terminal
+
+
+def test_names_of_files_that_are_no_text_are_told(tmp_path, capsys):
+    path = tmp_path / "\udcff.v"
+    status, out, err = run(capsys, "export", "--coq", str(path), "--claim", "C1.1.2-b")
+    assert (status, err) == (0, "")
+    assert "?.v: " in out
+    assert path.exists()
+
+
+def test_a_reader_that_leaves_the_terminal_is_no_fault_of_a_file():
+    with pytest.raises(BrokenPipeError), writing("'certificate.json'"):
+        raise BrokenPipeError

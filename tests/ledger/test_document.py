@@ -204,3 +204,10 @@ def test_statements_may_have_the_signs_of_the_answers(tmp_path: Path) -> None:
     assert claim.as_printed is not None
     assert claim.as_printed.text == "norm(q) != 0 => q*conj(q) == norm(q)"
     assert decide(claim, "QQ").as_printed.verdict == "proved"
+
+
+def test_a_mark_of_the_order_of_bytes_is_no_part_of_a_ledger(tmp_path):
+    path = tmp_path / "sheet.toml"
+    path.write_text('holds = "p == p"'.join((HEAD, "\n")), encoding="utf-8-sig")
+    assert [claim.id for claim in read_ledger(path)] == ["E1"]
+    assert read_title(path) == "sheet"

@@ -6,6 +6,7 @@ import pytest
 from hfield import prove, ring
 from hfield.proving.evaluation import all_cases
 from hfield.proving.evaluation.all_cases import _Table
+from hfield.proving.methods import one_field
 
 
 @pytest.mark.parametrize("name", ["GF(2)", "GF(13)", "GF(257)", "GF(8)", "GF(9)", "ZZ/6"])
@@ -44,3 +45,17 @@ def test_verdicts_do_not_depend_on_the_way(statement, over_3, over_4, monkeypatc
         monkeypatch.setattr(all_cases, "FEW_CASES", 0)
         assert prove(statement, field="GF(3)").verdict == over_3
         assert prove(statement, field="GF(4)").verdict == over_4
+
+
+def test_all_cases_have_time_left_when_ideals_take_theirs(monkeypatch):
+    prove_clauses = one_field.prove_clauses
+
+    def slow(problem, p):
+        while not problem.is_late:
+            pass
+        return prove_clauses(problem, p)
+
+    monkeypatch.setattr(one_field, "prove_clauses", slow)
+    monkeypatch.setattr(one_field, "SHORT", 0.1)
+    text = "q*q*q == q => q*q == 1 or norm(q)*q == 0 or q[1] == 1 or trace(q) == 1"
+    assert prove(text, "GF(3)", timeout=3).decision.method == "exhaustion"

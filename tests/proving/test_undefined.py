@@ -116,6 +116,13 @@ TERMS = [
     ("s == -1 => s/s == 1", "ZZ", None),
     ("exists s: 1/s == 1/s", "ZZ/6", "proved"),
     ("exists s: 1/(2*s) == 1/(2*s)", "ZZ/6", "refuted"),
+    # no element is listed where nothing is unknown
+    ("not (1/1000003 == 1/1000003)", "ZZ/1000036000099", "proved"),
+    # 101 divides 0, and only far from 0 that shows
+    ("t != 0 => 1/t == 1/t", "ZZ/10403", "refuted"),
+    ("t == 0 or 1/t == 1/t", "ZZ/10201", "refuted"),
+    ("(t == 0 => 1 == 2) => t/t == 1", "ZZ/10403", "refuted"),
+    ("t == 0 or 1/t == 1/t", "ZZ/10007", "proved"),
 ]
 
 
@@ -123,6 +130,19 @@ TERMS = [
 def test_terms_that_are_undefined_make_a_comparison_false(statement, field, verdict):
     decision = decide(statement, field)
     assert decision.verdict == verdict or (verdict is None and decision.verdict != "refuted")
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "s*t == s*t or 1/2 == 1/2",
+        "1/(t - t + 2) == 5 or s*s != 1",
+        "2/1 == 1 => s == s",
+        "s/s == 2 => y == 1",
+    ],
+)
+def test_what_is_divided_by_tells_the_checker_which_cases_there_are(statement):
+    assert prove(statement, "ZZ/9").certificate is not None
 
 
 @pytest.mark.parametrize("text", ["inv(b)", "conj(b)", "norm(b)", "comm(a,b)", "a[1]", "norm(2)"])

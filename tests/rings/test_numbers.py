@@ -292,3 +292,16 @@ def test_roots_of_polynomials_whose_coefficients_are_fractions(name: str) -> Non
     quarter = F(Fraction(-1, 4)) * F.gen * F.gen if name == "QQ(sqrt(2))" else -half * half
     assert all(r * r + quarter == 0 for r in F.roots([quarter, F.zero, F.one]))
     assert len(F.roots([quarter, F.zero, F.one])) == 2
+
+
+@pytest.mark.parametrize("name", ["QQ(sqrt(-7))", "QQ(I)", "QQ(sqrt(2))", "QQ(sqrt(2),I)", "CC"])
+def test_what_python_prints_reads_back(name):
+    F = ring(name)
+    for x in (F.gen, 2 / (F.gen + 3), F(0), F("1/2")):
+        assert F(str(x)) == x
+
+
+def test_a_number_of_a_quadratic_field_reads_back_in_the_complex_ones():
+    x = ring("QQ(sqrt(-7))")("1/2-3*sqrt(-7)")
+    assert str(x) == "1/2-3*sqrt(-7)"
+    assert CC(str(x)) == x

@@ -85,13 +85,16 @@ def _assignment(
 def _one_by_one(problem: Problem, places: list[tuple[str, int]], wanted: bool) -> Assignment | None:
     field, statement = problem.ring, problem.statement
     prime = field.is_field and field.order == field.characteristic and not statement.constants
-    elements: list[Any] = list(range(field.characteristic)) if prime else list(field.elements())
+    elements: Iterable[Any] = range(field.characteristic) if prime else field.elements()
+    zero = 0 if prime else field.zero
+    # elements are not listed where one is enough, or none: there may be 10⁸ of them, or more
+    cases = ((x,) for x in elements) if len(places) == 1 else product(elements, repeat=len(places))
     scalars = PrimeScalars(field.characteristic) if prime else RingScalars(field)
     seeker = Searcher(problem, scalars, wanted)
-    for n, values in enumerate(product(elements, repeat=len(places))):
+    for n, values in enumerate(cases):
         if n % 64 == 63 and problem.is_late:
             raise UndecidedError(f"time was over after {n} cases")
-        assignment = _assignment(statement, places, values, elements[0])
+        assignment = _assignment(statement, places, values, zero)
         if seeker.test(assignment):
             return lifted(field, assignment)
     return None

@@ -23,7 +23,7 @@ from hfield.proving.methods import all_fields, universal
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_text
-from hfield.proving.statements.trees import FALSE, conjunction, implication
+from hfield.proving.statements.trees import FALSE, conjunction, implication, occurrences
 from hfield.proving.steps import say
 from hfield.syntax import Compare, Logic, Name, Node, Not, Number, parse
 
@@ -33,7 +33,9 @@ def vacuous(problem: Problem) -> Decision | None:
     node = conjunction(problem.statement.hypotheses)
     if true_place(problem.about(node), FEW) is not None:
         return None
-    decision = universal.decide(problem.alone(Not(node)))
+    names = (name for name, _ in problem.statement.unknowns)
+    own = tuple(name for name in names if occurrences(node, name) or name in problem.letters)
+    decision = universal.decide(problem.alone(Not(node), own))
     if decision.verdict != PROVED:
         return None
     evidence = Evidence(Kind.UNSATISFIABLE, proof=decision.evidence)

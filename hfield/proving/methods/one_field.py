@@ -53,7 +53,8 @@ def decide(problem: Problem) -> Decision:
             found = solve_clauses(problem, x, left)
         if found is not None:
             return refuted(problem, found, x)
-        proof = prove_clauses(problem, p)
+        # all cases of a finite field, where it comes to them, need time as well
+        proof = prove_clauses(problem if field.order is None else problem.share(1 / 2), p)
     if proof.complete:
         return implied(proof, problem)
     if field.order is not None:
@@ -114,8 +115,12 @@ def _unexpanded(problem: Problem, why: str) -> Decision:
 
 
 def exhaust(problem: Problem, x: Expanded | None) -> Decision:
-    """Decide over a finite ring by all cases; when they are too many, look at small places."""
-    used = None if x is None else used_variables(x)
+    """Decide over a finite ring by all cases; when they are too many, look at small places.
+
+    Clauses tell what matters where "defined" is "not 0": over a field, or where nothing divides.
+    """
+    divides = problem.statement.divides or problem.setting.divides
+    used = None if x is None or (divides and not problem.ring.is_field) else used_variables(x)
     try:
         found, cases = counterexample(problem, used)
     except (TooLargeError, UndecidedError) as error:

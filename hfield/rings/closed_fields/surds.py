@@ -227,7 +227,8 @@ class Surd:
         )
 
     def __repr__(self) -> str:
-        return self.text()
+        """Write a number of QQ(sqrt(-7)) as that field reads it, which has no I; CC reads it too."""
+        return self.text(imaginary=not self.terms.keys() <= {1, min(self.terms, default=1)})
 
     def _repr_latex_(self) -> str:
         return f"${self.text('latex')}$"
