@@ -122,7 +122,7 @@ def test_hermite_orders_over_the_rationals() -> None:
     """The forty of D. Smertnig and J. Voight, 2019; one of them without cancellation."""
     lines = search.of_field("QQ")
     assert not any(line.wrong for line in lines)
-    assert (len(lines), sum(line.cancellation for line in lines)) == search.KNOWN[1]
+    assert (len(lines), sum(line.cancellation for line in lines)) == search.PUBLISHED[1]
     assert [line[1:6] for line in lines if not line.cancellation] == [(3, 27, 4, 2, 2)]
 
 
@@ -131,6 +131,13 @@ def test_hermite_orders_over_a_quadratic_field() -> None:
     lines = search.of_field("QQ(sqrt(33))")
     assert not any(line.wrong for line in lines)
     assert (len(lines), sum(line.cancellation for line in lines)) == (8, 4)
+
+
+def test_hermite_orders_over_a_field_of_degree_five() -> None:
+    """Both that ramify at the prime above 5 of the field of discriminant 24217, one maximal."""
+    lines = search.of_field("QQ[s]/(s^5-5*s^3-s^2+3*s+1)")
+    assert not any(line.wrong for line in lines)
+    assert [line[:6] for line in lines] == [(24217, 5, 5, 1, 1, 1), (24217, 5, 25, 2, 2, 1)]
 
 
 def test_hermite_orders_that_are_not_in_the_list() -> None:
