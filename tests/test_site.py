@@ -1,6 +1,7 @@
 """The documentation as a site: nothing from outside, and nothing that keeps a reader out.
 
-Needs the site (``python tasks.py docs``); the second part needs Chromium and axe-core (``scripts/install_judges.sh``).
+Needs the site (``python tasks.py docs``); the second part needs Chromium and axe-core
+(``scripts/install_judges.sh``).
 """
 
 import os

@@ -67,7 +67,7 @@ def accepted(word: str) -> dict[tuple[str, str | None], dict[str, list[Finding]]
     """Return what passes, of all parts, fields, verdicts and evidence."""
     out: dict[tuple[str, str | None], dict[str, list[Finding]]] = {}
     evidence = shapes()
-    texts = dict.fromkeys(word.format(p=p, q=q) for p, q in part([*product(PARTS, repeat=2)], 3))
+    texts = dict.fromkeys(word.format(p=p, q=q) for p, q in part([*product(PARTS, repeat=2)], 6))
     for text, field, verdict in product(texts, FIELDS, VERDICTS):
         found = [established(text, field, verdict, e) for e in evidence]
         if any(found):
