@@ -117,7 +117,10 @@ def test_the_same_as_numpy(name: str, version: str) -> None:
         assert found.__array_namespace__() is xp
     wanted = CALLS[name](Rotation.from_quat(Q), np.asarray)
     assert np.asarray(found).shape == np.shape(wanted)
-    assert np.asarray(found).astype(float) == pytest.approx(np.asarray(wanted, float), abs=2e-15)
+    wanted = pytest.approx(
+        np.asarray(wanted, float), rel=5e-16, abs=2e-15
+    )  # an ulp, of degrees too
+    assert np.asarray(found).astype(float) == wanted
 
 
 @pytest.mark.parametrize("name", CALLS)
