@@ -10,14 +10,15 @@ lacking() {
     echo "$1 is missing and could not be installed: what it checks is skipped" >&2
     missing=1
 }
+browser() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
 packages=()
 command -v coqc >/dev/null || packages+=(coq)
-command -v chromium >/dev/null || packages+=(chromium)
+browser >/dev/null || packages+=(chromium)
 if [ ${#packages[@]} -gt 0 ] && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
     { apt-get update -qq && apt-get install -qq -y --no-install-recommends "${packages[@]}"; } >/dev/null || true
 fi
 command -v coqc >/dev/null || lacking Coq
-command -v chromium >/dev/null || lacking Chromium
+browser >/dev/null || lacking Chromium
 if command -v npm >/dev/null; then npm install --silent --prefix docs/_build axe-core pyodide >/dev/null || true; fi
 for name in axe-core pyodide; do
     [ -d "docs/_build/node_modules/$name" ] || lacking "$name"
