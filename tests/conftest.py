@@ -23,8 +23,8 @@ PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add ``--every N``, which runs every n-th test."""
-    parser.addoption("--every", type=int, default=1, metavar="N", help="run every n-th test only")
+    """Add ``--once``, for another Python or other dependencies, which seldom break one case alone."""
+    parser.addoption("--once", action="store_true", help="run the first case of each test only")
 
 
 def pytest_configure() -> None:
@@ -39,8 +39,10 @@ def pytest_configure() -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Mark what is in the files that take long, and leave out what ``--every`` does."""
-    items[:] = items[:: config.getoption("every")]
+    """Mark what is in the files that take long, and leave out what ``--once`` does."""
+    if config.getoption("once"):
+        items[:] = {item.nodeid.partition("[")[0]: item for item in reversed(items)}.values()
+        items.reverse()
     for item in items:
         if item.path.as_posix().endswith(SLOW):
             item.add_marker(pytest.mark.slow)

@@ -1,20 +1,21 @@
 """The documentation as a site: nothing from outside, and nothing that keeps a reader out.
 
-Needs the site (``python tasks.py docs``); the second part needs Chromium, and axe-core (``npm install
-axe-core`` in any folder) at the place that ``HFIELD_AXE`` names, a file ``axe.min.js``.
+Needs the site (``python tasks.py docs``); the second part needs Chromium and axe-core
+(``scripts/install_judges.sh``).
 """
 
 import os
 from html.parser import HTMLParser
+from itertools import product
 from pathlib import Path
 from urllib.parse import unquote
 
 import pytest
 
-from tests.anim.chromium import CHROMIUM, Browser
+from tests.anim.chromium import CHROMIUM, Browser, axe_core
+from tests.thorough import part
 
 SITE = Path(os.environ.get("HFIELD_SITE", Path(__file__).parents[1] / "hfield" / "site"))
-AXE = Path(os.environ.get("HFIELD_AXE", "node_modules/axe-core/axe.min.js"))
 PAGES = [
     *("index.html", "tutorial.html", "gallery.html", "coming-from.html"),
     *("reference/hfield.html", "reference/rotation.html"),
@@ -87,9 +88,14 @@ def test_every_link_within_the_site_has_its_page_and_its_place():
 
 
 @pytest.fixture(scope="module")
+def axe():
+    return axe_core()
+
+
+@pytest.fixture(scope="module")
 def browser(tmp_path_factory):
-    if CHROMIUM is None or not AXE.is_file():
-        pytest.skip("needs Chromium and axe-core")
+    if CHROMIUM is None:
+        pytest.skip("needs Chromium")
     browser = Browser(tmp_path_factory.mktemp("profile"))
     yield browser
     browser.close()
@@ -110,15 +116,16 @@ def show(browser: Browser, page: str, width: int, scheme: str) -> None:
     browser.open(SITE / page)
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", WIDTHS.values(), ids=WIDTHS)
-@pytest.mark.parametrize("page", PAGES)
-def test_a_page_keeps_nobody_out(browser, page, width, scheme):
-    show(browser, page, width, scheme)
+VIEWS = [*product(PAGES, WIDTHS, ("light", "dark"))]
+
+
+@pytest.mark.parametrize(("page", "width", "scheme"), part(VIEWS))  # both widths, both schemes
+def test_a_page_keeps_nobody_out(browser, axe, page, width, scheme):
+    show(browser, page, WIDTHS[width], scheme)
     assert browser.complaints == []
     assert all(address.startswith(("file:", "data:")) for address in browser.requests)
-    assert browser.evaluate("document.documentElement.scrollWidth") <= width
-    browser.evaluate(AXE.read_text(encoding="utf-8") + ";0")
+    assert browser.evaluate("document.documentElement.scrollWidth") <= WIDTHS[width]
+    browser.evaluate(f"{axe};0")
     found = browser.evaluate(
         "axe.run({preload: false}).then(r => r.violations"
         ".filter(v => ['serious', 'critical'].includes(v.impact))"

@@ -12,8 +12,9 @@ import pytest
 
 import rotation
 from hfield import H
+from tests.thorough import cases
 
-PROCESSES = 8
+PROCESSES = cases(20)
 SCRIPT = Path(__file__).parent.parent / "scripts" / "stress_threads.py"
 NO_CALLS = {"DTypeError", "ForeignArrayError", "RotationError", "ZeroRotationError", "Screw"}
 COMPILES_ALL = {"warm_up"}
@@ -65,6 +66,7 @@ def test_threads_that_call_for_the_first_time_get_what_one_gets() -> None:
         check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr
+    n = PROCESSES // 4
     assert done.stdout.startswith(
-        f"{PROCESSES} processes (2 cold, 2 warm, 2 fork, 2 spawn) of 8 threads"
+        f"{PROCESSES} processes ({n} cold, {n} warm, {n} fork, {n} spawn) of 8 threads"
     )

@@ -1,10 +1,12 @@
-"""How many random cases a test draws: a fifth of them, or all with HFIELD_THOROUGH=1."""
+"""How many cases a test takes of many alike: a fifth of random ones, all with HFIELD_THOROUGH=1."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from itertools import cycle, product
 from typing import TypeVar
 
 T = TypeVar("T")
+U = TypeVar("U")
 
 THOROUGH = os.environ.get("HFIELD_THOROUGH", "") not in ("", "0")
 
@@ -17,3 +19,10 @@ def cases(most: int) -> int:
 def part(items: Sequence[T], step: int = 5) -> Sequence[T]:
     """Return every ``step``-th of some cases, or all."""
     return items if THOROUGH else items[::step]
+
+
+def pairwise(items: Iterable[T], others: Sequence[U]) -> list[tuple[T, U]]:
+    """Return each item with one of the others, which take turns, or with all of them."""
+    if THOROUGH:
+        return list(product(items, others))
+    return list(zip(items, cycle(others), strict=False))

@@ -17,7 +17,7 @@ from tests.adversary.words import split, truth_everywhere, truth_over
 from tests.certificates.cases import with_rings
 from tests.certificates.hand_made import setting
 from tests.certificates.ring_data import data_of
-from tests.thorough import part
+from tests.thorough import pairwise
 
 FIELDS = (None, "RR", "GF(2)", "GF(3)")
 VERDICTS = ("proved", "refuted", "vacuous")
@@ -67,7 +67,8 @@ def accepted(word: str) -> dict[tuple[str, str | None], dict[str, list[Finding]]
     """Return what passes, of all parts, fields, verdicts and evidence."""
     out: dict[tuple[str, str | None], dict[str, list[Finding]]] = {}
     evidence = shapes()
-    texts = dict.fromkeys(word.format(p=p, q=q) for p, q in part([*product(PARTS, repeat=2)], 3))
+    pairs = pairwise(PARTS, PARTS[1:] + PARTS[:1])  # each on either side
+    texts = dict.fromkeys(word.format(p=p, q=q) for p, q in pairs)
     for text, field, verdict in product(texts, FIELDS, VERDICTS):
         found = [established(text, field, verdict, e) for e in evidence]
         if any(found):

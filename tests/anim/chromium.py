@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 CHROMIUM = next(
@@ -23,6 +24,14 @@ FLAGS = (
 )  # fmt: skip
 # Seconds for any one answer: no bound on how quick the browser is, but the end of a wait for one that hangs.
 PATIENCE = 120.0
+AXE = Path(__file__).parents[2] / "docs" / "_build" / "node_modules" / "axe-core" / "axe.min.js"
+
+
+def axe_core() -> str:
+    """Return axe-core, which looks for what keeps people out of pages; skip where it is not installed."""
+    if not AXE.is_file():
+        pytest.skip("needs axe-core (scripts/install_judges.sh)")
+    return AXE.read_text(encoding="utf-8")
 
 
 class Browser:

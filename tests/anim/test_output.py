@@ -21,6 +21,7 @@ from anim.output.sheet import shown
 from anim.picture import STYLES
 from anim.rendering import Scene, contact_sheet, frames, render
 from tests.anim.films import FILM, FRAMES, SIZE, decoded, psnr
+from tests.thorough import pairwise
 
 
 def test_mp4(scene: Scene, tmp_path: Path) -> None:
@@ -74,8 +75,7 @@ def test_moving_pictures(
     assert durations(path) == pytest.approx([0.04] * FRAMES, abs=1e-9)
 
 
-@pytest.mark.parametrize("style", STYLES)
-@pytest.mark.parametrize("size", [SIZE, (320, 240), (640, 480)])
+@pytest.mark.parametrize(("style", "size"), pairwise(STYLES, (SIZE, (320, 240), (640, 480))))
 def test_every_frame_of_an_mp4_is_like_what_was_drawn(
     scene: Scene, tmp_path: Path, style: str, size: tuple[int, int]
 ) -> None:

@@ -1,11 +1,8 @@
 """The pages by keyboard alone, and before axe-core, which looks for what keeps people out.
 
-They are light and dark, wide and narrow. axe-core is found where node finds it:
-`npm install --no-save axe-core`, or a folder in NODE_PATH.
+They are light and dark, wide and narrow. `scripts/install_judges.sh` brings axe-core.
 """
 
-import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
@@ -14,21 +11,16 @@ from anim.model import Model
 from anim.physics import Body, FreeTop
 from anim.physics.simulate import STORY
 from anim.viewer import Curve, Show, page, seeing
-from tests.anim.chromium import Browser
+from tests.anim.chromium import Browser, axe_core
 from tests.anim.test_viewer import SPIN, needs_chromium, settle
 
 pytestmark = needs_chromium
 TOP = FreeTop(Body.turned(Model().profile), STORY[0], 10.0, STORY[1])
-FIND = "process.stdout.write(require.resolve('axe-core/axe.min.js', { paths: [process.cwd()] }))"
 
 
 @pytest.fixture(scope="module")
 def axe() -> str:
-    node = shutil.which("node")
-    found = node and subprocess.run([node, "-e", FIND], capture_output=True, text=True, timeout=60)
-    if not found or found.returncode:
-        pytest.skip("needs axe-core (npm install --no-save axe-core)")
-    return Path(found.stdout).read_text(encoding="utf-8")
+    return axe_core()
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ from anim.model import Model
 from anim.picture import Camera, Look, merge, painter
 from anim.picture.styles import flat, shaded
 from tests.anim.cones import NOTHING, interior, nearest, random_rotation, reference
+from tests.thorough import cases
 
 # A colour of its own for each piece and band, far apart from each other.
 COLOURS = [
@@ -23,7 +24,7 @@ LEAK = 16  # levels of 255; where two edges just touch, the far side comes throu
 @pytest.fixture(scope="module")
 def attitudes():
     rng = np.random.default_rng(1)
-    return [random_rotation(rng) for _ in range(200)]
+    return [random_rotation(rng) for _ in range(cases(200))]
 
 
 def coloured(model: Model, look: Look):
@@ -62,7 +63,7 @@ def share_wrong(brush, rotations) -> float:
 
 
 @pytest.mark.parametrize("style", ["flat", "classic", "shaded"])
-def test_depth_is_right_in_200_attitudes(style, attitudes):
+def test_depth_is_right_in_many_attitudes(style, attitudes):
     brush = coloured(Model(), Look(SIZE, style, tilt=180))
     assert share_wrong(brush, attitudes) <= LIMIT
 

@@ -7,6 +7,7 @@ import pytest
 
 from hfield.proving.decide import decide
 from tests.proving.small_rings import RINGS, holds
+from tests.thorough import cases
 
 # Equal over every commutative ring, so that "A + n·C == B" holds exactly where n·C is 0.
 EQUAL = [
@@ -102,7 +103,7 @@ def wrong_claims(statement, field, most=20_000):
 @pytest.mark.parametrize("field", [None, "QQ", "GF(2)", "GF(3)", "GF(4)"])
 def test_what_a_scope_claims_holds_over_every_ring_of_its_kind(field):
     wrong, scopes = [], set()
-    for statement in dict.fromkeys(statements(f"{field}", 80)):
+    for statement in dict.fromkeys(statements(f"{field}", cases(200))):
         found, decision = wrong_claims(statement, field)
         wrong += found
         scopes.add((decision.scope or "null")[:15])

@@ -1,12 +1,10 @@
 """The page in headless Chromium: filters, certificates, keyboard, phone, and what axe-core finds."""
 
 import json
-import shutil
-import subprocess
 
 import pytest
 
-from tests.anim.chromium import CHROMIUM, Browser
+from tests.anim.chromium import CHROMIUM, Browser, axe_core
 
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
 SERIOUS = """axe.run(document, {resultTypes: ["violations"]}).then((found) => found.violations
@@ -110,17 +108,8 @@ def test_the_matrix_shows_that_it_is_cut(opened):
 
 
 @pytest.fixture(scope="module")
-def axe(tmp_path_factory):
-    npm = shutil.which("npm")
-    if npm is None:
-        pytest.skip("npm is not installed, which fetches axe-core")
-    folder = tmp_path_factory.mktemp("axe")
-    command = [npm, "install", "--no-audit", "--no-fund", "--ignore-scripts", "axe-core"]
-    try:
-        subprocess.run(command, cwd=folder, check=True, capture_output=True, timeout=60)
-    except (OSError, subprocess.SubprocessError):
-        pytest.skip("npm could not fetch axe-core")
-    return (folder / "node_modules" / "axe-core" / "axe.min.js").read_text("utf-8")
+def axe():
+    return axe_core()
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

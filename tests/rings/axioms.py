@@ -17,8 +17,9 @@ from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, UndecidedError
 from hfield.rings import INFINITY, Ring, ring
+from tests.thorough import cases
 
-EXAMPLES = 15
+EXAMPLES = cases(40)
 SMALL = 300  # rings of up to so many elements are run through
 
 

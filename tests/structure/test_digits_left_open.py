@@ -7,6 +7,7 @@ import pytest
 
 from hfield import QuaternionAlgebra, hilbert_symbol, ring
 from hfield.errors import UndecidedError
+from tests.thorough import cases
 
 
 def residues(F):
@@ -48,7 +49,7 @@ def test_symbols_and_squares_are_those_of_all_numbers_with_these_digits(name):
     F, rng = ring(name), Random(1)
     digits, most = F.square_digits, 3 if F.residues.order == 2 and F.doubling == 1 else 2
     seen = set()
-    for _ in range(100 if most == 3 else 20):
+    for _ in range(cases(200) if most == 3 else 20):
         exact = [F.random(rng) * F.uniformiser ** rng.randint(0, 1) for _ in range(2)]
         if not all(x.has_value for x in exact):
             continue

@@ -12,6 +12,7 @@ from hfield.fields.rationals.embedding import traceless_root_rational
 from hfield.fields.rationals.symbols import hilbert_symbol_q, ramified_places_q
 from hfield.product import Constants, multiply
 from hfield.rings import QQ
+from tests.thorough import cases
 
 P, Q, R = (
     10**29 + 319,
@@ -62,7 +63,7 @@ def test_isomorphisms_are_found_and_short(bits, kind, monkeypatch):
 
     monkeypatch.setattr(lattices, "combination", watched)
     rng = random.Random(f"{bits}{kind}")
-    for _ in range(5):
+    for _ in range(cases(10)):
         a, b = some_algebra(rng, bits, kind)
         c, d = another_basis(rng, a, b)
         A, B = QuaternionAlgebra("QQ", a, b), QuaternionAlgebra("QQ", c, d)

@@ -12,6 +12,7 @@ from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.symbols import candidates
 from hfield.fields.number_fields.unimodular_lattice import unimodular_module
 from hfield.primality import WORD, power_root, primes
+from tests.thorough import cases
 
 FIELDS = [
     "QQ[s]/(s^4-5*s^2+5)", "QQ[s]/(s^5-s-1)", "QQ[s]/(s^6+2*s+2)", "QQ[s]/(s^8-2*s^7+4*s^5-4*s^4+3*s^2-2*s+1)"
@@ -59,7 +60,7 @@ def check(A, B):
 @pytest.mark.parametrize("name", FIELDS)
 def test_random_pairs(name):
     K, rng = ring(name), random.Random(5)
-    for _ in range(2):
+    for _ in range(cases(5)):
         A, B = isomorphic_pair(K, rng)
         check(A, B)
         check(B, A)
