@@ -18,7 +18,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
-from hfield.fields.function_fields.residues import ResidueField
+from hfield.fields.function_fields.places import FunctionPlace, prime_divisors
+from hfield.fields.function_fields.residues import ResidueField, residues_at
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.rationals.conics import diagonalise, solve_conic
 from hfield.fields.rationals.symbols import ramified_places_q
@@ -40,10 +41,6 @@ if TYPE_CHECKING:
 
     from hfield.fields.function_fields.quotients import Quotient
     from hfield.fields.function_fields.ring import FunctionField
-    from hfield.rings.flint_types import Polynomial
-
-
-INFINITE = "inf"
 
 
 class RamifiedError(ArithmeticError):
@@ -57,22 +54,20 @@ class RamifiedError(ArithmeticError):
 def solve_conic_functions(
     field: FunctionField, c: Constants
 ) -> tuple[Quotient, Quotient, Quotient]:
-    """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``; see :func:`solve_ternary`."""
-    return solve_ternary(field, norm_form(field, c))
-
-
-def solve_ternary(field: Any, form: Form) -> tuple[Quotient, Quotient, Quotient]:
-    """Return a nontrivial zero in k(t) of a nondegenerate form in three variables.
+    """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``.
 
     Raises :class:`RamifiedError` with a place where there is none; over ℚ(x) the place may be the
     tuple of places of ℚ where a constant conic has no point.
     """
+    form = norm_form(field, c)
     conic = Conic(form, field.zero, field.one)
     lattice = conic.start()
-    for p in _bad_primes(field, form):
-        if not minimise(conic, lattice, ResidueField(field, p)):
-            raise RamifiedError(p)
-    basis = _reduce(field, lattice.basis, _at_infinity(field, form))
+    # elsewhere the standard lattice is good
+    bad = prime_divisors(field, (*(f.den for f in form), half_discriminant(form).num))
+    for place in bad:
+        if not minimise(conic, lattice, residues_at(place)):
+            raise RamifiedError(place)
+    basis = _reduce(field, lattice.basis, _at_infinity(field, conic))
     for v in basis:
         if conic.value(v).num == 0:
             return v[0], v[1], v[2]
@@ -85,37 +80,12 @@ def solve_ternary(field: Any, form: Form) -> tuple[Quotient, Quotient, Quotient]
     return x, y, z
 
 
-def _bad_primes(field: Any, form: Form) -> list[Polynomial]:
-    """Return the monic irreducible polynomials at which the standard lattice may not be good."""
-    found: dict[str, Any] = {}
-    for x in (*(f.den for f in form), half_discriminant(form).num):
-        for p, _ in x.factor()[1]:
-            monic = field.quotient(field.one.num, p).den
-            found[str(monic)] = monic
-    return list(found.values())
-
-
-def inverted(field: FunctionField, x: Quotient) -> Quotient:
-    """Return x with the variable replaced by its inverse."""
-    one = field.one.num
-
-    def reverse(poly: Polynomial) -> Quotient:
-        result = field.zero.num
-        for coefficient in poly.coeffs():
-            result = result * field.gen.num + field.constant(field.base(coefficient)).num
-        return field.quotient(result, one) * field.power(field.gen, -max(int(poly.degree()), 0))
-
-    return reverse(x.num) * field.inverse(reverse(x.den))
-
-
-def _at_infinity(field: FunctionField, form: Form) -> list[Vector]:
+def _at_infinity(field: FunctionField, conic: Conic) -> list[Vector]:
     """Return a basis of a good lattice at infinity."""
-    a, b, c, r, s, t = (inverted(field, x) for x in form)
-    conic = Conic((a, b, c, r, s, t), field.zero, field.one)
-    lattice = conic.start()
-    if not minimise(conic, lattice, ResidueField(field, field.gen.num)):
-        raise RamifiedError(INFINITE)
-    return [[inverted(field, x) for x in v] for v in lattice.basis]
+    lattice, place = conic.start(), FunctionPlace(field)
+    if not minimise(conic, lattice, residues_at(place)):
+        raise RamifiedError(place)
+    return lattice.basis
 
 
 def _reduce(field: FunctionField, basis: list[Vector], local: list[Vector]) -> list[Vector]:
