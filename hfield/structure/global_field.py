@@ -9,7 +9,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError, shorten
 from hfield.factorisation import Factors
@@ -69,8 +69,6 @@ class GlobalField(ABC):
     ring: Any  # the field, of the class that names this one
     splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
     cited = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
-    finite_orders: ClassVar[Mapping[int, int] | None] = None
-    """The primes of a number that every finite order of a unit of an algebra divides, if one is known."""
 
     def __init__(self, ring: Ring) -> None:
         self.ring = ring

@@ -336,7 +336,8 @@ def _points(field: FunctionField, count: int) -> Iterator[FunctionPlace]:
 
 def _isotropic_at(coefficients: list[Quotient], point: FunctionPlace) -> bool:
     """Tell whether the diagonal form has a zero over the completion at a rational point, ℚ((π))."""
-    at, parts = residues_at(point), ([], [])
+    at = residues_at(point)
+    parts: tuple[list[Any], list[Any]] = [], []
     for x in coefficients:
         order, lead = at.leading(x)
         parts[order % 2].append(lead[0])

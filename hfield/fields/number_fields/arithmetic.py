@@ -56,10 +56,6 @@ class NumberFieldArithmetic(GlobalField):
 
     ring: NumberField
 
-    def __init__(self, ring: NumberField) -> None:
-        super().__init__(ring)
-        self.finite_orders = _finite_orders(2 * ring.degree)  # type: ignore[misc]
-
     def read_place(self, text: object) -> Place:
         """Return a prime ideal or an infinite place."""
         return place_of_number_field(self.ring, text)
@@ -149,17 +145,6 @@ class NumberFieldArithmetic(GlobalField):
                 return generator_by_slot(self.ring, s, c, *self._slot(c, s))[0]
         outer = Constants(s, self.ring.zero, common_slot([s], ramified))
         return embed_number_field(self.ring, outer, c)[0]
-
-
-def _finite_orders(degree: int) -> Mapping[int, int]:
-    """Return the primes of a number that the order of every root of unity of such a degree divides."""
-    orders = {}
-    for p in primes(degree + 2):
-        k = 0
-        while p**k * (p - 1) <= degree:
-            k += 1
-        orders[p] = k
-    return orders
 
 
 TRIALS = 20_000

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 from hfield.factorisation import Factors, known_primes, shared_primes
 from hfield.fields.rationals.conics import solve_conic
@@ -32,9 +32,6 @@ if TYPE_CHECKING:
 
 class RationalArithmetic(GlobalField):
     """The arithmetic of ℚ: symbols by formula, places as primes and ``"inf"``."""
-
-    # a root of unity of degree at most 2 has order 1, 2, 3, 4 or 6
-    finite_orders: ClassVar[Mapping[int, int]] = {2: 2, 3: 1}
 
     def read_place(self, text: object) -> Place:
         """Return a prime or ``"inf"``."""

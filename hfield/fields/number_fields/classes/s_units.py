@@ -433,16 +433,12 @@ def roots_of_unity(frame: Integers) -> tuple[int, FieldElement]:
     field, n = frame.field, frame.n
     if field.signature[0]:
         return 2, -field.one
-    candidates = [m for m in range(4, 4 * n * n + 8, 2) if n % _totient(m) == 0]
+    candidates = [m for m in range(4, 4 * n * n + 8, 2) if n % int(flint.fmpz(m).euler_phi()) == 0]
     for m in reversed(candidates):
         found = roots_in(field, flint.fmpq_poly(flint.fmpz_poly.cyclotomic(m)))
         if found:
             return m, found[0]
     return 2, -field.one
-
-
-def _totient(m: int) -> int:
-    return sum(math.gcd(m, k) == 1 for k in range(1, m + 1))
 
 
 def _conjugates(frame: Integers) -> flint.fmpz_mat:
