@@ -43,7 +43,7 @@ from hfield.rings.balls import precision
 from hfield.rings.whole_numbers import crt
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField, no_flag
-from hfield.structure.isomorphisms.through_slots import Point, generator_by_slot, through_slot
+from hfield.structure.isomorphisms.through_slots import generator_by_slot, through_slot
 from hfield.structure.lattice_reduction import combination, reduced
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 
@@ -116,19 +116,18 @@ class NumberFieldArithmetic(GlobalField):
         if self.ring.degree > 2:
             return embed_number_field(self.ring, outer, inner)
         with self._known(outer.a, outer.b, inner.a, inner.b):
-            return through_slot(self.ring, outer, inner, *self._slot(inner, outer.a))
+            return through_slot(self.ring, outer, inner, self._slot(inner, outer.a), self._point)
 
     def _known(self, *numbers: FieldElement) -> AbstractContextManager[None]:
         """Let the primes of some numbers serve for what is made of them: a slot has one new prime."""
         return known_primes({p for x in numbers for p in candidates(self.ring, x)}, "")
 
-    def _slot(self, c: Constants, s: FieldElement) -> tuple[FieldElement, Point]:
-        """Return a common slot of an algebra for a and s, and what solves conics.
+    def _slot(self, c: Constants, s: FieldElement) -> FieldElement:
+        """Return a common slot of an algebra for a and s.
 
         In degree 2 three conics in rank 6 take half the time of an isometry in rank 12.
         """
-        e = common_slot([c.a, s], ramified_places_number_field(c.a, c.b))
-        return e, self._point
+        return common_slot([c.a, s], ramified_places_number_field(c.a, c.b))
 
     def _point(self, c: Constants) -> tuple[FieldElement, FieldElement, FieldElement]:
         x, y, w = solve_conic_number_field(self.ring, c.a, c.b)
@@ -142,7 +141,7 @@ class NumberFieldArithmetic(GlobalField):
         c = Constants(form.a, self.ring.zero, form.b)
         if self.ring.degree == 2:
             with self._known(form.a, form.b, s):
-                return generator_by_slot(self.ring, s, c, *self._slot(c, s))[0]
+                return generator_by_slot(self.ring, s, c, self._slot(c, s), self._point)[0]
         outer = Constants(s, self.ring.zero, common_slot([s], ramified))
         return embed_number_field(self.ring, outer, c)[0]
 
