@@ -19,6 +19,7 @@ from hfield.factorisation import factorise, remove
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.primality import WORD
 from hfield.product import Scalar
+from hfield.rings.roots import integral
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
@@ -96,8 +97,7 @@ def integral_generator(field: NumberField) -> tuple[int, flint.fmpz_poly]:
         for p, e in factorise(int(c.q)).items() if c.q != 1 else ():
             needed = -(-e // (n - k))
             scale *= p ** max(0, needed - remove(scale, p)[0])
-    whole = [field.polynomial[k] * scale ** (n - k) for k in range(n + 1)]
-    return scale, flint.fmpz_poly([int(c.p) for c in whole])
+    return scale, integral(field.polynomial, scale)
 
 
 def dedekind(whole: flint.fmpz_poly, p: int) -> bool:

@@ -160,13 +160,9 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
         if self.d > 0:
             return Known(INFINITY, f"{self.name} is a field of real numbers, so it has an ordering")
         squares = self.minus_one_as_squares()
-        shown = " + ".join(f"({self.text(y)})^2" for y in squares)
-        why = {
-            1: "",
-            2: ", and −1 itself is no square",
-            4: f", and fewer squares do not do, for {-self.d} ≡ 7 mod 8",
-        }[len(squares)]
-        return Known(len(squares), f"−1 = {shown} in {self.name}{why}")
+        if len(squares) < 4:
+            return self.level_of(squares)
+        return self.level_of(squares, f"fewer squares do not do, for {-self.d} ≡ 7 mod 8")
 
     def minus_one_as_squares(self) -> tuple[Surd, ...]:
         """Return as few elements as possible whose squares add up to −1."""
