@@ -58,7 +58,7 @@ class Integers:
             return x
         x = self.ring(x)
         if isinstance(self.ring, QuadraticField):
-            return into_number_field(self.field, x, self.ring.d)
+            return into_number_field(self.ring, x)
         return x  # type: ignore[no-any-return]
 
     def outside(self, x: FieldElement) -> Any:
@@ -68,7 +68,7 @@ class Integers:
     def primes_above(self, p: int) -> list[tuple[Any, PrimeIdeal]]:
         """Return the prime ideals above p: as the ring has them, and as QQ[s]/(f) has them."""
         if isinstance(self.ring, QuadraticField):
-            return [(P, place_in_number_field(self.field, P)) for P in self.ring.primes_above(p)]  # type: ignore[misc]
+            return [(P, place_in_number_field(P)) for P in self.ring.primes_above(p)]  # type: ignore[misc]
         return [(P, P) for P in primes_above(self.field, p)]
 
     def ideal(self, rows: flint.fmpq_mat) -> Ideal:
@@ -310,12 +310,11 @@ class Ideal:
 
     def valuation(self, prime: object) -> int:
         """Return the exponent of a prime ideal here. Raises :class:`RingError` for what is none."""
-        frame = self.frame
         if not isinstance(prime, PrimeIdeal | QuadraticPlace) or not prime.is_finite:
             raise RingError(f"expected a prime ideal, not {shorten(prime)}; see primes_above(p)")
         inside: Any = prime
         if isinstance(prime, QuadraticPlace):
-            inside = place_in_number_field(frame.field, prime)
+            inside = place_in_number_field(prime)
         return int(min(inside.valuation(x) for x in self.elements))
 
     def factorisation(self) -> tuple[tuple[Any, int], ...]:

@@ -77,7 +77,7 @@ class QuadraticArithmetic(GlobalField):
         self, places: Sequence[object], infinite: bool | None = None
     ) -> tuple[Surd, Surd]:
         """Return constants found in ℚ[s]/(s² − d), which is the same field."""
-        same = [place_in_number_field(self.same.ring, self.read_place(v)) for v in places]
+        same = [place_in_number_field(self.read_place(v)) for v in places]
         a, b = self.same.with_ramification(same, infinite)
         return self._back(a), self._back(b)
 
@@ -87,7 +87,7 @@ class QuadraticArithmetic(GlobalField):
         return NumberFieldArithmetic(as_number_field(self.ring))
 
     def _there(self, c: Constants) -> Constants:
-        return Constants(*(into_number_field(self.same.ring, x, self.ring.d) for x in c))
+        return Constants(*(into_number_field(self.ring, x) for x in c))
 
     def _back(self, x: FieldElement) -> Surd:
         return from_number_field(self.ring, x)
