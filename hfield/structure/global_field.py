@@ -12,7 +12,8 @@ from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError, shorten
-from hfield.factorisation import Factors
+from hfield.factorisation import Factors, known_primes, shared_primes
+from hfield.primality import WORD
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring, of_fields
 from hfield.structure.forms import NormalForm
@@ -209,7 +210,14 @@ class GlobalField(ABC):
 
     def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
         """Let the primes that are found in one of the constants serve for all, while this lasts."""
-        return nullcontext()
+        numbers = [n for form in forms for x in form.constants for n in self._to_factor(x)]
+        if all(-WORD < n < WORD for n in numbers):  # these are factored at once
+            return nullcontext()
+        return known_primes(shared_primes(numbers), "")
+
+    def _to_factor(self, x: Any) -> Iterable[int]:
+        """Return the whole numbers that are factored where places are looked for at which x is no unit."""
+        return ()
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``.

@@ -12,13 +12,13 @@ from __future__ import annotations
 
 import random
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager
 from typing import Any
 
 import flint
 
 from hfield.errors import RingError, UndecidedError, shorten
-from hfield.factorisation import Factors, factorise, known_primes, remove, shared_primes
+from hfield.factorisation import Factors, factorise, known_primes, remove
 from hfield.fields.number_fields.conics import solve_conic_number_field
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import small_integer
@@ -104,12 +104,8 @@ class NumberFieldArithmetic(GlobalField):
                     for other in by_other_generators(place, GENERATORS):
                         yield {**data, "place": other}
 
-    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
-        """Share the primes of norms that are longer than a word."""
-        numbers = [n for form in forms for x in form.constants for n in norms(self.ring, x)]
-        if all(-WORD < n < WORD for n in numbers):
-            return nullcontext()
-        return known_primes(shared_primes(numbers), "")
+    def _to_factor(self, x: FieldElement) -> tuple[int, int, int]:
+        return norms(self.ring, x)
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J by an isometry of the quaternions of trace 0; in degree 2 by a common slot."""

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.places import Place
-from hfield.fields.number_fields.quadratic.places import QuadraticPlace
-from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
 
 if TYPE_CHECKING:
+    from hfield.fields.number_fields.places import Place
+    from hfield.fields.number_fields.quadratic.places import QuadraticPlace
+    from hfield.fields.number_fields.quadratic.ring import QuadraticField
     from hfield.rings.closed_fields.surds import Surd
 
 
