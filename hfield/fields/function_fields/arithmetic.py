@@ -19,15 +19,15 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import Factors
-from hfield.fields.function_fields.artin_schreier import has_solution_at, of_trace_one
-from hfield.fields.function_fields.conics import (
-    RamifiedError,
+from hfield.fields.function_fields.artin_schreier import (
     artin_schreier,
     as_norm,
     embed_even,
-    solve_conic_functions,
+    has_solution_at,
+    of_trace_one,
     square_parts,
 )
+from hfield.fields.function_fields.conics import RamifiedError, solve_conic_functions
 from hfield.fields.function_fields.places import FunctionPlace, place_of_functions, prime_divisors
 from hfield.fields.function_fields.residues import ResidueField, residues_at
 from hfield.fields.function_fields.ring import FunctionField

@@ -19,9 +19,9 @@ import flint
 
 from hfield.errors import HFieldError, RingError, shorten
 from hfield.factorisation import factorise
-from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.integers import multiplication_tables
-from hfield.fields.number_fields.integral_basis import coefficients, coordinate_rows, element_of
+from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
 from hfield.fields.number_fields.quadratic.as_number_field import (
     as_number_field,
