@@ -6,6 +6,8 @@ from fractions import Fraction
 from itertools import product
 from math import prod
 
+from flint import fmpz
+
 from hfield.factorisation import factorise
 from hfield.lattices.modulo_primes import kronecker
 from hfield.lattices.z_order import ZOrder, eichler_symbol, is_eichler
@@ -59,7 +61,7 @@ def cusps(order: ZOrder) -> int | None:
         return None
     # Σ φ(gcd(d, N/d)) over the divisors d of the level
     return prod(
-        sum(_phi(p ** min(k, e - k)) for k in range(e + 1))
+        sum(int(fmpz(p ** min(k, e - k)).euler_phi()) for k in range(e + 1))
         for p, e in factorise(order.level).items()
     )
 
@@ -83,7 +85,3 @@ def is_hyperbolic_trace(order: ZOrder, t: int) -> bool:
         any((x * x - t * x + 1) % p**e == 0 for x in range(p**e))
         for p, e in factorise(order.level).items()
     )
-
-
-def _phi(n: int) -> int:
-    return prod(p ** (e - 1) * (p - 1) for p, e in factorise(n).items())

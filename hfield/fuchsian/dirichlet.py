@@ -1,11 +1,10 @@
 """Dirichlet domains of the units of norm 1 of an order, found by search and then proved to be complete.
 
 Elements are looked for, and reduced by one another, in floats (``search``, ``growing``), until they seem to
-bound a polygon of finite area whose sides are paired. Then all is decided exactly. The points
-nearer to the centre
-than to its images under these units are a polygon that contains the true domain. By Poincaré's theorem its
-area is the sum of its exact angles, and the formula says what that of the true domain is: where
-they agree, it is the true one (Voight, *J. Théor. Nombres Bordeaux* 21, 2009; Page; Rickards).
+bound a polygon of finite area whose sides are paired. Then all is decided exactly. The points nearer to the
+centre than to its images under these units are a polygon that contains the true domain. By Poincaré's theorem
+its area is the sum of its exact angles, and the formula says what that of the true domain is: where they
+agree, it is the true one (Voight, *J. Théor. Nombres Bordeaux* 21, 2009; Page; Rickards).
 """
 
 from __future__ import annotations
@@ -227,9 +226,8 @@ def cycles_of(found: Polygon, partners: list[int]) -> list[Cycle]:
 def rotation_order(order: SplitOrder, g: Quaternion) -> int:
     """Return the order, up to numbers, of an element that fixes a point; 0 for a parabolic one.
 
-    Raises :class:`ArithmeticError` for a hyperbolic one. The trace of g is 2·cos, and lies in the
-    field, which bounds the
-    order m: the cosine of 2π/m generates a field of degree φ(m)/2.
+    Raises :class:`ArithmeticError` for a hyperbolic one. The trace of g is 2·cos, and lies in the field,
+    which bounds the order m: the cosine of 2π/m generates a field of degree φ(m)/2.
     """
     if g == g.conjugate():
         return 1

@@ -260,6 +260,12 @@ class WithSquares(Core[E]):
         """The level s(F): the least number of squares with sum −1, ``inf`` if there is none."""
         return Known(None, "nothing is known of the squares of this ring")
 
+    def level_of(self, squares: Sequence[E], fewer: str = "−1 itself is no square") -> Known:
+        """Return the level that squares with sum −1 show, where ``fewer`` is why fewer do not do."""
+        shown = " + ".join(f"({self.text(y)})^2" for y in squares)
+        more = f", and {fewer}" if len(squares) > 1 else ""
+        return Known(len(squares), f"−1 = {shown} in {self.name}{more}")
+
     def minus_one_as_squares(self) -> tuple[E, ...]:
         """Elements, as few as the level says, whose squares add up to −1; () if not known."""
         return ()

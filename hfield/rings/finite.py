@@ -226,10 +226,7 @@ class ExtensionField(FiniteField):
     @property
     def level(self) -> Known:
         """1 when −1 is a square, else 2."""
-        squares = self.minus_one_as_squares()
-        shown = " + ".join(f"({self.text(y)})^2" for y in squares)
-        more = "" if len(squares) == 1 else ", and −1 itself is no square"
-        return Known(len(squares), f"−1 = {shown} in {self.name}{more}")
+        return self.level_of(self.minus_one_as_squares())
 
     def minus_one_as_squares(self) -> tuple[flint.fq_default, ...]:
         """Return one or two elements whose squares add up to −1: first 0, then every x is tried."""

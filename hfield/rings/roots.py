@@ -37,9 +37,12 @@ def irreducible_factors(coefficients: Sequence[flint.fmpq]) -> list[flint.fmpq_p
     return [g / g.leading_coefficient() for g, _ in factors]
 
 
-def integral(g: flint.fmpq_poly) -> flint.fmpz_poly:
-    """Return the monic polynomial over ℤ of a whole multiple of the roots of a monic polynomial over ℚ."""
-    n, scale = int(g.degree()), int(g.denom())
+def integral(g: flint.fmpq_poly, scale: int | None = None) -> flint.fmpz_poly:
+    """Return the monic polynomial over ℤ of a multiple of the roots of a monic polynomial over ℚ.
+
+    That is by default the one by the common denominator, which always serves.
+    """
+    n, scale = int(g.degree()), scale or int(g.denom())
     return flint.fmpz_poly([int((c * scale ** (n - k)).p) for k, c in enumerate(g.coeffs())])
 
 

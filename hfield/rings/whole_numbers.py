@@ -43,13 +43,13 @@ def square_class(x: Rational) -> int:
     return n
 
 
-def squarefree(n: int, known: Iterable[int] = ()) -> tuple[int, int, list[int]]:
+def squarefree(n: int) -> tuple[int, int, list[int]]:
     """Return ``(m, s, primes)`` with ``n = m·s²``, m squarefree, and the primes of m.
 
-    Raises :class:`UnfactoredError`; ``known`` are primes that may divide n.
+    Raises :class:`UnfactoredError`.
     """
     m, s, primes = (1 if n > 0 else -1), 1, []
-    for p, e in factorise(n, known).items():
+    for p, e in factorise(n).items():
         s *= p ** (e // 2)
         if e % 2:
             m *= p

@@ -9,10 +9,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError, shorten
-from hfield.factorisation import Factors
+from hfield.factorisation import Factors, known_primes, shared_primes
+from hfield.primality import WORD
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring, of_fields
 from hfield.structure.forms import NormalForm
@@ -69,8 +70,6 @@ class GlobalField(ABC):
     ring: Any  # the field, of the class that names this one
     splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
     cited = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
-    finite_orders: ClassVar[Mapping[int, int] | None] = None
-    """The primes of a number that every finite order of a unit of an algebra divides, if one is known."""
 
     def __init__(self, ring: Ring) -> None:
         self.ring = ring
@@ -211,7 +210,14 @@ class GlobalField(ABC):
 
     def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
         """Let the primes that are found in one of the constants serve for all, while this lasts."""
-        return nullcontext()
+        numbers = [n for form in forms for x in form.constants for n in self._to_factor(x)]
+        if all(-WORD < n < WORD for n in numbers):  # these are factored at once
+            return nullcontext()
+        return known_primes(shared_primes(numbers), "")
+
+    def _to_factor(self, x: Any) -> Iterable[int]:
+        """Return the whole numbers that are factored where places are looked for at which x is no unit."""
+        return ()
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``.

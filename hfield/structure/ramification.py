@@ -8,8 +8,8 @@ from hfield.factorisation import Factors, known_primes
 from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring, WithPlaces
 from hfield.rings.integers import QQ
-from hfield.structure.forms import NormalForm, discriminant, normal_form
-from hfield.structure.global_field import field_named_by, global_field
+from hfield.structure.forms import discriminant, normal_form
+from hfield.structure.global_field import field_named_by, global_field, known_field
 
 
 def hilbert_symbol(
@@ -31,9 +31,7 @@ def hilbert_symbol(
     (-1, 1, -1)
     """
     field = field_named_by(a, b, place) or QQ
-    known = global_field(field)
-    assert known is not None, "only fields with places are named"
-    return known.hilbert_symbol(a, b, place, factors)
+    return known_field(field).hilbert_symbol(a, b, place, factors)
 
 
 def places(ring: WithPlaces) -> Iterator[Hashable]:
@@ -57,15 +55,6 @@ def place(ring: Ring, text: object) -> Hashable:
     return field.read_place(text)
 
 
-def ramification(ring: Ring, form: NormalForm) -> tuple[Hashable, ...] | None:
-    """Return the ramified places of a nondegenerate normal form; None where there is no theory.
-
-    Over ℚ(x) these are the places with a residue; without any, the algebra is constant.
-    """
-    field = global_field(ring)
-    return None if field is None else field.ramified(form)
-
-
 def ramified_places(
     ring: Ring, c: Constants, factors: Factors | None = None
 ) -> tuple[Hashable, ...]:
@@ -84,10 +73,7 @@ def ramified_places(
     if ring.order is not None:
         return ()
     with known_primes(factors):
-        found = ramification(ring, normal_form(ring, c))
-    if found is None:
-        raise UndecidedError(f"{ring.name} has no theory of places here")
-    return found
+        return known_field(ring).ramified(normal_form(ring, c))
 
 
 def reduced_discriminant(ring: Ring, c: Constants, factors: Factors | None = None) -> Any:

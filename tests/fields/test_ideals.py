@@ -56,3 +56,11 @@ def test_what_is_refused() -> None:
     with pytest.raises(RingError, match="not of"):
         K.ideal(L.ideal(2))
     assert K.ideal(2) != L.ideal(2)
+
+
+def test_the_valuation_at_a_prime_of_another_field_is_refused() -> None:
+    a = ring("QQ(sqrt(2))").ideal(6)
+    others = [*ring("QQ(sqrt(7))").primes_above(3), *ring("QQ[s]/(s^3-2)").primes_above(3)]
+    for P in (*others, *ring("QQ(sqrt(2))").real_places(), 3):
+        with pytest.raises(RingError, match="no prime ideal of QQ\\(sqrt\\(2\\)\\)"):
+            a.valuation(P)

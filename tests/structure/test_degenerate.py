@@ -5,7 +5,7 @@ import random
 import pytest
 from structure_cases import constants
 
-from hfield.fields.function_fields.conics import artin_schreier
+from hfield.fields.function_fields.artin_schreier import artin_schreier
 from hfield.product import Constants, multiply, norm, trace
 from hfield.rings import ring
 from hfield.structure import is_isomorphic, isomorphism

@@ -66,14 +66,13 @@ def other_basis(F, c: Constants, rng: random.Random) -> Constants:
 def point(F, a, b):
     """Return (x, y, z) with ``a·x² + b·y² = z²``, as it is found in ℚ[s]/(s² − d)."""
     K = as_number_field(F)
-    found = solve_conic_number_field(K, *(into_number_field(K, x, F.d) for x in (a, b)))
+    found = solve_conic_number_field(K, *(into_number_field(F, x) for x in (a, b)))
     return [from_number_field(F, x) for x in found]
 
 
 def is_square_at(v, x):
     """Tell whether x is a square in the completion at a place."""
-    K = as_number_field(v.field)
-    return is_local_square(place_in_number_field(K, v), into_number_field(K, x, v.d))
+    return is_local_square(place_in_number_field(v), into_number_field(v.field, x))
 
 
 @pytest.mark.parametrize("d", FIELDS)
@@ -160,7 +159,7 @@ def test_a_good_lattice_is_a_module_of_least_discriminant(d):
     F, rng = field(d), random.Random(d)
     c = algebra(F, rng, 30, division=False)
     K = as_number_field(F)
-    a, b = (into_number_field(K, x, d) for x in (c.a * 36, c.b * 25 * (F.gen + 3) * (F.gen + 3)))
+    a, b = (into_number_field(F, x) for x in (c.a * 36, c.b * 25 * (F.gen + 3) * (F.gen + 3)))
     basis = good_module(K, [K.one, -a, -b], sorted({2} | candidates(K, a) | candidates(K, b)))
     o = K.zero
     conic = Conic((K.one, -a, -b, o, o, o), o, K.one)
@@ -199,11 +198,8 @@ def test_common_slots(d):
 
 def slot(F, c, numbers):
     """Return an e such that each (x, e) is isomorphic to an algebra."""
-    K = as_number_field(F)
-    places = [place_in_number_field(K, v) for v in ramified_places(F, c)]
-    return from_number_field(
-        F, common_slot([into_number_field(K, x, F.d) for x in numbers], places)
-    )
+    places = [place_in_number_field(v) for v in ramified_places(F, c)]
+    return from_number_field(F, common_slot([into_number_field(F, x) for x in numbers], places))
 
 
 def test_no_common_slot():

@@ -15,24 +15,21 @@ import functools
 import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
-
-import flint
 
 from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import Factors
-from hfield.fields.function_fields.artin_schreier import has_solution_at, of_trace_one
-from hfield.fields.function_fields.conics import (
-    RamifiedError,
+from hfield.fields.function_fields.artin_schreier import (
     artin_schreier,
     as_norm,
     embed_even,
-    solve_conic_functions,
+    has_solution_at,
+    of_trace_one,
     square_parts,
 )
-from hfield.fields.function_fields.places import FunctionPlace, place_of_functions
-from hfield.fields.function_fields.residues import AtInfinity, ResidueField
+from hfield.fields.function_fields.conics import RamifiedError, solve_conic_functions
+from hfield.fields.function_fields.places import FunctionPlace, place_of_functions, prime_divisors
+from hfield.fields.function_fields.residues import ResidueField, residues_at
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.function_fields.symbols import (
     common_slot_functions,
@@ -50,8 +47,7 @@ from hfield.primality import primes
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
-from hfield.rings.rational import fmpq
-from hfield.rings.whole_numbers import fraction, square_class
+from hfield.rings.whole_numbers import square_class
 from hfield.structure.forms import NormalForm, discriminant, normal_form
 from hfield.structure.global_field import GlobalField, known_field
 from hfield.structure.isomorphisms.isomorphic import isomorphism
@@ -115,22 +111,16 @@ class FunctionArithmetic(GlobalField):
 
     def residues(self, place: FunctionPlace) -> ResidueField | None:
         """Return k[t] modulo a polynomial, or k at infinity, for a finite k."""
-        return None if self.ring.base.order is None else self._at(place)
-
-    def _at(self, place: FunctionPlace) -> ResidueField:
-        return AtInfinity(self.ring) if place.poly is None else ResidueField(self.ring, place.poly)
+        return None if self.ring.base.order is None else residues_at(place)
 
     def residue_forms(
         self, form: Sequence[Quotient]
     ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
         """Run through infinity and the polynomials in the coefficients, over QQ or where they are linear."""
         F = self.ring
-        factors = [p for c in form for x in (c.num, c.den) for p, _ in x.factor()[1]]
-        finite = {
-            str(v): v for v in (FunctionPlace(F, p / p.leading_coefficient()) for p in factors)
-        }
-        for place in (FunctionPlace(F), *finite.values()):
-            at = self._at(place)
+        polynomials = (p for c in form for p in (c.num, c.den))
+        for place in (FunctionPlace(F), *prime_divisors(F, polynomials)):
+            at = residues_at(place)
             k: Any = F.base
             if place.degree > 1:
                 if F.base.order is not None:
@@ -138,9 +128,7 @@ class FunctionArithmetic(GlobalField):
                 k = NumberField(place.poly)
             parts: tuple[list[Any], list[Any]] = [], []
             for c in form:
-                n = at.valuation(c)
-                step = at.inverse_uniformiser if n > 0 else at.uniformiser
-                x = at.reduce(c * step ** abs(n))
+                n, x = at.leading(c)
                 parts[n % 2].append(k(x[0]) if place.degree == 1 else FieldElement(k, x))
             yield place, k, *parts
 
@@ -185,7 +173,7 @@ class OverEven(FunctionArithmetic):
 
     def _has_root_at(self, place: FunctionPlace, t: Quotient, n: Quotient) -> bool:
         """Tell whether x² − t·x + n has a root there; x² + n has its root in every division algebra."""
-        return t.num != 0 and has_solution_at(self._at(place), n / (t * t))
+        return t.num != 0 and has_solution_at(residues_at(place), n / (t * t))
 
     def of_trace_one(self, form: NormalForm, n: Quotient) -> Coordinates | None:
         """Return x by a conic, unless y² + y = n has a solution where the algebra ramifies."""
@@ -324,52 +312,36 @@ def _obstruction(field: FunctionField, form: NormalForm, f: Quotient) -> Functio
     """Return a place over whose completion no element of trace 0 has the square f, if one is found."""
     a, b = form.constants
     coefficients = [a, b, field.zero - a * b, field.zero - f]
-    special: list[Fraction | None] = [None]  # infinity
-    for x in (a, b, f):
-        for poly in (x.num, x.den):
-            linear = [p for p, _ in poly.factor()[1] if p.degree() == 1]
-            special += [-fraction(p[0]) / fraction(p[1]) for p in linear]
-    points = itertools.chain(special, (Fraction(n) for n in _small(PATTERNS)))
-    for c in dict.fromkeys(points):
-        if not _isotropic_at(coefficients, c):
-            return FunctionPlace(field, None if c is None else (field.gen - field(c)).num)
+    polynomials = (poly for x in (a, b, f) for poly in (x.num, x.den))
+    special = (v for v in prime_divisors(field, polynomials) if v.degree == 1)
+    for place in dict.fromkeys((FunctionPlace(field), *special, *_points(field, PATTERNS))):
+        if not _isotropic_at(coefficients, place):
+            return place
     for place in ramified_places_functions(field, form):
         if place.poly is None or place.poly.degree() == 1 or f.num % place.poly == 0:
             continue
-        kappa, residue = tame_residue(field, a, b, place)
+        kappa, residue = tame_residue(a, b, place)
         # the residue, which is no square, must become one in the extension by the root of f
         if not kappa.is_square(kappa.multiply(residue, kappa.reduce(f))):
             return place
     return None
 
 
-def _small(count: int) -> Iterator[int]:
-    yield 0
-    for n in range(1, count):
-        yield n
-        yield -n
+def _points(field: FunctionField, count: int) -> Iterator[FunctionPlace]:
+    """Run through the points 0, 1, −1, 2, … of the line, as places."""
+    for n in range(count):
+        for c in (n, -n)[: 1 + (n > 0)]:
+            yield FunctionPlace(field, (field.gen - field(c)).num)
 
 
-def _isotropic_at(coefficients: list[Quotient], point: Fraction | None) -> bool:
-    """Tell whether the diagonal form has a zero over ℚ((x − c)), or ℚ((1/x)) for None."""
-    parts: tuple[list[Fraction], list[Fraction]] = ([], [])
+def _isotropic_at(coefficients: list[Quotient], point: FunctionPlace) -> bool:
+    """Tell whether the diagonal form has a zero over the completion at a rational point, ℚ((π))."""
+    at = residues_at(point)
+    parts: tuple[list[Any], list[Any]] = [], []
     for x in coefficients:
-        order, lead = _leading(x, point)
-        parts[order % 2].append(lead)
+        order, lead = at.leading(x)
+        parts[order % 2].append(lead[0])
     return any(map(is_isotropic, parts))
-
-
-def _leading(x: Quotient, point: Fraction | None) -> tuple[int, Fraction]:
-    """Return the order of x ≠ 0 at a point and the leading coefficient of its expansion there."""
-    (m, u), (n, v) = (_leading_of(p, point) for p in (x.num, x.den))
-    return m - n, u / v
-
-
-def _leading_of(p: flint.fmpq_poly, point: Fraction | None) -> tuple[int, Fraction]:
-    if point is None:
-        return -int(p.degree()), fraction(p.leading_coefficient())
-    shifted = p(flint.fmpq_poly([fmpq(point), 1])).coeffs()
-    return next((n, fraction(c)) for n, c in enumerate(shifted) if c != 0)
 
 
 # --- roots ----------------------------------------------------------------------------------------
@@ -438,4 +410,4 @@ def _candidates(field: FunctionField, f: Quotient) -> Iterator[Quotient]:
 def _may_be_norm(field: FunctionField, p: Quotient, rest: Quotient) -> bool:
     """Tell whether some rational points do not forbid that rest is a norm from the field of √p."""
     form = [field.one, field.zero - p, field.zero - rest]
-    return all(_isotropic_at(form, c) for c in (None, *map(Fraction, _small(3))))
+    return all(_isotropic_at(form, c) for c in (FunctionPlace(field), *_points(field, 3)))

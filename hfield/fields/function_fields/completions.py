@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from hfield.certificates.glossary import reads_like_a_constant
 from hfield.errors import RingError
 from hfield.fields.function_fields.places import place_of_functions
-from hfield.fields.function_fields.residues import AtInfinity, ResidueField
+from hfield.fields.function_fields.residues import residues_at
 from hfield.fields.local.field import LocalField
 from hfield.rings.printing import blackboard
 
@@ -22,12 +22,10 @@ def completion_of_functions(field: FunctionField, place: object) -> LocalField:
         raise RingError(
             f"the completion of {field} at {v} is no local field: its residue field is infinite"
         )
-    k = blackboard(field.base.name)
+    k, residues = blackboard(field.base.name), residues_at(v)
     if v.poly is None:
-        words = f"Laurent series in 1/{field.gen_name} over {k}"
-        return LocalField(f"{field}_inf", words, field, v, AtInfinity(field))
-    residues = ResidueField(field, v.poly)
-    if v.poly == field.gen.num and not reads_like_a_constant(str(v)):
+        name, words = f"{field}_inf", f"Laurent series in 1/{field.gen_name} over {k}"
+    elif v.poly == field.gen.num and not reads_like_a_constant(str(v)):
         name, words = f"{field.base}(({v}))", f"Laurent series in {v} over {k}"
     else:
         name = f"{field}_({v})"

@@ -4,11 +4,6 @@ A form minimised everywhere lives on a vector bundle of rank 3 over the projecti
 Such a bundle is a sum of line bundles: either some vector has too small a degree for the form to be
 anything but 0 there, or the form has constant coefficients. (For odd characteristic compare Cremona and
 van Hoeij, "Trivial points on conics over function fields", J. Théor. Nombres Bordeaux 18 (2006).)
-
-Characteristic 2 over k(t), k finite: square roots, and y² + y = x.
-
-Since k is perfect, every s in k(t) is ``w² + b·r²``, for any b that is not a square. So every algebra [a, b)
-with such a b contains a square root ``w + r·j`` of trace 0 of s.
 """
 
 from __future__ import annotations
@@ -18,11 +13,12 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
-from hfield.fields.function_fields.residues import ResidueField
+from hfield.fields.function_fields.places import FunctionPlace, prime_divisors
+from hfield.fields.function_fields.residues import ResidueField, residues_at
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.rationals.conics import diagonalise, solve_conic
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.product import Constants, Coordinates, norm
+from hfield.product import Constants
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.minimal_conics import (
@@ -40,10 +36,6 @@ if TYPE_CHECKING:
 
     from hfield.fields.function_fields.quotients import Quotient
     from hfield.fields.function_fields.ring import FunctionField
-    from hfield.rings.flint_types import Polynomial
-
-
-INFINITE = "inf"
 
 
 class RamifiedError(ArithmeticError):
@@ -57,22 +49,20 @@ class RamifiedError(ArithmeticError):
 def solve_conic_functions(
     field: FunctionField, c: Constants
 ) -> tuple[Quotient, Quotient, Quotient]:
-    """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``; see :func:`solve_ternary`."""
-    return solve_ternary(field, norm_form(field, c))
-
-
-def solve_ternary(field: Any, form: Form) -> tuple[Quotient, Quotient, Quotient]:
-    """Return a nontrivial zero in k(t) of a nondegenerate form in three variables.
+    """Return ``(w, x, y)`` ≠ 0 in k(t) with ``w² + t·wx − a·x² − b·y² = 0``.
 
     Raises :class:`RamifiedError` with a place where there is none; over ℚ(x) the place may be the
     tuple of places of ℚ where a constant conic has no point.
     """
+    form = norm_form(field, c)
     conic = Conic(form, field.zero, field.one)
     lattice = conic.start()
-    for p in _bad_primes(field, form):
-        if not minimise(conic, lattice, ResidueField(field, p)):
-            raise RamifiedError(p)
-    basis = _reduce(field, lattice.basis, _at_infinity(field, form))
+    # elsewhere the standard lattice is good
+    bad = prime_divisors(field, (*(f.den for f in form), half_discriminant(form).num))
+    for place in bad:
+        if not minimise(conic, lattice, residues_at(place)):
+            raise RamifiedError(place)
+    basis = _reduce(field, lattice.basis, _at_infinity(field, conic))
     for v in basis:
         if conic.value(v).num == 0:
             return v[0], v[1], v[2]
@@ -85,37 +75,12 @@ def solve_ternary(field: Any, form: Form) -> tuple[Quotient, Quotient, Quotient]
     return x, y, z
 
 
-def _bad_primes(field: Any, form: Form) -> list[Polynomial]:
-    """Return the monic irreducible polynomials at which the standard lattice may not be good."""
-    found: dict[str, Any] = {}
-    for x in (*(f.den for f in form), half_discriminant(form).num):
-        for p, _ in x.factor()[1]:
-            monic = field.quotient(field.one.num, p).den
-            found[str(monic)] = monic
-    return list(found.values())
-
-
-def inverted(field: FunctionField, x: Quotient) -> Quotient:
-    """Return x with the variable replaced by its inverse."""
-    one = field.one.num
-
-    def reverse(poly: Polynomial) -> Quotient:
-        result = field.zero.num
-        for coefficient in poly.coeffs():
-            result = result * field.gen.num + field.constant(field.base(coefficient)).num
-        return field.quotient(result, one) * field.power(field.gen, -max(int(poly.degree()), 0))
-
-    return reverse(x.num) * field.inverse(reverse(x.den))
-
-
-def _at_infinity(field: FunctionField, form: Form) -> list[Vector]:
+def _at_infinity(field: FunctionField, conic: Conic) -> list[Vector]:
     """Return a basis of a good lattice at infinity."""
-    a, b, c, r, s, t = (inverted(field, x) for x in form)
-    conic = Conic((a, b, c, r, s, t), field.zero, field.one)
-    lattice = conic.start()
-    if not minimise(conic, lattice, ResidueField(field, field.gen.num)):
-        raise RamifiedError(INFINITE)
-    return [[inverted(field, x) for x in v] for v in lattice.basis]
+    lattice, place = conic.start(), FunctionPlace(field)
+    if not minimise(conic, lattice, residues_at(place)):
+        raise RamifiedError(place)
+    return lattice.basis
 
 
 def _reduce(field: FunctionField, basis: list[Vector], local: list[Vector]) -> list[Vector]:
@@ -229,70 +194,3 @@ def _rational_zero(form: Form) -> list[Fraction]:
 def _at(x: Quotient, point: flint.fmpq) -> flint.fmpq:
     """Return the value of a rational function at a point where its denominator is not 0."""
     return x.num(point) / x.den(point)
-
-
-def embed_even(
-    field: FunctionField, outer: Constants, inner: Constants
-) -> tuple[Coordinates, Coordinates]:
-    """Return I and J in the division algebra ``inner`` with ``I² = a + I, J² = b, JI = (1 + I)J``.
-
-    J is a square root of b; i is corrected by a multiple of k until it is right with J, and by u + v·J,
-    which commutes with J, until its norm is right: that is a conic.
-    """
-    w, s = as_norm(field, outer.b, inner.b)
-    big_j = w, field.zero, s, field.zero
-    start = field.zero, field.one, field.zero, field.divide(w, s * inner.b)
-    m, n, r = solve_conic_functions(
-        field, Constants(outer.a + norm(inner, start), field.one, outer.b)
-    )
-    scale = field.inverse(n)
-    p, q, x, y = (u + scale * r * v for u, v in zip(start, big_j, strict=True))
-    return (p + scale * m, q, x, y), big_j
-
-
-def square_parts(ring: FunctionField, x: Quotient) -> tuple[Quotient, Quotient]:
-    """Return ``(u, v)`` with ``x = u² + g·v²``, g the variable, over a finite field of characteristic 2."""
-    whole = x.num * x.den
-    parts = []
-    for start in (0, 1):
-        root = ring.zero
-        for n in range(start, int(whole.degree()) + 1, 2):
-            c = ring.constant(ring.base.sqrt(ring.base(whole[n])))
-            root = root + c * ring.power(ring.gen, n // 2)
-        parts.append(ring.divide(root, ring.quotient(x.den, ring.one.num)))
-    return parts[0], parts[1]
-
-
-def as_norm(field: FunctionField, x: Quotient, s: Quotient) -> tuple[Quotient, Quotient]:
-    """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is no square."""
-    (x0, x1), (s0, s1) = square_parts(field, x), square_parts(field, s)
-    r = field.divide(x1, s1)
-    return x0 + r * s0, r
-
-
-def artin_schreier(field: FunctionField, x: Quotient) -> Quotient | None:
-    """Return y with ``y² + y = x``, or None.
-
-    The denominator has to be a square d², and y = m/d with ``m² + m·d = n``; the terms of m follow from the
-    leading terms of n, from the top down.
-    """
-    root = field.sqrt(field.quotient(x.den, field.one.num))
-    if root is None:
-        return None
-    d, n, m = root.num, x.num, field.zero.num
-    kappa, k = ResidueField(field, field.gen.num), int(d.degree())
-    while n != 0:
-        size = int(n.degree())
-        c = field.constant(field.base(n.leading_coefficient())).num
-        power = size // 2
-        if size > 2 * k:
-            c = None if size % 2 else kappa.sqrt(c)
-        elif size == 2 * k:
-            c = kappa.artin_schreier(c)
-        else:
-            c, power = (c, size - k) if size >= k else (None, 0)
-        if c is None:
-            return None
-        term = c * field.gen.num**power
-        m, n = m + term, n + term * term + term * d
-    return field.quotient(m, d)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ from hfield.fields.rationals.places import INFINITE_NAMES
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.ring import FunctionField
+    from hfield.rings.flint_types import Polynomial
 
 
 @dataclass(frozen=True)
@@ -74,6 +75,13 @@ def place_of_functions(field: FunctionField, place: object) -> FunctionPlace:
     raise RingError(
         f'{shorten(place)} is not a place of {field}: expected an irreducible polynomial or "inf"'
     )
+
+
+def prime_divisors(field: FunctionField, polynomials: Iterable[Polynomial]) -> list[FunctionPlace]:
+    """Return the monic irreducible factors of some polynomials, each once, in the order they are met."""
+    factors = (p for poly in polynomials for p, _ in poly.factor()[1])
+    monic = (field.quotient(field.one.num, p).den for p in factors)
+    return list(dict.fromkeys(FunctionPlace(field, p) for p in monic))
 
 
 def all_places(field: FunctionField) -> Iterator[FunctionPlace]:

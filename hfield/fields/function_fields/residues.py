@@ -19,6 +19,7 @@ from hfield.rings.finite import FiniteField
 if TYPE_CHECKING:
     import flint
 
+    from hfield.fields.function_fields.places import FunctionPlace
     from hfield.fields.function_fields.quotients import Quotient
     from hfield.fields.function_fields.ring import FunctionField
     from hfield.rings.flint_types import Polynomial, SparsePolynomial
@@ -78,6 +79,11 @@ class ResidueField:
     def valuation(self, x: Any) -> int:
         """Return the order of a nonzero rational function at π."""
         return valuation(x, self.modulus)
+
+    def leading(self, x: Quotient) -> tuple[int, Polynomial]:
+        """Return the order of x ≠ 0, and the class of x over that power of the uniformiser."""
+        n = self.valuation(x)
+        return n, self.reduce(x * self.uniformiser**-n if n else x)
 
     def over_prime_field(self) -> list[Polynomial]:
         """Return a basis over the prime field, where k is finite."""
@@ -246,15 +252,25 @@ class AtInfinity(ResidueField):
 
     def reduce(self, x: Quotient) -> Polynomial:
         """Return the value at infinity of a rational function without pole there."""
-        if x.num == 0 or self.valuation(x) > 0:
-            return self.zero
-        return self.scalar(self.field.base_element(x.num.leading_coefficient()))
+        return self.zero if x.num == 0 or self.valuation(x) > 0 else self.leading(x)[1]
+
+    def leading(self, x: Quotient) -> tuple[int, Polynomial]:
+        """Return the order of x ≠ 0, and the first coefficient of x as a series in 1/t."""
+        lead = self.field.base_element(x.num.leading_coefficient())
+        return self.valuation(x), self.scalar(lead)
 
     def truncated(self, x: Quotient, n: int) -> Quotient:
         """Return the sum of the terms of x, a series in 1/t, before (1/t)ⁿ."""
         t = self.field.gen.num
         up, down = t ** max(n - 1, 0), t ** max(1 - n, 0)
         return self.field.quotient(x.num * up // (x.den * down) * down, up)
+
+
+def residues_at(place: FunctionPlace) -> ResidueField:
+    """Return a place of k(t) with its residue field."""
+    if place.poly is None:
+        return AtInfinity(place.field)
+    return ResidueField(place.field, place.poly)
 
 
 def _root_over_q(kappa: ResidueField, x: flint.fmpq_poly) -> flint.fmpq_poly | None:

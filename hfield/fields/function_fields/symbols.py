@@ -24,8 +24,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
-from hfield.fields.function_fields.places import FunctionPlace
-from hfield.fields.function_fields.residues import ResidueField, valuation
+from hfield.fields.function_fields.places import FunctionPlace, prime_divisors
+from hfield.fields.function_fields.residues import ResidueField, residues_at, valuation
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.product import Constants, Scalar
@@ -40,14 +40,10 @@ if TYPE_CHECKING:
 
 
 def _poles_and_zeros(field: FunctionField, *elements: Quotient) -> list[FunctionPlace]:
-    found = {}
-    for x in elements:
-        for poly in (x.num, x.den):
-            for p, _ in poly.factor()[1]:
-                place = FunctionPlace(field, field.quotient(field.one.num, p).den)
-                found[str(place)] = place
-    order = sorted(found.values(), key=lambda v: (v.degree, str(v)))
-    return [*order, FunctionPlace(field)]
+    """Return the places at which some elements have zeros and poles, by degree, and infinity."""
+    parts = (poly for x in elements for poly in (x.num, x.den))
+    finite = sorted(prime_divisors(field, parts), key=lambda v: (v.degree, str(v)))
+    return [*finite, FunctionPlace(field)]
 
 
 def symbol(field: FunctionField, form: NormalForm, place: FunctionPlace) -> int:
@@ -55,32 +51,16 @@ def symbol(field: FunctionField, form: NormalForm, place: FunctionPlace) -> int:
     a, b = form.constants
     if form.kind == "artin-schreier":
         return 1 - 2 * _invariant(field, a, b, place)
-    kappa, residue = tame_residue(field, a, b, place)
+    kappa, residue = tame_residue(a, b, place)
     return 1 if kappa.is_square(residue) else -1
 
 
-def tame_residue(
-    field: FunctionField, a: Quotient, b: Quotient, place: FunctionPlace
-) -> tuple[ResidueField, Polynomial]:
+def tame_residue(a: Quotient, b: Quotient, place: FunctionPlace) -> tuple[ResidueField, Polynomial]:
     """Return the residue field and the tame residue of (a, b) at a place."""
-    if place.poly is None:
-        kappa = ResidueField(field, field.gen.num)
-        v, w = (int(x.den.degree()) - int(x.num.degree()) for x in (a, b))
-        leading = [field.base(x.num.leading_coefficient()) for x in (a, b)]
-        unit = field.constant(leading[0] if w % 2 else field.base.one) * field.constant(
-            leading[1] if v % 2 else field.base.one
-        )
-        value = unit.num
-    else:
-        kappa = ResidueField(field, place.poly)
-        pi = field.quotient(place.poly, field.one.num)
-        v, w = valuation(a, place.poly), valuation(b, place.poly)
-        u = a * field.power(pi, -v) if w % 2 else field.one
-        s = b * field.power(pi, -w) if v % 2 else field.one
-        value = kappa.multiply(kappa.reduce(u), kappa.reduce(s))
-    if v % 2 and w % 2:
-        value = kappa.zero - value
-    return kappa, value
+    kappa = residues_at(place)
+    (v, x), (w, y) = kappa.leading(a), kappa.leading(b)
+    value = kappa.multiply(x if w % 2 else kappa.one, y if v % 2 else kappa.one)
+    return kappa, kappa.zero - value if v % 2 and w % 2 else value
 
 
 def _invariant(field: FunctionField, a: Quotient, b: Quotient, place: FunctionPlace) -> int:
@@ -130,8 +110,8 @@ def ramified_places_functions(field: FunctionField, form: NormalForm) -> tuple[F
 def same_residues(field: FunctionField, form: NormalForm, other: NormalForm) -> bool:
     """Tell whether two algebras of characteristic not 2 have the same residues at all places."""
     for v in _poles_and_zeros(field, *form.constants, *other.constants):
-        kappa, x = tame_residue(field, form.a, form.b, v)
-        _, y = tame_residue(field, other.a, other.b, v)
+        kappa, x = tame_residue(form.a, form.b, v)
+        _, y = tame_residue(other.a, other.b, v)
         if not kappa.is_square(kappa.multiply(x, y)):
             return False
     return True
@@ -198,7 +178,7 @@ def common_slot_functions(
 
     locals_: list[_Local] = []
     for v in sorted(places.values(), key=lambda v: (v.degree, str(v))):
-        found = _local_class(ResidueField(field, v.poly), v, fits)
+        found = _local_class(v, fits)
         if found is None:
             return None
         locals_.append(found)
@@ -227,8 +207,9 @@ def _square_classes(
     return reduced, primes
 
 
-def _local_class(kappa: ResidueField, v: FunctionPlace, fits: Fits) -> _Local | None:
+def _local_class(v: FunctionPlace, fits: Fits) -> _Local | None:
     """Return one of the four classes at a prime that has the right symbols, a unit if possible."""
+    kappa = residues_at(v)
     for power in (0, 1):
         for square in (True, False):
             unit = kappa.lift(_unit(kappa, square, random.Random(1)))

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import itertools
 import random
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from hfield.errors import RingError, UndecidedError
@@ -15,6 +13,7 @@ from hfield.product import Constants, Coordinates, Scalar, conjugate, multiply, 
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField, known_field
+from hfield.structure.isomorphisms.isomorphic import by_multiples
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found
@@ -148,14 +147,14 @@ class LocalArithmetic(CompletionArithmetic):
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J: a square root of a, and of b among what anticommutes with it."""
-        i = self._root(inner, outer.a, _pure(self.ring))
+        i = self._root(inner, outer.a, basis_of(self.ring)[1:])
         # commutators with I span what anticommutes with it
-        others = [self._turned(inner, i, v) for v in _pure(self.ring)]
+        others = [self._turned(inner, i, v) for v in basis_of(self.ring)[1:]]
         return i, self._root(inner, outer.b, others)
 
     def traceless_root(self, form: NormalForm, s: LocalElement) -> Coordinates | None:
         """Return x, which exists, for every quadratic extension is in the division algebra."""
-        return self._root(Constants(form.a, self.ring.zero, form.b), s, _pure(self.ring))
+        return self._root(Constants(form.a, self.ring.zero, form.b), s, basis_of(self.ring)[1:])
 
     def _turned(self, c: Constants, i: Coordinates, v: Coordinates) -> Coordinates:
         """Return the commutator of i and v, which anticommutes with i."""
@@ -163,7 +162,7 @@ class LocalArithmetic(CompletionArithmetic):
         w, x, y, z = (r - s for r, s in zip(left, right, strict=True))
         return w, x, y, z
 
-    def _root(self, c: Constants, s: LocalElement, among: list[Coordinates]) -> Coordinates:
+    def _root(self, c: Constants, s: LocalElement, among: Sequence[Coordinates]) -> Coordinates:
         """Return a combination x of quaternions of trace 0 with ``x² = s``, to some digits."""
         F = self.ring
         if F.characteristic == 2:
@@ -216,12 +215,6 @@ def root_on_plane(F: LocalField, c: Constants, q: Coordinates, u: Coordinates) -
     return F.zero - scale * F.up_to(root, known)
 
 
-def _pure(F: LocalField) -> list[Coordinates]:
-    """Return i, j and k."""
-    o, e = F.zero, F.one
-    return [(o, e, o, o), (o, o, e, o), (o, o, o, e)]
-
-
 def _written(F: LocalField, q: Coordinates) -> str:
     return "(" + ", ".join(F.text(x) for x in q) + ")"
 
@@ -265,17 +258,10 @@ class InfiniteArithmetic(CompletionArithmetic):
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return multiples of two of i, j, k, where the number field has the square roots."""
-        ring, units = self.ring, basis_of(self.ring)[1:]
-        squares = (inner.a, inner.b, -inner.a * inner.b)
-        for m, n in itertools.permutations(range(3), 2):
-            with suppress(UndecidedError):
-                roots = [
-                    ring.sqrt(ring.divide(x, squares[k])) for x, k in ((outer.a, m), (outer.b, n))
-                ]
-                if None not in roots:
-                    i, j = ([x * u for u in units[k]] for x, k in zip(roots, (m, n), strict=True))
-                    return (i[0], i[1], i[2], i[3]), (j[0], j[1], j[2], j[3])
-        raise self._beyond("the images of i and j have")
+        found = by_multiples(self.ring, outer, inner)
+        if found is None:
+            raise self._beyond("the images of i and j have")
+        return found
 
     def traceless_root(self, form: NormalForm, s: LocalElement) -> Coordinates | None:
         """Refuse: multiples of i, j, k have been tried."""

@@ -246,11 +246,14 @@ class LocalField(Completion[LocalElement]):
     @cached_property
     def level(self) -> Known:
         """1, 2 or 4: 4 only above 2, in odd degree over ℚ₂ (Lam, *Introduction to Quadratic Forms*, XI.2)."""
-        return minus_one(self)[0]
+        squares = self.minus_one_as_squares()
+        if len(squares) < 4:
+            return self.level_of(squares)
+        return self.level_of(squares, "fewer squares do not do, for the degree over ℚ₂ is odd")
 
     def minus_one_as_squares(self) -> tuple[LocalElement, ...]:
         """Return as few elements as possible, not all of them exact, whose squares add up to −1."""
-        return minus_one(self)[1]
+        return minus_one(self)
 
     def key(self, x: LocalElement) -> Hashable:
         """Return the key of the value, and the precision."""
@@ -377,19 +380,8 @@ def hensel(F: LocalField, f: tuple[Scalar, Scalar, Scalar], x: Scalar, digits: i
         x = F.truncated(x - K.divide(value, slope), min(2 * reached - n, max(digits, n + 1)))
 
 
-def minus_one(F: LocalField) -> tuple[Known, tuple[LocalElement, ...]]:
-    """Return the level of the field with its reason, and so many squares with sum −1."""
-    squares = _squares(F)
-    shown = " + ".join(f"({F.text(y)})^2" for y in squares)
-    why = {
-        1: "",
-        2: ", and −1 itself is no square",
-        4: ", and fewer squares do not do, for the degree over ℚ₂ is odd",
-    }[len(squares)]
-    return Known(len(squares), f"−1 = {shown} in {F.name}{why}"), squares
-
-
-def _squares(F: LocalField) -> tuple[LocalElement, ...]:
+def minus_one(F: LocalField) -> tuple[LocalElement, ...]:
+    """Return as few elements as the level says whose squares add up to −1."""
     root = F.sqrt(-F.one)
     if root is not None:
         return (root,)

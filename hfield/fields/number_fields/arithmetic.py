@@ -12,13 +12,13 @@ from __future__ import annotations
 
 import random
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager
 from typing import Any
 
 import flint
 
 from hfield.errors import RingError, UndecidedError, shorten
-from hfield.factorisation import Factors, factorise, known_primes, remove, shared_primes
+from hfield.factorisation import Factors, factorise, known_primes, remove
 from hfield.fields.number_fields.conics import solve_conic_number_field
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import small_integer
@@ -43,7 +43,7 @@ from hfield.rings.balls import precision
 from hfield.rings.whole_numbers import crt
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField, no_flag
-from hfield.structure.isomorphisms.through_slots import Point, generator_by_slot, through_slot
+from hfield.structure.isomorphisms.through_slots import generator_by_slot, through_slot
 from hfield.structure.lattice_reduction import combination, reduced
 from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 
@@ -55,10 +55,6 @@ class NumberFieldArithmetic(GlobalField):
     """The arithmetic of a number field of any degree."""
 
     ring: NumberField
-
-    def __init__(self, ring: NumberField) -> None:
-        super().__init__(ring)
-        self.finite_orders = _finite_orders(2 * ring.degree)  # type: ignore[misc]
 
     def read_place(self, text: object) -> Place:
         """Return a prime ideal or an infinite place."""
@@ -108,31 +104,26 @@ class NumberFieldArithmetic(GlobalField):
                     for other in by_other_generators(place, GENERATORS):
                         yield {**data, "place": other}
 
-    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
-        """Share the primes of norms that are longer than a word."""
-        numbers = [n for form in forms for x in form.constants for n in norms(self.ring, x)]
-        if all(-WORD < n < WORD for n in numbers):
-            return nullcontext()
-        return known_primes(shared_primes(numbers), "")
+    def _to_factor(self, x: FieldElement) -> tuple[int, int, int]:
+        return norms(self.ring, x)
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J by an isometry of the quaternions of trace 0; in degree 2 by a common slot."""
         if self.ring.degree > 2:
             return embed_number_field(self.ring, outer, inner)
         with self._known(outer.a, outer.b, inner.a, inner.b):
-            return through_slot(self.ring, outer, inner, *self._slot(inner, outer.a))
+            return through_slot(self.ring, outer, inner, self._slot(inner, outer.a), self._point)
 
     def _known(self, *numbers: FieldElement) -> AbstractContextManager[None]:
         """Let the primes of some numbers serve for what is made of them: a slot has one new prime."""
         return known_primes({p for x in numbers for p in candidates(self.ring, x)}, "")
 
-    def _slot(self, c: Constants, s: FieldElement) -> tuple[FieldElement, Point]:
-        """Return a common slot of an algebra for a and s, and what solves conics.
+    def _slot(self, c: Constants, s: FieldElement) -> FieldElement:
+        """Return a common slot of an algebra for a and s.
 
         In degree 2 three conics in rank 6 take half the time of an isometry in rank 12.
         """
-        e = common_slot([c.a, s], ramified_places_number_field(c.a, c.b))
-        return e, self._point
+        return common_slot([c.a, s], ramified_places_number_field(c.a, c.b))
 
     def _point(self, c: Constants) -> tuple[FieldElement, FieldElement, FieldElement]:
         x, y, w = solve_conic_number_field(self.ring, c.a, c.b)
@@ -146,20 +137,9 @@ class NumberFieldArithmetic(GlobalField):
         c = Constants(form.a, self.ring.zero, form.b)
         if self.ring.degree == 2:
             with self._known(form.a, form.b, s):
-                return generator_by_slot(self.ring, s, c, *self._slot(c, s))[0]
+                return generator_by_slot(self.ring, s, c, self._slot(c, s), self._point)[0]
         outer = Constants(s, self.ring.zero, common_slot([s], ramified))
         return embed_number_field(self.ring, outer, c)[0]
-
-
-def _finite_orders(degree: int) -> Mapping[int, int]:
-    """Return the primes of a number that the order of every root of unity of such a degree divides."""
-    orders = {}
-    for p in primes(degree + 2):
-        k = 0
-        while p**k * (p - 1) <= degree:
-            k += 1
-        orders[p] = k
-    return orders
 
 
 TRIALS = 20_000

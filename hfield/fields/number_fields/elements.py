@@ -160,3 +160,9 @@ class FieldElement:
 
 def _restore(field: NumberField, pairs: list[tuple[int, int]]) -> FieldElement:
     return FieldElement(field, flint.fmpq_poly([flint.fmpq(*pair) for pair in pairs]))
+
+
+def coefficients(x: FieldElement) -> list[flint.fmpq]:
+    """Return the coefficients of an element at 1, s, s² …, as many as the degree of the field."""
+    found = x.poly.coeffs()
+    return [*found, *[flint.fmpq(0)] * (x.field.degree - len(found))]

@@ -13,6 +13,7 @@ from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.held.compact import Compact
 from hfield.rings.held.fractions import Fractions
 from hfield.rings.held.numerators import Held, Numerators
+from hfield.rings.roots import integral
 from hfield.straight_line import named
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ def holding(field: NumberField, constants: Constants) -> Compact:
     """Return how elements over the field are held, by its degree."""
     if field.degree > UNROLLED:
         return IntegralPolynomials(field, constants)
-    scale = _scale(field)
+    scale = int(field.polynomial.denom())  # scale·s is an algebraic integer
     powers = [scale**k for k in range(field.degree)]
 
     def vector(x: FieldElement) -> tuple[flint.fmpq, ...]:
@@ -36,20 +37,8 @@ def holding(field: NumberField, constants: Constants) -> Compact:
         scaled = [n * c for n, c in zip(numerators, powers, strict=True)]
         return FieldElement(field, flint.fmpq_poly(scaled, *d))
 
-    relation = [-int(c) for c in _integral_polynomial(field, scale).coeffs()[:-1]]
+    relation = [-int(c) for c in integral(field.polynomial).coeffs()[:-1]]
     return Fractions(field, constants, tuple(relation), vector, element)
-
-
-def _scale(field: NumberField) -> int:
-    """Return an integer c such that c·s is an algebraic integer."""
-    return lcm(*(int(c.q) for c in field.polynomial.coeffs()))
-
-
-def _integral_polynomial(field: NumberField, scale: int) -> flint.fmpz_poly:
-    """Return the minimal polynomial of scale·s over ℤ."""
-    coefficients = field.polynomial.coeffs()
-    n = len(coefficients) - 1
-    return flint.fmpz_poly([int((c * scale ** (n - k)).p) for k, c in enumerate(coefficients)])
 
 
 class IntegralPolynomials(Numerators):
@@ -59,14 +48,14 @@ class IntegralPolynomials(Numerators):
 
     def __init__(self, ring: NumberField, constants: Constants) -> None:
         super().__init__(ring, constants)
-        self._field, self._scale = ring, _scale(ring)
-        self._modulus = _integral_polynomial(ring, self._scale)
+        self._field, self._scale = ring, int(ring.polynomial.denom())
+        self._modulus = integral(ring.polynomial)
         to_integral, back = flint.fmpq_poly([0, flint.fmpq(1, self._scale)]), [0, self._scale]
         self._to_integral, self._back = to_integral, flint.fmpq_poly(back)
         a, t, b = map(self._polynomial, constants)
         self._m, self._k = lcm(int(a.denom()), int(t.denom())), int(b.denom())
-        integral = (a * self._m**2).numer(), (t * self._m).numer(), (b * self._k**2).numer()
-        self._constants = dict(zip("atb", integral, strict=True))
+        whole = (a * self._m**2).numer(), (t * self._m).numer(), (b * self._k**2).numer()
+        self._constants = dict(zip("atb", whole, strict=True))
         self.pattern = tuple(
             (named(c, name, lambda x, n: x == n),) for name, c in self._constants.items()
         )

@@ -19,9 +19,9 @@ import flint
 
 from hfield.errors import HFieldError, RingError, shorten
 from hfield.factorisation import factorise
-from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.integers import multiplication_tables
-from hfield.fields.number_fields.integral_basis import coefficients, coordinate_rows, element_of
+from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
 from hfield.fields.number_fields.quadratic.as_number_field import (
     as_number_field,
@@ -58,17 +58,27 @@ class Integers:
             return x
         x = self.ring(x)
         if isinstance(self.ring, QuadraticField):
-            return into_number_field(self.field, x, self.ring.d)
+            return into_number_field(self.ring, x)
         return x  # type: ignore[no-any-return]
 
     def outside(self, x: FieldElement) -> Any:
         """Return an element of QQ[s]/(f) as one of the ring."""
         return from_number_field(self.ring, x) if isinstance(self.ring, QuadraticField) else x
 
+    def prime_inside(self, x: object) -> PrimeIdeal:
+        """Return a prime ideal of the ring as one of QQ[s]/(f). Raises :class:`RingError` for all else."""
+        if isinstance(x, QuadraticPlace) and x.field == self.ring and x.is_finite:
+            x = place_in_number_field(x)
+        if isinstance(x, PrimeIdeal) and x.field == self.field:
+            return x
+        raise RingError(
+            f"{shorten(x)} is no prime ideal of {shorten(self.ring.name)}; see primes_above(p) of the field"
+        )
+
     def primes_above(self, p: int) -> list[tuple[Any, PrimeIdeal]]:
         """Return the prime ideals above p: as the ring has them, and as QQ[s]/(f) has them."""
         if isinstance(self.ring, QuadraticField):
-            return [(P, place_in_number_field(self.field, P)) for P in self.ring.primes_above(p)]  # type: ignore[misc]
+            return [(P, place_in_number_field(P)) for P in self.ring.primes_above(p)]  # type: ignore[misc]
         return [(P, P) for P in primes_above(self.field, p)]
 
     def ideal(self, rows: flint.fmpq_mat) -> Ideal:
@@ -148,20 +158,11 @@ def _rows(frame: Integers, x: Any) -> list[flint.fmpq]:
                 f"{shorten(x)} is an ideal of {shorten(x.ring.name)}, not of {shorten(frame.ring.name)}"
             )
         return x.rows.entries()  # type: ignore[no-any-return]
-    elements: list[FieldElement]
     if isinstance(x, PrimeIdeal | QuadraticPlace):
-        if x.field != frame.ring or not x.is_finite:
-            raise RingError(
-                f"{shorten(x)} is no prime ideal of {shorten(frame.ring.name)}; "
-                "see primes_above(p) of the field"
-            )
-        if isinstance(x, PrimeIdeal):
-            return frame.prime(x).rows.entries()  # type: ignore[no-any-return]
-        elements = list(map(frame.inside, x.generators))
-    else:
-        elements = [frame.inside(x)]
-    products = [y * w for y in elements if y for w in frame.basis]
-    return coordinate_rows(frame.field, products).entries() if products else []
+        return frame.prime(frame.prime_inside(x)).rows.entries()  # type: ignore[no-any-return]
+    y = frame.inside(x)
+    products = [y * w for w in frame.basis]
+    return coordinate_rows(frame.field, products).entries() if y else []
 
 
 class Ideal:
@@ -310,12 +311,7 @@ class Ideal:
 
     def valuation(self, prime: object) -> int:
         """Return the exponent of a prime ideal here. Raises :class:`RingError` for what is none."""
-        frame = self.frame
-        if not isinstance(prime, PrimeIdeal | QuadraticPlace) or not prime.is_finite:
-            raise RingError(f"expected a prime ideal, not {shorten(prime)}; see primes_above(p)")
-        inside: Any = prime
-        if isinstance(prime, QuadraticPlace):
-            inside = place_in_number_field(frame.field, prime)
+        inside = self.frame.prime_inside(prime)
         return int(min(inside.valuation(x) for x in self.elements))
 
     def factorisation(self) -> tuple[tuple[Any, int], ...]:

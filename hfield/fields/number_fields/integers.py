@@ -16,9 +16,9 @@ import flint
 
 from hfield.errors import TooLargeError, shorten
 from hfield.factorisation import factorise, remove
-from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.primality import WORD
-from hfield.product import Scalar
+from hfield.rings.roots import integral
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
@@ -52,7 +52,7 @@ class LocalOrder:
             below = int(x.poly.denom())
         else:
             n = self.field.degree
-            row = flint.fmpq_mat(1, n, _padded(x.poly.coeffs(), n)) * self._inverse
+            row = flint.fmpq_mat(1, n, coefficients(x)) * self._inverse
             whole, den = row.numer_denom()
             numerator, below = whole.entries(), int(den)
         return [int(c) for c in numerator], below
@@ -96,8 +96,7 @@ def integral_generator(field: NumberField) -> tuple[int, flint.fmpz_poly]:
         for p, e in factorise(int(c.q)).items() if c.q != 1 else ():
             needed = -(-e // (n - k))
             scale *= p ** max(0, needed - remove(scale, p)[0])
-    whole = [field.polynomial[k] * scale ** (n - k) for k in range(n + 1)]
-    return scale, flint.fmpz_poly([int(c.p) for c in whole])
+    return scale, integral(field.polynomial, scale)
 
 
 def dedekind(whole: flint.fmpz_poly, p: int) -> bool:
@@ -158,7 +157,7 @@ def multiplication_tables(field: NumberField, rows: flint.fmpq_mat) -> list[flin
     n, basis, inverse = field.degree, _elements(field, rows), rows.inv()
     out = []
     for x in basis:
-        entries = [c for y in basis for c in _padded((x * y).poly.coeffs(), n)]
+        entries = [c for y in basis for c in coefficients(x * y)]
         whole, den = (flint.fmpq_mat(n, n, entries) * inverse).numer_denom()
         assert den == 1, "an order is a ring"
         out.append(whole)
@@ -213,10 +212,6 @@ def _by_degrees(rows: list[list[flint.fmpq]], n: int) -> flint.fmpq_mat:
     integers = [[int(flint.fmpq(c) * below) for c in reversed(row)] for row in rows]
     basis = [c for row in reversed(_lattice(integers, n).tolist()) for c in reversed(row)]
     return flint.fmpq_mat(flint.fmpz_mat(n, n, basis)) * flint.fmpq(1, below)
-
-
-def _padded(coefficients: list[flint.fmpq], n: int) -> list[Scalar]:
-    return [*coefficients, *[0] * (n - len(coefficients))]
 
 
 def _elements(field: NumberField, rows: flint.fmpq_mat) -> list[FieldElement]:

@@ -8,7 +8,7 @@ from functools import lru_cache
 
 import flint
 
-from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.integers import integral_generator
 from hfield.fields.number_fields.ring import NumberField
 
@@ -20,12 +20,6 @@ def _integral(field: NumberField) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
     rows = [c for w in field.integral_basis() for c in coefficients(w)]
     matrix = flint.fmpq_mat(n, n, rows)
     return matrix, matrix.inv()
-
-
-def coefficients(x: FieldElement) -> list[flint.fmpq]:
-    """Return the coefficients of an element at 1, s, s² …, as many as the degree of the field."""
-    found = x.poly.coeffs()
-    return [*found, *[flint.fmpq(0)] * (x.field.degree - len(found))]
 
 
 def coordinate_rows(field: NumberField, elements: Sequence[FieldElement]) -> flint.fmpq_mat:

@@ -22,15 +22,14 @@ def level(field: NumberField) -> Known:
     if field.signature[0]:
         return Known(INFINITY, f"{field.name} has a real place, so it has an ordering")
     squares = field.minus_one_as_squares()
-    shown = " + ".join(f"({field.text(y)})^2" for y in squares)
     if len(squares) == 1:
-        return Known(1, f"−1 = {shown} in {field.name}")
+        return field.level_of(squares)
     odd = [P for P in field.primes_above(2) if P.e * P.f % 2]
     fewer = "−1 itself is no square"
     if odd:
         fewer = f"the completion at {odd[0]} has odd degree over ℚ₂, where fewer squares do not do"
     if squares:
-        return Known(len(squares), f"−1 = {shown} in {field.name}, and {fewer}")
+        return field.level_of(squares, fewer)
     if odd:
         return Known(4, fewer)
     return Known(2, "every completion above 2 has even degree over ℚ₂ (Hasse and Minkowski)")

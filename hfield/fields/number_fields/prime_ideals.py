@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
 from random import Random
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -47,8 +47,10 @@ if TYPE_CHECKING:
 class PrimeIdeal:
     """A prime ideal P above p, with ramification index ``e`` and residue degree ``f``.
 
-    ``residue`` is an irreducible polynomial over GF(p): the residue field is GF(p)[x] modulo it, and
-    ``residue_gen`` an integer of the field that goes to x.
+    (p, ``pi``) = P; ``beta`` is in pP⁻¹, not in pO; ``idempotent`` is 1 at P and 0 at the other primes above
+    p. ``residue`` is an irreducible polynomial over GF(p): the residue field is GF(p)[x] modulo it, and
+    ``residue_gen`` an integer of the field that goes to x. ``images``, where the order is not ℤ[s], is the
+    matrix that takes coordinates to residues.
 
     >>> from hfield import ring
     >>> K = ring("QQ[s]/(s^3-2)"); (P,) = K.primes_above(2)
@@ -265,33 +267,10 @@ def _by_kummer(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
 
 def _by_idempotents(order: LocalOrder) -> tuple[PrimeIdeal, ...]:
     """Take the algebra O/pO apart."""
-    out = [PrimeIdeal(order, *part) for part in local_parts(order)]
+    algebra = _ResidueAlgebra(order)
+    out = [_at_idempotent(algebra, e) for e in algebra.idempotents(algebra.prime_count())]
     out.sort(key=lambda P: (P.f, P.e, P.order.coordinates(P.pi)[0][::-1]))
     return tuple(out)
-
-
-class LocalPart(NamedTuple):
-    """What a local algebra tells of its prime P: e, f, and numbers of the field.
-
-    (p, ``pi``) = P; ``beta`` in pP⁻¹, not in pO; ``epsilon`` is 1 at P and 0 at the other primes above p;
-    GF(p)[x] modulo ``residue`` is the residue field, x the class of ``residue_gen``, and ``images`` the
-    matrix that takes residues of coordinates.
-    """
-
-    e: int
-    f: int
-    pi: FieldElement
-    beta: FieldElement
-    epsilon: FieldElement
-    residue: Any
-    residue_gen: FieldElement
-    images: Any
-
-
-def local_parts(order: LocalOrder) -> list[LocalPart]:
-    """Take the algebra O/pO apart."""
-    algebra = _ResidueAlgebra(order)
-    return [_at_idempotent(algebra, e) for e in algebra.idempotents(algebra.prime_count())]
 
 
 class _ResidueAlgebra:
@@ -366,8 +345,8 @@ class _ResidueAlgebra:
         return len(fixed) - len(radical)
 
 
-def _at_idempotent(algebra: _ResidueAlgebra, epsilon: flint.nmod_mat) -> LocalPart:
-    """Return the part that a primitive idempotent cuts out."""
+def _at_idempotent(algebra: _ResidueAlgebra, epsilon: flint.nmod_mat) -> PrimeIdeal:
+    """Return the prime ideal of the local algebra that a primitive idempotent cuts out."""
     order, p, n = algebra.order, algebra.p, algebra.n
     project = algebra.matrix(epsilon)
     units = [algebra.row([int(i == k) for i in range(n)]) for k in range(n)]
@@ -383,7 +362,8 @@ def _at_idempotent(algebra: _ResidueAlgebra, epsilon: flint.nmod_mat) -> LocalPa
     # the annihilator of π modulo p
     beta = algebra.row(left_kernel(algebra.matrix(pi))[0])
     residue, gen, images = _residue_field(algebra, epsilon, inside, f)
-    return LocalPart(
+    return PrimeIdeal(
+        order,
         e,
         f,
         algebra.lift(pi) if any(int(c) for c in pi.entries()) else order.field(p),

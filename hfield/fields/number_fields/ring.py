@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
-from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.embeddings import Embeddings, square_root
 from hfield.fields.number_fields.with_ideals import WithIdeals
 from hfield.product import Constants
@@ -76,8 +76,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
 
     def coordinates(self, x: FieldElement) -> list[int | str]:
         """Return the coefficients of the powers of the generator, as JSON data."""
-        found = [rational_json(c) for c in x.poly.coeffs()]
-        return [*found, *[0] * (self.degree - len(found))]
+        return list(map(rational_json, coefficients(x)))
 
     def in_words(self) -> str:
         """Say what the field is."""
@@ -115,8 +114,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         """Return the matrix of the multiplication by x: row n has the coefficients of sⁿ·x."""
         n, y, rows = self.degree, x, []
         for _ in range(n):
-            coefficients = y.poly.coeffs()
-            rows += [*coefficients, *[0] * (n - len(coefficients))]
+            rows += coefficients(y)
             y = y * self.gen
         return flint.fmpq_mat(n, n, rows)
 

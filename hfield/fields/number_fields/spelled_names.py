@@ -16,7 +16,7 @@ from typing import Any
 import flint
 
 from hfield.errors import CoercionError, HFieldError, RingError, shorten
-from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.sums import Value, common_root, evaluate, factor_at, sums_of_roots
 from hfield.fields.number_fields.texts import (
@@ -183,17 +183,13 @@ class SpelledField(NumberField):
             x = self.one
             for part, n in zip(self.parts.values(), powers, strict=True):
                 x = x * self.power(part, n)
-            coefficients = x.poly.coeffs()
-            rows += [*coefficients, *[0] * (self.degree - len(coefficients))]
+            rows += coefficients(x)
         return flint.fmpq_mat(self.degree, self.degree, rows).inv(), exponents
 
     def text(self, x: FieldElement, style: str = "plain") -> str:
         """Write x in products of powers of the numbers in the name."""
         change, exponents = self._monomials
-        coefficients = x.poly.coeffs()
-        row = flint.fmpq_mat(
-            1, self.degree, [*coefficients, *[0] * (self.degree - len(coefficients))]
-        )
+        row = flint.fmpq_mat(1, self.degree, coefficients(x))
         shown = [_in_style(n.text, style) for n in self._numbers]
         terms = zip((row * change).entries(), exponents, strict=True)
         return sum_text(

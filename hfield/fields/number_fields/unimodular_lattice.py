@@ -19,7 +19,8 @@ from typing import Any
 import flint
 
 from hfield.fields.number_fields.conics import Walk, expect_small_degree, module_basis, not_met
-from hfield.fields.number_fields.integral_basis import coefficients, integral_multiple
+from hfield.fields.number_fields.elements import coefficients
+from hfield.fields.number_fields.integral_basis import integral_multiple
 from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
-from hfield.factorisation import Factors, known_primes, shared_primes
+from hfield.factorisation import Factors
 from hfield.fields.rationals.conics import solve_conic
 from hfield.fields.rationals.embedding import embed_rational, traceless_root_rational
 from hfield.fields.rationals.places import INFINITE, Place, place_of_q
@@ -19,7 +18,7 @@ from hfield.fields.rationals.symbols import (
     is_isotropic,
     ramified_places_q,
 )
-from hfield.primality import WORD, primes
+from hfield.primality import primes
 from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.whole_numbers import fraction, square_class
 from hfield.structure.forms import NormalForm
@@ -32,9 +31,6 @@ if TYPE_CHECKING:
 
 class RationalArithmetic(GlobalField):
     """The arithmetic of ℚ: symbols by formula, places as primes and ``"inf"``."""
-
-    # a root of unity of degree at most 2 has order 1, 2, 3, 4 or 6
-    finite_orders: ClassVar[Mapping[int, int]] = {2: 2, 3: 1}
 
     def read_place(self, text: object) -> Place:
         """Return a prime or ``"inf"``."""
@@ -83,12 +79,8 @@ class RationalArithmetic(GlobalField):
     def _exact(self, c: Constants) -> tuple[Constants, Scalar]:
         return Constants(*(fraction(x) for x in c)), Fraction(1)
 
-    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
-        """Share the primes of constants that are longer than a word."""
-        numbers = [square_class(x) for form in forms for x in form.constants]
-        if all(-WORD < n < WORD for n in numbers):
-            return nullcontext()
-        return known_primes(shared_primes(numbers), "")
+    def _to_factor(self, x: flint.fmpq) -> tuple[int]:
+        return (square_class(x),)
 
     def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
         """Return I and J by an isometry of lattices."""

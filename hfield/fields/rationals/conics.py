@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -30,15 +29,13 @@ if TYPE_CHECKING:
 Vector = list[int]
 
 
-def solve_conic(
-    a: Rational, b: Rational, known: Iterable[int] = ()
-) -> tuple[Fraction, Fraction, Fraction]:
+def solve_conic(a: Rational, b: Rational) -> tuple[Fraction, Fraction, Fraction]:
     """Return rationals ``(x, y, z)``, not all 0, with ``a·x² + b·y² = z²``; a, b are nonzero rationals.
 
     The conic must have a point, that is, ``(a, b | ℚ)`` must ramify nowhere.
     """
-    m, s, in_m = squarefree(square_class(a), known)
-    n, r, in_n = squarefree(square_class(b), known)
+    m, s, in_m = squarefree(square_class(a))
+    n, r, in_n = squarefree(square_class(b))
     g = math.gcd(m, n)
     # m·X² + n·Y² = Z² with Z = g·z:  (m/g)·X² + (n/g)·Y² − g·z² = 0
     form = (m // g, n // g, -g)

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
-from hfield.fields.function_fields.conics import artin_schreier
+from hfield.fields.function_fields.artin_schreier import artin_schreier
 from hfield.fields.function_fields.extensions import rational_functions
 from hfield.fields.function_fields.residues import multiplicity
 from hfield.fields.function_fields.ring import FunctionField

@@ -76,7 +76,7 @@ class Frame:
         Raises :class:`LatticeError` for what is none.
         """
         if isinstance(x, QuadraticPlace) and x.field == self.integers.ring and x.is_finite:
-            found = place_in_number_field(self.field, x)
+            found = place_in_number_field(x)
             assert isinstance(found, PrimeIdeal)
             return found
         if isinstance(x, PrimeIdeal) and x.field == self.field:

@@ -3,19 +3,16 @@
 Everything follows from how many elements have a given norm, alone or with trace 0 or 1, because an
 element satisfies ``x² = tr(x)·x − N(x)``: it is nilpotent when both are 0, idempotent when it is 0, 1 or has
 trace 1 and norm 0, and squares to s when it is a scalar root of s or has trace 0 and norm −s.
-The formulas cover every (a, t, b), degenerate ones and characteristic 2 included. Over ℤ/n they are put
-together from those over its residue fields and prime powers, as below.
+The formulas cover every (a, t, b), degenerate ones and characteristic 2 included.
 
-How many elements of an algebra over ℤ/n have norm v, square to s, are units, nilpotent, idempotent.
-
-By the Chinese remainder theorem these are products over the prime powers of n. Modulo pᵏ, units and
+Over ℤ/n they are products over the prime powers of n, by the Chinese remainder theorem. Modulo pᵏ, units and
 nilpotents are those of the algebra over GF(p) times ``p⁴⁽ᵏ⁻¹⁾``; an idempotent other than 0 and 1 has
 ``p²⁽ᵏ⁻¹⁾`` lifts, all conjugate, for its centraliser has rank 2; and solutions of quadratic equations are
 counted by Hensel's lemma where the form has a coordinate that is a unit with a unit in front, and by dividing
 by p where it has none. Nothing is enumerated but residues modulo 8.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from math import prod
 from typing import Any, NamedTuple
 
@@ -65,7 +62,7 @@ def count(ring: Ring, c: Constants, kind: str, value: Any = None) -> Count:
         return Count(q**4, "q^4" if ring.is_field else "n^4")
     if not ring.is_field:
         value = ring((kind == "square roots") if value is None else value)
-        parts = count_residues(ring, c, kind, value, lambda p, kind: _over_prime(c, p, kind))
+        parts = _modulo_prime_powers(ring, c, kind, int(value))
         return Count(prod(parts), "*".join(map(str, parts)))
     shape = _shape(ring, c)
     if kind == "norm":
@@ -163,8 +160,6 @@ def _square_roots(ring: Ring, shape: _Shape, q: int, s: Scalar) -> Count:
 
 LARGEST_EXPONENT = 64
 """The greatest k for which square roots modulo pᵏ are counted: the work grows like k²."""
-
-Field = Callable[[int, str], int]  # how many of a kind there are over GF(p)
 
 
 class Form(NamedTuple):
@@ -267,29 +262,28 @@ def _values(form: Form, modulus: int) -> list[int]:
     return total
 
 
-def count_residues(ring: Ring, c: Constants, kind: str, value: Any, field: Field) -> list[int]:
+def _modulo_prime_powers(ring: Ring, c: Constants, kind: str, value: int) -> list[int]:
     """Return the counts modulo the prime powers of n, whose product is the count over ℤ/n.
 
-    ``field(p, kind)`` counts over GF(p). Raises :class:`UndecidedError` where n cannot be factored, and
-    :class:`TooLargeError` for square roots modulo pᵏ with k beyond :data:`LARGEST_EXPONENT`.
+    Raises :class:`UndecidedError` where n cannot be factored, and :class:`TooLargeError` for square roots
+    modulo pᵏ with k beyond :data:`LARGEST_EXPONENT`.
     """
-    n, v = ring.characteristic, 0 if value is None else int(value)
     a, t, b = (int(x) for x in c)
     parts = []
-    for p, k in factorise(n).items():
+    for p, k in factorise(ring.characteristic).items():
         if kind == "norm":
-            parts.append(solutions(_norm_form(p, k, a, t, b), k, v))
+            parts.append(solutions(_norm_form(p, k, a, t, b), k, value))
         elif kind == "square roots":
             if k > LARGEST_EXPONENT:
                 raise TooLargeError(
                     f"square roots modulo {p}^{k} are not counted: exponents up to {LARGEST_EXPONENT} are"
                 )
             roots = _roots_odd_trace if p == 2 and t % 2 else _roots
-            parts.append(roots(p, k, a, t, b, v))
+            parts.append(roots(p, k, a, t, b, value))
         elif kind == "idempotent":
-            parts.append(2 + (field(p, kind) - 2) * p ** (2 * (k - 1)))
+            parts.append(2 + (_over_prime(c, p, kind) - 2) * p ** (2 * (k - 1)))
         else:
-            parts.append(field(p, kind) * p ** (4 * (k - 1)))
+            parts.append(_over_prime(c, p, kind) * p ** (4 * (k - 1)))
     return parts
 
 

@@ -22,6 +22,7 @@ from hfield.structure.forms import (
     from_pairings,
     normal_form,
     pairing_matrix,
+    root_if_known,
 )
 from hfield.structure.global_field import global_field, known_field
 from hfield.structure.isomorphisms.splitting import division_or_splitting, from_zero_divisor
@@ -190,7 +191,9 @@ def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordin
     middle = ring.one if target.kind == "artin-schreier" else ring.zero
     inner, outer = (Constants(f.a, middle, f.b) for f in (target, source))
     if ring.closure is not None:
-        i, j = _closed(ring, outer, inner)
+        found = by_multiples(ring, outer, inner)
+        assert found is not None, "isomorphic real algebras have squares of the same signs"
+        i, j = found
     else:
         i, j = known_field(ring).embed(outer, inner)
     # back from the normal forms: i of c is a combination of e and the normal i
@@ -200,18 +203,21 @@ def embed_generator(ring: Ring, c: Constants, other: Constants) -> tuple[Coordin
     return target.back((w, x, y, z)), target.back(j)
 
 
-def _closed(ring: Ring, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-    """Scale two of i, j, k over the real or complex numbers: those whose squares have the right signs."""
-    o, e = ring.zero, ring.one
-    units = [(o, e, o, o), (o, o, e, o), (o, o, o, e)]
+def by_multiples(
+    ring: Ring, outer: Constants, inner: Constants
+) -> tuple[Coordinates, Coordinates] | None:
+    """Return multiples of two of i, j, k with the squares a and b of ``outer``, None without such roots."""
+    units = basis_of(ring)[1:]
     squares = (inner.a, inner.b, -inner.a * inner.b)
-    for m, n in itertools.permutations(range(3), 2):
-        ratios = ring.divide(outer.a, squares[m]), ring.divide(outer.b, squares[n])
-        if ring.closure == "algebraically closed" or all(ring.sign(x) > 0 for x in ratios):
-            r, s = map(ring.sqrt, ratios)
-            i, j = ([x * u for u in units[n]] for x, n in ((r, m), (s, n)))
+    for chosen in itertools.permutations(range(3), 2):
+        ratios = (
+            ring.divide(x, squares[k]) for x, k in zip((outer.a, outer.b), chosen, strict=True)
+        )
+        roots = [root_if_known(ring, x) for x in ratios]
+        if None not in roots:
+            i, j = ([x * u for u in units[k]] for x, k in zip(roots, chosen, strict=True))
             return (i[0], i[1], i[2], i[3]), (j[0], j[1], j[2], j[3])
-    raise AssertionError("isomorphic real algebras have squares of the same signs")
+    return None
 
 
 Pair = tuple[Coordinates, Coordinates]

@@ -14,9 +14,9 @@ from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import INFINITY, Ring
 from hfield.structure.forms import NormalForm, discriminant, normal_form, root_if_known
 from hfield.structure.global_field import global_field
-from hfield.structure.norm_forms import zeros_over_fields, zeros_over_rings
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
-from hfield.structure.norm_forms.zeros_over_fields import zero_norm_finite
+from hfield.structure.norm_forms.zeros_over_fields import by_places, inseparable, zero_norm_finite
+from hfield.structure.norm_forms.zeros_over_rings import zero_norm_integral
 
 Evidence = Mapping[str, Any]
 Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
@@ -38,7 +38,7 @@ def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
             ring, c, element, "search", "found among the elements with coordinates 0, 1, −1"
         )
     if not ring.is_field:
-        return zeros_over_rings.zero_norm_integral(ring, c, zero_norm)
+        return zero_norm_integral(ring, c, zero_norm)
     degenerate = _is_degenerate(ring, c)
     if degenerate:
         return _degenerate(ring, c)
@@ -136,7 +136,7 @@ def _degenerate(ring: Ring, c: Constants) -> ZeroNorm:
         q = (zero - t, ring(2), zero, zero)
         return found(ring, c, q, "degenerate", "t² + 4a = 0, so N(2i − t) = 0")
     # N = w² + a·x² + b·y² + ab·z²: additive, and 0 somewhere iff 1, a, b, ab depend over F²
-    return zeros_over_fields.inseparable(ring, c)
+    return inseparable(ring, c)
 
 
 def _squares(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
@@ -201,7 +201,7 @@ _PROCEDURES: list[tuple[str, Procedure]] = [
     ("square roots of a, b and −ab", _squares),
     ("orderings", _ordering),
     ("the level of the field", _hamilton),
-    *zeros_over_fields.PROCEDURES,
+    ("ramified places", by_places),
 ]
 
 

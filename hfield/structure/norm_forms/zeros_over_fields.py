@@ -11,7 +11,6 @@ the sum of theirs. Nothing in this depends on k, nor on its characteristic.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from itertools import permutations, product
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
@@ -67,9 +66,6 @@ def _root(ring: Ring, x: object) -> object:
     return root
 
 
-Procedure = Callable[[Ring, Constants, NormalForm], ZeroNorm | None]
-
-
 def by_places(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
     """Decide by the ramified places; where there are none, solve the conic."""
     field = global_field(ring)
@@ -120,9 +116,6 @@ def inseparable(ring: Ring, c: Constants) -> ZeroNorm:
     raise UndecidedError(
         f"whether 1, a, b, ab are independent over the squares of {ring.name} is not decided"
     )
-
-
-PROCEDURES: list[tuple[str, Procedure]] = [("ramified places", by_places)]
 
 
 MAX_VARIABLES = 4

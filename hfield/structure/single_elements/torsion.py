@@ -23,11 +23,11 @@ import flint
 
 from hfield.errors import NotInvertibleError, UndecidedError, shorten
 from hfield.factorisation import factorise
+from hfield.primality import primes
 from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.balls import precision
-from hfield.rings.base import Ring
+from hfield.rings.base import Ring, WithIntegers
 from hfield.rings.closed_fields.surds import Surd
-from hfield.structure.global_field import global_field
 from hfield.structure.linear_algebra.centre import basis_of
 
 if TYPE_CHECKING:
@@ -92,9 +92,9 @@ def _is_one(ring: Ring, c: Constants, q: Coordinates, n: int) -> bool:
 def _exponent(ring: Ring) -> Mapping[int, int] | None:
     """Return the primes of a number that every finite order divides; None where none is known.
 
-    A field with places knows one, and ℤ has that of ℚ. Over a ring of m elements q generates a ring of at
-    most m². Its residue fields are at most quadratic over those of the ring, and its units that are 1 modulo
-    its radical have orders that divide m².
+    Over a number field of degree n, and over ℤ, they are those of roots of unity of degree at most 2n. Over
+    a ring of m elements q generates a ring of at most m². Its residue fields are at most quadratic over those
+    of the ring, and its units that are 1 modulo its radical have orders that divide m².
     """
     if ring.order is not None:
         m = int(ring.order)
@@ -110,8 +110,19 @@ def _exponent(ring: Ring) -> Mapping[int, int] | None:
                     r: max(part.get(r, 0), found.get(r, 0)) for r in part.keys() | found.keys()
                 }
         return found
-    field = global_field(ring.fractions or ring)
-    return None if field is None else field.finite_orders
+    field = ring.fractions or ring
+    return orders_of_roots_of_unity(2 * field.degree) if isinstance(field, WithIntegers) else None
+
+
+def orders_of_roots_of_unity(degree: int) -> dict[int, int]:
+    """Return the primes of a number that the order of every root of unity of such a degree divides."""
+    orders = {}
+    for p in primes(degree + 2):
+        k = 0
+        while p**k * (p - 1) <= degree:
+            k += 1
+        orders[p] = k
+    return orders
 
 
 def _digits(n: int, p: int) -> list[int]:
@@ -185,7 +196,8 @@ def closed_order(ring: Ring, t: Surd | Closed, n: Surd | Closed, scalar: Any = N
     if known:
         bound = 2 * (degree or 0)
         if len(found) < len(angles) or any(
-            SURDS % r.denominator if surds else _totient(r.denominator) > bound for r in found
+            SURDS % d if surds else flint.fmpz(d).euler_phi() > bound
+            for d in (r.denominator for r in found)
         ):
             return None
     order = lcm(*(r.denominator for r in found))
@@ -255,13 +267,6 @@ def _angle(enclosure: Enclosure, greatest: int) -> tuple[bool, Fraction | None]:
     raise UndecidedError(
         "the order is not decided: two roots of the characteristic polynomial are too near to each other"
     )
-
-
-def _totient(n: int) -> int:
-    result = n
-    for p in factorise(n):
-        result = result // p * (p - 1)
-    return result
 
 
 def _agrees(

@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import flint
-
 from hfield.certificates.glossary import (
     ARTIN,
     BY_S_UNITS,
@@ -75,14 +73,11 @@ def _residues(s: SUnits) -> list[list[int]]:
     """Return primes q with simple roots modulo q: the q − 1 have no more in common than roots of unity."""
     if s.field.signature[0]:
         return []
-    whole = s.field.polynomial.numer()
-    bad, found, common = int(whole.discriminant() * whole.leading_coefficient()), [], 0
+    found, common = [], 0
     for q in primes():
-        if q < s.n + 2 or bad % q == 0 or (common and (q - 1) % common == 0):
+        if q < s.n + 2 or (common and (q - 1) % common == 0):
             continue
-        reduced = flint.nmod_poly([int(c) % q for c in whole.coeffs()], q)
-        roots = [int(-g[0] / g[1]) for g, _ in reduced.factor()[1] if g.degree() == 1]
-        if roots:
+        if roots := s_units.simple_roots(s.field, q):
             found.append([q, roots[0]])
             common = math.gcd(common, q - 1)
             if common == s.order_of_torsion:

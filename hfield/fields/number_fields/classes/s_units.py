@@ -11,6 +11,7 @@ show that no further product is an ℓ-th power, or the ℓ-th root is taken int
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property, lru_cache
@@ -27,9 +28,11 @@ from hfield.fields.number_fields.ideals import Ideal, Integers, integers
 from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.sums import roots_in
 from hfield.primality import is_prime, primes
 from hfield.rings.balls import precision
+from hfield.rings.residue_polynomials import residues
 
 MAX_BOUND = 20_000  # of the norms of primes that generate the class group
 FEW = 8
@@ -378,16 +381,9 @@ class SUnits:
 
     def _characters(self, ell: int) -> Iterator[Any]:
         """Yield functions: ℓ-th power residue symbols of elements, as exponents, at primes of degree one."""
-        whole = self.field.polynomial.numer()
-        bad = int(whole.discriminant()) * int(whole.leading_coefficient())
         below = {self.base[k].p for k in self.primes}
-        q = 1
-        while True:
-            q += ell
-            if not is_prime(q) or bad % q == 0 or q in below:
-                continue
-            reduced = flint.nmod_poly([int(c) % q for c in whole.coeffs()], q)
-            roots = [int(-g[0] / g[1]) for g, _ in reduced.factor()[1] if g.degree() == 1]
+        for q in itertools.count(1 + ell, ell):
+            roots = simple_roots(self.field, q) if is_prime(q) and q not in below else []
             if not roots:
                 continue
             power = (q - 1) // ell
@@ -405,6 +401,15 @@ class SUnits:
     def root(self, x: FieldElement, ell: int) -> FieldElement | None:
         """Return y with y^ℓ = x, or None."""
         return root(self.frame, x, ell)
+
+
+def simple_roots(field: NumberField, q: int) -> list[int]:
+    """Return the roots modulo a prime of the polynomial of a field, where all of them are simple; else []."""
+    whole = field.polynomial.numer()
+    if int(whole.discriminant() * whole.leading_coefficient()) % q == 0:
+        return []
+    factors = residues(q, whole.coeffs()).factor()[1]
+    return [int(-g[0] / g[1]) for g, _ in factors if g.degree() == 1]
 
 
 def residue(x: FieldElement, root: int, q: int) -> int:
@@ -433,16 +438,12 @@ def roots_of_unity(frame: Integers) -> tuple[int, FieldElement]:
     field, n = frame.field, frame.n
     if field.signature[0]:
         return 2, -field.one
-    candidates = [m for m in range(4, 4 * n * n + 8, 2) if n % _totient(m) == 0]
+    candidates = [m for m in range(4, 4 * n * n + 8, 2) if n % int(flint.fmpz(m).euler_phi()) == 0]
     for m in reversed(candidates):
         found = roots_in(field, flint.fmpq_poly(flint.fmpz_poly.cyclotomic(m)))
         if found:
             return m, found[0]
     return 2, -field.one
-
-
-def _totient(m: int) -> int:
-    return sum(math.gcd(m, k) == 1 for k in range(1, m + 1))
 
 
 def _conjugates(frame: Integers) -> flint.fmpz_mat:

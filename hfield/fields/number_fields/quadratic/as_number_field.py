@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.places import Place
-from hfield.fields.number_fields.quadratic.places import QuadraticPlace
-from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
 
 if TYPE_CHECKING:
+    from hfield.fields.number_fields.places import Place
+    from hfield.fields.number_fields.quadratic.places import QuadraticPlace
+    from hfield.fields.number_fields.quadratic.ring import QuadraticField
     from hfield.rings.closed_fields.surds import Surd
 
 
@@ -23,10 +23,9 @@ def as_number_field(field: QuadraticField) -> NumberField:
     return NumberField(flint.fmpq_poly([-field.d, 0, 1]))
 
 
-def into_number_field(field: NumberField, x: Surd, d: int) -> FieldElement:
+def into_number_field(field: QuadraticField, x: Surd) -> FieldElement:
     """Return u + v·√d as u + v·s."""
-    terms = x.terms
-    return FieldElement(field, flint.fmpq_poly([terms.get(1, 0), terms.get(d, 0)]))
+    return FieldElement(as_number_field(field), flint.fmpq_poly(list(field.key(x))))
 
 
 def from_number_field(field: QuadraticField, x: FieldElement) -> Surd:
@@ -34,9 +33,10 @@ def from_number_field(field: QuadraticField, x: FieldElement) -> Surd:
     return field(x.poly[0]) + field.gen * field(x.poly[1])
 
 
-def place_in_number_field(field: NumberField, place: QuadraticPlace) -> Place:
+def place_in_number_field(place: QuadraticPlace) -> Place:
     """Return the place where s goes to what √d goes to."""
+    same = as_number_field(place.field)
     if not place.prime:
-        return field.infinite_places()[place.index]
-    generator = into_number_field(field, place.generators[1], place.d)
-    return next(P for P in field.primes_above(place.p) if generator in P)
+        return same.infinite_places()[place.index]
+    generator = into_number_field(place.field, place.generators[1])
+    return next(P for P in same.primes_above(place.p) if generator in P)

@@ -10,7 +10,6 @@ import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
 from hfield.factorisation import factorise
-from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.with_ideals import WithIdeals
 from hfield.primality import is_prime
@@ -149,10 +148,11 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
 
     def irreducible_factors(self, coefficients: Sequence[Surd]) -> list[list[Surd]]:
         """Return the monic irreducible factors of a polynomial that is not 0, each once."""
-        field = NumberField(flint.fmpq_poly([-self.d, 0, 1]))
-        inside = [FieldElement(field, flint.fmpq_poly(list(self.key(x)))) for x in coefficients]
-        found = field.irreducible_factors(inside)
-        return [[self(x.poly[0]) + self.gen * self(x.poly[1]) for x in f] for f in found]
+        from hfield.fields.number_fields.quadratic import as_number_field as same
+
+        inside = [same.into_number_field(self, x) for x in coefficients]
+        found = same.as_number_field(self).irreducible_factors(inside)
+        return [[same.from_number_field(self, x) for x in f] for f in found]
 
     @property
     def level(self) -> Known:
@@ -160,13 +160,9 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
         if self.d > 0:
             return Known(INFINITY, f"{self.name} is a field of real numbers, so it has an ordering")
         squares = self.minus_one_as_squares()
-        shown = " + ".join(f"({self.text(y)})^2" for y in squares)
-        why = {
-            1: "",
-            2: ", and −1 itself is no square",
-            4: f", and fewer squares do not do, for {-self.d} ≡ 7 mod 8",
-        }[len(squares)]
-        return Known(len(squares), f"−1 = {shown} in {self.name}{why}")
+        if len(squares) < 4:
+            return self.level_of(squares)
+        return self.level_of(squares, f"fewer squares do not do, for {-self.d} ≡ 7 mod 8")
 
     def minus_one_as_squares(self) -> tuple[Surd, ...]:
         """Return as few elements as possible whose squares add up to −1."""
