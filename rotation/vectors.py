@@ -12,8 +12,8 @@ from rotation.angles import in_degrees, to_degrees, waves, waves_of_degrees
 from rotation.arrays import common_batch
 from rotation.compensated import angle, norm, quotient, sine_and_cosine, times
 from rotation.coordinates import (
-    Coordinates,
     STEP,
+    Coordinates,
     backwards,
     factor,
     join,
