@@ -5,18 +5,22 @@ not overflow.
 """
 
 import math
+from functools import reduce
 from typing import Any
 
 from rotation.angles import in_degrees, to_degrees, waves, waves_of_degrees
 from rotation.arrays import common_batch
 from rotation.compensated import angle, norm, quotient, sine_and_cosine, times
 from rotation.coordinates import (
+    STEP,
     Coordinates,
+    backwards,
     factor,
     join,
     length,
     middling,
     poison,
+    polynomial,
     split,
     sum_of_squares,
     unit,
@@ -24,14 +28,22 @@ from rotation.coordinates import (
 from rotation.namespaces import (
     Array,
     expect_last,
+    finfo,
     floats,
     namespace,
     quiet,
     refuse_zeros,
 )
 from rotation.native.pairs import Pair
+from rotation.optimum import derived
 from rotation.quaternions import multiplied, upright
 from rotation.rowwise import Formula, rarely
+
+# Of t = |v|² below SHORT: cos(|v|/2), sin(|v|/2)/|v| and 2·arcsin(√t)/√t, to 2⁻⁵⁶ of them.
+SHORT = 2.0**-24
+COSINE = (1.0, -1.0 / 8.0, 1.0 / 384.0)
+SINE = (1.0 / 2.0, -1.0 / 48.0, 1.0 / 3840.0)
+ARCSINE = (2.0, 1.0 / 3.0, 3.0 / 20.0)
 
 
 def from_rotvec(vectors: Any, degrees: bool = False) -> Array:
@@ -47,12 +59,14 @@ def from_rotvec(vectors: Any, degrees: bool = False) -> Array:
 
 def _from_rotvec(v: Array, degrees: bool) -> Array:
     xp = namespace(v)
+    if derived(v) and not degrees:
+        return _exponential(xp, v)
     f = factor(xp, split(v))
     c = tuple(f * a for a in split(v))
     n = norm(xp, c)
     turning = n[0] > 0.0
     n = (xp.where(turning, n[0], xp.ones_like(f)), n[1])
-    back = 1.0 / f
+    back = backwards(xp, f)
     half = (0.5 * n[0] * back, 0.5 * n[1] * back)
     sine, cosine = waves_of_degrees(xp, half) if degrees else _sine_and_cosine(xp, half)
     w, *u = turn(xp, sine, cosine, c, n)
@@ -62,6 +76,27 @@ def _from_rotvec(v: Array, degrees: bool) -> Array:
     )  # only the derivative at 0 needs it
     u = [xp.where(turning, x, tangent * a + spoilt) for x, a in zip(u, c, strict=True)]
     return join(xp, (xp.where(turning, w, xp.ones_like(f)) + spoilt, *u))
+
+
+def _exponential(xp: Any, v: Array) -> Array:
+    """Without pairs, for libraries that take derivatives: the length is rounded, as its sine is.
+
+    Near 0 series take over, which have all derivatives there. What a compiler is to compute once a row
+    stands apart from the coordinates that it multiplies.
+    """
+    c = split(v)
+    largest = reduce(xp.maximum, (xp.abs(a) for a in c))
+    info, one = finfo(xp, largest), xp.ones_like(largest)
+    far = largest > float(info.max) ** 0.5 / 4.0
+    f = xp.where(far, (1.0 / STEP[info.bits]) * one, one)
+    square = sum_of_squares([f * a for a in c])
+    short = ~far & (square < SHORT)
+    n = xp.sqrt(xp.where(short, one, square)) / f
+    t = xp.where(short, square, xp.zeros_like(square))
+    half = 0.5 * n
+    cosine = xp.where(short, polynomial(COSINE, t), xp.cos(half))
+    ratio = xp.where(short, polynomial(SINE, t), xp.sin(half) / n)
+    return xp.concat([cosine[..., None], ratio[..., None] * v], axis=-1)
 
 
 def turn(xp: Any, sine: Pair, cosine: Pair, axis: Coordinates, n: Pair) -> Coordinates:
@@ -101,12 +136,14 @@ def to_rotvec(q: Array, degrees: bool = False) -> Array:
 def _to_rotvec(q: Array, degrees: bool) -> Array:
     xp = namespace(q)
     w, *u = upright(xp, split(q))
+    if derived(q) and not degrees:
+        return _logarithm(xp, w, tuple(u))
     f = factor(xp, tuple(u))
     c = tuple(f * a for a in u)
     n = norm(xp, c)
     turning = n[0] > 0.0
     n = (xp.where(turning, n[0], xp.ones_like(f)), n[1])
-    back = 1.0 / f
+    back = backwards(xp, f)
     half = angle(xp, (n[0] * back, n[1] * back), w)
     whole = (2.0 * half[0], 2.0 * half[1])
     if degrees:
@@ -115,6 +152,16 @@ def _to_rotvec(q: Array, degrees: bool) -> Array:
     tangent = 2.0 * (math.degrees(1.0) if degrees else 1.0)  # only the derivative at 0 needs it
     v = (xp.where(turning, times(xp, ratio, a), tangent * b) for a, b in zip(c, u, strict=True))
     return join(xp, tuple(v))
+
+
+def _logarithm(xp: Any, w: Array, u: Coordinates) -> Array:
+    """The inverse of `_exponential`, likewise."""
+    square = sum_of_squares(u)
+    short = square < SHORT
+    n = xp.sqrt(xp.where(short, xp.ones_like(square), square))
+    t = xp.where(short, square, xp.zeros_like(square))
+    ratio = xp.where(short, polynomial(ARCSINE, t), 2.0 * xp.atan2(n, w) / n)
+    return ratio[..., None] * join(xp, u)
 
 
 _TO_ROTVEC = [Formula(_to_rotvec, (4,), parameters=(degrees,)) for degrees in (False, True)]

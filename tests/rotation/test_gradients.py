@@ -161,3 +161,41 @@ def test_a_traced_function_refuses_nothing() -> None:
     jax = pytest.importorskip("jax")
     made = jax.jit(lambda q: Rotation.from_quat(q).as_matrix())(jax.numpy.zeros((2, 4)))
     assert np.isnan(made).all()
+
+
+@pytest.mark.parametrize(
+    ("low", "high"),
+    [(1e-300, 1e-290), (1e-9, 1e-4), (2.4e-4, 2.5e-4), (1e-3, 3.1), (3, 1e6), (1e160, 1e170)],
+)
+def test_exponentials_and_logarithms_of_jax_are_as_near_as_rounded_lengths(
+    low: float, high: float
+) -> None:
+    """Around 2⁻¹², where the series ends, too; numpy's, right to an ulp, are the measure."""
+    jax = pytest.importorskip("jax")
+    rng = np.random.default_rng(7)
+    v = rng.standard_normal((2000, 3))
+    v *= (
+        np.exp(rng.uniform(np.log(low), np.log(high), (2000, 1)))
+        / np.linalg.norm(v, axis=1)[:, None]
+    )
+    exact = Rotation.from_rotvec(v)
+    with jax.enable_x64(True):
+        made = jax.jit(lambda v: Rotation.from_rotvec(v).as_quat())(v + jax.numpy.zeros(3))
+        read = jax.jit(lambda q: Rotation(q).as_rotvec())(jax.numpy.asarray(exact.as_quat()))
+    size = np.abs(v).max(axis=1)
+    off = np.linalg.norm(np.asarray(made) - exact.as_quat(), axis=1)
+    if high < 1e150:
+        assert (off <= 2.0**-52 * np.maximum(2.0, size)).all()
+        apart = np.abs(np.asarray(made) - exact.as_quat())[:, 1:].max(axis=1)
+        assert (apart <= 2.0**-51 * size).all()
+    assert np.abs(np.linalg.norm(np.asarray(made), axis=1) - 1).max() < 1e-15
+    log, near = exact.as_rotvec(), np.asarray(read)
+    assert (np.abs(near - log).max(axis=1) <= 2.0**-50 * np.abs(log).max(axis=1)).all()
+
+
+def test_second_derivatives_of_the_exponential_at_the_identity() -> None:
+    """cos(|v|/2) bends by −¼ to every side, though no length has a derivative at 0."""
+    jax = pytest.importorskip("jax")
+    with jax.enable_x64(True):
+        bent = jax.hessian(lambda v: Rotation.from_rotvec(v).as_quat())(jax.numpy.zeros(3))
+    assert np.asarray(bent) == pytest.approx(np.stack([-0.25 * E, 0 * E, 0 * E, 0 * E]), abs=1e-15)
