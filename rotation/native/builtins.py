@@ -36,6 +36,7 @@ from rotation.native.entry import (
 from rotation.native.symbols import LIBRARY, WIDTH, Lanes, Program, Rows
 
 AHEAD = 4  # blocks, whose memory is asked for to be written and so is not fetched twice
+SOON = 8  # blocks, whose memory is asked for to be read while numbers are computed
 FREE = 2048  # rows for which it pays to free the interpreter lock
 BYTES = {"double": 8, "float": 4}
 NUMPY = {"PyArray_New": 93, "PyArray_Return": 76}  # the places in its table of functions
@@ -188,6 +189,9 @@ def _block(
         else:
             kind = vector(word, size * WIDTH)
             whole = program.load(kind, pointer, BYTES[word])
+            lines = -(-size * WIDTH * BYTES[word] // 64)
+            for line in range(lines):
+                program.ahead(program.at("[64 x i8]", pointer, SOON * lines + line))
             columns = [
                 program.shuffled(kind, whole, "poison", range(n, size * WIDTH, size))
                 for n in range(size)
