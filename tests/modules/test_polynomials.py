@@ -408,7 +408,7 @@ def test_all_roots_are_tried_over_a_finite_field(text):
 
 @pytest.mark.parametrize("degree", [1, 2, 3, 4, 5])
 def test_exact_roots_over_the_reals_are_short_and_near_floats(degree):
-    """Against the eigenvalues of the companion matrix; what is printed grows as the degree n·(2n − 1) of a root."""
+    """Against eigenvalues of the companion matrix; a root has the degree n·(2n − 1), and a text to suit."""
     A, rng = H("RR"), Random(degree)
     P = A.polynomials()
     for _ in range(4 if degree < 4 else 1):
