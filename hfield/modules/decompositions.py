@@ -84,24 +84,20 @@ def _paired(values: np.ndarray) -> np.ndarray:
 def _exactly(M: Matrix) -> tuple[Any, ...]:
     """Return the eigenvalues in CC: half the roots of the characteristic polynomial."""
     F: Any = M.algebra.ring
-    rest = list(M.reduced_characteristic_polynomial())
+    whole = [CC(c) for c in M.reduced_characteristic_polynomial()]
     if not is_division(F, M.algebra.constants):
         raise CoercionError(
             f"right eigenvalues are of matrices over Hamilton's algebra, not {M.algebra}"
         )
     found = []
-    for g in F.irreducible_factors(rest):
-        times = 0
-        while True:
-            quotient, remainder = divided(F, rest, g)
-            if any(not F.is_zero(c) for c in remainder):
-                break
-            rest, times = quotient, times + 1
-        if len(g) == 2:
-            found += [CC(-g[0])] * (times // 2)
-        else:
-            half = -g[1] / F(2)
-            found += [CC(half) + CC.gen * CC(F.sqrt(g[0] - half * half))] * times
+    for g in CC.irreducible_factors(whole):
+        times, (rest, remainder) = 0, divided(CC, whole, g)
+        while not remainder:
+            times, (rest, remainder) = times + 1, divided(CC, rest, g)
+        if (-g[0]).is_real():  # each twice
+            found += [-g[0]] * (times // 2)
+        elif (-g[0]).ball(64).imag > 0:
+            found += [-g[0]] * times
     return tuple(found)
 
 

@@ -40,6 +40,13 @@ class IsolatedRoots:
             self._at[bits] = [z for (z,) in near] if alone else self.at(2 * bits)
         return self._at[bits]
 
+    def numbered(self, n: int, bits: int) -> flint.acb:
+        """Return the n-th root where the lower ones count too, each behind its conjugate."""
+        pair, is_below = divmod(max(n - self.real_count, 0), 2)
+        z = self.at(bits)[min(n, self.real_count) + pair]
+        with precision(bits):
+            return z.conjugate() if is_below else z
+
 
 def _order(z: flint.acb, w: flint.acb) -> int:
     """Order by real parts, and by imaginary ones where those are not told apart."""

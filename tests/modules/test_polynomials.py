@@ -147,7 +147,7 @@ def test_roots_over_the_reals_that_are_no_radicals(text, isolated, spheres):
     for q in floating:  # x² − tx + n divides the norm: its roots are among those of numpy
         z = complex(q[0], sum(c * c for c in q[1:]) ** 0.5)
         assert min(abs(z - w) for w in near) < 1e-6
-    for q in found.isolated[:1] if f.degree == 2 or spheres else ():
+    for q in found.isolated:
         assert not f(q)
     for t, n in found.spheres:
         rest = f.divmod_right(P([n, -t, 1]))[1]
@@ -404,3 +404,30 @@ def test_all_roots_are_tried_over_a_finite_field(text):
         tried = set(Factoring(A, False).roots(f, found))
         assert tried == {q for q in A.elements() if not f(q)}
     assert kinds == {0, 1}
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3, 4, 5])
+def test_exact_roots_over_the_reals_are_short_and_near_floats(degree):
+    """Against eigenvalues of the companion matrix; a root has the degree n·(2n − 1), and a text to suit."""
+    A, rng = H("RR"), Random(degree)
+    P = A.polynomials()
+    for _ in range(4 if degree < 4 else 1):
+        f = P([A(*(rng.randint(-3, 3) for _ in range(4))) for _ in range(degree)] + [A(1, 2, 0, 1)])
+        roots = f.roots()
+        assert len(roots.isolated) == degree
+        top = f.coefficients[-1].inverse()
+        companion = np.zeros((4 * degree, 4 * degree))  # of left products, on rows of coefficients
+        for n in range(degree - 1):
+            companion[4 * n : 4 * n + 4, 4 * n + 4 : 4 * n + 8] = np.eye(4)
+        for n, c in enumerate(f.coefficients[:-1]):
+            left = [[float(x.ball(64).real.mid()) for x in row] for row in (-(top * c)).matrix()]
+            companion[4 * degree - 4 :, 4 * n : 4 * n + 4] = left
+        near = np.linalg.eigvals(companion)
+        for q in roots.isolated:
+            assert f(q) == 0
+            half = float(q.scalar_part.ball(64).real.mid()) if q.scalar_part else 0.0
+            norm = float(q.norm().ball(64).real.mid())
+            assert np.abs(near - complex(half, max(norm - half**2, 0) ** 0.5)).min() < 1e-6
+            assert len(str(q)) <= (60, 400, 2000, 6000, 16000)[degree - 1]
+            if degree < 4:
+                assert A(str(q)) == q

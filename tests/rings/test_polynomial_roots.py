@@ -2,10 +2,13 @@
 
 import pickle
 
+import flint
 import numpy as np
 import pytest
 
 from hfield import CC, RR, CoercionError
+from hfield.rings.closed_fields import conjugate_pairs
+from hfield.rings.roots import divided
 
 QUINTIC = (-1, -1, 0, 0, 0, 1)
 
@@ -95,3 +98,61 @@ def test_bounds_hold_for_sums_and_products_of_two():
         assert 0 < height <= number.bounds.height
         assert len(values) <= number.bounds.degree
     assert (root(0) + 2 * root(1)).bounds.degree == 20
+
+
+def test_numbers_of_one_field_are_polynomials_in_its_root():
+    """Of degree 5, by identities that no enclosure of small precision would show, and by floats."""
+    a, z = root(0, ring=RR), root(1)
+    for x in (a, z):
+        y = (3 * x**4 - x / 7 + 2) / (x * x + 1)
+        assert y * (x * x + 1) == 3 * x**4 - x / 7 + 2
+        assert y - y == 0
+        assert 1 / (1 / y) == y
+        value = complex(x.ball(64).real.mid(), x.ball(64).imag.mid())
+        expected = (3 * value**4 - value / 7 + 2) / (value**2 + 1)
+        assert complex(y.ball(64).real.mid(), y.ball(64).imag.mid()) == pytest.approx(expected)
+        assert y.text().startswith("rootof(")
+        assert CC(y.text()) == y
+    assert (a + 1).text() in ("1+rootof(0,-1,-1,0,0,0,1)", "rootof(0,-1,-1,0,0,0,1)+1")
+    assert a**20 + a != a**20 + z
+
+
+def test_numbers_of_degree_2_in_larger_fields_are_written_with_roots():
+    a = RR("rootof(3,1,0,-10,0,1)")  # √2 + √3
+    cube = (a**3 - 9 * a) / 2
+    assert cube.text() == "sqrt(2)"
+    assert cube == RR("sqrt(2)")
+    assert hash(cube) == hash(RR("sqrt(2)"))
+    assert cube**2 == 2
+    z = CC("rootof(0,1,0,0,0,1)")  # a primitive 8th root of unity
+    assert (z + 1 / z).text().startswith("sqrt(2)") or (z + 1 / z).text() == "-sqrt(2)"
+    assert (z * z).text() in ("I", "-I")
+    assert (z + 1 / z).is_real()
+    assert not z.is_real()
+    assert not (z * z).is_real()
+
+
+@pytest.mark.parametrize(
+    "c",
+    [
+        QUINTIC,
+        (3, 0, 1, 0, 2),  # in x^2: two pairs have the same sum
+        (1, 0, 0, 0, 1),
+        (2, 1, -1, 3, 0, 0, 5),
+        (1, 1, 1, 1, 1, 1, 1),  # all of absolute value 1
+        (1, 0, -1, 0, 0, 1, 0, 0, 7),
+    ],
+)
+def test_sums_and_products_of_conjugate_roots(c):
+    """Against numpy; x² − t·x + n divides the polynomial, in the field of t and n."""
+    found = conjugate_pairs.factors(flint.fmpq_poly(list(c)), True, [])
+    near = np.roots(c[::-1])
+    pairs = sorted((2 * z.real, abs(z) ** 2) for z in near if z.imag > 1e-9)
+    seen = []
+    for f in found:
+        rest = divided(RR, [RR(x) for x in c], f)[1]
+        assert rest == []
+        if len(f) == 3:
+            seen.append((-float(f[1].ball(64).real.mid()), float(f[0].ball(64).real.mid())))
+    assert np.allclose(sorted(seen), pairs)
+    assert sum(len(f) - 1 for f in found) == len(c) - 1

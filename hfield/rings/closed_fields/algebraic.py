@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from random import Random
 from typing import TYPE_CHECKING, Any
 
@@ -83,7 +84,7 @@ class AlgebraicNumbers(ValueRing):
             "cbrt": lambda x: self._root(x, 3),
             "root": self._root,
             **{name: closed.function(name) for name in FUNCTIONS},
-            **{name: closed.polynomial_root(name) for name in ROOTS},
+            **{name: partial(_root_by_number, name) for name in ROOTS},
         }
 
     def parse(self, text: str) -> Surd | Closed:
@@ -110,7 +111,7 @@ class AlgebraicNumbers(ValueRing):
         if number is not None:
             return from_rational(number)
         kind = type(x).__module__
-        if kind == "hfield.rings.closed_fields.closed_forms" or kind.partition(".")[0] == "sympy":
+        if kind.startswith("hfield.rings.closed_fields.") or kind.partition(".")[0] == "sympy":
             from hfield.rings.closed_fields import closed_forms as closed
 
             if x is closed.PI:
@@ -185,13 +186,12 @@ class AlgebraicNumbers(ValueRing):
 
     def _of_radicals(self, g: flint.fmpq_poly) -> list[list[Surd | Closed]]:
         """Return the factors of an irreducible polynomial over ℚ of degree above 2, by its roots in CC."""
-        from hfield.rings.closed_fields.closed_forms import number
-        from hfield.rings.closed_fields.polynomial_roots import of_polynomial
+        from hfield.rings.closed_fields.conjugate_pairs import factors
 
-        short = _roots_in_radicals(g)
-        if len(short) < g.degree():
-            return [[*map(number, f)] for f in of_polynomial(g, self.is_real)]
-        roots = list(map(CC, short))
+        roots = list(map(CC, _roots_in_radicals(g)))
+        closed = [z for z in roots if not isinstance(z, Surd)]
+        if closed or not roots:
+            return factors(g, self.is_real, closed)
         if not self.is_real:
             return [[-z, CC.one] for z in roots]
         real = [z for z in roots if z.is_real()]
@@ -243,6 +243,12 @@ class AlgebraicNumbers(ValueRing):
         return str(x.text(style))
 
 
+def _root_by_number(name: str, *arguments: Surd | Closed) -> Surd | Closed:
+    from hfield.rings.closed_fields.in_fields import root_by_number  # which imports sympy
+
+    return root_by_number(name, *arguments)
+
+
 def _roots_in_radicals(g: flint.fmpq_poly) -> list[Any]:
     """Return what sympy finds of the roots of an irreducible polynomial over ℚ, if that is short."""
     import sympy
@@ -252,7 +258,7 @@ def _roots_in_radicals(g: flint.fmpq_poly) -> list[Any]:
         turns = (2 * sympy.pi * k / order for k in range(order) if math.gcd(k, order) == 1)
         return [sympy.cos(turn) + sympy.I * sympy.sin(turn) for turn in turns]
     rationals = [sympy.Rational(int(c.p), int(c.q)) for c in reversed(g.coeffs())]
-    roots = list(sympy.roots(sympy.Poly(rationals, sympy.Symbol("x"))))
+    roots = list(map(sympy.sqrtdenest, sympy.roots(sympy.Poly(rationals, sympy.Symbol("x")))))
     return roots if all(z.count_ops() <= MOST_OPERATIONS for z in roots) else []
 
 

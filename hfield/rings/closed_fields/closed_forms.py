@@ -305,23 +305,6 @@ def function(name: str) -> Callable[[Surd | Closed], Surd | Closed]:
     return call
 
 
-def polynomial_root(name: str) -> Callable[..., Surd | Closed]:
-    """Return one of ``ROOTS`` as a function of numbers."""
-
-    def call(*arguments: Surd | Closed) -> Surd | Closed:
-        from hfield.rings.closed_fields.polynomial_roots import read
-
-        numbers = (
-            x.terms.get(1, flint.fmpq(0)) if isinstance(x, Surd) and set(x.terms) <= {1} else None
-            for x in arguments
-        )
-        return number(
-            read(name, [int(c.p) if c is not None and c.q == 1 else None for c in numbers])
-        )
-
-    return call
-
-
 def _simplifies_to_zero(expr: sympy.Expr, imaginary: bool) -> bool:
     import sympy
 

@@ -34,10 +34,7 @@ class RootOf(sympy.Function):  # type: ignore[misc,unused-ignore]
 
     def ball(self) -> flint.acb:
         """Return a ball around the root, at flint's current precision."""
-        n, real = int(self.args[0]), self.roots.real_count
-        pair, is_below = divmod(max(n - real, 0), 2)
-        z = self.roots.at(flint.ctx.prec)[min(n, real) + pair]
-        return z.conjugate() if is_below else z
+        return self.roots.numbered(int(self.args[0]), flint.ctx.prec)
 
     @property
     def height(self) -> float:
@@ -114,20 +111,6 @@ class NormOfPair(_OfPair):
 
 
 KINDS = {kind.spelled: kind for kind in (Root, TraceOfPair, NormOfPair)}
-
-
-def of_polynomial(g: flint.fmpq_poly, is_real: bool) -> list[list[Any]]:
-    """Return the coefficients of the factors, real ones or linear, of an irreducible polynomial over ℚ."""
-    whole = g.numer()
-    c = [int(x) for x in whole.coeffs()]
-    real = isolated_roots(tuple(c)).real_count
-    one = sympy.Integer(1)
-    if not is_real:
-        return [[-Root(n, *c), one] for n in range(whole.degree())]
-    pairs = range(real, whole.degree(), 2)
-    return [[-Root(n, *c), one] for n in range(real)] + [
-        [NormOfPair(n, *c), -TraceOfPair(n, *c), one] for n in pairs
-    ]
 
 
 def read(name: str, arguments: Sequence[int | None]) -> Any:
