@@ -2,8 +2,9 @@
 
 import pytest
 
-from hfield import IndefiniteError, LatticeError, QuaternionAlgebra
+from hfield import IndefiniteError, LatticeError, QuaternionAlgebra, TooLargeError, ring
 from hfield.lattices.over_integers import quadratic_orders
+from hfield.lattices.over_integers import trace_forms as forms
 from hfield.lattices.over_integers.local_orders import Local
 from hfield.lattices.over_integers.trace_forms import trace_forms
 
@@ -127,3 +128,36 @@ def test_short_elements_and_units() -> None:
         assert set(I.elements_of_norm(n)) == {x for x in elements_of_norm(I, n) if x in I}
     assert I.elements_of_norm(-1) == I.elements_of_norm(A.ring.gen) == ()
     assert I.elements_of_norm(0) == (A(0),)
+
+
+@pytest.mark.parametrize("d", [5, 2, 13, 17])
+def test_theta_series_of_one_class(d: int) -> None:
+    """r(ν) = r(1)·σ(ν): elements generate ideals of norm ν, up to units of norm 1 (Voight, ch. 26)."""
+    K = ring(f"QQ(sqrt({d}))")
+    O = QuaternionAlgebra.from_ramification(K, K.real_places()).maximal_order()
+    series = O.theta_series(7)
+    assert series.pop(K.zero) == 1
+    for x, count in series.items():
+        sigma = 1
+        for P, e in K.ideal(x).factorisation():
+            sigma *= sum(int(P.p**P.f) ** k for k in range(e + 1))
+        assert count == len(O.elements_of_norm(1)) * sigma
+    halves = (
+        K(n) / 2 + K.gen * m / 2 for n in range(1, 8) for m in range(-7, 8) if m * m * d < n * n
+    )
+    assert list(map(K.trace, series)) == sorted(map(K.trace, series))
+    assert set(series) == {x for x in halves if x in K.ideal(1)}
+
+
+def test_theta_series_of_lattices(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of an order with several classes, and an ideal of it, elements of norm ν are listed one by one."""
+    A = QuaternionAlgebra("(-1,-3|QQ(sqrt(10)))")
+    O = A.maximal_order()
+    for L in (O, O.left_ideal([3, "1 + i + j"])):
+        for x, count in L.theta_series(6).items():
+            assert len(L.elements_of_norm(x)) == count
+    with pytest.raises(IndefiniteError):
+        QuaternionAlgebra("(-1,3|QQ(sqrt(5)))").maximal_order().theta_series(3)
+    monkeypatch.setattr(forms, "MANY", 2)
+    with pytest.raises(TooLargeError, match="more than 4 elements have norms of trace at most 6"):
+        O.theta_series(6)

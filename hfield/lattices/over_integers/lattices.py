@@ -41,7 +41,7 @@ from hfield.lattices.over_integers.frames import Frame, frame_of
 from hfield.lattices.over_integers.hecke_modules import IntegersModule
 from hfield.lattices.over_integers.local_orders import Local, Rows
 from hfield.lattices.over_integers.quadratic_orders import IntegersEmbeddings
-from hfield.lattices.over_integers.trace_forms import all_of_norm, trace_forms
+from hfield.lattices.over_integers.trace_forms import all_of_norm, theta_series, trace_forms
 from hfield.lattices.ternary_forms import TernaryForm, form_of
 
 if TYPE_CHECKING:
@@ -265,6 +265,22 @@ class IntegersLattice(Hinted):
     def shortest(self) -> tuple[Quaternion, ...]:
         """Return the elements x ≠ 0 with the least Tr(N(x)), the trace down to ℚ. Raises likewise."""
         return self._both_signs(trace_forms(self.frame).shortest(self.rows))
+
+    def theta_series(self, n: int) -> dict[Any, int]:
+        """Return {ν: r(ν)} for the norms ν of trace at most n, 0 among them, r(ν) = #{x in L: N(x) = ν}.
+
+        Ascending by traces. Raises :class:`IndefiniteError` unless the algebra is totally definite, and
+        :class:`TooLargeError` for more than two million elements.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().theta_series(3)
+        {0: 1, 1: 120, 3/2+1/2*sqrt(5): 120, 3/2-1/2*sqrt(5): 120}
+        """
+        found = theta_series(
+            self.frame, self.rows, natural(n, "a theta series goes up to the trace")
+        )
+        ordered = sorted(found.items(), key=lambda pair: (pair[0].trace(), str(pair[0])))
+        return {self.frame.integers.outside(norm): count for norm, count in ordered}
 
     def reduced_basis(self) -> tuple[Quaternion, ...]:
         """Return a basis over ℤ that is LLL-reduced for Tr(N(x)). Raises likewise."""

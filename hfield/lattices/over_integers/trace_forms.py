@@ -8,6 +8,7 @@ conceivable length: they are there, or an exhausted enumeration says that they a
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
@@ -15,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import IndefiniteError, TooLargeError, shorten
-from hfield.lattices.enumeration import least_vectors, vectors_of_length
+from hfield.lattices.enumeration import least_vectors, short_vectors, vectors_of_length
 from hfield.lattices.short_elements import MANY
 
 if TYPE_CHECKING:
@@ -91,6 +92,33 @@ def all_of_norm(frame: Frame, rows: flint.fmpq_mat, norm: FieldElement) -> list[
         if len(found) > MANY:
             raise TooLargeError(f"more than {MANY} elements of this lattice have the given norm")
     return [frame.quaternion(row) for row in sorted(found, reverse=True)]
+
+
+def theta_series(frame: Frame, rows: flint.fmpq_mat, bound: int) -> dict[FieldElement, int]:
+    """Return how many elements of a lattice have each norm of trace at most a bound, 0 among them.
+
+    Raises :class:`TooLargeError` for more than two million elements.
+    """
+    gram, basis, den = trace_forms(frame).reduced(rows, frame.field.one)
+    forms = [(basis * form * basis.transpose()).numer_denom() for form in frame.gram]
+    entries = [[list(map(int, row)) for row in form.tolist()] for form, _ in forms]
+    counts = Counter({(0,) * len(forms): 1})
+    for number, (x, _) in enumerate(short_vectors(gram, 2 * bound * den), 1):
+        if number > MANY:
+            raise TooLargeError(
+                f"more than {2 * MANY} elements have norms of trace at most {bound}"
+            )
+        places = [(n, c) for n, c in enumerate(x) if c]
+        values = (sum(c * d * form[n][m] for n, c in places for m, d in places) for form in entries)
+        counts[tuple(values)] += 2
+    halves = [flint.fmpq(1, 2 * int(d)) for _, d in forms]
+    return {
+        sum(
+            (v * h * w for v, h, w in zip(values, halves, frame.omega, strict=True)),
+            frame.field.zero,
+        ): n
+        for values, n in counts.items()
+    }
 
 
 def _positive(field: Any, x: FieldElement) -> bool:
