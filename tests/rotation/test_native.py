@@ -231,11 +231,11 @@ def test_nothing_is_made_of_rows_of_which_something_is_told() -> None:
 @compiled
 def test_what_is_made_and_what_is_not_leaves_no_reference_behind() -> None:
     r, formula = Marked(UNITS[:3]), Formula(normalise, (4,))
-    zeros, one = np.zeros((3, 4)), np.ones(4)
+    zeros, one, two = np.zeros((3, 4)), np.ones(4), 7 * UNITS[:2]
 
     def all_ways() -> None:
         r * r, r.inv(), r**0.3, r.magnitude(), r[0].magnitude()
-        formula.told(zeros), PRODUCT(one, 7 * UNITS[:2]), PRODUCT.function(None, zeros)
+        formula.told(zeros), PRODUCT(one, two), PRODUCT.function(None, zeros)
 
     def counts() -> list[int]:
         things = (None, Marked, np.dtype(np.float64), np.ndarray, zeros, one, r._q)
