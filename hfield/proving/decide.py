@@ -131,7 +131,8 @@ def _never_false(problem: Problem) -> Decision | None:
 def _tried(problem: Problem) -> Decision:
     """Decide by the method for what exists, or for what holds for all; what nothing satisfies is vacuous."""
     statement = problem.statement
-    decision = (quantifiers if statement.exists else universal).decide(problem)
+    method = quantifiers.decide if statement.exists else universal.decide
+    decision = method(problem)
     if decision.verdict == PROVED and statement.hypotheses:
         return quantifiers.vacuous(problem) or decision
     return decision
