@@ -47,14 +47,14 @@ def decide(problem: Problem) -> Decision:
         return refuted(problem, found, x)
     p = field.characteristic
     proof = prove_clauses(problem.within(SHORT), p)
-    if not proof.complete:
+    if proof is None:
         found = look(problem, FEW)
         if found is None:
             found = solve_clauses(problem, x, left)
         if found is not None:
             return refuted(problem, found, x)
         proof = prove_clauses(problem, p)
-    if proof.complete:
+    if proof is not None:
         return implied(proof, problem)
     if field.order is not None:
         return exhaust(problem, x)
