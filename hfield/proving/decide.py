@@ -1,15 +1,12 @@
 """The way from a text to a verdict: read, choose, try, answer.
 
-Deciding in a process of its own, which is ended when its time is over or its memory full.
-
 Nearly everything is decided where it is asked, since the procedures estimate before they begin. Some
-things cannot be estimated: factoring structure constants of many digits, or comparing nested roots.
-
-What is asked: the words of whoever asks, and the problem that they are.
+things cannot be estimated: factoring structure constants of many digits, or comparing nested roots. They are
+decided in a process of their own, which is ended when its time is over or its memory full.
 """
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from hfield.certificates.glossary import LINEAR_ALGEBRA, NONE
@@ -102,14 +99,14 @@ def answer_here(question: Question) -> Decision:
 
 @remembered
 def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
-    """Try the method chosen, where the algebra exists; ``ring`` and ``timeout`` are for the memory."""
+    """Try the methods, where the algebra exists; ``ring`` and ``timeout`` are for the memory."""
     exists = algebra_exists(problem)
     if exists is False:
         return _no_algebra(problem)
     try:
-        decision = chosen(problem)(problem)
+        decision = _tried(problem)
         if decision.verdict == UNDECIDED:
-            found = decide_in_subfields(problem, lambda p: chosen(p)(p))
+            found = decide_in_subfields(problem, _tried)
             found = _never_false(problem) if found is None else found
             decision = decision if found is None else found
     except (TooLargeError, UndecidedError) as error:  # such as digits that are not known
@@ -131,24 +128,14 @@ def _never_false(problem: Problem) -> Decision | None:
     return Decision(PROVED, LINEAR_ALGEBRA, steps=steps, scope=FIELD)
 
 
-def chosen(problem: Problem) -> Callable[[Problem], Decision]:
-    """Return the method for a problem: by whether something is said to exist, and what is assumed."""
-    if problem.statement.hypotheses:
-        return _with_hypotheses
-    return _plainly(problem)
-
-
-def _plainly(problem: Problem) -> Callable[[Problem], Decision]:
-    return quantifiers.decide if problem.statement.exists else universal.decide
-
-
-def _with_hypotheses(problem: Problem) -> Decision:
-    """Decide what assumes something; what nothing satisfies is vacuous."""
-    decision = _plainly(problem)(problem)
-    if decision.verdict != PROVED:
-        return decision
-    vacuous = quantifiers.vacuous(problem)
-    return decision if vacuous is None else vacuous
+def _tried(problem: Problem) -> Decision:
+    """Decide by the method for what exists, or for what holds for all; what nothing satisfies is vacuous."""
+    statement = problem.statement
+    method = quantifiers.decide if statement.exists else universal.decide
+    decision = method(problem)
+    if decision.verdict == PROVED and statement.hypotheses:
+        return quantifiers.vacuous(problem) or decision
+    return decision
 
 
 def _no_algebra(problem: Problem) -> Decision:

@@ -1,17 +1,14 @@
 """Places where a statement fails: looked for, solved for, or all tried.
 
-Solving polynomial conditions for a counterexample: small values, and what follows from them.
-
-Variables get small values one after the other; whenever a condition is left with a single variable,
-its value follows (a linear equation, a square root, or one of a few values). This finds what
-looking at small places alone does not: hypotheses such as ``3*p == inv(q)``.
-
-A place where given polynomials are not 0: always found, one variable after the other.
+Conditions are solved by small values, and what follows from them: variables get values one after the other,
+and whenever a condition is left with a single variable, its value follows (a linear equation, a square root,
+or one of a few values). This finds what looking at small places alone does not: hypotheses such as
+``3*p == inv(q)``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, count, islice
 from typing import TYPE_CHECKING, Any
 
@@ -199,8 +196,8 @@ class _Solver:
         n, candidates = self.next(zeros)
         for value in candidates:
             found = self.run(
-                [self.put(z, n, value) for z in zeros],
-                [[self.put(g, n, value) for g in goal] for goal in goals],
+                [_put(z, n, value, self.field) for z in zeros],
+                [[_put(g, n, value, self.field) for g in goal] for goal in goals],
                 {**values, n: value},
             )
             if found is not None or self.nodes > MAX_NODES:
@@ -249,34 +246,17 @@ class _Solver:
             if field.is_zero(total):
                 yield value
 
-    def put(self, f: Polynomial, n: int, value: Scalar) -> Polynomial:
-        """Put a value in for variable n."""
-        field = self.field
-        out: Polynomial = {}
-        for m, c in f.items():
-            if m[n]:
-                c = c * power(field.one, value, m[n])
-                m = (*m[:n], 0, *m[n + 1 :])
-            out[m] = out[m] + c if m in out else c
-        return {m: c for m, c in out.items() if not field.is_zero(c)}
-
     def finish(
         self, goals: list[list[Polynomial]], values: dict[int, Scalar]
     ) -> dict[int, Scalar] | None:
         """Choose the variables that are left so that no goal vanishes entirely."""
+        chosen = values.keys() | {n for n, _ in self.eliminated}
+        free = [n for n in range(self.unknowns) if n not in chosen]
         left = [next(f for f in goal if f) for goal in goals]
-        out = dict(values)
-        expressed = {n for n, _ in self.eliminated}
-        for n in range(self.unknowns):
-            if n in out or n in expressed:
-                continue
-            for value in values_of(self.field, n in self.letters):
-                tried = [self.put(f, n, value) for f in left]
-                if all(tried):
-                    left, out[n] = tried, value
-                    break
-            else:
-                return None
+        found = nonzero_values(left, free, self.letters, self.field)
+        if found is None:
+            return None
+        out = values | found
         for n, expression in reversed(self.eliminated):
             out[n] = self.value(expression, out)
         return out
@@ -325,25 +305,35 @@ def nonzero_place(
     left = [dict(coefficients(p, x, field, field.order)) for p in polynomials]
     if not all(left):
         return None
-    values: list[Any] = []
-    for name in x.variables[: x.unknowns]:
-        for value in values_of(field, name in problem.letters):
-            tried = [_substitute(f, value, field) for f in left]
+    letters = {n for n, name in enumerate(x.variables) if name in problem.letters}
+    values = nonzero_values(left, range(x.unknowns), letters, field)
+    return None if values is None else assigned(problem.statement, values.values())
+
+
+def nonzero_values(
+    polynomials: list[Polynomial], variables: Iterable[int], letters: set[int], field: Ring
+) -> dict[int, Scalar] | None:
+    """Give variables values, one after the other, at which no polynomial becomes 0; letters get 0 last."""
+    values: dict[int, Scalar] = {}
+    for n in variables:
+        for value in values_of(field, n in letters):
+            tried = [_put(f, n, value, field) for f in polynomials]
             if all(tried):
-                left, values = tried, [*values, value]
+                polynomials, values[n] = tried, value
                 break
         else:
             return None
-    return assigned(problem.statement, values)
+    return values
 
 
-def _substitute(f: dict[Monomial, Scalar], value: Scalar, field: Ring) -> dict[Monomial, Scalar]:
-    """Put a value in for the first variable."""
-    out: dict[Monomial, Any] = {}
-    for monomial, c in f.items():
-        term = c * power(field.one, value, monomial[0]) if monomial[0] else c
-        rest = monomial[1:]
-        out[rest] = out[rest] + term if rest in out else term
+def _put(f: Polynomial, n: int, value: Scalar, field: Ring) -> Polynomial:
+    """Put a value in for variable n."""
+    out: Polynomial = {}
+    for m, c in f.items():
+        if m[n]:
+            c = c * power(field.one, value, m[n])
+            m = (*m[:n], 0, *m[n + 1 :])
+        out[m] = out[m] + c if m in out else c
     return {m: c for m, c in out.items() if not field.is_zero(c)}
 
 

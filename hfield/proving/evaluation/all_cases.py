@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from fractions import Fraction
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from itertools import product
 from typing import TYPE_CHECKING, Any
@@ -23,6 +22,7 @@ if TYPE_CHECKING:
 
     Indices = npt.NDArray[np.integer]
     Booleans = bool | npt.NDArray[np.bool_]
+    Operations = Mapping[str, Callable[..., Indices]]
 
 MAX_CASES = 10**8
 FEW_CASES = 1_500  # below, a loop is faster than loading numpy
@@ -138,39 +138,58 @@ class _Table:
 
         from hfield.rings.array_held.finite import scalar_arrays
 
-        self.field = field
-        self.loops = scalar_arrays(field) if loops else None
-        self.elements = list(field.elements())
-        self.prime = field.order == field.characteristic
-        self.kind: Any = np.int64 if self.prime else np.uint16
-        if self.loops is not None:
-            self.kind = np.dtype(self.loops.dtype)
+        self.field, p = field, field.characteristic
+        prime = field.order == p  # the n-th element is then n·1
+        self.elements = [field(n) for n in range(p)] if prime else list(field.elements())
         self.index = {field.key(x): n for n, x in enumerate(self.elements)}
-        if self.prime:  # the n-th element is then n·1
-            self.elements = [field(n) for n in range(field.characteristic)]
-            self.index = {field.key(x): n for n, x in enumerate(self.elements)}
-        elif self.loops is None:
-            find = self.index
-            key = field.key
-            self.sum = np.array(
-                [[find[key(x + y)] for y in self.elements] for x in self.elements], self.kind
-            )
-            self.product = np.array(
-                [[find[key(x * y)] for y in self.elements] for x in self.elements], self.kind
-            )
-            self.minus = np.array([find[key(field.zero - x)] for x in self.elements], self.kind)
+        compiled = scalar_arrays(field) if loops else None
+        self.kind: Any = np.dtype(compiled.dtype if compiled else np.int64 if prime else np.uint16)
+        if compiled:
+            # Of "sum", "difference", "product" and "negative" one is computed, of arrays of indices.
+            self.compute: Callable[..., Indices] = compiled
+        else:
+            operations = _modulo(p) if prime else self._tabulated()
+            self.compute = lambda name, *arrays: operations[name](*arrays)
         units = [field.is_unit(x) for x in self.elements]
         self.unit = np.array(units)
-        self.inverse = np.array(
-            [
-                self.index[field.key(field.inverse(x))] if unit else 0
-                for x, unit in zip(self.elements, units, strict=True)
-            ],
-            self.kind,
+        self.inverse = self._row(
+            field.inverse(x) if unit else field.zero
+            for x, unit in zip(self.elements, units, strict=True)
         )
+
+    def _row(self, elements: Iterable[Scalar]) -> Indices:
+        """Return the indices of some elements."""
+        import numpy as np
+
+        return np.array([self.index[self.field.key(x)] for x in elements], self.kind)
+
+    def _tabulated(self) -> Operations:
+        """Return the operations by their tables."""
+        import numpy as np
+
+        every = self.elements
+        sums = np.array([self._row(x + y for y in every) for x in every])
+        products = np.array([self._row(x * y for y in every) for x in every])
+        minus = self._row(self.field.zero - x for x in every)
+        return {
+            "sum": lambda x, y: sums[x, y],
+            "difference": lambda x, y: sums[x, minus[y]],
+            "product": lambda x, y: products[x, y],
+            "negative": lambda x: minus[x],
+        }
 
     def entry(self, array: Indices) -> _Entries:
         return _Entries(self, array)
+
+
+def _modulo(p: int) -> Operations:
+    """Return the operations on residues, of which none is below 0: with those numpy divides more slowly."""
+    return {
+        "sum": lambda x, y: (x + y) % p,
+        "difference": lambda x, y: (x + p - y) % p,
+        "product": lambda x, y: x * y % p,
+        "negative": lambda x: (p - x) % p,
+    }
 
 
 class _Entries:
@@ -182,28 +201,16 @@ class _Entries:
         self.table, self.array = table, array
 
     def __add__(self, other: _Entries) -> _Entries:
-        t, x, y = self.table, self.array, other.array
-        if t.loops is not None:
-            return _Entries(t, t.loops("sum", x, y))
-        return _Entries(t, (x + y) % t.field.characteristic if t.prime else t.sum[x, y])
+        return _Entries(self.table, self.table.compute("sum", self.array, other.array))
 
     def __neg__(self) -> _Entries:
-        t = self.table
-        if t.loops is not None:
-            return _Entries(t, t.loops("negative", self.array))
-        return _Entries(t, -self.array % t.field.characteristic if t.prime else t.minus[self.array])
+        return _Entries(self.table, self.table.compute("negative", self.array))
 
     def __sub__(self, other: _Entries) -> _Entries:
-        t = self.table
-        if t.loops is not None:
-            return _Entries(t, t.loops("difference", self.array, other.array))
-        return self + -other
+        return _Entries(self.table, self.table.compute("difference", self.array, other.array))
 
     def __mul__(self, other: _Entries) -> _Entries:
-        t, x, y = self.table, self.array, other.array
-        if t.loops is not None:
-            return _Entries(t, t.loops("product", x, y))
-        return _Entries(t, x * y % t.field.characteristic if t.prime else t.product[x, y])
+        return _Entries(self.table, self.table.compute("product", self.array, other.array))
 
 
 class _TableScalars(Decided[_Entries, "Booleans"]):
@@ -218,11 +225,8 @@ class _TableScalars(Decided[_Entries, "Booleans"]):
             np.array(self.table.index[self.table.field.key(x)], self.table.kind)
         )
 
-    def number(self, value: int | Fraction) -> tuple[_Entries, Booleans]:
-        if isinstance(value, int):
-            return self.element(self.table.field(value)), True
-        x, defined = self.reciprocal(self.element(self.table.field(value.denominator)))
-        return self.element(self.table.field(value.numerator)) * x, defined
+    def integer(self, n: int) -> _Entries:
+        return self.element(self.table.field(n))
 
     def reciprocal(self, x: _Entries) -> tuple[_Entries, Booleans]:
         return self.table.entry(self.table.inverse[x.array]), self.table.unit[x.array]

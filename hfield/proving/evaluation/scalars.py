@@ -109,6 +109,17 @@ class Decided(Scalars[S, T, T]):
         """Return the truth of "not x"."""
         return xor(x, True)  # type: ignore[no-any-return]
 
+    @abstractmethod
+    def integer(self, n: int) -> S:
+        """Return an integer as a scalar."""
+
+    def number(self, value: int | Fraction) -> tuple[S, T]:
+        """Return a literal; where its denominator has no inverse it is not defined."""
+        if isinstance(value, int):
+            return self.integer(value), self.always  # type: ignore[return-value]
+        x, defined = self.reciprocal(self.integer(value.denominator))
+        return self.times(self.integer(value.numerator), x), defined
+
 
 class RingScalars(Decided[Scalar, bool]):
     """Elements of a ring: a statement becomes true or false."""
@@ -121,12 +132,10 @@ class RingScalars(Decided[Scalar, bool]):
         self.ring = ring
         self.zero, self.one = ring.zero, ring.one
 
-    def number(self, value: int | Fraction) -> tuple[Scalar, bool]:
-        """Return the literal in the ring; a denominator that is no unit leaves it undefined."""
-        if isinstance(value, int):
-            return self.ring(value), True
-        x, defined = self.reciprocal(self.ring(value.denominator))
-        return self.ring(value.numerator) * x, defined
+    def integer(self, n: int) -> Scalar:
+        """Return n·1."""
+        x: Scalar = self.ring(n)
+        return x
 
     def reciprocal(self, x: Scalar) -> tuple[Scalar, bool]:
         """Return 1/x, if x is a unit."""
@@ -155,14 +164,9 @@ class PrimeScalars(Decided["Rational", bool]):
             self.times = mul  # type: ignore[method-assign, assignment]
             self.multiply = multiply  # type: ignore[method-assign, assignment]
 
-    def number(self, value: int | Fraction) -> tuple[Rational, bool]:
-        """Return the literal; in characteristic p its denominator may be 0."""
-        if isinstance(value, int):
-            return value, True
-        if not self.p:
-            return fmpq(value), True
-        x, defined = self.reciprocal(value.denominator)
-        return value.numerator * x % self.p, defined
+    def integer(self, n: int) -> Rational:
+        """Return the number itself."""
+        return n
 
     def reciprocal(self, x: Any) -> tuple[Rational, bool]:
         """Return 1/x unless x is 0."""

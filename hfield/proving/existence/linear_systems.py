@@ -4,8 +4,6 @@ The equations are a linear system whose coefficients are polynomials in the unkn
 Gauss and Jordan's elimination runs over it, with a case distinction at each pivot that may be 0. Each way
 through ends in a case: a solution written as terms in what is given, and where it is one. Where all
 equations are linear the cases are exact: something exists where one of them holds, and nowhere else.
-
-Gauss and Jordan's elimination with polynomials, a case distinction at each pivot that may be 0.
 """
 
 from __future__ import annotations
@@ -21,7 +19,7 @@ from hfield.proving.clock import Clock
 from hfield.proving.polynomials.expansion import Symbolic, coordinate_names
 from hfield.proving.polynomials.normal_form import Formula, Literal, branches
 from hfield.proving.polynomials.recognition import polynomial_text
-from hfield.proving.polynomials.vanishing import factored
+from hfield.proving.polynomials.vanishing import collected, factored
 from hfield.proving.problem import Problem
 
 if TYPE_CHECKING:
@@ -105,16 +103,12 @@ class System:
 
     def row(self, f: flint.fmpz_mpoly) -> Row | None:
         """Return the equation f = 0 as a row, None if it is not linear in what is sought."""
-        parts: list[dict[tuple[int, ...], int]] = [{} for _ in range(len(self.bound) + 1)]
-        for exponents, c in f.terms():
-            m = list(map(int, exponents))
-            own = [k for k, n in enumerate(self.bound) if m[n]]
-            if len(own) > 1 or (own and m[self.bound[own[0]]] > 1):
+        row = [self.context.constant(0)] * (len(self.bound) + 1)
+        for m, c in collected(f, self.bound).items():
+            if sum(m) > 1:
                 return None
-            if own:
-                m[self.bound[own[0]]] = 0
-            parts[own[0] if own else -1][tuple(m)] = int(c)
-        return tuple(self.context.from_dict(part) for part in parts)
+            row[next((k for k, n in enumerate(self.bound) if m[n]), -1)] = c
+        return tuple(row)
 
     # --- cases -----------------------------------------------------------------------------------
 

@@ -29,6 +29,7 @@ from hfield.proving.existence.linear_systems import linear_cases
 from hfield.proving.methods import universal
 from hfield.proving.polynomials.expansion import Symbolic
 from hfield.proving.polynomials.recognition import polynomial_text
+from hfield.proving.polynomials.vanishing import collected
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import BASIS, Sort
 from hfield.proving.statements.trees import occurrences
@@ -207,12 +208,8 @@ def _real(f: flint.fmpz_mpoly, at: int) -> Reason | None:
 
 def _coefficients(f: flint.fmpz_mpoly, at: int) -> list[flint.fmpz_mpoly]:
     """Return the coefficients of f as a polynomial in one of its variables."""
-    parts: list[dict[tuple[int, ...], int]] = [{} for _ in range(int(f.degrees()[at]) + 1)]
-    for exponents, c in f.terms():
-        m = list(map(int, exponents))
-        n, m[at] = m[at], 0
-        parts[n][tuple(m)] = int(c)
-    return [f.context().from_dict(part) for part in parts]
+    found = {m[at]: c for m, c in collected(f, {at}).items()}
+    return [found.get(n, f.context().constant(0)) for n in range(max(found) + 1)]
 
 
 def _sign_change(c: list[int]) -> tuple[int, int] | None:

@@ -65,10 +65,10 @@ def _with_exceptions(problem: Problem, found: Decision) -> Decision:
         general = prove_clauses(problem.within(1.0), 0) if p else None
     except TooLargeError:
         return found
-    primes = prime_factors(abs(general.denominator)) if general and general.complete else None
+    primes = prime_factors(abs(general.denominator)) if general else None
     if primes is None:
         return found
-    failing = [q for q in primes if not prove_clauses(problem.within(1.0), q).complete]
+    failing = [q for q in primes if not prove_clauses(problem.within(1.0), q)]
     where = " and ".join(map(str, failing))
     step = say("holds-but-perhaps" if len(failing) > 1 else "holds-but", p=where)
     return replace(found, steps=(*found.steps, step))
@@ -88,18 +88,17 @@ def _quickly(problem: Problem) -> bool:
 def _proof(problem: Problem) -> Decision | None:
     """Prove in characteristic 0, and then in each characteristic that was divided by."""
     general = prove_clauses(problem.share(1 / 2), 0)
-    primes = prime_factors(abs(general.denominator)) if general.complete else None
-    if primes is None:
+    primes = prime_factors(abs(general.denominator)) if general else None
+    if general is None or primes is None:
         return None
-    parts = [general]
+    items = general.items
     for p in primes:
         special = prove_clauses(problem, p)
-        if not special.complete:
+        if special is None:
             return None
-        parts.append(special)
-    whole = Proof(tuple(item for part in parts for item in part.items), 0, True, False)
-    decision = implied(whole, problem)
-    return decision if len(parts) == 1 else replace(decision, scope=FIELDS)
+        items += special.items
+    decision = implied(Proof(items, 0, False), problem)
+    return replace(decision, scope=FIELDS) if primes else decision
 
 
 def counterexample(problem: Problem) -> Decision | None:

@@ -59,7 +59,7 @@ class Conditions:
 
 @dataclass(frozen=True)
 class Refutation:
-    """The steps of a proof that the conditions has no solution.
+    """The steps of a proof that the conditions have no solution.
 
     ``denominators`` were divided by, ``rules`` were used.
     """
@@ -70,7 +70,7 @@ class Refutation:
 
 
 def refute(conditions: Conditions, rules: Sequence[Rule], clock: Clock) -> Refutation | None:
-    """Show that the conditions has no solution over the fields of its characteristic with the rules.
+    """Show that the conditions have no solution over the fields of its characteristic with the rules.
 
     Returns None when no proof was found; that says nothing.
     """

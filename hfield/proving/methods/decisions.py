@@ -153,7 +153,7 @@ def _method(problem: Problem) -> str:
 
 
 def implied(proof: Proof, problem: Problem) -> Decision:
-    """Return the decision "proved" by a complete proof."""
+    """Return the decision "proved" by a proof of all clauses."""
     setting = problem.setting
     own = {rule.form: rule for rule in rules(setting)}  # fields of a kind share proofs
     used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]

@@ -58,11 +58,10 @@ class Item:
 
 @dataclass(frozen=True)
 class Proof:
-    """Items for all clauses; ``complete`` when every clause is proved over the setting's fields."""
+    """Items that together prove all clauses over the setting's fields."""
 
     items: tuple[Item, ...]
     characteristic: int
-    complete: bool
     has_constants: bool
 
     @property
@@ -140,25 +139,24 @@ def _excluded(items: Sequence[Item]) -> str:
     return say("in-each-case", n=len(cases), first=cases[0], last=cases[-1], end=end)
 
 
-def prove_clauses(problem: Problem, characteristic: int) -> Proof:
+def prove_clauses(problem: Problem, characteristic: int) -> Proof | None:
     """Try to prove all clauses over the fields of a characteristic, with the rules of the setting.
 
     The general proof, which uses no rules and no characteristic, is tried first, since it serves
-    every field. A proof that is not ``complete`` proves nothing.
+    every field. None says nothing.
     """
     x = expand(problem)
     if not x.has_constants:
         general = _proof(problem, 0, None, ())
-        if general.complete and (not characteristic or general.denominator % characteristic):
+        if general and (not characteristic or general.denominator % characteristic):
             return general
-        if characteristic:
-            special = _proof(problem, characteristic, None, ())
-            if special.complete:
-                return special
+        special = _proof(problem, characteristic, None, ()) if characteristic else None
+        if special:
+            return special
     field = problem.field
     own = rules(problem.setting) if field is not None and field.is_field else ()
     if field is None or not field.is_field or not (x.has_constants or own):
-        return Proof((), characteristic, False, x.has_constants)
+        return None
     depends = x.has_constants or any(rule.form == ROOTS for rule in own)
     kinds = tuple((rule.form, rule.most, rule.positive) for rule in own)
     return _proof(problem, characteristic, field if depends else None, kinds)
@@ -170,7 +168,7 @@ def _proof(
     characteristic: int,
     named: Ring | None,
     kinds: tuple[tuple[str, float, bool], ...],
-) -> Proof:
+) -> Proof | None:
     """Prove with the rules of those kinds; fields with the same rules share the proof, unless named."""
     x, own = expand(problem), rules(problem.setting) if kinds else ()
     field = problem.field if kinds else named
@@ -179,9 +177,9 @@ def _proof(
     for clause in x.clauses:
         found = attempt.clause(clause)
         if found is None:
-            return Proof((), characteristic, False, x.has_constants)
+            return None
         items.extend(found)
-    return Proof(tuple(items), characteristic, True, x.has_constants)
+    return Proof(tuple(items), characteristic, x.has_constants)
 
 
 class _Attempt:

@@ -47,7 +47,7 @@ def decide(problem: Problem) -> Decision:
         return refuted(problem, found, x)
     p = field.characteristic
     proof = prove_clauses(problem.within(SHORT), p)
-    if not proof.complete:
+    if proof is None:
         found = look(problem, FEW)
         if found is None:
             found = solve_clauses(problem, x, left)
@@ -55,7 +55,7 @@ def decide(problem: Problem) -> Decision:
             return refuted(problem, found, x)
         # all cases of a finite field, where it comes to them, need time as well
         proof = prove_clauses(problem if field.order is None else problem.share(1 / 2), p)
-    if proof.complete:
+    if proof is not None:
         return implied(proof, problem)
     if field.order is not None:
         return exhaust(problem, x)

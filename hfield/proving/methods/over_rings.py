@@ -121,8 +121,7 @@ def _proved(problem: Problem, x: Expanded) -> Decision | None:
         return identity(statement, x, field, scope_of_identity(statement, x))
     proof = prove_clauses(problem, 0)
     p = field.characteristic
-    everywhere = proof.complete and (proof.is_direct or field.is_domain)
-    if everywhere and (not p or proof.denominator % p):
+    if proof and (proof.is_direct or field.is_domain) and (not p or proof.denominator % p):
         return implied(proof, problem)
     above = field.fractions
     if above is not None:

@@ -16,7 +16,7 @@ from hfield.product import Scalar
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.polynomials.field_rules import Rule, norm_rule_of
 from hfield.proving.polynomials.recognition import polynomial_text
-from hfield.proving.polynomials.vanishing import factored, value_at
+from hfield.proving.polynomials.vanishing import collected, factored, value_at
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
@@ -199,14 +199,7 @@ class Forms:
 
     def coefficients(self, f: flint.fmpz_mpoly) -> dict[tuple[int, ...], Any]:
         """Return the coefficients, polynomials in the constants, by the exponents of what is free."""
-        parts: dict[tuple[int, ...], dict[tuple[int, ...], int]] = {}
-        free = set(self.free)
-        for exponents, c in f.terms():
-            m = tuple(map(int, exponents))
-            outer = tuple(e if n in free else 0 for n, e in enumerate(m))
-            inner = tuple(0 if n in free else e for n, e in enumerate(m))
-            parts.setdefault(outer, {})[inner] = int(c)
-        return {m: self.context.from_dict(part) for m, part in parts.items()}
+        return collected(f, self.free)
 
     def value(self, f: flint.fmpz_mpoly) -> Any:
         """Return a polynomial in the constants as an element of the field."""

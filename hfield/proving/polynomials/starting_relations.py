@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.product import norm
 from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.field_rules import relation
-from hfield.proving.polynomials.vanishing import factored, vanishes
+from hfield.proving.polynomials.vanishing import collected, factored, vanishes
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import BASIS, RESULT, Sort
 from hfield.proving.statements.trees import walk
@@ -49,13 +49,7 @@ def nonzero_constants_of(
     ]
     found: dict[str, Any] = {}
     for f in polynomials if free else ():
-        parts: dict[tuple[int, ...], dict[tuple[int, ...], int]] = {}
-        for exponents, c in f.terms():
-            m = tuple(map(int, exponents))
-            unknown, constant = m[: x.unknowns], (0,) * x.unknowns + m[x.unknowns :]
-            parts.setdefault(unknown, {})[constant] = int(c)
-        for part in parts.values():
-            coefficient = x.context.from_dict(part)
+        for coefficient in collected(f, range(x.unknowns)).values():
             for g, _ in factored(coefficient)[1]:
                 if any(g.degrees()[n] for n in free) and not vanishes(g, x, field):
                     found.setdefault(str(g), g)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from hfield.factorisation import factor
@@ -74,6 +74,18 @@ def coefficients(
                 value = value * power(field.one, constant(field, text), n)
         out[monomial] = out[monomial] + value
     return {m: c for m, c in out.items() if not field.is_zero(c)}
+
+
+def collected(f: flint.fmpz_mpoly, variables: Iterable[int]) -> dict[Monomial, flint.fmpz_mpoly]:
+    """Return the coefficients of f as a polynomial in some of its variables, by the exponents of these."""
+    parts: dict[Monomial, dict[Monomial, int]] = {}
+    chosen = frozenset(variables)
+    for exponents, c in f.terms():
+        m = tuple(map(int, exponents))
+        own = tuple([e if n in chosen else 0 for n, e in enumerate(m)])
+        rest = tuple([0 if n in chosen else e for n, e in enumerate(m)])
+        parts.setdefault(own, {})[rest] = int(c)
+    return {m: f.context().from_dict(part) for m, part in parts.items()}
 
 
 def value_at(f: flint.fmpz_mpoly, values: Mapping[int, Scalar], field: Ring) -> Any:
