@@ -22,6 +22,7 @@ from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
+from importlib.util import find_spec
 from itertools import combinations, product
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -70,16 +71,16 @@ def fields(degree: int) -> list[str]:
     """Return names of totally real fields that leave room, by discriminants ascending."""
     if degree == 1:
         return ["QQ"]
-    import cypari
-
-    if degree == 2:
-        largest = next(d for d in range(2, 10_000) if not room(d, 2, 1))
-        candidates: Iterator[str] = (f"x^2-x*{d % 4 % 2}-{d // 4}" for d in range(5, largest))
-    elif degree == 6:
+    if degree == 6:
         return [
             "QQ[s]/(s^6" + "".join(f"{int(c):+d}*s^{k}" for k, c in enumerate(part.split())) + ")"
             for part in SEXTIC.split(";")
         ]
+    import cypari  # of the extra "oracles"
+
+    if degree == 2:
+        largest = next(d for d in range(2, 10_000) if not room(d, 2, 1))
+        candidates: Iterator[str] = (f"x^2-x*{d % 4 % 2}-{d // 4}" for d in range(5, largest))
     else:
         first, size = SIZES[degree]
         middle = [range(-size, size + 1)] * (degree - 3)
@@ -242,6 +243,8 @@ def main() -> int:
     parser.add_argument("--degrees", default="123456")
     parser.add_argument("--processes", type=int, default=2)
     args = parser.parse_args()
+    if set(args.degrees) & set("2345") and not find_spec("cypari"):
+        parser.error("PARI tells fields of degree 2 to 5 apart: pip install '.[oracles]'")
     start, failures = time.monotonic(), 0
     with ProcessPoolExecutor(args.processes) as pool:
         for n in map(int, args.degrees):
