@@ -189,9 +189,7 @@ def _block(
         else:
             kind = vector(word, size * WIDTH)
             whole = program.load(kind, pointer, BYTES[word])
-            lines = -(-size * WIDTH * BYTES[word] // 64)
-            for line in range(lines):
-                program.ahead(program.at("[64 x i8]", pointer, SOON * lines + line))
+            _ask_ahead(program, pointer, size * BYTES[word], SOON)
             columns = [
                 program.shuffled(kind, whole, "poison", range(n, size * WIDTH, size))
                 for n in range(size)
@@ -212,6 +210,13 @@ def _block(
     return program, _shape(answer)
 
 
+def _ask_ahead(program: Program, start: str, size: int, blocks: int, writing: bool = False) -> None:
+    """Ask for the memory of eight rows of that many bytes, some blocks of eight ahead."""
+    lines = -(-size * WIDTH // 64)
+    for line in range(lines):
+        program.ahead(program.at("[64 x i8]", start, blocks * lines + line), writing)
+
+
 def _flat(values: Any) -> list[Any]:
     return [x for v in values for x in _flat(v)] if isinstance(values, tuple) else [values]
 
@@ -227,9 +232,7 @@ def _store(program: Program, names: list[str], word: str) -> None:
     if not whole:
         _store_few(program, names, word)
         return
-    lines = width * size // 8
-    for line in range(lines):
-        program.ahead(program.at("[64 x i8]", "%out", AHEAD * lines + line), writing=True)
+    _ask_ahead(program, "%out", width * size, AHEAD, writing=True)
     for first in range(0, whole, WIDTH):
         for row, name in enumerate(_transposed(program, names[first : first + WIDTH], kind)):
             program.store(kind, name, program.at(word, "%out", row * width + first), size)

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import LatticeError, shorten
+from hfield.errors import LatticeError, RingError, shorten
 from hfield.fields.number_fields.ideals import Ideal, ideal, integers
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-from hfield.fields.number_fields.quadratic.as_number_field import place_in_number_field
 from hfield.fields.number_fields.quadratic.places import QuadraticPlace
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
@@ -75,16 +75,13 @@ class Frame:
 
         Raises :class:`LatticeError` for what is none.
         """
-        if isinstance(x, QuadraticPlace) and x.field == self.integers.ring and x.is_finite:
-            found = place_in_number_field(x)
-            assert isinstance(found, PrimeIdeal)
-            return found
-        if isinstance(x, PrimeIdeal) and x.field == self.field:
-            return x
+        place = x
         if not isinstance(x, QuadraticPlace | PrimeIdeal):
             factors = self.ideal(x).factorisation()
             if len(factors) == 1 and factors[0][1] == 1:
-                return self.prime(factors[0][0])
+                place = factors[0][0]
+        with suppress(RingError):
+            return self.integers.prime_inside(place)
         raise LatticeError(
             f"{shorten(x)} is no prime ideal of {shorten(self.integers.ring.name)}; "
             "see primes_above(p) of the field"
