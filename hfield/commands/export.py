@@ -84,11 +84,16 @@ def run(args: Namespace) -> int:
         f"{found} theorem{'s' * (found != 1)} exported and {kept} proved by hand, "
         f"{len(whole.left)} not exported"
     )
-    if args.coq == "-":
+    _summarise(args.coq, summary)
+    return int(bool(named))
+
+
+def _summarise(file: str, summary: str) -> None:
+    """Say what was written to a file; beside the output where that is no file."""
+    if file == "-":
         note(summary)
     else:
-        print(encodable(f"{args.coq}: {summary}", sys.stdout))
-    return int(bool(named))
+        print(encodable(f"{file}: {summary}", sys.stdout))
 
 
 def _lean(args: Namespace) -> int:
@@ -110,10 +115,7 @@ def _lean(args: Namespace) -> int:
     summary = (
         f"{len(theorems)} theorem{'s' * (len(theorems) != 1)} exported, {len(left)} not exported"
     )
-    if args.lean == "-":
-        note(summary)
-    else:
-        print(encodable(f"{args.lean}: {summary}", sys.stdout))
+    _summarise(args.lean, summary)
     return int(bool(left))
 
 
