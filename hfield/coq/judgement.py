@@ -3,8 +3,6 @@
 The theorem is read from the statement, the algebra and the field alone. The evidence becomes data
 for computations that Coq has proved to be right (evidence.v, soundness.v): where it does not show the
 statement, Coq rejects the proof.
-
-Coq proofs from evidence about all values: identities, implications, all cases, tuples of basis vectors.
 """
 
 from __future__ import annotations
