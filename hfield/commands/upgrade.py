@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import re
 from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from hfield.atomic import whole_file
 from hfield.certificates.check import check
 from hfield.certificates.first_schema import FIRST_SCHEMA, upgraded
 from hfield.certificates.glossary import SCHEMA
@@ -19,6 +17,7 @@ from hfield.commands.output import note, open_output
 from hfield.commands.parser import UsageError, add_output
 from hfield.errors import HFieldError, RingError, shorten
 from hfield.fields.names import ring, ring_of_data
+from hfield.ledger.certificate import write_certificate
 
 HELP = (
     f"Write certificates {FIRST_SCHEMA} as {SCHEMA}: what was the name of a ring or a place becomes data, as "
@@ -58,8 +57,7 @@ def run(args: Namespace) -> int:
             with open_output(args.output) as out:
                 out.write_json(data)
         else:
-            with whole_file(Path(args.into) / Path(name).name) as part:
-                part.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", "utf-8")
+            write_certificate(Path(args.into) / Path(name).name, data)
         words = "all fields" if data["ring"] is None else ring_of_data(data["ring"]).in_words()
         try:
             note(f"{name}: {str(check(data)).splitlines()[0]}; {words}")

@@ -1,9 +1,7 @@
 """The polynomials of evidence: texts with integer coefficients, read and written in Coq's notation.
 
-Numerators over products of divisors, as Coq computes them: a help to find what evidence speaks of.
-
-A term is a polynomial over a product of divisors, of which nothing is ever cancelled. Nothing here
-is trusted: Coq computes all of it again.
+To find what evidence speaks of, terms are computed as Coq computes them: a numerator over a product of
+divisors, of which nothing is ever cancelled. Nothing here is trusted: Coq computes all of it again.
 """
 
 from __future__ import annotations
@@ -11,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from flint import Ordering, fmpz_mpoly_ctx
 
@@ -30,21 +28,6 @@ class MismatchError(HFieldError, ValueError):
     """Evidence that cannot be about the statement; the message says why."""
 
 
-class Reader:
-    """Reads polynomials in the atoms of some numerators."""
-
-    def __init__(self, numerators: Numerators) -> None:
-        self.numerators = numerators
-
-    def value(self, text: str) -> flint.fmpz_mpoly:
-        """Return a polynomial. Raises :class:`MismatchError` and :class:`TooLargeError`."""
-        return _Parser(text, self.numerators).run()
-
-    def coq(self, text: str) -> str:
-        """Return a polynomial in Coq's notation."""
-        return written(self.value(text))
-
-
 class _Parser:
     """Sums of products of powers."""
 
@@ -58,7 +41,6 @@ class _Parser:
             m = _TOKEN.match(text, position)
             if m is None:
                 self.fail()
-            assert m is not None
             number, name, index, sign = m.groups()
             if number:
                 self.tokens.append(("number", int(number)))
@@ -68,8 +50,7 @@ class _Parser:
                 self.tokens.append(("sign", "**" if sign == "^" else sign))
             position = m.end()
 
-    def fail(self) -> None:
-        """Raise the error."""
+    def fail(self) -> NoReturn:
         raise MismatchError(f"{self.text[:60]!r} is no polynomial with integer coefficients")
 
     def take(self, *signs: str) -> str:
@@ -176,6 +157,14 @@ class Numerators:
         self.context = fmpz_mpoly_ctx.get(names, Ordering.degrevlex)
         self.gens = dict(zip(self.atoms, self.context.gens(), strict=False))
         self.factors: list[Any] = []
+
+    def read(self, text: str) -> flint.fmpz_mpoly:
+        """Read a polynomial in the coordinates. Raises :class:`MismatchError`, :class:`TooLargeError`."""
+        return _Parser(text, self).run()
+
+    def coq(self, text: str) -> str:
+        """Return a polynomial in Coq's notation, from its text."""
+        return written(self.read(text))
 
     def number(self, n: int) -> Numerator:
         """Return an integer."""

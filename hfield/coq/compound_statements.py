@@ -1,10 +1,8 @@
-"""Certificates of statements made of others, such as ``every{…}`` (docs/certificates.md).
+"""Coq proofs of statements made of others, such as ``every{…}``, and of those about associative algebras.
 
-Statements about all associative algebras in Coq: what follows from relations, and tables against it.
-
-The cofactors of a certificate are sums of word·relation·word, which Coq multiplies out (words.v). Where
+The cofactors of a presentation are sums of word·relation·word, which Coq multiplies out (words.v). Where
 the identity is not assumed, the table that refutes a claim becomes a counterexample over every
-commutative ring.
+commutative ring (docs/certificates.md).
 """
 
 import re

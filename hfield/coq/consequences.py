@@ -1,7 +1,4 @@
-"""What follows from the items of a proof: products, multiples, functions that vanish.
-
-Evidence of implications for Coq: items with their cofactors, and hints to find what they speak of.
-"""
+"""Evidence of implications for Coq: items with their cofactors, and hints to find what they speak of."""
 
 from __future__ import annotations
 
@@ -11,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from flint.utils.flint_exceptions import DomainError
 
-from hfield.coq.cofactors import MismatchError, Numerators, Reader, written
+from hfield.coq.cofactors import MismatchError, Numerators, written
 from hfield.coq.formulas import Equation, Formula, Junction, equations
 from hfield.coq.terms import NotCoveredError, Terms
 
@@ -227,74 +224,36 @@ class Items:
 
     def __init__(self, terms: Terms, data: Sequence[Mapping[str, Any]]) -> None:
         self.terms = terms
-        self.reader = Reader(terms.numerators)
         self.items = [self._item(raw) for raw in data]
 
     def _item(self, raw: Mapping[str, Any]) -> Item:
         if raw.get("relations"):
             raise NotCoveredError("the evidence uses relations between constants of the field")
-        item = Item(raw, [self.reader.value(z) for z in raw["zero"]])
+        read = self.terms.numerators.read
+        item = Item(raw, [read(z) for z in raw["zero"]])
         if "member" in raw:
-            item.member = self.reader.value(raw["member"])
+            item.member = read(raw["member"])
             item.denominators = {_integer(raw["denominator"])}
         else:
-            item.nonzeros = [self.reader.value(g) for g in raw["nonzero"]]
+            item.nonzeros = [read(g) for g in raw["nonzero"]]
             item.denominators = set(_denominators(raw["steps"]))
         return item
 
     def coq(self, item: Item) -> str:
         """Return an item for Coq."""
-        raw = item.raw
-        zeros = self._texts(self.reader, raw["zero"])
+        raw, known = item.raw, self.terms.numerators
+        zeros = _texts(known, raw["zero"])
         if item.is_direct:
-            member = self.reader.coq(raw["member"])
-            cofactors = self._texts(self.reader, raw["cofactors"])
+            member = known.coq(raw["member"])
+            cofactors = _texts(known, raw["cofactors"])
             _same_length(raw["cofactors"], raw["zero"])
             return f"Direct {zeros} ({member}) {cofactors} ({_integer(raw['denominator'])})"
-        nonzeros = self._texts(self.reader, raw["nonzero"])
+        nonzeros = _texts(known, raw["nonzero"])
         k = len(raw["nonzero"])
         inverses = (f"T{n}" for n in range(1, k + 1))
-        reader = Reader(Numerators([*inverses, *self.terms.numerators.atoms]))
-        known = len(raw["zero"]) + k
-        return f"Excluded {zeros} {nonzeros}\n   ({self._steps(reader, raw['steps'], known)})"
-
-    def _texts(self, reader: Reader, texts: Sequence[str]) -> str:
-        return "[" + "; ".join(reader.coq(t) for t in texts) + "]"
-
-    def _steps(self, reader: Reader, steps: Sequence[Mapping[str, Any]], known: int) -> str:
-        if not steps:
-            raise MismatchError("a list of steps is empty")
-        step, rest = steps[0], steps[1:]
-        kind = step["step"]
-        cofactors = self._texts(reader, step["cofactors"])
-        _same_length(step["cofactors"], range(known))
-        if (kind in ("contradiction", "cases", "no root")) != (not rest):
-            raise MismatchError("the steps do not end in a contradiction, or go on after it")
-        d = f"({_integer(step['denominator'])})"
-        match kind:
-            case "contradiction":
-                return f"Contradiction {cofactors} {d}"
-            case "norm":
-                if "algebra" in step:
-                    raise NotCoveredError("the norm form of another algebra than the statement's")
-                terms = " ".join(f"({reader.coq(t)})" for t in step["terms"])
-                if len(step["terms"]) != 4:
-                    raise MismatchError("the norm is that of four terms")
-                after = self._steps(reader, rest, known + 4)
-                return f"Norm_is_zero (Quaternion {terms}) {cofactors} ({after})"
-            case "squares":
-                pairs = zip(step["coefficients"], step["terms"], strict=True)
-                terms = "; ".join(f"(({_integer(c)})%Z, {reader.coq(t)})" for c, t in pairs)
-                after = self._steps(reader, rest, known + len(step["terms"]))
-                return f"Squares_are_zero [{terms}] {cofactors} ({after})"
-            case "cases":
-                pairs = zip(step["factors"], step["powers"], strict=True)
-                factors = "; ".join(f"({reader.coq(f)}, {_integer(n)}%nat)" for f, n in pairs)
-                branches = "; ".join(self._steps(reader, b, known + 1) for b in step["branches"])
-                if len(step["branches"]) != len(step["factors"]):
-                    raise MismatchError("factors and branches are not equally many")
-                return f"Cases [{factors}] {cofactors} {d} [{branches}]"
-        raise NotCoveredError(f"steps of the kind {kind!r}")
+        wider = Numerators([*inverses, *known.atoms])
+        steps = _steps(wider, raw["steps"], len(raw["zero"]) + k)
+        return f"Excluded {zeros} {nonzeros}\n   ({steps})"
 
     # --- hints -----------------------------------------------------------------------------------
 
@@ -325,6 +284,48 @@ class Items:
         return ItemsInCoq(
             tuple(self.coq(item) for item in items), (), tuple(stripped.values()), tuple(vanishing)
         )
+
+
+def _texts(names: Numerators, texts: Sequence[str]) -> str:
+    """Return polynomials as a list of Coq."""
+    return "[" + "; ".join(map(names.coq, texts)) + "]"
+
+
+def _steps(names: Numerators, steps: Sequence[Mapping[str, Any]], known: int) -> str:
+    """Return the steps of a proof by contradiction for Coq, where so many polynomials are known to be 0."""
+    if not steps:
+        raise MismatchError("a list of steps is empty")
+    step, rest = steps[0], steps[1:]
+    kind = step["step"]
+    cofactors = _texts(names, step["cofactors"])
+    _same_length(step["cofactors"], range(known))
+    if (kind in ("contradiction", "cases", "no root")) != (not rest):
+        raise MismatchError("the steps do not end in a contradiction, or go on after it")
+    d = f"({_integer(step['denominator'])})"
+    match kind:
+        case "contradiction":
+            return f"Contradiction {cofactors} {d}"
+        case "norm":
+            if "algebra" in step:
+                raise NotCoveredError("the norm form of another algebra than the statement's")
+            terms = " ".join(f"({names.coq(t)})" for t in step["terms"])
+            if len(step["terms"]) != 4:
+                raise MismatchError("the norm is that of four terms")
+            after = _steps(names, rest, known + 4)
+            return f"Norm_is_zero (Quaternion {terms}) {cofactors} ({after})"
+        case "squares":
+            pairs = zip(step["coefficients"], step["terms"], strict=True)
+            terms = "; ".join(f"(({_integer(c)})%Z, {names.coq(t)})" for c, t in pairs)
+            after = _steps(names, rest, known + len(step["terms"]))
+            return f"Squares_are_zero [{terms}] {cofactors} ({after})"
+        case "cases":
+            pairs = zip(step["factors"], step["powers"], strict=True)
+            factors = "; ".join(f"({names.coq(f)}, {_integer(n)}%nat)" for f, n in pairs)
+            branches = "; ".join(_steps(names, b, known + 1) for b in step["branches"])
+            if len(step["branches"]) != len(step["factors"]):
+                raise MismatchError("factors and branches are not equally many")
+            return f"Cases [{factors}] {cofactors} {d} [{branches}]"
+    raise NotCoveredError(f"steps of the kind {kind!r}")
 
 
 def facts_used(items: Iterable[Mapping[str, Any]]) -> set[str]:

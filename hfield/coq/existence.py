@@ -1,7 +1,4 @@
-"""Coq proofs of what exists by terms, at once or in cases, and against it, at a place.
-
-Coq proofs from values: counterexamples, and examples of what exists.
-"""
+"""Coq proofs about what exists: by terms, at once or in cases; by values, for it or against it."""
 
 from __future__ import annotations
 

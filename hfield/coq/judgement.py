@@ -3,8 +3,6 @@
 The theorem is read from the statement, the algebra and the field alone. The evidence becomes data
 for computations that Coq has proved to be right (evidence.v, soundness.v): where it does not show the
 statement, Coq rejects the proof.
-
-Coq proofs from evidence about all values: identities, implications, all cases, tuples of basis vectors.
 """
 
 from __future__ import annotations
@@ -39,9 +37,9 @@ from hfield.proving.polynomials.vanishing import prime_factors
 from hfield.proving.statements.language import Sort, Statement, read_statement
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.setting import Setting
-from hfield.proving.statements.trees import substitute, walk
+from hfield.proving.statements.trees import conjunction, substitute, walk
 from hfield.rings import QQ, ZZ
-from hfield.syntax import Binary, Compare, Logic, Name, Node, Not, parse
+from hfield.syntax import Binary, Compare, Name, Node, Not, parse
 
 FEW = 4_096  # cases
 
@@ -298,14 +296,6 @@ def multilinear(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     values = j.about(conjunction(parts)).proved(Evidence(Kind.IDENTITY).to_json())
     tuples = f"{j.name}_tuples"
     return replace(whole, before=(values.lemma(tuples), *whole.before))
-
-
-def conjunction(parts: Sequence[Node]) -> Node:
-    """Join statements by "and"."""
-    out = parts[-1]
-    for part in reversed(parts[:-1]):
-        out = Logic("and", part, out)
-    return out
 
 
 def _divisors(setting: Setting) -> tuple[int, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from hfield.atomic import whole_file
@@ -38,15 +38,16 @@ def write_certificates(rows: Sequence[Row], directory: Path) -> dict[tuple[str, 
         name = f"{row.claim.id}.{re.sub(r'[^0-9A-Za-z-]+', '_', row.field).rstrip('_')}"
         corrected = certificate(row.claim.corrected, row.as_corrected, row.field)
         if corrected is not None:
-            _write(directory / f"{name}.corrected.json", corrected)
+            write_certificate(directory / f"{name}.corrected.json", corrected)
         printed = certificate(row.claim.as_printed, row.as_printed, row.field)
         if printed is not None:
             path = directory / f"{name}.json"
-            _write(path, printed)
+            write_certificate(path, printed)
             paths[row.claim.id, row.field] = str(path)
     return paths
 
 
-def _write(path: Path, data: dict[str, object]) -> None:
+def write_certificate(path: Path, data: Mapping[str, object]) -> None:
+    """Write a certificate to a file, whole or not at all. Raises OSError."""
     with whole_file(path) as part:
         part.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")

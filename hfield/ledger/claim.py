@@ -1,21 +1,14 @@
-"""A claim of the thesis: what it says, and the propositions that decide it.
-
-Facts found by running or inspecting something: how many, within which bounds, which outcome.
-"""
+"""A claim of a ledger: what it says, the propositions that decide it, and the row that it becomes."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, Protocol
+from typing import ClassVar, Protocol
 
 from hfield.certificates.glossary import NOT_APPLICABLE, NOT_CHECKABLE
 from hfield.proving.decision import PROVED, REFUTED, Decision
 from hfield.rings.base import Ring
-
-if TYPE_CHECKING:
-    from hfield.rings.base import Ring
-
 
 UNIVERSAL = "universal"
 NO_FIELD = "-"

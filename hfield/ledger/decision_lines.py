@@ -1,7 +1,4 @@
-"""One decision in lines of text: verdict, steps, witness, what is assumed; without the ledger's claims.
-
-A counterexample, worked out: both sides of what fails, at the values that refute it.
-"""
+"""One decision in lines of text: verdict, steps, what is assumed, and the witness, worked out."""
 
 from __future__ import annotations
 
@@ -16,7 +13,7 @@ from hfield.ledger.matrix import Style
 from hfield.ledger.wording import STATED_FIELD, over, pretty, witness_text
 from hfield.notation import element_text
 from hfield.presenting import hanging
-from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision, in_characteristics
+from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.evaluation.searcher import read_back
@@ -76,7 +73,8 @@ def scope_text(decision: Decision) -> str:
     if scope is None or scope == FIELD:
         return ""
     if scope.primes:
-        return f"; it holds exactly in {in_characteristics(scope.primes)}"
+        many = "s" if len(scope.primes) > 1 else ""
+        return f"; it holds exactly in characteristic{many} {', '.join(map(str, scope.primes))}"
     return f", over all {scope}"
 
 

@@ -1,7 +1,4 @@
-"""Propositions and how they combine: statements of the language, and logic between closed ones.
-
-Propositions about algebras given by i² = j² = k² = ijk = −e: what follows from the relations.
-"""
+"""Propositions and how they combine: statements of the language, logic between closed ones, relations."""
 
 from __future__ import annotations
 

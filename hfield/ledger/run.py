@@ -60,21 +60,16 @@ def _chunks(pieces: Sequence[Piece]) -> list[range]:
 def _decide_chunk(task: Sequence[tuple[str | Claim, str]]) -> list[Verdicts]:
     """Decide some rows; decisions are plain data."""
     with collecting_rarely():  # in every process that works for one
-        return [decide_one(find(x) if isinstance(x, str) else x, field) for x, field in task]
-
-
-def decide_one(claim: Claim, field: str) -> Verdicts:
-    """Decide one claim as printed and as corrected; what cannot be decided says why."""
-    try:
-        row = decide(claim, field)
-    except HFieldError as error:
-        return Decision(UNDECIDED, GAVE_UP, tried=(str(error),)), None
-    return row.as_printed, row.as_corrected
+        rows = (decide_row(find(x) if isinstance(x, str) else x, field) for x, field in task)
+        return [(row.as_printed, row.as_corrected) for row in rows]
 
 
 def decide_row(claim: Claim, field: str) -> Row:
-    """Decide one claim over one field; like :func:`hfield.ledger.claim.decide`, but never raises."""
-    return Row(claim, field, *decide_one(claim, field))
+    """Decide one claim over one field; what cannot be decided says why."""
+    try:
+        return decide(claim, field)
+    except HFieldError as error:
+        return Row(claim, field, Decision(UNDECIDED, GAVE_UP, tried=(str(error),)), None)
 
 
 def contradictions(rows: Sequence[Row]) -> list[str]:
@@ -106,6 +101,3 @@ def _is_field(name: str) -> bool:
     from hfield.fields.names import ring
 
     return name not in (UNIVERSAL, NO_FIELD) and ring(name).is_field
-
-
-__all__ = ["contradictions", "decide_one", "decide_row", "decide_rows"]

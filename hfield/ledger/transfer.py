@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 
 from hfield.errors import HFieldError
 from hfield.proving.clock import Clock
@@ -13,7 +14,7 @@ from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import PrimeScalars
 from hfield.proving.evaluation.searcher import Assignment
 from hfield.proving.problem import Problem
-from hfield.proving.statements.language import Statement, generators, read_statement
+from hfield.proving.statements.language import generators, read_statement
 from hfield.proving.statements.setting import read_setting
 from hfield.proving.statements.trees import conjunction
 from hfield.rings.base import Ring
@@ -28,51 +29,49 @@ def carried(formula: str, given: tuple[str, ...], field: Ring) -> Decision | Non
     """
     if not (field.is_exact and field.is_field):
         return None
-    found = _general(formula, given)
-    if found is None:
+    general = _general(formula, given)
+    if general is None or generators(field) & set(general.problem.statement.sorts):
         return None
-    decision, statement = found
-    if generators(field) & set(statement.sorts):
-        return None
-    return decision if _satisfiable(formula, given, field.characteristic) else None
+    return general.decision if general.is_satisfiable(field.characteristic) else None
+
+
+@dataclass(frozen=True)
+class _General:
+    """A statement that is proved over every commutative ring, as it is read there."""
+
+    problem: Problem
+    decision: Decision
+
+    @cached_property
+    def place(self) -> Assignment | None:
+        """Small integers that satisfy the hypotheses, None where none were found."""
+        hypotheses = self.problem.statement.hypotheses
+        if not hypotheses:
+            return {}
+        problem = replace(self.problem, clock=Clock.of(SECONDS))
+        return true_place(problem.about(conjunction(hypotheses)), PLACES)
+
+    def is_satisfiable(self, characteristic: int) -> bool:
+        """Tell whether those integers satisfy the hypotheses modulo a characteristic as well."""
+        if self.place is None:
+            return False
+        statement, trees = self.problem.statement, self.problem.setting.trees
+        world = Evaluator(PrimeScalars(characteristic), trees, statement.sorts)
+        world.bind(self.place)
+        return all(map(world.truth, statement.hypotheses))
 
 
 @lru_cache(maxsize=8192)
-def _general(formula: str, given: tuple[str, ...]) -> tuple[Decision, Statement] | None:
-    """Return the proof over every commutative ring, with the statement as it is read there."""
-    setting = read_setting(None, None)
+def _general(formula: str, given: tuple[str, ...]) -> _General | None:
+    """Prove a statement over every commutative ring; None where that fails, or it speaks of fields."""
+    setting = read_setting()
     try:
         statement = read_statement(formula, None, given, setting.letters, setting.constants)
     except HFieldError:  # it speaks of constants of a field
         return None
     if statement.exists or statement.divides or statement.compares_unequal:
-        return None  # it speaks of fields
+        return None
     decision = decide(formula, None, given)
     if decision.verdict != PROVED or decision.scope != COMMUTATIVE_RINGS:
         return None
-    return decision, statement
-
-
-@lru_cache(maxsize=8192)
-def _satisfiable(formula: str, given: tuple[str, ...], characteristic: int) -> bool:
-    """Tell whether integers were found that satisfy the hypotheses, modulo the characteristic."""
-    place = _place(formula, given)
-    setting, found = read_setting(None, None), _general(formula, given)
-    if place is None or found is None:
-        return False
-    world = Evaluator(PrimeScalars(characteristic), setting.trees, found[1].sorts)
-    world.bind(place)
-    return all(world.truth(h) for h in found[1].hypotheses)
-
-
-@lru_cache(maxsize=8192)
-def _place(formula: str, given: tuple[str, ...]) -> Assignment | None:
-    """Look for small integers that satisfy the hypotheses of a statement proved in general."""
-    found = _general(formula, given)
-    if found is None:
-        return None
-    _, statement = found
-    if not statement.hypotheses:
-        return {}
-    problem = Problem(statement, read_setting(None, None), Clock.of(SECONDS))
-    return true_place(problem.about(conjunction(statement.hypotheses)), PLACES)
+    return _General(Problem(statement, setting), decision)

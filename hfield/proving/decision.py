@@ -1,6 +1,6 @@
 """What a decision procedure answers: a verdict with the evidence for it."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from hfield.certificates import glossary
@@ -52,18 +52,6 @@ class Scope(str):
 FIELD, FIELDS = Scope(glossary.FIELD), Scope(glossary.FIELDS)
 REDUCED_RINGS = Scope(glossary.REDUCED_RINGS)
 COMMUTATIVE_RINGS = Scope(glossary.COMMUTATIVE_RINGS)
-
-
-def in_characteristics(primes: Sequence[int]) -> str:
-    """Return "characteristic 2", "characteristics 2, 3"."""
-    named = counted("characteristic", len(primes), number=False)
-    return f"{named} {', '.join(map(str, primes))}"
-
-
-def counted(thing: str, n: int, number: bool = True) -> str:
-    """Return "1 case", "2 cases", or the word alone in singular or plural."""
-    word = thing if n == 1 else f"{thing}s"
-    return f"{n} {word}" if number else word
 
 
 @dataclass(frozen=True)

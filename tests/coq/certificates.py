@@ -98,14 +98,14 @@ def _of_ledger(claim, which, field):
     return certificate(proposition, decision, field or UNIVERSAL)
 
 
-def _multilinear(text, field, value):
-    """Return the certificate by tuples of basis vectors; ``value`` computes one side from two of them."""
+def multilinear(text, unknowns, field, value):
+    """Return the certificate by tuples of basis vectors; ``value`` computes one side from one of them."""
     basis = dict(zip("eijk", H("QQ").basis, strict=True))
     tuples = []
-    for word in map("".join, product("eijk", repeat=2)):
+    for word in map("".join, product("eijk", repeat=len(unknowns))):
         found = value(*(basis[letter] for letter in word))
         tuples.append([word, [int(c) for c in found.coordinates]])
-    evidence = {"kind": "multilinear", "unknowns": ["p", "q"], "tuples": tuples}
+    evidence = {"kind": "multilinear", "unknowns": [*unknowns], "tuples": tuples}
     return certified(text, field, "multilinear", evidence)
 
 
@@ -137,8 +137,10 @@ _VACUOUS_PART = {
 def _true():
     found = {name: json.dumps(_of_ledger(*where)) for name, where in LEDGER.items()}
     own = [
-        _multilinear("conj(p*q) == conj(q)*conj(p)", None, lambda p, q: (p * q).conjugate()),
-        _multilinear("trace(p*q) == trace(q*p)", "GF(3)", lambda p, q: 0 * p + (p * q).trace()),
+        multilinear("conj(p*q) == conj(q)*conj(p)", "pq", None, lambda p, q: (p * q).conjugate()),
+        multilinear(
+            "trace(p*q) == trace(q*p)", "pq", "GF(3)", lambda p, q: 0 * p + (p * q).trace()
+        ),
     ]
     found["tuples"], found["tuples over GF(3)"] = map(json.dumps, own)
     found["a vacuous part"] = json.dumps(_VACUOUS_PART)

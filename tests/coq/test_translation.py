@@ -10,7 +10,7 @@ from hfield.coq.theorem import comment_text, theorem
 from hfield.errors import HFieldError, NotationError
 from hfield.proving.prove import prove
 from tests.certificates.cases import about_field
-from tests.coq.certificates import true_certificates
+from tests.coq.certificates import multilinear, true_certificates
 
 
 def one(statement, algebra=None):
@@ -209,6 +209,12 @@ def test_what_is_no_certificate_is_refused(change, reason):
     data = prove("2 == 0 => p*q == q*p").certificate
     with pytest.raises(HFieldError, match=reason):
         theorem("t", {**data, **change})
+
+
+def test_tuples_of_three_basis_vectors_are_as_many_as_are_translated():
+    data = multilinear("(p*q)*r == p*(q*r)", "pqr", None, lambda p, q, r: p * q * r)
+    (values,) = theorem("t", data).proved.before  # 64 tuples, and both sides of each
+    assert values.count("/\\") == 127
 
 
 @pytest.mark.parametrize(

@@ -84,16 +84,6 @@ UNITS_TIMES_UNITS = {
 }  # fmt: skip
 
 
-def form(z: str, w: str) -> Matrix:
-    """Return the matrix ``[[z, w], [−w̄, z̄]]`` of V."""
-    return ((z, w), (f"-conj({w})", f"conj({z})"))
-
-
-def matrix(q: str) -> Matrix:
-    """Return the matrix of the quaternion ``q``: z = a + bi, w = c + di."""
-    return form(f"(({q})[0] + ({q})[1]*i)", f"(({q})[2] + ({q})[3]*i)")
-
-
 def times(m: Matrix, n: Matrix) -> Matrix:
     """Return the matrix product as text."""
     (a, b), (c, d) = m
@@ -104,20 +94,6 @@ def times(m: Matrix, n: Matrix) -> Matrix:
     )
 
 
-def combination(terms: list[tuple[str, Matrix]]) -> Matrix:
-    """Return the linear combination with the scalar coefficients given, as text."""
-
-    def entry(r: int, c: int) -> str:
-        return " + ".join(f"{s}*({m[r][c]})" for s, m in terms)
-
-    return ((entry(0, 0), entry(0, 1)), (entry(1, 0), entry(1, 1)))
-
-
-def equal(m: Matrix, n: Matrix) -> str:
-    """Return the equality of two matrices, entry by entry."""
-    return " and ".join(f"{m[r][c]} == {n[r][c]}" for r in (0, 1) for c in (0, 1))
-
-
 def table(sign_of_ji: str) -> str:
     """Return Table 1.1 for the four matrices."""
     letters = {"E": E, "I": I, "J": J, "K": K}
@@ -125,7 +101,7 @@ def table(sign_of_ji: str) -> str:
     for pair, (sign, result) in UNITS_TIMES_UNITS.items():
         s = sign_of_ji if pair == "JI" else sign
         product = times(letters[pair[0]], letters[pair[1]])
-        parts.append(equal(product, combination([(f"{s}1", result)])))
+        parts += [f"{product[r][c]} == {s}1*({result[r][c]})" for r in (0, 1) for c in (0, 1)]
     return " and ".join(parts)
 
 

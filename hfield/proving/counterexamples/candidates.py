@@ -264,13 +264,14 @@ def true_place(problem: Problem, limit: int) -> Assignment | None:
     return None if field is None else ring_search(problem, limit, True)
 
 
-def witness_texts(field: Ring | None, assignment: Mapping[str, object]) -> dict[str, list[str]]:
-    """Write an assignment so that the field reads it back; numbers of a prime field as they are."""
-
-    def text(x: object) -> str:
-        return str(x) if field is None else field.text(x)
-
+def witness_texts(field: Ring, assignment: Assignment) -> dict[str, list[str]]:
+    """Write an assignment so that the field reads it back."""
     return {
-        name: [text(u) for u in x] if isinstance(x, tuple) else [text(x)]
+        name: [field.text(u) for u in (x if isinstance(x, tuple) else (x,))]
         for name, x in assignment.items()
     }
+
+
+def shown(witness: Mapping[str, Sequence[str]]) -> str:
+    """Write the values of a witness in a line."""
+    return ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())

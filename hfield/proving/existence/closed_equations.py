@@ -1,9 +1,8 @@
 """Equations in which nothing is given, solved in their ring: linear ones, and those in one unknown.
 
 Linear equations over a Euclidean ring by Hermite's normal form, over ℤ/n with multiples of n added; one
-unknown by the roots that the ring finds; a quadratic one in a quaternion by its square roots.
-
-A quadratic equation q² + s·q = c for one quaternion, solved by what the field knows of conics.
+unknown by the roots that the ring finds; q² + s·q = c for a quaternion by square roots, which the field finds
+by what it knows of conics.
 """
 
 from collections.abc import Iterator, Sequence

@@ -1,11 +1,7 @@
-"""Terms for what is said to exist: an equation in which an unknown stands once is solved for it.
+"""Terms for what is said to exist: an equation is solved for an unknown that stands in it.
 
-``r*u + s == i`` gives ``u = inv(r)*(i - s)``; where it stands more often, see :func:`two_sided`. Whether the
-term serves is for a proof to tell.
-
-Terms for a quaternion u in Σ a·u·b = r: where factors stand on both of its sides.
-
-Where r = a·u·b + u·d and b and d commute, conjugates take a away (Sylvester's equation has b = 1):
+Where it stands once, ``r*u + s == i`` gives ``u = inv(r)*(i - s)``. Where it stands more often, as in
+a·u·b + u·d = r, conjugates take a away if b and d commute (Sylvester's equation has b = 1):
 
     ā·r·b + r·d = u·w  for  w = N(a)·b² + tr(a)·b·d + d²,
 

@@ -1,9 +1,7 @@
 """For all values given something exists: decided at one place after the other.
 
-Values of what is given at which linear equations for what is sought have no solution.
-
-Gauss's elimination at one place after the other is quick, so that many can be looked at; what is found is
-proved elsewhere.
+Where the equations for what is sought are linear, Gauss's elimination at a place is quick, so that many can
+be looked at; what is found is proved elsewhere.
 """
 
 from __future__ import annotations
@@ -16,14 +14,14 @@ from hfield.certificates.glossary import EXHAUSTION
 from hfield.errors import HFieldError, TooLargeError
 from hfield.evidence import Evidence, Kind, is_complete
 from hfield.product import Scalar
-from hfield.proving.counterexamples.candidates import by_weight, small_scalars, witness_texts
+from hfield.proving.counterexamples.candidates import by_weight, shown, small_scalars, witness_texts
 from hfield.proving.decision import FIELD, PROVED, REFUTED, Decision, undecided
 from hfield.proving.definedness import algebra_exists
 from hfield.proving.evaluation.scalars import RingScalars, constant
 from hfield.proving.evaluation.searcher import Assignment, Searcher, read_back
 from hfield.proving.existence.isolation import isolated
 from hfield.proving.existence.linear_systems import Row, System
-from hfield.proving.existence.witnesses import decide_closed, shown
+from hfield.proving.existence.witnesses import decide_closed
 from hfield.proving.methods import universal
 from hfield.proving.polynomials.normal_form import branches
 from hfield.proving.polynomials.vanishing import value_at

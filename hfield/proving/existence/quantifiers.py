@@ -1,9 +1,9 @@
 """Statements that something exists, and hypotheses that nothing satisfies: which way is tried when.
 
-Proving that something exists case by case, and refuting it where no case applies.
+Existence is proved by terms, once for all or case by case, and refuted where no case applies.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from hfield.certificates.glossary import FLOATS, WITNESS
@@ -75,7 +75,7 @@ def _over_all_fields(problem: Problem) -> Decision:
     return undecided(*tried)
 
 
-Place = dict[str, Sequence[str]]
+Place = Mapping[str, Sequence[str]]
 
 
 def _at_fields(problem: Problem, place: Place | None) -> Iterator[tuple[Decision | None, str]]:
@@ -96,8 +96,7 @@ def _by_algebra(problem: Problem) -> tuple[Decision | None, Place | None]:
         return decision, None
     if problem.field is not None and not problem.field.is_field:
         return None, None
-    decision, cover = by_linear_algebra(problem)
-    return decision, None if cover is None or cover.witness is None else dict(cover.witness)
+    return by_linear_algebra(problem)
 
 
 def _for_all_exists(problem: Problem) -> Decision:
@@ -128,8 +127,8 @@ def by_isolating(problem: Problem) -> Decision | None:
     return by_terms(problem, combined(texts, MAX_ISOLATED))
 
 
-def by_linear_algebra(problem: Problem) -> tuple[Decision | None, Decision | None]:
-    """Decide by linear algebra: a proof, or a refuted ``cover`` whose witness is a place to look at."""
+def by_linear_algebra(problem: Problem) -> tuple[Decision | None, Place | None]:
+    """Decide by linear algebra: a proof, or a place where no case applies."""
     try:
         cases, exact = linear_cases(problem.share(1 / 3))
     except TooLargeError:
@@ -143,10 +142,8 @@ def by_linear_algebra(problem: Problem) -> tuple[Decision | None, Decision | Non
         return found, None
     try:
         chosen, cover = _covered(problem, cases)
-        if cover.verdict == REFUTED:
-            return None, cover
         if cover.verdict != PROVED:
-            return None, None
+            return None, cover.witness if cover.verdict == REFUTED else None
         proofs = [_proof(problem, case) for case in chosen]
     except TooLargeError:
         return None, None

@@ -1,11 +1,10 @@
 """Something exists, or nothing does, where nothing is given: a witness, or a proof that there is none.
 
-Roots that exist in ℝ, ℂ and H(ℝ) by a theorem, though no term in what is given names them.
+In ℝ, ℂ and H(ℝ) roots exist by a theorem, for all values given, though no term in these names them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -20,7 +19,7 @@ from hfield.certificates.glossary import (
 )
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
-from hfield.proving.counterexamples.candidates import true_place, witness_texts
+from hfield.proving.counterexamples.candidates import shown, true_place, witness_texts
 from hfield.proving.decision import FIELD, PROVED, REFUTED, Decision
 from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.evaluation.searcher import Assignment, Searcher, lifted
@@ -124,11 +123,6 @@ def _witnessed(problem: Problem, found: Assignment) -> Decision:
     )
 
 
-def shown(witness: Mapping[str, Sequence[str]]) -> str:
-    """Write the values of a witness in a line."""
-    return ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
-
-
 MAX_DEGREE = 200
 FARTHEST = 2**40
 
@@ -155,11 +149,11 @@ def _by_real_or_complex_root(problem: Problem) -> Decision | None:
         differences = [u - v for u, v in zip(*sides, strict=True)]
     except TooLargeError:
         return None
-    left = [f for f in differences if f != 0]
-    if len(left) != 1 or not 1 <= left[0].degrees()[world.variables.index(name)] <= MAX_DEGREE:
+    left, at = [f for f in differences if f != 0], world.variables.index(name)
+    if len(left) != 1 or not 1 <= left[0].degrees()[at] <= MAX_DEGREE:
         return None
-    f, at = left[0], world.variables.index(name)
-    shown = polynomial_text(f, world.variables)
+    (f,) = left
+    polynomial = polynomial_text(f, world.variables)
     by = _complex(f, at) if field.closure == "algebraically closed" else _real(f, at)
     if by is None:
         return None
@@ -167,7 +161,10 @@ def _by_real_or_complex_root(problem: Problem) -> Decision | None:
     return Decision(
         PROVED,
         WITNESS,
-        steps=(say("as-polynomial", f=shown, x=name, why=why), say("so-root", theorem=theorem)),
+        steps=(
+            say("as-polynomial", f=polynomial, x=name, why=why),
+            say("so-root", theorem=theorem),
+        ),
         scope=FIELD,
         assumes=(theorem,),
         evidence=evidence,

@@ -8,7 +8,7 @@ from hfield.certificates.glossary import (
     WITNESS,
 )
 from hfield.evidence import Evidence, Kind
-from hfield.proving.counterexamples.candidates import witness_texts
+from hfield.proving.counterexamples.candidates import shown, witness_texts
 from hfield.proving.decision import (
     COMMUTATIVE_RINGS,
     FIELD,
@@ -121,8 +121,8 @@ def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> D
     """
     field = problem.ring
     witness = witness_texts(field, found)
-    shown = ", ".join(f"{name} = ({', '.join(v)})" for name, v in witness.items())
-    steps = [say("false-at", F=field.name, values=shown) if shown else say("false")]
+    at = say("false-at", F=field.name, values=shown(witness)) if witness else say("false")
+    steps = [at]
     primes = () if x is None else primes_of_identity(x)
     primes = tuple(p for p in primes if x is not None and _algebra_may_exist(x, p))
     scope = None

@@ -1,7 +1,4 @@
-"""Deciding a statement without quantifiers over one exact field.
-
-Deciding over a finite ring by all cases.
-"""
+"""Deciding a statement without quantifiers over one exact field; over a finite ring by all cases."""
 
 from collections.abc import Sequence
 

@@ -3,10 +3,9 @@
 With ``identity`` the algebra has an identity and ``e`` is it; without, ``e`` is a letter like the
 others, as Theorem 1 of the thesis prints it, and the statement may fail.
 
-Small associative algebras in which the product of two basis vectors is ± a basis vector or 0.
-
-Found by backtracking over the products; associativity and the relations asked for are checked as
-soon as the products that they need are there, and all of them once more at the end.
+What refutes is a small associative algebra in which the product of two basis vectors is ± a basis vector or
+0. It is found by backtracking over the products; associativity and the relations are checked as soon as the
+products that they need are there.
 """
 
 from collections.abc import Mapping, Sequence

@@ -40,8 +40,8 @@ class Monomials:
 
     def decode(self, code: int) -> tuple[int, ...]:
         """Return the exponents."""
-        packed, low = -code & self.mask, (1 << FIELD_BITS) - 1
-        return tuple(packed >> (k * FIELD_BITS) & low for k in range(self.n))
+        packed = -code & self.mask
+        return tuple(packed >> (k * FIELD_BITS) & DIGIT for k in range(self.n))
 
     def divides(self, x: int, y: int) -> bool:
         """Tell whether x divides y."""

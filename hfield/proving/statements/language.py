@@ -9,6 +9,7 @@ docs/language.md.
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property, lru_cache
+from typing import NoReturn
 
 from hfield.errors import CoercionError, HFieldError, NotationError
 from hfield.proving.statements.matrices import ENTRIES, expanded
@@ -218,7 +219,7 @@ class _Analysis:
         if name in given or name in exists:
             self.fail(f"{name!r} is bound by 'exists' and stands for something already", node)
 
-    def fail(self, message: str, node: Node) -> None:
+    def fail(self, message: str, node: Node) -> NoReturn:
         raise NotationError(message, self.text, node.position)
 
     def unknown_sort(self, name: str) -> Sort | None:
@@ -280,7 +281,6 @@ class _Analysis:
                 self.need_boolean(y)
                 return Sort.BOOLEAN
         self.fail("'exists' stands at the front, or after the last '=>' in parentheses", node)
-        raise AssertionError  # fail() does not return
 
     def name(self, name: str, node: Node) -> Sort:
         if name in BASIS:
@@ -298,7 +298,6 @@ class _Analysis:
         if all(letter in BASIS or self.unknown_sort(letter) for letter in name):
             mend = f"; for a product write {'*'.join(name)}"
         self.fail(f"{name!r} means nothing here: {_UNKNOWNS}{mend}", node)
-        raise AssertionError  # fail() does not return
 
     def call(self, function: str, arguments: tuple[Node, ...], node: Node) -> Sort:
         if function not in RESULT:
