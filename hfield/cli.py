@@ -1,9 +1,9 @@
-"""The command ``hfield``: finds the command asked for, runs it, turns errors into one line.
+"""The command ``hfield``: find the command, run it, print each error as one line.
 
 Nothing heavy is imported here, nor for ``--help`` and ``--version``. A command is a module with
 ``HELP``, ``configure(parser)`` and ``run(args) -> int``: one of :mod:`hfield.commands`, or what
-another package names in its entry points, group ``hfield.commands``, with a line ``SUMMARY``. What
-it says on a terminal while one waits is ``DOING``, if it may take more than a second.
+another package names in its entry points, group ``hfield.commands``, with a line ``SUMMARY`` and the
+group of the help, ``HEADING``. ``DOING`` is what a slow command prints on a terminal meanwhile.
 """
 
 from __future__ import annotations
@@ -14,12 +14,18 @@ from collections.abc import Sequence
 from contextlib import nullcontext
 
 from hfield import __version__
-from hfield.commands.catalogue import command, summaries
+from hfield.commands.catalogue import command, groups
 from hfield.commands.output import encodable, say, terminal_width
 from hfield.commands.status import Waiting
 from hfield.errors import HFieldError, shorten
 
 TRACEBACK = "HFIELD_TRACEBACK"  # set it to see where an error came from
+
+PURPOSE = (
+    "Compute in quaternion algebras over arbitrary fields, prove or refute statements about them, "
+    "rotate points, and draw the spinning top."
+)
+FIRST = "hfield prove 'p*q == q*p'"
 
 BAD_USAGE, INTERNAL, INTERRUPTED, BROKEN_PIPE = 2, 70, 130, 141
 
@@ -90,19 +96,12 @@ def _help() -> str:
     from textwrap import fill
 
     width = terminal_width()
-    lines = [
-        "usage: hfield COMMAND [OPTION]…",
-        "",
-        fill(
-            "Quaternion algebras over arbitrary fields, with statements about them decided.", width
-        ),
-        "",
-        *(
-            fill(text, width, initial_indent=f"  {name:<12} ", subsequent_indent=" " * 15)
-            for name, text in summaries().items()
-        ),
-        "",
-        fill("`hfield help COMMAND` tells more; `hfield --version` prints the version.", width),
-        "Try: hfield verify",
-    ]
-    return "\n".join(lines)
+    lines = ["usage: hfield COMMAND [OPTION]…", "", fill(PURPOSE, width)]
+    for title, commands in groups().items():
+        lines += ["", f"{title}:"]
+        for name, text in commands.items():
+            lines.append(
+                fill(text, width, initial_indent=f"  {name:<12} ", subsequent_indent=" " * 15)
+            )
+    below = "`hfield help COMMAND` describes a command. `hfield --version` prints the version."
+    return "\n".join([*lines, "", fill(below, width), f"Start with: {FIRST}"])

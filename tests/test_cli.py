@@ -222,6 +222,18 @@ def test_the_help_tells_what_other_commands_do(capsys, monkeypatch):
     assert "greet        say hello" in capsys.readouterr().out
 
 
+def test_the_help_groups_commands_and_ends_with_one_to_start_with(capsys, monkeypatch):
+    monkeypatch.setattr(catalogue, "_foreign", lambda: {"greet": Point()})
+    monkeypatch.setattr(sys.modules[__name__], "HEADING", "Manners", raising=False)
+    _, out, _ = run(capsys)
+    titles = [line for line in out.splitlines() if line.endswith(":") and line[:1].isupper()]
+    assert titles == [f"{title}:" for title in (*list(catalogue.GROUPS)[:-1], "Manners", "Tools")]
+    *_, last = out.splitlines()
+    assert last.startswith("Start with: hfield ")
+    capsys.readouterr()
+    assert main(shlex.split(last.partition("hfield ")[2])) == 1  # refuted
+
+
 def test_a_foreign_command_never_hides_one_of_ours(capsys, monkeypatch):
     monkeypatch.setattr(catalogue, "_foreign", lambda: {"table": Point()})
     assert main(["table", "--field", "GF2"]) == 0

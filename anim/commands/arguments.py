@@ -25,28 +25,32 @@ PRESETS = (
 def declare(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument(
-        "-o", "--output", metavar="FILE", required=True, help="the film, by its suffix"
+        "-o",
+        "--output",
+        metavar="FILE",
+        required=True,
+        help="the output; its suffix decides the kind",
     )
     parser.add_argument("--force", action="store_true", help="replace FILE if it exists")
     kind = parser.add_mutually_exclusive_group()
-    kind.add_argument("--sheet", action="store_true", help="ten frames in one picture, a .png")
+    kind.add_argument("--sheet", action="store_true", help="draw ten frames in one .png")
     kind.add_argument(
         "--quaternions",
         action="store_true",
-        help="instead of the top, the page Seeing quaternions, an .html: products as turns of S³",
+        help="write the page Seeing quaternions (.html) instead: products as rotations of S³",
     )
     kind.add_argument(
         "--figures",
         action="store_true",
-        help="the still pictures of sections 3.3 and 3.4, into the folder FILE",
+        help="draw the pictures of sections 3.3 and 3.4 into the folder FILE",
     )
     kind.add_argument(
-        "--frame", type=int, metavar="N", help="one frame of the film, counted from 0, a .png"
+        "--frame", type=int, metavar="N", help="draw one frame as a .png, counted from 0"
     )
     parser.add_argument(
         "--preview",
         action="store_true",
-        help="a quick look: the same film at half the size, its edges jagged",
+        help="draw quickly: half the size, jagged edges",
     )
     parser.add_argument(
         "--jobs", type=processes, default=1, metavar="N", help="draw in N processes"
@@ -62,62 +66,69 @@ def _motion(group: _ArgumentGroup) -> None:
         "--model",
         choices=MODELS,
         metavar="M",
-        help="free: a heavy top that precesses, nods, falls and rolls out (the default); physics: one whose "
-        "tip is held; the thesis's four ways: "
+        help="free: a heavy top that stands free on the ground (default); physics: a heavy top with a fixed "
+        "tip; "
         + ", ".join(MODELS[2:])
-        + " (an .html has all four)",
+        + ": the four motions of the thesis (an .html shows all four)",
     )
+    group.add_argument("--frames", type=int, metavar="N", help="number of frames (default: 500)")
+    group.add_argument("--fps", type=float, metavar="X", help="frames per second (default: 50)")
     group.add_argument(
-        "--frames", type=int, metavar="N", help="frames of the same motion (default: 500)"
-    )
-    group.add_argument("--fps", type=float, metavar="X", help="frames a second (default: 50)")
-    group.add_argument(
-        "--duration", type=float, metavar="S", help="seconds of the film (default: 10)"
+        "--duration", type=float, metavar="S", help="length of the film in seconds (default: 10)"
     )
     group.add_argument(
         "--time-scale",
         type=float,
         metavar="X",
-        help="seconds of motion in one of film; 0.5 is slow motion",
+        help="seconds of motion per second of film; 0.5 is slow motion",
     )
     group.add_argument(
         "--motion-blur",
         type=float,
         default=0.0,
         metavar="X",
-        help="part of the time the shutter is open, 0 to 1",
+        help="fraction of a frame for which the shutter is open, 0 to 1 (default: 0)",
     )
     group.add_argument(
         "--spin",
         default="absolute",
         metavar="absolute|accumulated",
-        help="what the thesis's speed is",
+        help="how to read the speed of the thesis (default: absolute)",
     )
     group.add_argument(
         "--order",
         default="spin-first",
         metavar="spin-first|tilt-first",
-        help="which rotation comes first",
+        help="which rotation is applied first (default: spin-first)",
     )
     group.add_argument(
         "--angle",
         default="quarter",
         metavar="A",
-        help="of the second rotation: quarter, half, axis, or radians",
+        help="angle of the second rotation: quarter, half, axis, or radians (default: quarter)",
     )
     group.add_argument(
-        "--euler", default="zyx", metavar="zyx|zyz", help="the axes of the Euler angles"
+        "--euler", default="zyx", metavar="zyx|zyz", help="axes of the Euler angles (default: zyx)"
     )
 
 
 def _picture(group: _ArgumentGroup) -> None:
-    group.add_argument("--size", type=_size, metavar="WxH", help="in pixels (default: 640x480)")
     group.add_argument(
-        "--points", type=int, default=1000, metavar="N", help="points on each ring (default: 1000)"
+        "--size", type=_size, metavar="WxH", help="size in pixels (default: 640x480)"
     )
-    group.add_argument("--bands", type=int, metavar="N", help="bands of colour (default: 10)")
     group.add_argument(
-        "--p2", default="printed", metavar="printed|third|R", help="the radius of P₂"
+        "--points",
+        type=int,
+        default=1000,
+        metavar="N",
+        help="points on each circle (default: 1000)",
+    )
+    group.add_argument("--bands", type=int, metavar="N", help="coloured bands (default: 10)")
+    group.add_argument(
+        "--p2",
+        default="printed",
+        metavar="printed|third|R",
+        help="radius of the circle P₂ (default: printed)",
     )
     group.add_argument(
         "--style",
@@ -135,26 +146,32 @@ def _picture(group: _ArgumentGroup) -> None:
         nargs="?",
         const="en",
         choices=("en", "pl"),
-        help="write formula, tilt and spin in the corner, in English or Polish",
+        help="write formula, tilt and spin into a corner, in English or Polish",
     )
-    group.add_argument("--dark", action="store_true", help="on dark paper, in a pool of light")
-    group.add_argument("--background", metavar="COLOUR", help="such as white or '#f5f2ea'")
+    group.add_argument("--dark", action="store_true", help="dark background with a pool of light")
+    group.add_argument(
+        "--background", metavar="COLOUR", help="background colour, such as white or '#f5f2ea'"
+    )
     for name, text in (("trace", "the path of the apex"), ("shadow", "the shadow on the ground")):
         group.add_argument(
             f"--{name}", action=BooleanOptionalAction, help=f"draw {text} (default: yes)"
         )
     group.add_argument(
-        "--quality", type=int, metavar="1..4", help="smoothness; 1: jagged edges (default: 2)"
+        "--quality", type=int, metavar="1..4", help="smoothness of edges; 1 is jagged (default: 2)"
     )
     group.add_argument(
-        "--crf", type=int, default=18, metavar="N", help="quality of mp4: 0 best, 51 (default: 18)"
+        "--crf",
+        type=int,
+        default=18,
+        metavar="N",
+        help="quality of mp4, from 0 (best) to 51 (default: 18)",
     )
     group.add_argument(
         "--preset",
         choices=PRESETS,
         default="medium",
         metavar="P",
-        help="x264's effort (default: medium)",
+        help="effort of the x264 encoder (default: medium)",
     )
 
 

@@ -21,12 +21,13 @@ if TYPE_CHECKING:
     from anim.picture import Look
     from anim.rendering import Scene
 
-SUMMARY = "draw the spinning top: a film, pictures, or a web page in which it turns"
+SUMMARY = "draw the spinning top: a film, pictures or a web page"
+HEADING = "Rotation and film"
 HELP = (
-    f"Draw the spinning top. The suffix of -o FILE says what is made: .{' .'.join(FORMATS)} a film, .html a "
-    "web page in which it turns, a name without suffix a folder of pictures; with --sheet a .png of ten "
-    "frames. The film tells what a heavy top does that is free on the ground: it precesses, nods, falls and "
-    "rolls out. --model takes another: physics, a top whose tip is held, or one of the thesis's four ways."
+    f"Draw the spinning top. The suffix of -o FILE decides the kind of output: .{' .'.join(FORMATS)} gives a "
+    "film, .html an interactive web page, no suffix a folder of pictures; with --sheet, a "
+    ".png shows ten frames. By default a heavy top stands free on the ground: it precesses, "
+    "nods, falls and rolls out. --model chooses another motion."
 )
 DOING = "preparing the top"
 EXAMPLES = (

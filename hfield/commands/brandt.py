@@ -26,9 +26,10 @@ if TYPE_CHECKING:
     from hfield.ledger.matrix import Style
 
 HELP = (
-    "Print the Brandt matrix of a prime (or any n) for discriminant D and level N, with its characteristic "
-    "polynomial; or the edges of the graph, which networkx.read_weighted_edgelist reads. For a prime D and "
-    "level 1 that is the supersingular isogeny graph."
+    "Print a Brandt matrix for discriminant D and level N with its characteristic "
+    "polynomial, or the edges of its graph in the format of "
+    "networkx.read_weighted_edgelist. For a prime D and level 1 the graph is the "
+    "supersingular isogeny graph."
 )
 DOING = "enumerating classes"
 EXAMPLES = (
@@ -47,7 +48,7 @@ def configure(parser: ArgumentParser) -> None:
         "--prime",
         metavar="N",
         default="2",
-        help="which matrix: of a prime, or of any N; over a number field of an ideal (default: 2)",
+        help="index of the matrix: a prime or any N ≥ 1; over a number field, an ideal (default: 2)",
     )
     parser.add_argument("--plot", metavar="FILE", help="draw the graph to FILE (.svg, .png, .pdf)")
     add_factors(parser)

@@ -1,4 +1,4 @@
-"""The commands there are: this package's, and what other packages name in their entry points."""
+"""The commands of this package, and those that other packages name in their entry points."""
 
 from __future__ import annotations
 
@@ -12,37 +12,50 @@ if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
 
-COMMANDS = {
-    "verify": "decide the claims of the thesis over a panel of fields",
-    "claims": "list the claims",
-    "init": "write a small ledger of your own to begin with",
-    "report": "write the ledger as one page, or as a paper",
-    "explain": "show one decision in full",
-    "prove": "prove or refute a statement of your own",
-    "check": "re-check certificates, independently",
-    "upgrade": "write certificates of the first schema in today's",
-    "export": "write what is proved for all fields as theorems for Coq",
-    "info": "tell what an algebra is",
-    "field": "tell classes of ideals and units of a number field",
-    "order": "show an order over the integers",
-    "ideal": "show an ideal of an order, and compare it with another",
-    "domain": "draw the domain of the units of an indefinite order",
-    "classes": "enumerate the ideal classes of an order",
-    "brandt": "print Brandt matrices and isogeny graphs",
-    "survey": "tell class numbers over ranges, in parallel",
-    "count": "count elements of an algebra over a finite field",
-    "four-squares": "write an integer as a sum of four squares",
-    "table": "print the multiplication table of an algebra",
-    "eval": "compute an expression exactly",
-    "roots": "find all roots of a polynomial over an algebra",
-    "solve": "solve linear equations in unknown quaternions",
-    "matrix": "compute with matrices over an algebra",
-    "warm": "compile the loops over arrays beforehand",
-    "docs": "open the documentation in the browser",
-    "doctor": "tell what is installed, what is missing and what it would add",
-    "completion": "print the completion script of a shell",
-    "repl": "an interactive session with e, i, j, k at hand",
+# The groups of `hfield --help`, each with its commands and what they do.
+GROUPS: dict[str, dict[str, str]] = {
+    "Decide": {
+        "prove": "prove or refute a statement",
+        "check": "check certificates with an independent program",
+        "export": "write theorems for Coq or Lean",
+        "upgrade": "rewrite certificates of the first schema in the current one",
+    },
+    "Compute": {
+        "info": "describe an algebra: division or split, ramification, orders",
+        "eval": "evaluate an expression exactly",
+        "table": "print the multiplication table of an algebra",
+        "count": "count elements by norm over a finite ring",
+        "roots": "find all roots of a polynomial over an algebra",
+        "solve": "solve linear equations in unknown quaternions",
+        "matrix": "compute with matrices over an algebra",
+        "four-squares": "write an integer as a sum of four squares",
+    },
+    "Orders and fields": {
+        "field": "class group and unit group of a number field",
+        "order": "basis, discriminant and units of an order",
+        "ideal": "an ideal of an order, and whether two are equivalent",
+        "classes": "ideal classes of an order",
+        "brandt": "Brandt matrices and isogeny graphs",
+        "domain": "unit group of an indefinite order, and its fundamental domain",
+        "survey": "tables of class numbers or unit groups over ranges",
+    },
+    "Ledgers": {
+        "verify": "decide all claims of the thesis, or of your own ledger",
+        "claims": "list the claims of the thesis",
+        "explain": "show one decision in full",
+        "init": "write a small ledger as a start for your own",
+        "report": "write a decided ledger as a web page or a paper",
+    },
+    "Tools": {
+        "repl": "start an interactive session",
+        "docs": "open the documentation in a browser",
+        "doctor": "list which libraries are installed and which are missing",
+        "completion": "print the completion script of a shell",
+        "warm": "compile the loops over arrays ahead of time",
+    },
 }
+COMMANDS = {name: text for group in GROUPS.values() for name, text in group.items()}
+LAST, OTHER = "Tools", "Other packages"
 GROUP = "hfield.commands"
 
 
@@ -59,9 +72,16 @@ def names() -> list[str]:
     return [*COMMANDS, *_foreign()]
 
 
-def summaries() -> dict[str, str]:
-    """Return what each command does, in a line."""
-    return COMMANDS | {name: _summary(point) for name, point in _foreign().items()}
+def groups() -> dict[str, dict[str, str]]:
+    """Return the groups of the help, each with its commands and what they do, in a line.
+
+    A command of another package is in the group that its module names in ``HEADING``.
+    """
+    found = {title: dict(group) for title, group in GROUPS.items() if title != LAST}
+    for name, point in _foreign().items():
+        title, summary = _described(point)
+        found.setdefault(title, {})[name] = summary
+    return found | {LAST: GROUPS[LAST]}
 
 
 def _load(name: str) -> Any:
@@ -85,10 +105,11 @@ def _foreign() -> dict[str, EntryPoint]:
     return {point.name: point for point in entry_points(group=GROUP)}
 
 
-def _summary(point: EntryPoint) -> str:
-    """Say in a line what a command of another package does: its own ``SUMMARY``, if it has one."""
+def _described(point: EntryPoint) -> tuple[str, str]:
+    """Return ``HEADING`` and ``SUMMARY`` of a command of another package, or what stands for them."""
     try:
-        return str(point.load().SUMMARY)
+        module = point.load()
     except Exception as error:  # one broken package does not take the help away from the others
-        missing = isinstance(error, AttributeError)
-        return f"(see `hfield {point.name} --help`)" if missing else f"(cannot be loaded: {error})"
+        return OTHER, f"(cannot be loaded: {error})"
+    summary = getattr(module, "SUMMARY", f"(see `hfield {point.name} --help`)")
+    return str(getattr(module, "HEADING", OTHER)), str(summary)

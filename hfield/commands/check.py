@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 
 
 HELP = (
-    "Check certificates by a program that shares nothing with the prover, and say what each one "
-    "establishes: the whole statement, each theorem that it cites, each assumption it makes. With "
-    "--claim or --statement a certificate of anything else is rejected; a statement without --field is "
-    "one about all fields. Exit status: 0 all accepted, 1 some rejected, 3 some accepted under an "
-    "assumption only that --allow-assumptions does not allow, 4 some that Coq, asked by --coq, did not "
-    "judge, 2 bad usage or a file that cannot be read."
+    "Check certificates with a program that is independent of the prover. For each one it "
+    "prints the statement, the theorems cited and the assumptions made. With --claim or "
+    "--statement, certificates of anything else are rejected. A --statement without --field "
+    "is about every field. Exit status: 0 all accepted; 1 some rejected; 2 bad usage or an "
+    "unreadable file; 3 some accepted only under an assumption, without "
+    "--allow-assumptions; 4 with --coq, some that Coq did not judge."
 )
 DOING = "checking"
 EXAMPLES = (
@@ -60,23 +60,29 @@ def configure(parser: ArgumentParser) -> None:
     add_inputs(
         parser, "FILE", f"certificates, hfield-cert/2; in a {MANY} one a line", "plain", "json"
     )
-    parser.add_argument("--claim", metavar="ID", help="they must be of this claim, such as C1.2-a")
-    parser.add_argument("--statement", metavar="S", help="they must be of this statement")
-    add_repeated(parser, "--given", "H", "with these hypotheses in front of S")
-    parser.add_argument("--field", metavar="F", help="over this field (or `universal`)")
-    parser.add_argument("--algebra", metavar="A", help="in this algebra (default: H)")
+    parser.add_argument(
+        "--claim", metavar="ID", help="require certificates of this claim, such as C1.2-a"
+    )
+    parser.add_argument("--statement", metavar="S", help="require certificates of this statement")
+    add_repeated(parser, "--given", "H", "add a hypothesis to S; may be repeated")
+    parser.add_argument(
+        "--field", metavar="F", help="the field of the required claim or statement, or `universal`"
+    )
+    parser.add_argument(
+        "--algebra", metavar="A", help="the algebra of the required statement (default: H)"
+    )
     parser.add_argument(
         "--allow-assumptions",
         action="store_true",
-        help="exit with 0 also where a certificate assumes what it does not prove",
+        help="exit with 0 also if a certificate rests on assumptions",
     )
     parser.add_argument(
         "--work",
         type=positive(1e9, "positive number"),
         default=float(MILLIONS),
         metavar="N",
-        help="do no more for one file than N million units of work, each a microsecond and 100 bytes "
-        f"at worst (default: {MILLIONS})",
+        help="limit for one file, in millions of units of work; a unit takes at most a microsecond and "
+        f"100 bytes (default: {MILLIONS})",
     )
     add_coq(parser)
     add_output(parser)
@@ -291,23 +297,23 @@ def add_coq(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--coq",
         action="store_true",
-        help="let Coq judge the accepted ones too: each becomes a theorem, proved by its evidence. Exit "
-        "status 1 if Coq rejects one, 4 if it did not judge one: the translation does not cover it, or "
-        "coqc is missing, failed or was ended",
+        help="check accepted certificates with Coq too: each becomes a theorem with the evidence as its "
+        "proof. Exit status 1 if Coq rejects one; 4 if Coq did not judge one, because the translation does "
+        "not cover it or coqc is missing, failed or was stopped",
     )
     parser.add_argument(
         "--coq-timeout",
         type=seconds,
         default=SECONDS,
         metavar="S",
-        help=f"seconds that one run of coqc may take (default: {SECONDS:g})",
+        help=f"time limit of one run of coqc in seconds (default: {SECONDS:g})",
     )
     parser.add_argument(
         "--coq-memory",
         type=whole(1, MOST_MEMORY, "number of MiB"),
         default=MEMORY,
         metavar="MIB",
-        help=f"memory that it may take, in MiB (default: {MEMORY})",
+        help=f"memory limit of coqc in MiB (default: {MEMORY})",
     )
 
 

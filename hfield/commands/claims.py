@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from hfield.ledger.claim import Claim
     from hfield.ledger.matrix import Style
 
-HELP = "List the claims of the thesis: id, name, kind, statement. Headline claims carry a star."
+HELP = (
+    "List the claims of the thesis: id, name, kind and statement. A star marks the headline claims."
+)
 EXAMPLES = (
     "hfield claims --search centre",
     "hfield claims --section 1.3.1",
@@ -25,9 +27,11 @@ EXAMPLES = (
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    parser.add_argument("--section", metavar="S", help="only those of a section, such as 1.3.1")
+    parser.add_argument("--section", metavar="S", help="only claims of this section, such as 1.3.1")
     parser.add_argument(
-        "--search", metavar="WORD", help="only those in whose name, kind, words or note it stands"
+        "--search",
+        metavar="WORD",
+        help="only claims with this word in name, kind, statement or note",
     )
     add_format(parser, "table", "json", "markdown", "latex")
     add_standalone(parser)

@@ -28,10 +28,10 @@ if TYPE_CHECKING:
     from hfield.presenting import Part
 
 HELP = (
-    "Enumerate the right ideal classes of an Eichler order of a definite algebra over QQ or a totally real "
-    "field, compare with the mass and, over QQ, with Eichler's class number formula; tell types and units. "
-    "In an indefinite algebra norms tell the classes. "
-    "--newforms tells the cusp forms of weight 2 with rational eigenvalues."
+    "List the right ideal classes of an Eichler order over QQ or a totally real field, with "
+    "types and unit groups. In a definite algebra the list is checked against the mass "
+    "formula and, over QQ, against Eichler's class number formula. In an indefinite algebra "
+    "strong approximation gives the classes by their norms."
 )
 DOING = "enumerating classes"
 EXAMPLES = (
@@ -46,9 +46,15 @@ PRIMES = 8
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_where(parser)
-    parser.add_argument("--formula", action="store_true", help="enumerate nothing")
     parser.add_argument(
-        "--newforms", action="store_true", help="tell the newforms with rational eigenvalues"
+        "--formula",
+        action="store_true",
+        help="print the class number formula only, without enumeration",
+    )
+    parser.add_argument(
+        "--newforms",
+        action="store_true",
+        help="add the newforms of weight 2 with rational eigenvalues",
     )
     add_answers(parser)
 

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 from hfield.errors import HFieldError
 
 HELP = (
-    "Print the script that makes a shell complete commands, options, fields, claims and algebras. The "
-    "shell reads it at its start, as in the examples."
+    "Print a script that completes commands, options, fields, claims and algebras in a "
+    "shell. The examples show the line for the start-up file of each shell."
 )
 EXAMPLES = (
     'eval "$(hfield completion bash)"        # a line for ~/.bashrc',
@@ -48,7 +48,7 @@ def configure(parser: ArgumentParser) -> None:
         "--words",
         nargs=REMAINDER,
         metavar="WORD",
-        help="print what may stand in place of the last of these words, as the scripts ask",
+        help="print completions of the last word (used by the scripts)",
     )
 
 

@@ -15,8 +15,9 @@ if TYPE_CHECKING:
     from hfield.presenting import Part
 
 HELP = (
-    "Count the elements of an algebra over a finite ring by norm and by what they are: by closed formulas "
-    "over a field and over ZZ/n, confirmed by going through all elements where they are not too many."
+    "Count the elements of an algebra over a finite ring by norm and by kind. Closed "
+    "formulas give the counts over fields and over ZZ/n; small algebras are also enumerated "
+    "to confirm them."
 )
 DOING = "counting"
 EXAMPLES = ("hfield count GF9", "hfield count '[1,1|GF(4))'")
@@ -28,7 +29,7 @@ def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_algebra(parser, first=True)
     parser.add_argument(
-        "--formulas", action="store_true", help="do not go through the elements, however few"
+        "--formulas", action="store_true", help="use the formulas only, without enumeration"
     )
     add_format(parser, "plain", "json", "latex")
     add_standalone(parser)

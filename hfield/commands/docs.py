@@ -8,9 +8,7 @@ from pathlib import Path
 import hfield
 from hfield.commands.parser import UsageError
 
-HELP = (
-    "Open the documentation in the browser, from this installation: nothing is asked of any server."
-)
+HELP = "Open the installed documentation in a browser. No server is contacted."
 EXAMPLES = ("hfield docs", "hfield docs --where", "hfield docs rings")
 SITE = Path(hfield.__file__).parent / "site"
 
@@ -18,9 +16,15 @@ SITE = Path(hfield.__file__).parent / "site"
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument(
-        "page", nargs="?", default="index", metavar="PAGE", help="such as rings or tutorial"
+        "page",
+        nargs="?",
+        default="index",
+        metavar="PAGE",
+        help="name of a page, such as rings or tutorial (default: index)",
     )
-    parser.add_argument("--where", action="store_true", help="print where it is, and open nothing")
+    parser.add_argument(
+        "--where", action="store_true", help="print the path of the page without opening it"
+    )
 
 
 def run(args: Namespace) -> int:

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from hfield.presenting import Part
 
 HELP = (
-    "Tell which parts of hfield work here: the libraries it needs, and what is missing and would add "
-    "something. Exit status: 0; 1 if a library that hfield needs is missing; 2 bad usage."
+    "List the libraries that hfield needs, and the optional ones with what each adds. Exit "
+    "status: 0; 1 if a required library is missing; 2 bad usage."
 )
 EXAMPLES = ("hfield doctor", "hfield doctor --format json")
 # What is not needed: (how it is asked for, what it adds).

@@ -16,8 +16,9 @@ if TYPE_CHECKING:
     from hfield.presenting import Part
 
 HELP = (
-    "Show the group of units of norm 1 of an order in an algebra that splits at one real place, over QQ or "
-    "another totally real field: its area, signature and presentation, and draw its Dirichlet domain."
+    "Compute the group of units of norm 1 of an order in an algebra that splits at exactly "
+    "one real place, over QQ or a totally real field: area, signature and presentation. "
+    "Draw its Dirichlet domain with -o."
 )
 DOING = "computing the domain"
 EXAMPLES = ("hfield domain '(3,-1|QQ)' -o domain.svg",)
@@ -26,7 +27,9 @@ EXAMPLES = ("hfield domain '(3,-1|QQ)' -o domain.svg",)
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_algebra(parser)
-    parser.add_argument("--level", metavar="N", default="1", help="an Eichler order of this level")
+    parser.add_argument(
+        "--level", metavar="N", default="1", help="take an Eichler order of this level"
+    )
     parser.add_argument(
         "--center", metavar="Z", help="a point of the upper half plane, such as 0.1+2j"
     )
@@ -34,9 +37,9 @@ def configure(parser: ArgumentParser) -> None:
         "-o",
         "--output",
         metavar="FILE",
-        help="draw to FILE (.svg, .png, .pdf; .html, where the centre is dragged)",
+        help="draw to FILE: .svg, .png, .pdf, or .html with a movable centre",
     )
-    parser.add_argument("--dark", action="store_true", help="draw on a dark page")
+    parser.add_argument("--dark", action="store_true", help="draw on a dark background")
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
     add_factors(parser)
     add_format(parser, "plain", "json")

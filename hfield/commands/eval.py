@@ -14,8 +14,9 @@ if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
 
 HELP = (
-    "Compute an expression such as '(1+i)*(j-k)**-1': the basis e i j k, the generator of the field, "
-    "and conj norm trace inv scalar vector comm."
+    "Evaluate an expression such as '(1+i)*(j-k)**-1' exactly. It may contain the basis e i "
+    "j k, the generator of the field, and the functions conj norm trace inv scalar vector "
+    "comm."
 )
 DOING = "computing"
 EXAMPLES = (

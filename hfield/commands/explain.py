@@ -10,7 +10,10 @@ from hfield.commands.many import add_inputs, answer_all, check_given, texts
 from hfield.commands.parser import add_output, add_standalone
 from hfield.commands.status import Waiting
 
-HELP = "Show a decision in full: the statement, how it was read, each step or the witness."
+HELP = (
+    "Show a decision in full: the statement, how the print was read, each step of the "
+    "proof, or the witness."
+)
 DOING = "deciding"
 EXAMPLES = (
     "hfield explain theorem-3 --field GF9",

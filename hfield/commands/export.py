@@ -14,10 +14,11 @@ from hfield.commands.status import Progress, Waiting
 from hfield.errors import shorten
 
 HELP = (
-    "Write a file for Coq with what is proved for all fields: the theorems of the ledger, and "
-    "statements of your own; or with certificates, each as a theorem about its statement that its "
-    "evidence proves. Coq itself is not needed; `coqc FILE` checks the file. Exit status: "
-    "0 all that was named is in the file, 1 something is not, 2 bad usage."
+    "Write what is proved for every field as theorems for Coq or Lean: the ledger, your own "
+    "statements, or certificates. The theorem of a certificate is its statement, and its "
+    "proof is the evidence. Coq and Lean are not needed for writing; `coqc FILE` or `lean "
+    "FILE` checks the file. Exit status: 0 everything named is in the file; 1 something is "
+    "not; 2 bad usage."
 )
 DOING = "writing theorems"
 EXAMPLES = ("hfield export --coq theorems.v",)
@@ -25,18 +26,19 @@ EXAMPLES = ("hfield export --coq theorems.v",)
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
-    parser.add_argument("--coq", metavar="FILE", help="the file to write, - for the terminal")
+    parser.add_argument(
+        "--coq", metavar="FILE", help="write theorems for Coq to FILE; - is the terminal"
+    )
     parser.add_argument(
         "--lean",
         metavar="FILE",
-        help="a file for Lean 4, of the certificates and statements that hold over every commutative "
-        "ring; `lean FILE` checks it",
+        help="write theorems for Lean 4 to FILE: those that hold over every commutative ring",
     )
     add_repeated(
         parser,
         "--statement",
         "S",
-        "add a statement, if it is proved for all fields; may be repeated",
+        "add a statement that is proved for every field; may be repeated",
     )
     parser.add_argument(
         "--algebra", metavar="A", help="the algebra of the statements, such as '(a,b|F)'"
@@ -50,7 +52,7 @@ def configure(parser: ArgumentParser) -> None:
         action="extend",
         default=[],
         metavar="CERT",
-        help="these certificates, and of the ledger only the claims that are named",
+        help="write these certificates; of the ledger, only claims named by --claim",
     )
 
 

@@ -16,8 +16,9 @@ if TYPE_CHECKING:
     from hfield.presenting import Part
 
 HELP = (
-    "Tell of a number field the discriminant, integers, class group, narrow classes, units and regulator, "
-    "proved without hypotheses. The certificate is about the class group, with --units about the units."
+    "Compute the discriminant, ring of integers, class group, narrow class group, unit "
+    "group and regulator of a number field. The results are proved without hypotheses. The "
+    "certificate is about the class group, or with --units about the unit group."
 )
 DOING = "computing classes and units"
 EXAMPLES = (
@@ -29,7 +30,9 @@ EXAMPLES = (
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument("field", metavar="F", help="such as 'QQ(sqrt(10))' or 'QQ[s]/(s^3-2)'")
-    parser.add_argument("--units", action="store_true", help="the certificate is about the units")
+    parser.add_argument(
+        "--units", action="store_true", help="write the certificate about the unit group"
+    )
     add_answers(parser)
 
 

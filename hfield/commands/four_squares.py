@@ -8,7 +8,9 @@ from hfield.commands.answers import Answer, answer_one
 from hfield.commands.parser import add_format, add_output
 from hfield.errors import TooLargeError
 
-HELP = "Write an integer as a sum of four squares, by a gcd in the Hurwitz order."
+HELP = (
+    "Write an integer as a sum of four squares, by a greatest common divisor in the Hurwitz order."
+)
 DOING = "factoring"
 EXAMPLES = ("hfield four-squares 1000003",)
 DIGITS = 500

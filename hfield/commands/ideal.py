@@ -28,9 +28,10 @@ if TYPE_CHECKING:
     from hfield.presenting import Part
 
 HELP = (
-    "Show the ideal of a maximal or an Eichler order that elements generate: its basis, norm, orders, and "
-    "whether it is principal. --with asks whether another ideal is equivalent, and gives the element. The "
-    "certificate is about the ideal; with --with or --principal about that answer."
+    "Describe the ideal that elements generate in a maximal or an Eichler order: basis, "
+    "norm, left and right order, and whether it is principal. With --with, decide whether "
+    "it is equivalent to another ideal and print the element. The certificate is about the "
+    "ideal, or about the answer to --with or --principal."
 )
 DOING = "computing the ideal"
 EXAMPLES = (
@@ -45,11 +46,16 @@ def configure(parser: ArgumentParser) -> None:
     add_where(parser)
     parser.add_argument("generators", metavar="X,Y,…", help="elements, such as '3, 1 + j'")
     parser.add_argument(
-        "--side", choices=("left", "right"), default="left", help="the side (default: left)"
+        "--side",
+        choices=("left", "right"),
+        default="left",
+        help="left or right ideal (default: left)",
     )
     group = parser.add_mutually_exclusive_group()
     group.add_argument("--with", dest="other", metavar="X,Y,…", help="generators of another ideal")
-    group.add_argument("--principal", action="store_true", help="ask for a generator")
+    group.add_argument(
+        "--principal", action="store_true", help="find a generator, or prove that there is none"
+    )
     add_answers(parser)
 
 

@@ -10,8 +10,9 @@ from hfield.commands.parser import add_factors, add_output, add_standalone, give
 from hfield.commands.status import Waiting
 
 HELP = (
-    "Show what is known of an algebra: its table, centre, radical, whether it is a division algebra or "
-    "split (with the isomorphism or the reason), where it ramifies, a maximal order, or counts."
+    "Describe an algebra: multiplication table, centre, radical, division or split (with "
+    "the isomorphism or the reason), ramified places, a maximal order, and counts over "
+    "finite rings."
 )
 DOING = "describing"
 EXAMPLES = (

@@ -10,14 +10,17 @@ from hfield.commands.output import note, open_output
 from hfield.commands.parser import UsageError
 from hfield.errors import shorten
 
-HELP = "Write a small ledger, commented, for `hfield verify` to decide. A file that is there stays."
+HELP = (
+    "Write a small commented ledger, which `hfield verify` can decide, as a start for your "
+    "own. An existing file is not replaced."
+)
 EXAMPLES = ("hfield init sheet.toml", "hfield init week-3.toml")
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument(
-        "file", metavar="FILE", help="where the ledger goes, such as sheet.toml; - is the terminal"
+        "file", metavar="FILE", help="the new ledger, such as sheet.toml; - is the terminal"
     )
 
 

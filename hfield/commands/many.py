@@ -24,7 +24,10 @@ def add_inputs(parser: ArgumentParser, metavar: str, help: str, *formats: str) -
         "inputs", nargs="*", metavar=metavar, help=f"{help}; several, or - for standard input"
     )
     parser.add_argument(
-        "--from", dest="source", metavar="FILE", help="also each line of FILE, but blanks and # …"
+        "--from",
+        dest="source",
+        metavar="FILE",
+        help="read one input per line of FILE too; blank lines and # comments are skipped",
     )
     add_format(parser, *formats, *LINES)
     parser.set_defaults(wanted=metavar)

@@ -18,9 +18,10 @@ if TYPE_CHECKING:
     from hfield.modules.matrix import Matrix
 
 HELP = (
-    "Compute with matrices such as '[[1,i],[j,k]]', also '[[1,i],[j,k]]^2 * 2', with inv, transpose and conj "
-    "of the entries: the value, its reduced norm, rank, inverse and kernels, and forms and eigenvalues "
-    "where there are some. In an entry [p,q] is a commutator."
+    "Compute with matrices such as '[[1,i],[j,k]]' or '[[1,i],[j,k]]^2 * 2'. The functions "
+    "inv, transpose and conj apply. The result is shown with its reduced norm, rank, "
+    "inverse and kernels, and with forms and eigenvalues where they exist. Inside an entry, "
+    "[p,q] is a commutator."
 )
 DOING = "computing"
 EXAMPLES = (

@@ -182,19 +182,21 @@ def add_format(parser: ArgumentParser, *formats: str) -> None:
         choices=formats,
         default=formats[0],
         metavar="|".join(formats),
-        help=f"how to show the result (default: {formats[0]})",
+        help=f"output format (default: {formats[0]})",
     )
 
 
 def add_output(parser: ArgumentParser) -> None:
     """Declare ``-o FILE``."""
-    parser.add_argument("-o", "--output", metavar="FILE", help="write to FILE, whole or not at all")
+    parser.add_argument(
+        "-o", "--output", metavar="FILE", help="write to FILE; after an error FILE is unchanged"
+    )
 
 
 def add_standalone(parser: ArgumentParser) -> None:
     """Declare ``--standalone``, for commands that write LaTeX."""
     parser.add_argument(
-        "--standalone", action="store_true", help="with --format latex: a document that compiles"
+        "--standalone", action="store_true", help="with --format latex: write a complete document"
     )
 
 
@@ -203,7 +205,7 @@ def add_factors(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--factors",
         metavar="P,…",
-        help="primes of the numbers given (or of their norms) that you know, separated by commas",
+        help="known prime factors of the numbers in the input or of their norms, separated by commas",
     )
 
 
@@ -226,7 +228,7 @@ def add_algebra(parser: ArgumentParser, first: bool = False) -> None:
     group = parser.add_mutually_exclusive_group()
     if first:
         group.add_argument(
-            "where", metavar="F|A", nargs="?", help="a field or an algebra, as in the options"
+            "where", metavar="F|A", nargs="?", help="a field or an algebra, as for the options"
         )
     group.add_argument(
         "--field", metavar="F", help="work in H(F), such as GF(9) or QQ(sqrt(2)) (default: QQ)"

@@ -12,9 +12,9 @@ from hfield.commands.parser import UsageError, add_output, add_repeated, add_sta
 from hfield.commands.status import Waiting
 
 HELP = (
-    "Prove or refute a statement about quaternions p q r u v w and scalars s t x y z, such as "
-    "'norm(q) != 0 => q*inv(q) == e'. Without a field it is about all of them. Exit status: 0 proved "
-    "or vacuous, 1 refuted, 3 undecided, 2 bad usage."
+    "Prove or refute a statement about quaternions p q r u v w and scalars s t x y z, such "
+    "as 'norm(q) != 0 => q*inv(q) == e'. Without --field the statement is about every "
+    "field. Exit status: 0 proved or vacuous; 1 refuted; 3 undecided; 2 bad usage."
 )
 DOING = "proving"
 EXAMPLES = (

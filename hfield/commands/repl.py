@@ -7,8 +7,9 @@ from argparse import ArgumentParser, Namespace
 from hfield.commands.parser import add_algebra, algebra_of
 
 HELP = (
-    "An interactive session (IPython where it is installed) with H, GF, QQ, prove, explain and "
-    "e, i, j, k of the chosen algebra. Lines piped in are run without prompts."
+    "Start an interactive session with H, GF, QQ, prove, explain and the basis e, i, j, k "
+    "of an algebra. It uses IPython where that is installed. Piped lines run without "
+    "prompts."
 )
 EXAMPLES = (
     "hfield repl --field GF9",

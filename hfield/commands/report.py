@@ -15,9 +15,10 @@ if TYPE_CHECKING:
     from hfield.ledger.claim import Row
 
 HELP = (
-    "Write the ledger, decided, as one self-contained page: summary, claims and fields to filter, each "
-    "claim with its decisions and certificates, the errata, and chapters of other packages. With FILE.toml: "
-    "that ledger. A name that ends in .tex makes a paper for LaTeX. Exit status as of `verify`."
+    "Decide a ledger and write it as one self-contained web page: a summary, filters by "
+    "claim and field, each decision with its certificate, the errata, and chapters of other "
+    "packages. A file name that ends in .tex gives a paper for LaTeX instead. Exit status: "
+    "as for `hfield verify`."
 )
 EXAMPLES = (
     "hfield report -o report.html",
@@ -30,18 +31,16 @@ SUFFIXES = (".html", ".htm", ".tex")
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument("ledgers", nargs="*", metavar="FILE.toml", help="ledgers of your own")
+    parser.add_argument("--section", metavar="S", help="only claims of this section, such as 1.3.1")
+    add_repeated(parser, "--field", "F", "only these fields, as for `verify`")
     parser.add_argument(
-        "--section", metavar="S", help="only the claims of a section, such as 1.3.1"
-    )
-    add_repeated(parser, "--field", "F", "only these fields; as of `verify`")
-    parser.add_argument(
-        "--lang", choices=("en", "pl"), default="en", help="the page's own words (default: en)"
+        "--lang", choices=("en", "pl"), default="en", help="language of the page (default: en)"
     )
     parser.add_argument(
         "--chapters",
         metavar="NAME,…",
-        help="chapters of other packages, such as figures,benchmark,top; all, or none (default: all, and "
-        "none for ledgers of your own)",
+        help="chapters of other packages, such as figures,benchmark,top; or all, or none (default: all "
+        "for the thesis, none for your own ledger)",
     )
     add_jobs(parser)
     add_output(parser)
@@ -53,7 +52,7 @@ def run(args: Namespace) -> int:
     from hfield.ledger.columns import split_columns
     from hfield.ledger.document import read_ledgers, read_title
     from hfield.ledger.registry import claims
-    from hfield.ledger.run import contradictions, decide_rows
+    from hfield.ledger.run import as_expected, decide_rows
     from hfield.ledger.selection import in_section, rows_to_decide
 
     suffix = PurePath(args.output or "").suffix.lower()
@@ -74,7 +73,7 @@ def run(args: Namespace) -> int:
             out.write(paper(rows, args.lang, title))
         else:
             _write_page(out, rows, args.lang, wanted, title)
-    return int(bool(contradictions(rows)) or not all(row.settled for row in rows))
+    return int(not as_expected(rows))
 
 
 def _write_page(

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
 
 HELP = (
-    "Find all roots of a polynomial in a central variable, coefficients on the left, such as "
-    "'x^2 + i*x + 1', over a central simple algebra."
+    "Find all roots of a polynomial such as 'x^2 + i*x + 1' over an algebra. The variable "
+    "commutes with the coefficients, which stand on the left."
 )
 DOING = "looking for roots"
 EXAMPLES = ("hfield roots 'x^2 + 1'", "hfield roots 'x^2 + i*x + 1' --field RR")

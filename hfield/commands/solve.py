@@ -20,9 +20,10 @@ if TYPE_CHECKING:
     Value = Quaternion | Matrix
 
 HELP = (
-    "Solve an equation that is linear over the field, such as 'i*x - x*j = k', with conj, trace, scalar and "
-    "vector of the unknown; a system, 'i*x + y = j; x - y*i = 0'; or a matrix's, '[[1,i],[j,k]]*x = [i,j]'. "
-    "Exit status: 0 there are solutions, 1 there are none, 2 bad usage."
+    "Solve linear equations in unknown quaternions. An equation such as 'i*x - x*j = k' may "
+    "contain conj, trace, scalar and vector of the unknown. A system is 'i*x + y = j; x - "
+    "y*i = 0', a matrix equation '[[1,i],[j,k]]*x = [i,j]'. Exit status: 0 there are "
+    "solutions; 1 there are none; 2 bad usage."
 )
 DOING = "solving"
 EXAMPLES = (

@@ -16,10 +16,11 @@ if TYPE_CHECKING:
     from hfield.census import Pair, Survey
 
 HELP = (
-    "Tell class numbers, masses, type numbers and units for all Eichler orders with a discriminant and a "
-    "level in given ranges, or over number fields with levels of given norms; with --groups signatures, "
-    "presentations and systoles of indefinite ones. Rows are written as they are found; a run that was "
-    "killed goes on where it was."
+    "Tabulate class numbers, masses, type numbers and units of the Eichler orders with "
+    "discriminants and levels in given ranges. With --field the levels are given by their "
+    "norms. With --groups the rows are signatures, presentations and systoles of unit "
+    "groups in indefinite algebras. Rows are written as they are found. With -o, an "
+    "interrupted run continues from its last row."
 )
 EXAMPLES = (
     "hfield survey 2..100 --levels 1..5 -o rows.jsonl",
@@ -35,23 +36,34 @@ SUFFIXES = (".jsonl", ".parquet")
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument(
-        "discriminants", metavar="D", nargs="?", help="such as 2..100, or 11,30,42; over QQ"
+        "discriminants",
+        metavar="D",
+        nargs="?",
+        help="discriminants over QQ, such as 2..100 or 11,30,42",
     )
     add_repeated(parser, "--field", "F", "over the integers of this totally real field")
-    parser.add_argument("--groups", action="store_true", help="groups of units of norm 1, over QQ")
     parser.add_argument(
-        "--levels", metavar="N", default="1", help="such as 1..20, over fields norms (default: 1)"
+        "--groups",
+        action="store_true",
+        help="survey unit groups of indefinite algebras over QQ instead",
+    )
+    parser.add_argument(
+        "--levels",
+        metavar="N",
+        default="1",
+        help="levels, such as 1..20; with --field, norms of levels (default: 1)",
     )
     parser.add_argument(
         "--most",
         metavar="H",
-        help=f"enumerate at most H classes, or cover an area of 2πH (default: {MOST}; groups: {AREA})",
+        help="bound of the enumeration: H classes, or with --groups an area of 2πH "
+        f"(default: {MOST}; with --groups {AREA})",
     )
     parser.add_argument(
         "-o",
         "--output",
         metavar="FILE",
-        help="FILE.jsonl, an object of JSON a line, or FILE.parquet (needs pyarrow)",
+        help="FILE.jsonl with one JSON object per line, or FILE.parquet (needs pyarrow)",
     )
     add_jobs(parser, "use the Dask cluster at ADDRESS")
 

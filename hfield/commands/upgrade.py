@@ -20,9 +20,10 @@ from hfield.fields.names import ring, ring_of_data
 from hfield.ledger.certificate import write_certificate
 
 HELP = (
-    f"Write certificates {FIRST_SCHEMA} as {SCHEMA}: what was the name of a ring or a place becomes data, as "
-    "hfield reads the name. What is written is checked, and says in words which field was taken. Exit "
-    "status: 0 all were written and are accepted, 1 some are not, 2 bad usage or a file that cannot be read."
+    f"Rewrite certificates of the schema {FIRST_SCHEMA} in the schema {SCHEMA}, which states "
+    "rings and places as data instead of names. Each new certificate is checked, and the "
+    "field it is about is printed. Exit status: 0 all were written and are accepted; 1 some "
+    "are not; 2 bad usage or an unreadable file."
 )
 EXAMPLES = ("hfield upgrade lemma.json -o lemma-2.json", "hfield upgrade old/*.json --into new")
 
@@ -31,7 +32,7 @@ def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     parser.add_argument("files", nargs="+", metavar="FILE", help=f"certificates, {FIRST_SCHEMA}")
     parser.add_argument(
-        "--into", metavar="DIR", help="write files of the same names to this directory"
+        "--into", metavar="DIR", help="write the results to this directory, under the same names"
     )
     add_output(parser)
 

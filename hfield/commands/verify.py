@@ -16,10 +16,10 @@ if TYPE_CHECKING:
     from hfield.ledger.claim import Claim, Row
 
 HELP = (
-    "Decide claims over fields: as printed and, where that is refuted, as corrected. Without "
-    "arguments: all claims of the thesis over the whole panel. With FILE.toml: the claims of that "
-    "ledger, which anyone may write (docs/ledgers.md). Exit status: 0 all decided, 1 some row is "
-    "undecided or contradicts another, 2 bad usage."
+    "Decide every claim of the thesis, or of your own ledger FILE.toml (docs/ledgers.md), "
+    "over a panel of fields. A claim that is refuted as printed is decided once more as "
+    "corrected. The last line says whether all is as expected. Exit status: 0 all is as "
+    "expected; 1 a row is undecided, or two rows contradict each other; 2 bad usage."
 )
 EXAMPLES = (
     "hfield verify",
@@ -34,16 +34,17 @@ def configure(parser: ArgumentParser) -> None:
         "claims",
         nargs="*",
         metavar="CLAIM",
-        help="id or name, such as C1.2-a or centre; or a ledger FILE.toml, whose claims are then meant",
+        help="id or name of a claim, such as C1.2-a or centre, or a ledger FILE.toml",
     )
     add_repeated(
         parser,
         "--field",
         "F",
-        "a field, such as GF9, Q, 'QQ(sqrt(2))'; `universal`; `-`. Repeat, or separate by commas",
+        "a field, such as GF9, Q or 'QQ(sqrt(2))'; `universal` for every ring at once; `-` for claims "
+        "about no field. Repeat the option, or separate fields by commas",
     )
-    parser.add_argument("--section", metavar="S", help="the claims of a section, such as 1.3.1")
-    parser.add_argument("--all", action="store_true", help="show every row, not only the report")
+    parser.add_argument("--section", metavar="S", help="only claims of this section, such as 1.3.1")
+    parser.add_argument("--all", action="store_true", help="also list every row")
     add_format(parser, "table", "json", "markdown", "latex")
     add_standalone(parser)
     add_jobs(parser, "use the Dask cluster at tcp://HOST:PORT")
@@ -66,7 +67,7 @@ def _verify(args: Namespace) -> int:
     from hfield.executors import open_executor
     from hfield.ledger.columns import split_columns
     from hfield.ledger.registry import find
-    from hfield.ledger.run import contradictions, decide_rows
+    from hfield.ledger.run import as_expected, contradictions, decide_rows
     from hfield.ledger.selection import in_section, rows_to_decide
 
     ledger, names = _ledger(args.claims)
@@ -82,10 +83,9 @@ def _verify(args: Namespace) -> int:
             rows = decide_rows(pieces, executor, progress)
         paths = _certificates(rows, args.certificates)
         _answer(rows, paths, args.all, own or bool(chosen)).write(out, args)
-    clashes = contradictions(rows)
-    for clash in clashes if args.format == "json" else ():
+    for clash in contradictions(rows) if args.format == "json" else ():
         note(f"contradiction: {clash}")
-    return int(bool(clashes) or not all(row.settled for row in rows))
+    return int(not as_expected(rows))
 
 
 def _answer(

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
 
 HELP = (
-    "Compile the loops over arrays that first use would compile, and keep them. Without a name: those of "
-    "Hamilton's and of all other algebras over the usual rings."
+    "Compile the loops over arrays ahead of time and keep them on disk; otherwise first use "
+    "compiles them. Without arguments: the loops of the usual rings."
 )
 DOING = "compiling"
 EXAMPLES = ("hfield warm", "hfield warm 'H(GF(2^8))' '(-1,-3|QQ)'")

@@ -59,7 +59,8 @@ class Claim:
     index or hypothesis changed, whose verdicts must differ. ``corrected`` is the true statement
     behind a refuted one. ``section`` is part of the id if it is not given; ``fields`` are the columns
     in which the claim has a row, ``("-",)`` for a claim that is about no field. ``source`` is the document
-    that it comes from: a package and a file in it, or nothing and a path.
+    that it comes from: a package and a file in it, or nothing and a path. ``language`` is the language
+    that ``printed`` quotes, where that is not English.
     """
 
     id: str
@@ -75,10 +76,16 @@ class Claim:
     section: str = ""
     fields: tuple[str, ...] = PANEL
     source: tuple[str, str] = ("", "")
+    language: str = ""
 
     def __post_init__(self) -> None:
         if not self.section:
             object.__setattr__(self, "section", self.id[1:].split("-")[0])
+
+    @property
+    def quotation(self) -> str:
+        """The printed text; in quotation marks, with its language, where that is not English."""
+        return f"“{self.printed}” ({self.language})" if self.language else self.printed
 
     @property
     def fieldless(self) -> bool:

@@ -26,7 +26,7 @@ NAMING = (
     "kind",
     "statement",
 )  # made of `holds` and the number of the table
-TEXTS = (*NAMING, "printed", "note", "algebra", "holds_words", "corrected_words")
+TEXTS = (*NAMING, "printed", "language", "note", "algebra", "holds_words", "corrected_words")
 STATEMENTS = ("holds", "corrected", "spoilt", "given")
 LISTS = (*STATEMENTS, "fields")
 FLAGS = ("headline",)
@@ -217,6 +217,7 @@ class _Document:
             data["section"],
             self._fields(data, algebra),
             self.source,
+            data.get("language", ""),
         )
 
     def _proposition(self, data: Mapping[str, Any], key: str) -> Proposition | None:

@@ -52,7 +52,7 @@ class Erratum:
         """The erratum as pairs of a label and a text."""
         claim, (first, *rest) = self.claim, self._outcome(corrected=False)
         lines = [("claim", claim.statement)] if claim.statement != claim.printed else []
-        lines += [("prints", claim.printed)] if claim.printed not in ("", "—") else []
+        lines += [("prints", claim.quotation)] if claim.printed not in ("", "—") else []
         lines.append(("refuted", first.removeprefix("refuted ")))
         lines += [("elsewhere", "; ".join(rest))] if rest else []
         lines += [("why", claim.note)] if claim.note else []

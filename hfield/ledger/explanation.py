@@ -97,7 +97,7 @@ def _text(row: Row, style: Style) -> str:
         f"thesis {claim.section}, {claim.kind}; {over(row.field)}",
         "",
         *wrapped("statement", claim.statement, style),
-        *wrapped("printed", claim.printed, style),
+        *wrapped("printed", claim.quotation, style),
     ]
     if claim.as_printed:
         lines += wrapped("read as", pretty(claim.as_printed.text), style)

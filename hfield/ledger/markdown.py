@@ -8,7 +8,7 @@ from hfield.ledger.claim import Row
 from hfield.ledger.columns import head
 from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import MARKS, marked
-from hfield.ledger.report import totals
+from hfield.ledger.report import conclusion, totals
 from hfield.ledger.run import contradictions
 from hfield.ledger.wording import witness_text
 
@@ -24,7 +24,7 @@ def markdown(rows: Sequence[Row], *, everything: bool = False) -> str:
     parts += _list("## Errata", [_erratum(erratum) for erratum in errata(rows)])
     if everything:
         parts += ["## Every row", table([_HEADS, *(_cells(row) for row in rows)])]
-    return "\n\n".join([*parts, totals(rows)])
+    return "\n\n".join([*parts, totals(rows), conclusion(rows)])
 
 
 _HEADS = ["claim", "field", "as printed", "method", "witness", "as corrected"]

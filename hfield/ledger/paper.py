@@ -76,7 +76,7 @@ def explanation(row: Row) -> str:
     claim = row.claim
     parts = [rf"\paragraph{{{words(claim.id)} {words(claim.name)}}} {words(claim.statement)}."]
     if claim.printed not in ("", "—"):
-        parts.append(rf"\noindent\emph{{Printed.}} {words(claim.printed)}")
+        parts.append(rf"\noindent\emph{{Printed.}} {words(claim.quotation)}")
     if claim.note:
         parts.append(rf"\noindent\emph{{Remark.}} {words(claim.note)}")
     if claim.as_printed is None:

@@ -10,7 +10,7 @@ from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Row
 from hfield.ledger.columns import head
 from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import Style, matrix, tally
-from hfield.ledger.run import contradictions
+from hfield.ledger.run import as_expected, contradictions
 from hfield.ledger.wording import witness_text
 from hfield.presenting import aligned, hanging
 from hfield.proving.decision import NOT_APPLICABLE, UNDECIDED, VERDICTS
@@ -42,7 +42,7 @@ def report(
     }
     for title, text in sections.items():
         parts += [style.bold(title), text] if text else []
-    return "\n\n".join([*parts, totals(rows, style.width)])
+    return "\n\n".join([*parts, totals(rows, style.width), conclusion(rows, style.width)])
 
 
 def _legend(rows: Sequence[Row], style: Style) -> str:
@@ -93,6 +93,23 @@ def totals(rows: Sequence[Row], width: int = _WIDTH) -> str:
         )
         text += "\n" + textwrap.fill(named, width, subsequent_indent="  ", break_on_hyphens=False)
     return text
+
+
+def conclusion(rows: Sequence[Row], width: int = _WIDTH) -> str:
+    """Say whether all is as expected, and what is not."""
+    if as_expected(rows):
+        text = (
+            "All is as expected: every row has a verdict, none contradicts another, "
+            "every correction holds."
+        )
+    else:
+        decisions = [d for row in rows for d in (row.as_printed, row.as_corrected) if d is not None]
+        undecided = sum(decision.verdict == UNDECIDED for decision in decisions)
+        text = (
+            f"Not as expected: {_plural(undecided, 'decision')} without a verdict, "
+            f"{_plural(len(contradictions(rows)), 'contradiction')}."
+        )
+    return textwrap.fill(text, width, subsequent_indent="  ")
 
 
 def _plural(n: int, noun: str) -> str:

@@ -97,6 +97,11 @@ def contradictions(rows: Sequence[Row]) -> list[str]:
     return [f"{text} over {', '.join(fields)}" for text, fields in found.items()]
 
 
+def as_expected(rows: Sequence[Row]) -> bool:
+    """Return whether every row has a verdict, none contradicts another, and every correction holds."""
+    return all(row.settled for row in rows) and not contradictions(rows)
+
+
 def _is_field(name: str) -> bool:
     from hfield.fields.names import ring
 

@@ -65,7 +65,7 @@ class Language(dict[str, str]):
 
     def printed(self, claim: Claim) -> str:
         """Set what the thesis prints, in Polish, which is its language."""
-        text = self._translation.printed(claim) if self._translation else claim.printed
+        text = self._translation.printed(claim) if self._translation else claim.quotation
         return f'<p lang="pl">{prose(text)}</p>'
 
     def say(self, text: str) -> str | None:

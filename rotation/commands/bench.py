@@ -11,12 +11,14 @@ from hfield.commands.output import note, open_output
 from hfield.commands.parser import add_format, add_output, whole
 from hfield.commands.status import Progress
 
-SUMMARY = "time rotations as the thesis did, against other libraries"
+SUMMARY = "time rotations beside scipy and other libraries"
+HEADING = "Rotation and film"
 HELP = (
-    "Rotate 550000 points over 300 frames, as in section 3.2 of the thesis, by hfield, scipy, "
-    "quaternionic, numpy-quaternion, plain numpy and the thesis's own functions, with a copy of the "
-    "array as the floor. Every way is checked first; slow ones are timed on a part, and it says so. "
-    "Exit status: 0; 1 if a way was wrong or failed; 2 bad usage."
+    "Repeat the benchmark of section 3.2 of the thesis: rotate 550000 points over 300 "
+    "frames with hfield, scipy, quaternionic, numpy-quaternion, plain numpy and the "
+    "functions of the thesis. Copying the array gives the lower bound. Each library's "
+    "result is checked before it is timed. Slow ones are timed on a part, and the output "
+    "says so. Exit status: 0; 1 if a result was wrong or failed; 2 bad usage."
 )
 EXAMPLES = (
     "hfield bench --quick",
@@ -38,7 +40,7 @@ def configure(parser: ArgumentParser) -> None:
     add("--frames", type=frames, metavar="N", help="frames of a run (default: 300; quick: 30)")
     add("--repeats", type=repeats, metavar="N", help="runs of each way (default: 10; quick: 3)")
     add("--threads", type=threads, metavar="N", help="for every way (default: all processors)")
-    add("--quick", action="store_true", help="a rough answer in some 15 seconds, not 70")
+    add("--quick", action="store_true", help="a rough answer in about 15 seconds instead of 70")
     add("--plot", metavar="FILE", help="also draw a bar chart to FILE, a .png, .svg or .pdf")
     add_format(parser, "table", "json")
     add_output(parser)

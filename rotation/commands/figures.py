@@ -16,10 +16,11 @@ if TYPE_CHECKING:
     from rotation.figures import Drawing
 
 SUMMARY = "draw figures 2.1 to 2.5 of the thesis"
+HEADING = "Rotation and film"
 HELP = (
-    "Regenerate the thesis's figures 2.1 to 2.5 as plots: polar and Cartesian coordinates, a vector "
-    "turned, the letter T, the letter T turned, and mirrored as printed and as it should be. The same "
-    "versions write the same bytes. Prints the paths of the files."
+    "Draw figures 2.1 to 2.5 of the thesis: polar and Cartesian coordinates, a rotated "
+    "vector, the letter T, the rotated T, and its reflections as printed and as corrected. "
+    "Print the paths of the files."
 )
 EXAMPLES = ("hfield figures -o figures",)
 
@@ -31,7 +32,7 @@ def configure(parser: ArgumentParser) -> None:
         "--output",
         required=True,
         metavar="DIR",
-        help="write figure-NUMBER.FORMAT to DIR, which is made where it is missing",
+        help="write figure-NUMBER.FORMAT to DIR, which is created if missing",
     )
     parser.add_argument(
         "--format",
@@ -45,14 +46,14 @@ def configure(parser: ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NUMBER",
-        help="only these figures, such as 2.1,2.4; repeat, or separate by commas",
+        help="only these figures, such as 2.1,2.4; repeat the option, or separate by commas",
     )
     parser.add_argument(
         "--dpi",
         type=whole(20, 1200),
         default=150,
         metavar="N",
-        help="pixels an inch, for png (default: 150)",
+        help="pixels per inch of a png (default: 150)",
     )
 
 

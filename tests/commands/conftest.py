@@ -40,6 +40,7 @@ CLAIMS = (
         Fake(false=("QQ", "GF(9)", "GF(11)", "universal")),
         corrected=Fake("p*q - q*p == comm(p,q)"),
         note="The factors are swapped.",
+        language="Polish",
     ),
     Claim("C1.1-b", "average", "number", "An average of 3", "3", Fake(), fields=("-",)),
     Claim("C1.10-a", "history", "remark", "Hamilton was Irish", "", None, note="History."),

@@ -94,7 +94,24 @@ def test_the_terminal_report(run):
         "p = i, q = j + k",
     ):
         assert text in out
-    assert "C1.10-a" in out.splitlines()[-1]
+    assert "C1.10-a" in out.splitlines()[-3]
+
+
+def test_the_last_line_says_whether_all_is_as_expected(run):
+    for words in (), ("--format", "markdown"):
+        last = run("verify", *words)[1].splitlines()[-1]
+        assert last.startswith("All is as expected: every row has a verdict")
+
+
+def test_the_last_line_counts_what_is_not_as_expected(broken):
+    last = broken("verify", "--field", "QQ,GF9,universal")[1].splitlines()[-1]
+    assert last == "Not as expected: 1 decision without a verdict, 1 contradiction."
+
+
+def test_a_quotation_in_another_language_is_marked(run):
+    for words, label in ((("verify", "slip"), "prints"), (("explain", "slip"), "printed")):
+        (line,) = (x for x in run(*words)[1].splitlines() if x.split()[:1] == [label])
+        assert line.endswith(" “źle: q₁q₂ = q₂q₁ √” (Polish)")
 
 
 def test_all_shows_every_row(run):
