@@ -9,8 +9,11 @@ from typing import TYPE_CHECKING
 from hfield.commands.answers import Answer
 from hfield.commands.many import add_inputs, answer_all
 from hfield.commands.parser import add_algebra, add_output, algebra_of
+from hfield.errors import NotFiniteError, TooLargeError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from hfield.algebra import QuaternionAlgebra
 
 HELP = (
@@ -18,8 +21,22 @@ HELP = (
     "commutes with the coefficients, which stand on the left."
 )
 DOING = "looking for roots"
-EXAMPLES = ("hfield roots 'x^2 + 1'", "hfield roots 'x^2 + i*x + 1' --field RR")
-COLUMNS = ("polynomial", "algebra", "field", "spheres", "isolated", "families", "error")
+EXAMPLES = (
+    "hfield roots 'x^2 + 1'",
+    "hfield roots 'x^2 + i*x + 1' --field RR",
+    "hfield roots 'x^2 + 1' --field GF3 --list",
+)
+COLUMNS = (
+    "polynomial",
+    "algebra",
+    "field",
+    "spheres",
+    "isolated",
+    "families",
+    "scalars",
+    "count",
+    "error",
+)
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -28,20 +45,27 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--variable", metavar="X", default="x", help="the name of the variable (default: x)"
     )
+    parser.add_argument(
+        "--list",
+        action="store_true",
+        help="list all roots, one a line, where they are finitely many, as over a finite field",
+    )
     add_algebra(parser)
     add_output(parser)
 
 
 def run(args: Namespace) -> int:
     """Find the roots and print."""
-    return answer_all(args, partial(_roots, algebra_of(args), args.variable), COLUMNS, apart=False)
+    answer = partial(_roots, algebra_of(args), args.variable, args.list)
+    return answer_all(args, answer, COLUMNS, apart=False)
 
 
-def _roots(A: QuaternionAlgebra, variable: str, text: str) -> Answer:
+def _roots(A: QuaternionAlgebra, variable: str, listed: bool, text: str) -> Answer:
     P = A.polynomials(variable)
     left, _, right = text.replace("==", "=").partition("=")
     found = (P.parse(left) - P.parse(right or "0")).roots()
     scalar = A.ring.text
+    roots = list(found.elements()) if listed else []
 
     def data() -> dict[str, object]:
         return {
@@ -52,18 +76,38 @@ def _roots(A: QuaternionAlgebra, variable: str, text: str) -> Answer:
             "spheres": [[scalar(t), scalar(n)] for t, n in found.spheres],
             "isolated": [q.text() for q in found.isolated],
             "families": [
-                {"trace": scalar(m.t), "norm": scalar(m.n), "example": m.example.text()}
+                {
+                    "trace": None if m.t is None else scalar(m.t),
+                    "norm": None if m.n is None else scalar(m.n),
+                    "example": m.example.text(),
+                    "count": _number(m.count),
+                }
                 for m in found.families
             ],
+            "scalars": [q.text() for q in found.scalars],
+            "count": _number(found.count),
+            **({"roots": [q.text() for q in roots]} if listed else {}),
         }
 
     def page(style: str) -> str:
-        lines = [f"all q of trace {scalar(t)} and norm {scalar(n)}" for t, n in found.spheres]
-        lines += [q.text(style) for q in found.isolated]
-        lines += [
-            f"several of trace {scalar(m.t)} and norm {scalar(m.n)}, such as {m.example.text(style)}"
-            for m in found.families
-        ]
+        if listed:
+            return "\n".join(q.text(style) for q in roots) or "no root"
+        lines = [q.text(style) for q in found.scalars]
+        lines += [q.text(style) for q in found.isolated if q.vector_part]
+        lines += [f"all q of trace {scalar(t)} and norm {scalar(n)}" for t, n in found.spheres]
+        for m in found.families:
+            number = _number(m.count) or "several"
+            place = "" if m.t is None else f" of trace {scalar(m.t)} and norm {scalar(m.n)}"
+            outside = " of other traces and norms" if m.t is None and found.spheres else ""
+            lines.append(f"{number}{place}{outside}, such as {m.example.text(style)}")
         return "\n".join(lines) or "no root"
 
     return Answer(data, lambda _: page("plain"), {"unicode": partial(page, "unicode")})
+
+
+def _number(count: Callable[[], int]) -> int | None:
+    """Return a number of roots, or None for infinitely many and where it takes long to count them."""
+    try:
+        return count()
+    except (NotFiniteError, TooLargeError):
+        return None

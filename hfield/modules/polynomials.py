@@ -10,8 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
-from itertools import combinations
+from itertools import islice
 from typing import Any, ClassVar
 
 from hfield.algebra.quaternion import Parent, Quaternion
@@ -24,15 +23,22 @@ from hfield.errors import (
     shorten,
 )
 from hfield.modules.affine_spaces import of_trace_and_norm, on_spaces
+from hfield.modules.roots import (
+    MAX_LISTED_ELEMENTS,
+    AffineFamily,
+    Family,
+    Roots,
+    SingularFamily,
+    matrices_of,
+)
 from hfield.modules.singular_polynomials import other_root
 from hfield.modules.vocabulary import vocabulary
-from hfield.rings.roots import common_divisor
-from hfield.structure import is_central_simple, is_division, radical, split
+from hfield.rings.roots import common_divisor, quadratic_divisors
+from hfield.structure import is_division, radical
 from hfield.structure.linear_algebra.echelon import null_space, solution
 from hfield.syntax import Reader, plain_element
 
 MOST_DEGREE = 1000
-MOST_ELEMENTS = 100_000  # of an algebra that is gone through for linear factors
 MOST_FAILED = 3_000
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -78,36 +84,6 @@ class Polynomials:
         )
         found: Polynomial = reader.read(plain_element(text.replace("^", "**")))
         return found
-
-
-@dataclass(frozen=True)
-class Family:
-    """Several roots: of one trace t and norm n, or, where t is None, all outside the spheres.
-
-    Those of one trace and norm are the q with a + b·q = 0 for a zero divisor b.
-    """
-
-    t: Any
-    n: Any
-    example: Quaternion
-    polynomial: Polynomial
-    without: tuple[tuple[Any, Any], ...] = ()
-
-    def contains(self, q: Quaternion) -> bool:
-        """Tell whether an element is one of these roots."""
-        F = self.polynomial.parent.algebra.ring
-        places = self.without if self.t is None else [(self.t, self.n)]
-        there = any(F.equal(q.trace(), t) and F.equal(q.norm(), n) for t, n in places)
-        return there == (self.t is not None) and not self.polynomial(q)
-
-
-@dataclass(frozen=True)
-class Roots:
-    """All roots: ``spheres`` (t, n), where all q with q² = t·q − n are; ``isolated``; other ``families``."""
-
-    spheres: tuple[tuple[Any, Any], ...]
-    isolated: tuple[Quaternion, ...]
-    families: tuple[Family, ...]
 
 
 @dataclass(frozen=True)
@@ -310,9 +286,12 @@ class Polynomial:
 
         S(t, n) are the q with q² = t·q − n. All of those in ``spheres`` are roots; ``isolated`` are roots
         alone in their S(t, n), ``families`` are the rest, by trace and norm; where norm(f) = 0 and there are
-        zero divisors modulo the radical, they are one family. Raises :class:`CoercionError` for f = 0,
-        and :class:`UndecidedError` where norm(f) is not factored, over rings that are no fields, and in that
-        last case where the algebra is infinite and its radical not 0.
+        zero divisors modulo the radical, they are one family. ``scalars`` are the roots in the base field, in
+        spheres too; ``count()`` and ``elements()`` count and list all.
+
+        Raises :class:`CoercionError` for f = 0, and :class:`UndecidedError` where norm(f) is not factored,
+        over rings that are no fields, and in that last case where the algebra is infinite and its radical
+        not 0.
         """
         A = self.parent.algebra
         F = A.ring
@@ -323,27 +302,32 @@ class Polynomial:
         norm = self._base_norm() or self._in_socle()._base_norm()
         if not norm:
             return self._singular_roots()
+        divisors = list(quadratic_divisors(F, norm))
         spheres, isolated, families = [], list[Quaternion](), list[Family]()
-        for t, n in _quadratic_divisors(F, norm):
+        for t, n in divisors:
             rest = self.divmod_right(self.parent([n, -t, 1]))[1].coefficients
             a, b = (*rest, *[A.scalar(0)] * (2 - len(rest)))
             if not rest and of_trace_and_norm(A, t, n) is not None:
                 spheres.append((t, n))
             elif not rest:  # scalars at most: both halves of t, or the root of n where 2 = 0
-                r = F.sqrt(n) if F.characteristic == 2 else t / F(2)
-                if r is not None and F.equal(r + r, t) and F.equal(r * r, n):
-                    isolated.append(A.scalar(r))
+                isolated += map(A.scalar, _double_root(F, t, n))
             else:
                 points, directions = on_spaces(A, a, b, t, n)
                 if points and (directions or len(points) > 1):
-                    families.append(Family(t, n, points[0], self))
+                    shown = tuple(points), tuple(directions)
+                    families.append(AffineFamily(t, n, points[0], self, *shown))
                 else:
                     isolated += points
         # A scalar r in no family can still lie in the sphere of (x - r)(x - s), which is not of its trace.
-        alone = (
-            q for q in isolated if not any(self.parent([n, -t, 1])(q).is_zero() for t, n in spheres)
-        )
-        return Roots(tuple(spheres), tuple(alone), tuple(families))
+        alone = (q for q in isolated if not self._on_spheres(q, spheres))
+        # (x - r)² divides norm(f) for a root r
+        scalars = (A.scalar(r) for t, n in divisors for r in _double_root(F, t, n))
+        own = tuple(r for r in scalars if not self(r))
+        return Roots(tuple(spheres), tuple(alone), tuple(families), own, self)
+
+    def _on_spheres(self, q: Quaternion, spheres: Iterable[tuple[Any, Any]]) -> bool:
+        """Tell whether q² = t·q − n for one of the spheres."""
+        return any(not self.parent([n, -t, 1])(q) for t, n in spheres)
 
     def _base_norm(self) -> list[Any]:
         """Return the coefficients of the norm in the base ring."""
@@ -382,30 +366,31 @@ class Polynomial:
         content: list[Any] = []
         for n in range(4):
             content = common_divisor(F, content, [c.coordinates[n] for c in self.coefficients])
+        scalars = tuple(A.scalar(-g[0]) for g in F.irreducible_factors(content) if len(g) == 2)
         spheres = tuple(
             (t, n)
-            for t, n in _quadratic_divisors(F, content)
+            for t, n in quadratic_divisors(F, content)
             if of_trace_and_norm(A, t, n) is not None
         )
-        if is_central_simple(F, A.constants):
-            matrices = split(F, A.constants)
-            assert matrices is not None, (
-                "the norm form of a division algebra has no zeros over F(x) either"
-            )
-            root = other_root(
-                F, [matrices.to_matrix(c.coordinates) for c in self.coefficients], spheres
-            )
+        found = matrices_of(self)
+        if found is not None:
+            matrices, coefficients = found
+            root = other_root(F, coefficients, spheres)
             example = None if root is None else A(*matrices.from_matrix(root))
-        elif F.order is not None and F.order**4 <= MOST_ELEMENTS:
-            family = Family(None, None, A.scalar(0), self, spheres)
-            example = next((q for q in A.elements() if family.contains(q)), None)
+        elif F.order is not None and F.order**4 <= MAX_LISTED_ELEMENTS:
+            family = SingularFamily(None, None, A.scalar(0), self, spheres)
+            example = next(family.elements(), None)
         else:
             raise UndecidedError(
                 f"norm(f) = 0, and {A} has a radical and zero divisors modulo it: its roots are not sought"
             )
         if example is None:
-            return Roots(spheres, (), ())
-        return Roots(spheres, (), (Family(None, None, example, self, spheres),))
+            return Roots(spheres, (), (), scalars, self)
+        family = SingularFamily(None, None, example, self, spheres)
+        if F.order is not None and len(list(islice(family.elements(), 2))) == 1:
+            alone = () if self._on_spheres(example, spheres) else (example,)
+            return Roots(spheres, alone, (), scalars, self)
+        return Roots(spheres, (), (family,), scalars, self)
 
     def linear_factors(self) -> tuple[Quaternion, tuple[Quaternion, ...]] | NoFactors:
         """Return (c, (q₁, …, qₙ)) with f = c·(x − q₁)⋯(x − qₙ), or a false answer that says there is none.
@@ -442,19 +427,7 @@ class Factoring:
         self.rest: Polynomial | None = None
         self.failed: set[Polynomial] = set()
         order = A.ring.order
-        self.is_finite = not division and order is not None and order**4 <= MOST_ELEMENTS
-
-    @cached_property
-    def _elements(self) -> dict[Any, list[Quaternion]]:
-        """All elements of a finite algebra, by trace and norm."""
-        found: dict[Any, list[Quaternion]] = {}
-        for q in self.algebra.elements():
-            found.setdefault(self._key(q.trace(), q.norm()), []).append(q)
-        return found
-
-    def _key(self, t: Any, n: Any) -> Any:
-        F = self.algebra.ring
-        return F.key(t), F.key(n)
+        self.is_finite = not division and order is not None and order**4 <= MAX_LISTED_ELEMENTS
 
     def factors(self, f: Polynomial) -> tuple[Quaternion, ...] | None:
         """Return (q₁, …, qₙ) with f = c·(x − q₁)⋯(x − qₙ), or None if none is found."""
@@ -464,7 +437,7 @@ class Factoring:
             return None
         found = f.roots()
         self.is_whole &= self.division or self.is_finite or not (found.spheres or found.families)
-        if not any((found.spheres, found.isolated, found.families)):
+        if not found:
             self.rest = f
         for q in self.roots(f, found):
             before = self.factors(f.divmod_right(f.parent([-q, 1]))[0])
@@ -480,29 +453,17 @@ class Factoring:
     def roots(self, f: Polynomial, found: Roots) -> Iterator[Quaternion]:
         """Run through roots: one of each kind first, then, in a finite algebra, all others."""
         yield from _some(self.algebra, found)
-        if not self.is_finite:
-            return
-        A, F = self.algebra, self.algebra.ring
-        for t, n in found.spheres:
-            yield from self._elements.get(self._key(t, n), ())
-            yield from (A.scalar(r) for r in F.roots([n, -t, F.one]))
-        for m in found.families:
-            among = A.elements() if m.t is None else self._elements[self._key(m.t, m.n)]
-            yield from (q for q in among if m.contains(q))
+        if self.is_finite:
+            yield from found.elements()
 
 
-def _quadratic_divisors(F: Any, f: list[Any]) -> Iterator[tuple[Any, Any]]:
-    """Run through the (t, n) for which x² − t·x + n divides a polynomial over F that is not 0."""
-    factors = F.irreducible_factors(f)
-    yield from ((-g[1], g[0]) for g in factors if len(g) == 3)
-    roots = [-g[0] for g in factors if len(g) == 2]
-    yield from ((r + s, r * s) for r, s in combinations(roots, 2))
-    for r in roots:
-        slope = F.zero
-        for n, c in reversed(list(enumerate(f))[1:]):
-            slope = slope * r + c * F(n)
-        if F.is_zero(slope):
-            yield r + r, r * r
+def _double_root(F: Any, t: Any, n: Any) -> list[Any]:
+    """Return the r with x² − t·x + n = (x − r)², one or none."""
+    if F.characteristic != 2:
+        half = t / F(2)
+        return [half] if F.equal(half * half, n) else []
+    root = F.sqrt(n) if F.is_zero(t) else None
+    return [] if root is None else [root]
 
 
 def _power(x: str, n: int, style: str) -> str:
@@ -526,6 +487,7 @@ def _constant(f: Polynomial) -> Quaternion:
 
 def _some(A: Parent, found: Roots) -> Iterator[Quaternion]:
     yield from found.isolated
+    yield from (r for r in found.scalars if r not in found.isolated)
     for t, n in found.spheres:
         point = of_trace_and_norm(A, t, n)
         assert point is not None

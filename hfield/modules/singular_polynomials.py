@@ -7,11 +7,21 @@ and a·q = t·a + n·b is the one root of trace t and norm n.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, product
 from typing import Any
 
-from hfield.rings.roots import common_divisor, divided, multiplied, stripped
+from hfield.errors import TooLargeError
+from hfield.rings.roots import (
+    added,
+    common_divisor,
+    divided,
+    multiplied,
+    quadratic_divisors,
+    stripped,
+)
+
+MAX_COMBINATIONS = 20_000
 
 Row = list[list[Any]]
 Matrix = tuple[tuple[Any, Any], tuple[Any, Any]]
@@ -19,32 +29,91 @@ Matrix = tuple[tuple[Any, Any], tuple[Any, Any]]
 
 def other_root(F: Any, f: Sequence[Matrix], spheres: Sequence[tuple[Any, Any]]) -> Matrix | None:
     """Return a root whose trace and norm are none of ``spheres``, those of which all are roots, or None."""
-    rows = [[[c[r][s] for c in f] for s in (0, 1)] for r in (0, 1)]
-    row = next(row for row in rows if any(not F.is_zero(c) for entry in row for c in entry))
-    content = common_divisor(F, *row)
-    whole: list[Any] = []
-    for entry in (*rows[0], *rows[1]):
-        whole = common_divisor(F, whole, entry)
-    primitive = [stripped(F, divided(F, entry, content)[0]) for entry in row]
+    content, primitive = _row(F, f)
     if all(len(entry) < 2 for entry in primitive):
         v = [(*entry, F.zero)[0] for entry in primitive]
-        return _with_a_left_eigenvector(F, whole, v, spheres)
-    w = [multiplied(F, entry, whole) for entry in primitive]
+        return _with_a_left_eigenvector(F, content, v, spheres)
+    w = [multiplied(F, entry, content) for entry in primitive]
+    enough = _traces_and_norms(F, 2 * max(map(len, w)))
+    return next(_roots_at(F, w, spheres, enough, every=False), None)
+
+
+def other_roots(
+    F: Any, f: Sequence[Matrix], spheres: Sequence[tuple[Any, Any]]
+) -> Iterator[Matrix]:
+    """Run through all these roots over a finite field."""
+    content, primitive = _row(F, f)
+    w = [multiplied(F, entry, content) for entry in primitive]
+    yield from _roots_at(F, w, spheres, product(F.elements(), repeat=2), every=True)
+
+
+def count_other_roots(F: Any, f: Sequence[Matrix]) -> int:
+    """Return how many these roots are over a finite field.
+
+    Modulo x² − t·x + n the row is a + b·x. There is one root where a and b are independent, that is, where
+    x² − t·x + n divides no combination of the entries. To a root r of the content belong q matrices for
+    every (x − r)·(x − s) that does not divide it.
+
+    Raises :class:`TooLargeError` over a field of more than ``MAX_COMBINATIONS`` elements.
+    """
+    q = F.order
+    content, (u, v) = _row(F, f)
+    roots = [-g[0] for g in F.irreducible_factors(content) if len(g) == 2]
+    divisors = _keys(F, quadratic_divisors(F, content))
+    total = q * sum(q - sum((F.key(r + s), F.key(r * s)) in divisors for s in roots) for r in roots)
+    if max(len(u), len(v)) < 2:
+        return int(total)
+    if q > MAX_COMBINATIONS:
+        raise TooLargeError(
+            f"roots of a polynomial of norm 0 are counted over at most {MAX_COMBINATIONS} elements, and "
+            f"{F.name} has more"
+        )
+    dependent = _keys(F, quadratic_divisors(F, multiplied(F, content, v))) if v else set()
+    for c in F.elements():
+        combined = added(F, u, [c * x for x in v])
+        dependent |= _keys(F, quadratic_divisors(F, multiplied(F, content, combined)))
+    return int(total + q * q - len(dependent))
+
+
+def _keys(F: Any, pairs: Iterator[tuple[Any, Any]]) -> set[tuple[Any, Any]]:
+    return {(F.key(t), F.key(n)) for t, n in pairs}
+
+
+def _row(F: Any, f: Sequence[Matrix]) -> tuple[list[Any], Row]:
+    """Return polynomials c and w₁, w₂ without common divisor: the roots of f are those of c·(w₁, w₂)."""
+    rows = [[[c[r][s] for c in f] for s in (0, 1)] for r in (0, 1)]
+    row = next(row for row in rows if any(not F.is_zero(c) for entry in row for c in entry))
+    divisor = common_divisor(F, *row)
+    content: list[Any] = []
+    for entry in (*rows[0], *rows[1]):
+        content = common_divisor(F, content, entry)
+    return content, [stripped(F, divided(F, entry, divisor)[0]) for entry in row]
+
+
+def _roots_at(
+    F: Any,
+    w: Row,
+    spheres: Sequence[tuple[Any, Any]],
+    places: Iterable[tuple[Any, Any]],
+    every: bool,
+) -> Iterator[Matrix]:
+    """Run through roots of a row of traces and norms outside the spheres: one of each pair, or ``every``."""
     known = {(F.key(t), F.key(n)) for t, n in spheres}
-    for t, n in _traces_and_norms(F, 2 * max(map(len, w))):
-        a, b = zip(*(_reduced(F, entry, t, n) for entry in w), strict=True)
+    for t, n in places:
         if (F.key(t), F.key(n)) in known:
             continue
+        a, b = zip(*(_reduced(F, entry, t, n) for entry in w), strict=True)
         det = a[0] * b[1] - a[1] * b[0]
         if not F.is_zero(det):
             # rows b, a; in their basis q is ((0, −1), (n, t))
-            return _in_basis(F, b, a, ((F.zero, -F.one), (n, t)))
+            yield _in_basis(F, b, a, ((F.zero, -F.one), (n, t)))
+            continue
         at = next((s for s in (0, 1) if not F.is_zero(b[s])), None)
-        if at is not None:  # b·q = −λ·b
-            eigenvalue = -F.divide(a[at], b[at])
-            if F.is_zero(eigenvalue * eigenvalue - t * eigenvalue + n):
-                return _with_eigenvector(F, b, eigenvalue, t - eigenvalue)
-    return None
+        if at is not None:  # b·q = r·b
+            r = -F.divide(a[at], b[at])
+            if F.is_zero(r * r - t * r + n):
+                for x in F.elements() if every else (F.zero,):
+                    yield _with_eigenvector(F, b, r, t - r, x)
 
 
 def _with_a_left_eigenvector(
@@ -56,14 +125,14 @@ def _with_a_left_eigenvector(
             r = -factor[0]
             for s in _elements(F, len(spheres) + 1):
                 if not any(F.equal(n, r * s) and F.equal(t, r + s) for t, n in spheres):
-                    return _with_eigenvector(F, v, r, s)
+                    return _with_eigenvector(F, v, r, s, F.zero)
     return None
 
 
-def _with_eigenvector(F: Any, v: Sequence[Any], r: Any, s: Any) -> Matrix:
-    """Return a matrix with v·q = r·v and trace r + s."""
+def _with_eigenvector(F: Any, v: Sequence[Any], r: Any, s: Any, x: Any) -> Matrix:
+    """Return a matrix with v·q = r·v and u·q = x·v + s·u, for some u."""
     other = (F.zero, F.one) if not F.is_zero(v[0]) else (F.one, F.zero)
-    return _in_basis(F, v, other, ((r, F.zero), (F.zero, s)))
+    return _in_basis(F, v, other, ((r, F.zero), (x, s)))
 
 
 def _in_basis(F: Any, u: Sequence[Any], v: Sequence[Any], m: Matrix) -> Matrix:

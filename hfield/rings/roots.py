@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from itertools import product
+from collections.abc import Callable, Iterator, Sequence
+from itertools import combinations, product, zip_longest
 from math import prod
 from typing import TYPE_CHECKING, Any
 
@@ -204,6 +204,25 @@ def multiplied(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
         for n, y in enumerate(g, m):
             out[n] = out[n] + x * y
     return out
+
+
+def added(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
+    """Return f + g."""
+    return stripped(ring, [x + y for x, y in zip_longest(f, g, fillvalue=ring.zero)])
+
+
+def quadratic_divisors(ring: Ring, f: Sequence[Any]) -> Iterator[tuple[Any, Any]]:
+    """Run through the (t, n) for which x² − t·x + n divides a polynomial over a field, not 0, each once."""
+    factors = ring.irreducible_factors(f)
+    yield from ((-g[1], g[0]) for g in factors if len(g) == 3)
+    roots = [-g[0] for g in factors if len(g) == 2]
+    yield from ((r + s, r * s) for r, s in combinations(roots, 2))
+    for r in roots:
+        slope: Any = ring.zero
+        for n, c in reversed(list(enumerate(f))[1:]):
+            slope = slope * r + c * ring(n)
+        if ring.is_zero(slope):
+            yield r + r, r * r
 
 
 def substituted(ring: Ring, f: Sequence[Any], shift: Any) -> list[Any]:

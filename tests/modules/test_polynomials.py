@@ -195,6 +195,29 @@ def test_what_is_read(capsys):
     assert (status, out) == (0, "all q of trace 0 and norm 1\n")
 
 
+def test_every_root_is_printed(capsys) -> None:
+    def printed(*args):
+        status, out, _ = run(capsys, "roots", *args)
+        assert status == 0
+        return out.splitlines()
+
+    field = ("--field", "GF7")
+    assert printed("x^2-1", *field) == ["1", "6", "all q of trace 0 and norm 6"]
+    assert printed("(1+2i+3j)*x", *field) == ["0", "49, such as 0"]
+    assert printed("x^2-x", "--algebra", "(1,1|QQ)") == [
+        "0", "1", "all q of trace 1 and norm 0",
+    ]  # fmt: skip
+    assert printed("(1+i)*x", "--algebra", "(1,1|QQ)") == ["0", "several, such as 0"]
+    assert len(printed("x^2-1", *field, "--list")) == 58
+    data = json.loads("".join(printed("(1+2i+3j)*x", *field, "--format", "json")))
+    assert (data["scalars"], data["count"]) == (["0"], 49)
+    family = {"trace": None, "norm": None, "example": "0", "count": 49}
+    assert data["families"] == [family]
+    status, _, err = run(capsys, "roots", "x^2+1", "--list")
+    assert status == 2
+    assert "infinitely many roots" in err
+
+
 def test_isolated_roots_lie_in_no_sphere() -> None:
     # Every f of degree 2 with leading coefficient 1 over the matrices over GF(2), by substitution.
     A = QuaternionAlgebra("GF(2)", 1, 1, 1)

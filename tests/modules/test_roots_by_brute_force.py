@@ -5,7 +5,7 @@ from random import Random
 
 import pytest
 
-from hfield import QuaternionAlgebra, UndecidedError, ring
+from hfield import NotFiniteError, QuaternionAlgebra, TooLargeError, UndecidedError, ring
 
 
 class Everything:
@@ -43,8 +43,16 @@ class Everything:
         assert {(self.F.key(t), self.F.key(n)) for t, n in found.spheres} == spheres
         members = [{q for q in self.elements if m.contains(q)} for m in found.families]
         assert all(m.example in those for m, those in zip(found.families, members, strict=True))
+        assert set(found.scalars) == {q for q in roots if not q.vector_part}
+        listed = list(found.elements())
+        assert found.count() == len(listed) == len(roots)
+        assert set(listed) == roots
+        for m, those in zip(found.families, members, strict=True):
+            assert m.count() == len(those)
+            assert set(m.elements()) == those
         if any(m.t is None for m in found.families):
             assert not f.norm()
+            assert len(members[0]) > 1
             assert members == [{q for q in roots if self.own[q] not in spheres}]
             assert not found.isolated
             return "whole"
@@ -129,3 +137,57 @@ def test_every_product_of_two_and_no_other(text):
         if found:
             c, (p, q) = found
             assert P([c]) * P([-p, 1]) * P([-q, 1]) == f
+
+
+@pytest.mark.parametrize("degenerate", [False, True])
+def test_a_sample_of_all_polynomials_of_degree_two_over_gf_3(degenerate):
+    F, rng = ring("GF(3)"), Random(11)
+    for a, t, b in product(range(3), repeat=3):
+        A = QuaternionAlgebra(F, a, b, t)
+        if A.is_central_simple() == degenerate or rng.random() < 0.5:
+            continue
+        everything = Everything(A)
+        for _ in range(3):
+            f = everything.P([rng.choice(everything.elements) for _ in range(3)])
+            if f:
+                everything.check(f)
+
+
+def test_counts_over_larger_fields_by_listing():
+    for text in ("(1,1|GF(11))", "(2,0|GF(7))", "[x,1|GF(8))", "[1,0|GF(8))", "(x,1|GF(8))"):
+        A = QuaternionAlgebra.from_text(text)
+        P, (_, i, j, _) = A.polynomials(), A.basis
+        zero_norm = A.zero_norm_element()
+        for f in (
+            P([-1, 0, 1]), P([0, -1, 1]), P([1, 1, 1]), P([j, 1 + i]),
+            P([zero_norm]) * P([-1, 0, 1]), P([zero_norm]) * P([i, j, 1]),
+        ):  # fmt: skip
+            try:
+                found = f.roots()
+            except UndecidedError:
+                continue
+            listed = list(found.elements())
+            assert len(set(listed)) == len(listed) == found.count()
+            assert not any(map(f, listed))
+            assert set(found.scalars) == {q for q in listed if not q.vector_part}
+
+
+def test_what_is_infinite_is_not_counted():
+    P = QuaternionAlgebra("QQ", 1, 1).polynomials()
+    for text in ("x^2 - x", "(1+i)*x"):
+        found = P(text).roots()
+        with pytest.raises(NotFiniteError, match="infinitely many roots"):
+            found.count()
+    assert P("x^2 - x").roots().scalars == (0, 1)
+    assert (P("x - 2").roots().count(), [*P("x - 2").roots().elements()]) == (1, [2])
+    field = QuaternionAlgebra.from_text("(x,y|GF(2)(x,y))")  # 𝔽₂(√x, √y)
+    found = field.polynomials("X")("X^2 + x").roots()
+    assert (found.spheres, found.count(), [*found.elements()]) == (
+        ((0, field.ring("x")),),
+        1,
+        [field("i")],
+    )
+    P = QuaternionAlgebra("GF(1000003)", 1, 1).polynomials()
+    assert P("x^2 - 1").roots().count() == 1000003**2 + 1000003 + 2
+    with pytest.raises(TooLargeError, match="too many to be listed"):
+        P("x^2 - 1").roots().elements()

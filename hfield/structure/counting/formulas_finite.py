@@ -130,6 +130,23 @@ def _norm(ring: Ring, shape: _Shape, q: int, n: Scalar) -> Count:
     return Count(q**2, "q^2") if zero else Count((q + 1) * q**2, "(q+1)*q^2")
 
 
+def count_trace_and_norm(ring: Ring, c: Constants, t: Scalar, n: Scalar) -> int:
+    """Return how many elements of an algebra over a finite field have trace t and norm n."""
+    assert ring.order is not None
+    shape, q = _shape(ring, c), int(ring.order)
+    if ring.characteristic != 2:
+        half = ring.divide(t, ring(2))
+        return _traceless(ring, shape, q, half * half - n).value
+    if ring.is_zero(t):
+        return _traceless(ring, shape, q, n).value
+    if shape.kind == "additive":
+        return 0
+    m = ring.divide(n, t * t)  # t times a root of y² + y = m
+    if shape.kind == "split":
+        return q**2 + q if _artin_schreier(ring, m) else q**2 - q
+    return 2 * q**2 if _artin_schreier(ring, m + normal_form(ring, c).a) else 0
+
+
 def _traceless(ring: Ring, shape: _Shape, q: int, s: Scalar) -> Count:
     """Count the elements of trace 0 and norm −s."""
     zero, even = ring.is_zero(s), ring.characteristic == 2

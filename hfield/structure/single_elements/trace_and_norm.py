@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import product
 from typing import Any
 
 from hfield.errors import UndecidedError
@@ -11,7 +13,7 @@ from hfield.structure.forms import normal_form
 from hfield.structure.global_field import global_field, known_field
 from hfield.structure.isomorphisms.splitting import split
 from hfield.structure.norm_forms.zero_norms import is_division
-from hfield.structure.single_elements.square_roots import square_roots
+from hfield.structure.single_elements.square_roots import quadric, square_roots
 
 
 def element_of(ring: Ring, c: Constants, t: Any, n: Any) -> Coordinates | None:
@@ -58,3 +60,18 @@ def obstruction(ring: Ring, c: Constants, t: Any, n: Any) -> Any:
         return field.obstruction(normal_form(ring, c), t, n)
     except UndecidedError:
         return None
+
+
+def all_elements_of(ring: Ring, c: Constants, t: Any, n: Any) -> Iterator[Coordinates]:
+    """Run through the elements of trace t and norm n of any algebra over a finite field."""
+    if ring.characteristic != 2:
+        half = ring.divide(t, ring(2))
+        for w, x, y, z in quadric(ring, c, half * half - n):
+            yield w + half, x, y, z
+    elif ring.is_zero(t):
+        yield from quadric(ring, c, n)
+    elif not ring.is_zero(c.t):
+        x = ring.divide(t, c.t)
+        for y, z in product(ring.elements(), repeat=2):
+            for w in ring.roots([norm(c, (ring.zero, x, y, z)) + n, t, ring.one]):
+                yield w, x, y, z
