@@ -17,9 +17,11 @@ from hfield.rings.base import WithIntegers
 from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
 from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms.residue_forms import no_zero
+from hfield.structure.single_elements.trace_and_norm import element_of
 
 BOUND = 3  # coordinates of pure elements that are tried for a common slot
-MOST = 30  # the same where there is one for certain
+MAX_COORDINATE = 30  # the same where local conditions tell which are slots
+Slot = tuple[Any, Quaternion, Quaternion]
 ALBERT = (
     "A. A. Albert, Proc. AMS 35 (1972): the index is at most 2 exactly where there is a common slot"
 )
@@ -69,7 +71,7 @@ class TensorProduct:
         field = global_field(F)
         if field is not None and field.splits_if_unramified:
             return 2, GLOBAL
-        if self._searched is not None:
+        if self._slot is not None:
             return 2, ALBERT
         reason = no_zero(F, [*pure_form(F, one), *(-c for c in pure_form(F, other))])
         if reason is not None:
@@ -90,32 +92,49 @@ class TensorProduct:
         return self._index[1]
 
     @cached_property
-    def _searched(self) -> tuple[Any, Quaternion, Quaternion] | None:
-        F = self.first.ring
+    def _slot(self) -> Slot | None:
+        """Return a common slot, or None where a bounded search finds none.
+
+        Where one of the two splits, any slot of the other serves; where they are isomorphic, any at all.
+        """
+        one, other = self.first, self.second
+        if _splits(one):
+            return self._given(next(_slots(other, 1)))
+        if _splits(other):
+            return self._given(next(_slots(one, 1)))
+        F = one.ring
         field = global_field(F)
-        always = field is not None and field.splits_if_unramified  # a slot then exists, and is met
-        for x in pure_elements(self.first, MOST if always else BOUND):
-            a = -x.norm()
-            if F.is_zero(a):
-                continue
-            y = _square_root(self.second, a)
-            if y is not None:
-                return a, x, y
-        return None
+        if field is not None and field.splits_if_unramified:
+            places = ramified_places(F, other.constants)
+            for x in _slots(one, MAX_COORDINATE):
+                a = -x.norm()
+                if not any(field.has_root_at(v, F.zero, -a) for v in places):
+                    return self._given(x)
+        return next(filter(None, map(self._given, _slots(one, BOUND))), None)
+
+    def _given(self, z: Quaternion) -> Slot | None:
+        """Return the slot of an element of trace 0 of one of the two, if it is one of the other, too."""
+        a, found = -z.norm(), []
+        for A in (self.first, self.second):
+            x = z if z.algebra is A else _square_root(A, a)
+            if x is None:
+                return None
+            found.append(x)
+        return a, found[0], found[1]
 
     @property
-    def common_slot(self) -> tuple[Any, Quaternion, Quaternion] | None:
+    def common_slot(self) -> Slot | None:
         """A scalar a with elements x and y of the two, ``x² = y² = a``; None if the index is 4.
 
         Raises :class:`UndecidedError` where none is found.
         """
         if self.index == 4:
             return None
-        if self._searched is None:
+        if self._slot is None:
             raise UndecidedError(
                 f"{self} has a common slot, but none among pure elements with coordinates up to {BOUND}"
             )
-        return self._searched
+        return self._slot
 
 
 def pure_form(F: Any, c: Constants) -> list[Any]:
@@ -134,16 +153,41 @@ def pure_elements(A: Parent, bound: int) -> Iterator[Quaternion]:
         shell = (c for c in product(digits, repeat=len(pure)) if max(map(abs, c)) == size)
         for c in sorted(shell, key=lambda c: sum(map(abs, c))):
             if next(n for n in c if n) > 0:
-                yield sum((q * n for q, n in zip(pure[1:], c[1:], strict=True)), pure[0] * c[0])
+                terms = (q * _numbered(A.ring, n) for q, n in zip(pure, c, strict=True))
+                yield sum(terms, A.scalar(0))
+
+
+def _numbered(F: Any, n: int) -> Any:
+    """Return n, or over functions in characteristic p the polynomial with the digits of n in base p."""
+    if not F.characteristic or F.order is not None or F.gen_name is None:
+        return n
+    total, power, rest = F.zero, F.one, abs(n)
+    while rest:
+        rest, digit = divmod(rest, F.characteristic)
+        total, power = total + power * F(digit), power * F.gen
+    return total if n >= 0 else -total
+
+
+def _slots(A: Parent, bound: int) -> Iterator[Quaternion]:
+    """Run through small elements of trace 0 that are no scalars and have a square that is not 0."""
+    return (x for x in pure_elements(A, bound) if x.vector_part and not A.ring.is_zero(x.norm()))
+
+
+def _splits(A: Parent) -> bool:
+    """Tell whether an algebra is known to split."""
+    try:
+        return not is_division(A.ring, A.constants)
+    except UndecidedError:
+        return False
 
 
 def _square_root(A: Parent, d: Any) -> Quaternion | None:
-    """Return an element that is no scalar and has the square d."""
+    """Return an element of trace 0 that is no scalar and has the square d; None where none is found."""
     try:
-        roots = A.scalar(d).square_roots()
+        q = element_of(A.ring, A.constants, A.ring.zero, -d)
     except UndecidedError:
         return None
-    return next((x for x in roots if x.vector_part), None)
+    return None if q is None else A(*q)
 
 
 @dataclass(frozen=True)

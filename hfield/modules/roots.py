@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import NotFiniteError, TooLargeError
 from hfield.modules.singular_polynomials import Matrix, count_other_roots, other_roots
-from hfield.structure import is_division, split
+from hfield.structure import split
 from hfield.structure.counting.formulas_finite import count_trace_and_norm
 from hfield.structure.single_elements.trace_and_norm import all_elements_of
 
@@ -75,7 +75,8 @@ class AffineFamily(Family):
         order = self.example.algebra.ring.order
         if self.directions and order is None:
             raise _infinite(self.polynomial)
-        return len(self.points) * int(order or 1) ** len(self.directions)
+        span: int = int(order or 1) ** len(self.directions)
+        return len(self.points) * span
 
 
 @dataclass(frozen=True)
@@ -176,23 +177,16 @@ class Roots:
         yield from self.scalars
         yield from (q for q in self.isolated if q.vector_part)
         for t, n in self.spheres:
-            yield from (q for q in self._on_sphere(A, t, n) if q.vector_part)
+            on_sphere = (A(*q) for q in all_elements_of(A.ring, A.constants, t, n))
+            yield from (q for q in on_sphere if q.vector_part)
         for m in self.families:
             yield from (q for q in m.elements() if q.vector_part)
-
-    def _on_sphere(self, A: Any, t: Any, n: Any) -> Iterator[Quaternion]:
-        if A.ring.order is None:  # the only root x of x² = n in a field
-            yield from A.scalar(n).square_roots()
-        else:
-            yield from (A(*q) for q in all_elements_of(A.ring, A.constants, t, n))
 
     def _sphere_size(self, t: Any, n: Any) -> int:
         """Count the elements of trace t and norm n outside F."""
         A = self.polynomial.parent.algebra
         F, c = A.ring, A.constants
         if F.order is None:
-            if F.characteristic == 2 and F.is_zero(c.t) and is_division(F, c):
-                return 1  # the algebra is a field, purely inseparable over F
             raise _infinite(self.polynomial)
         scalars = F.roots([n, -t, F.one])
         own = sum(F.equal(r + r, t) and F.equal(r * r, n) for r in scalars)

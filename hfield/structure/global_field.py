@@ -238,9 +238,9 @@ class GlobalField(ABC):
 
         No field splits a division algebra into which it does not embed, and F_v is no larger than itself.
         """
-        return next((v for v in self.ramified(form) if self._has_root_at(v, t, n)), None)
+        return next((v for v in self.ramified(form) if self.has_root_at(v, t, n)), None)
 
-    def _has_root_at(self, place: Any, t: Any, n: Any) -> bool:
+    def has_root_at(self, place: Any, t: Any, n: Any) -> bool:
         """Tell whether x² − t·x + n has a root in the completion; in characteristic 2 t = 0 is asked, too."""
         local = self.ring.completion(place)
         return bool(local.is_square(local(t * t - n * self.ring(4))))

@@ -105,6 +105,52 @@ def test_slots_exist_over_the_rationals_however_many_places_ramify():
     assert (x * x, y * y) == (a, a)
 
 
+@pytest.mark.parametrize(
+    "name",
+    ["QQ", "QQ(sqrt(5))", "QQ(sqrt(-7))", "QQ[s]/(s^3-s-1)", "GF(2)(t)", "GF(4)(t)", "GF(3)(t)"],
+)
+def test_slots_of_random_pairs(name):
+    """Split, isomorphic and division algebras: a slot of each, without a search that depends on luck."""
+    F, rng = ring(name), Random(name)
+
+    def scalar():
+        if not F.characteristic:
+            return F(rng.randint(-30, 30)) if name == "QQ" else small(F, rng)
+        powers = (F.gen**n * F.constant(F.base.random(rng)) for n in range(3))
+        return sum(powers, F.zero)
+
+    def algebra():
+        while True:
+            A = QuaternionAlgebra(F, scalar(), scalar(), 1 if F.characteristic == 2 else 0)
+            if A.is_central_simple():
+                return A
+
+    for _ in range(5):
+        A, B = algebra(), algebra()
+        for first, second in ((A, B), (A, A)):
+            a, x, y = first.tensor(second).common_slot
+            assert (x * x, y * y) == (a, a)
+            assert (x.algebra, y.algebra) == (first, second)
+            assert x.trace() == y.trace() == 0
+            assert x.vector_part
+            assert y.vector_part
+
+
+@pytest.mark.parametrize("swapped", [False, True])
+def test_where_one_splits_any_slot_of_the_other_serves(swapped):
+    for one, other in (
+        ("[1,1|GF(2)(t))", "[1,t|GF(2)(t))"),
+        ("(1,x|QQ(x,y))", "(x,y|QQ(x,y))"),
+        ("(1,1|QQ)", "(-1,-1|QQ)"),
+    ):
+        A, B = (QuaternionAlgebra.from_text(text) for text in (one, other))
+        T = B.tensor(A) if swapped else A.tensor(B)
+        a, x, y = T.common_slot
+        assert (x * x, y * y) == (a, a)
+        if one[0] == "[":
+            assert str(a) == "t"
+
+
 NUMBER_FIELDS = (
     "QQ(sqrt(-7))",
     "QQ(sqrt(3))",

@@ -171,7 +171,7 @@ class OverEven(FunctionArithmetic):
         """Return y from the leading terms down."""
         return artin_schreier(self.ring, x)
 
-    def _has_root_at(self, place: FunctionPlace, t: Quotient, n: Quotient) -> bool:
+    def has_root_at(self, place: FunctionPlace, t: Quotient, n: Quotient) -> bool:
         """Tell whether x² − t·x + n has a root there; x² + n has its root in every division algebra."""
         return t.num != 0 and has_solution_at(residues_at(place), n / (t * t))
 
