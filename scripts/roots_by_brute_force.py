@@ -1,6 +1,6 @@
 """Compare roots of polynomials of degree at most 2 over all algebras over a small field with brute force.
 
-``python -m scripts.roots_by_brute_force GF3 --seconds 600`` goes through the algebras (a, t, b) in turn, and for
+``python -m scripts.roots_by_brute_force GF3 --seconds 600`` goes through the algebras (a, t, b), and for
 each through all polynomials in random order until its share of the time is over. Over GF(2) and GF(3) one of
 each orbit under left multiplication by units is taken, which does not change the roots. It says how many it
 compared, and stops with an error at the first difference.
