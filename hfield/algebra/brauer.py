@@ -6,7 +6,7 @@ from collections.abc import Callable, Hashable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import product
+from itertools import islice, product
 from typing import Any
 
 from hfield.algebra.embedding import embedding
@@ -21,6 +21,7 @@ from hfield.structure.single_elements.trace_and_norm import element_of
 
 BOUND = 3  # coordinates of pure elements that are tried for a common slot
 MAX_COORDINATE = 30  # the same where local conditions tell which are slots
+MAX_CONICS = 10  # of these so many are tried: a conic may be too hard
 Slot = tuple[Any, Quaternion, Quaternion]
 ALBERT = (
     "A. A. Albert, Proc. AMS 35 (1972): the index is at most 2 exactly where there is a common slot"
@@ -105,12 +106,17 @@ class TensorProduct:
         F = one.ring
         field = global_field(F)
         if field is not None and field.splits_if_unramified:
-            places = ramified_places(F, other.constants)
-            for x in _slots(one, MAX_COORDINATE):
-                a = -x.norm()
-                if not any(field.has_root_at(v, F.zero, -a) for v in places):
-                    return self._given(x)
-        return next(filter(None, map(self._given, _slots(one, BOUND))), None)
+            own = ramified_places(F, one.constants)  # there no -N(x) is a square
+            places = [v for v in ramified_places(F, other.constants) if v not in own]
+            fitting = (
+                x
+                for x in _slots(one, MAX_COORDINATE)
+                if not any(field.has_root_at(v, F.zero, x.norm()) for v in places)
+            )
+            tried = islice(fitting, MAX_CONICS)
+        else:
+            tried = islice(_slots(one, BOUND), None)
+        return next(filter(None, map(self._given, tried)), None)
 
     def _given(self, z: Quaternion) -> Slot | None:
         """Return the slot of an element of trace 0 of one of the two, if it is one of the other, too."""
