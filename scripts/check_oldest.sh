@@ -20,7 +20,7 @@ try() { # NAME PYTHON CONSTRAINTS [TESTS…]: an environment of its own, and the
     "$uv" venv --quiet --python "$2" "$folder/$1"
     "$uv" pip install --quiet --python "$folder/$1/bin/python" '.[test]' --constraints "$3"
     # A library's old version may meet a newer one's warnings; ours are errors in the ordinary run.
-    "$folder/$1/bin/python" -m pytest -m "not slow" $once -W ignore "${@:4}" >"$folder/$1.log" 2>&1 &
+    "$folder/$1/bin/python" -m pytest $once -W ignore "${@:4}" >"$folder/$1.log" 2>&1 &
     tries[$1]=$!
 }
 

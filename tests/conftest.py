@@ -17,13 +17,12 @@ hypothesis.settings.load_profile("any machine")
 
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # a hundred commands are started: compiled once
 
-# Files whose tests take most of the time, as `--durations` shows; `-m "not slow"` leaves them out.
-SLOW = tuple(f"/{name}" for name in Path(__file__).with_name("slow.txt").read_text().split())
 PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add ``--once``, for another Python or other dependencies, which seldom break one case alone."""
+    """Add ``--runslow``, and ``--once`` for other dependencies, which seldom break one case alone."""
+    parser.addoption("--runslow", action="store_true", help="run the tests marked slow too")
     parser.addoption("--once", action="store_true", help="run the first case of each test only")
 
 
@@ -39,13 +38,13 @@ def pytest_configure() -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Mark what is in the files that take long, and leave out what ``--once`` does."""
+    """Leave out slow tests, unless they are asked for, and all cases but the first under ``--once``."""
     if config.getoption("once"):
         items[:] = {item.nodeid.partition("[")[0]: item for item in reversed(items)}.values()
         items.reverse()
-    for item in items:
-        if item.path.as_posix().endswith(SLOW):
-            item.add_marker(pytest.mark.slow)
+    if not (config.getoption("runslow") or config.getoption("markexpr")):
+        config.hook.pytest_deselected(items=[i for i in items if i.get_closest_marker("slow")])
+        items[:] = [item for item in items if not item.get_closest_marker("slow")]
 
 
 def pytest_collection_finish() -> None:

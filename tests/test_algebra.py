@@ -9,6 +9,7 @@ import pytest
 
 from hfield import GF, QQ, RDF, ZZ, H, QuaternionAlgebra, Zmod, ring
 from hfield.errors import CoercionError, MixedParentsError, NotationError, NotInvertibleError
+from tests.subcases import subcases
 
 TABLE = [
     ["e", "i", "j", "k"],
@@ -208,7 +209,7 @@ def test_floats() -> None:
             A(np.array([1.0, bad]), 0, 0, 0)
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("text", "value"),
     [
         ("(1+i)*(j-k)**-1", "1/2*j*2/1 - j + j"),
@@ -231,7 +232,7 @@ def test_expressions(text: str, value: str) -> None:
         assert A.parse(text) == A.parse(value)
 
 
-@pytest.mark.parametrize(
+@subcases(
     "text",
     [
         "",

@@ -9,12 +9,13 @@ import pytest
 
 from hfield import QuaternionAlgebra, ring
 from hfield.errors import NotInvertibleError
+from tests.subcases import subcases
 
 CASES = json.loads((Path(__file__).parent / "vectors" / "products.json").read_text())["cases"]
 BY_RING = {name: list(cases) for name, cases in groupby(CASES, key=lambda case: case["ring"])}
 
 
-@pytest.mark.parametrize("name", BY_RING)
+@subcases("name", BY_RING)
 def test_agrees_with_pari(name: str) -> None:
     F = ring(name)
     for case in BY_RING[name]:

@@ -8,6 +8,7 @@ import pytest
 
 from hfield import H, ring
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError
+from tests.subcases import subcases
 
 RINGS = [
     "ZZ", "ZZ/4", "ZZ/6", "ZZ/100000000000000000000", "QQ", "QQ(sqrt(5))", "QQ(I)", "RR", "CC",
@@ -21,7 +22,7 @@ def gen_or_two(name):
     return F(2) if F.gen_name is None else F.gen
 
 
-@pytest.mark.parametrize("name", RINGS)
+@subcases("name", RINGS)
 def test_arrays_pickle_and_copy(name):
     A = H(name)
     x = gen_or_two(name)
@@ -40,7 +41,7 @@ def test_arrays_pickle_and_copy(name):
             assert np.all(again * q == q * q)
 
 
-@pytest.mark.parametrize("name", RINGS)
+@subcases("name", RINGS)
 def test_dividing_by_zero_names_the_entry(name):
     A = H(name)
     q = A([1, 1, 1], 0, 0, 0)
@@ -58,7 +59,7 @@ def test_dividing_by_zero_names_the_entry(name):
     assert (A([], [], [], []) / 1).shape == (0,)
 
 
-@pytest.mark.parametrize("name", RINGS)
+@subcases("name", RINGS)
 def test_truth_values_are_0_and_1_in_every_ring(name):
     A = H(name)
     flags = np.array([True, False])
@@ -83,7 +84,7 @@ def test_arrays_without_dimensions():
             A([1, 0], [1, 2, 3], 0, 0)
 
 
-@pytest.mark.parametrize("name", RINGS)
+@subcases("name", RINGS)
 def test_arrays_that_do_not_fit_are_refused(name):
     A = H(name)
     q = A([1, 0, 1], 0, 0, 0)

@@ -15,6 +15,8 @@ from hfield.ledger.registry import claims
 from hfield.ledger.run import decide_rows
 from hfield.ledger.selection import rows_to_decide
 
+pytestmark = pytest.mark.slow
+
 TENS = 100
 
 

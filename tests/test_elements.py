@@ -10,6 +10,7 @@ from hfield.errors import (
     NotFiniteError,
     RingError,
 )
+from tests.subcases import subcases
 
 algebra = QuaternionAlgebra.from_text
 
@@ -38,7 +39,7 @@ def test_derivations_are_inner() -> None:
 # --- change of ring -------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("small", "large"),
     [("GF(4)", "GF(16)"), ("GF(9)", "GF(9, x^2+1)"), ("GF(9, x^2+1)", "GF(81)"), ("GF(4)", "GF(4)(t)"),
      ("GF(4)(t)", "GF(16)(t)"), ("GF(3)", "GF(9)"), ("QQ", "QQ(sqrt(2))"), ("QQ(sqrt(2))", "RR"),
@@ -179,7 +180,7 @@ def test_orders() -> None:
         H("GF(5)").maximal_order()
 
 
-@pytest.mark.parametrize(
+@subcases(
     "call",
     [
         lambda A, order: order.ternary_theta_series(10**30),

@@ -21,6 +21,7 @@ from hfield.factorisation import (
     remove,
 )
 from hfield.primality import PROVED_BITS, is_prime, power_root, prime_power
+from tests.subcases import subcases
 
 # Composite: Carmichael numbers, strong pseudoprimes to the first 12 and 13 primes (Sorenson and Webster),
 # Arnault's to all bases below 307 (Math. Comp. 64, 1995) and Bleichenbacher's to all below 100.
@@ -58,7 +59,7 @@ def test_the_constants_are_what_they_are_taken_for():
     assert (P * Q).bit_length() > SIEVED_BITS
 
 
-@pytest.mark.parametrize("n", PSEUDOPRIMES)
+@subcases("n", PSEUDOPRIMES)
 def test_no_pseudoprime_passes(n):
     assert not is_prime(n)
     found = factor(n)

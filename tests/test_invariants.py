@@ -16,6 +16,7 @@ from hfield.errors import (
     RingError,
     UndecidedError,
 )
+from tests.subcases import subcases
 
 VECTORS = Path(__file__).parent / "vectors"
 
@@ -141,7 +142,7 @@ def check_splitting(A: QuaternionAlgebra) -> None:
     assert A.from_matrix([[0, 1], [0, 0]]).is_nilpotent()
 
 
-@pytest.mark.parametrize("text", SPLIT)
+@subcases("text", SPLIT)
 def test_splittings(text: str) -> None:
     A = algebra(text)
     assert not A.is_division_algebra()
@@ -238,7 +239,7 @@ def test_two_hundred_digits_with_known_primes() -> None:
 # --- isomorphism ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("left", "right", "same"),
     [
         ("(-1,-1|QQ)", "(-2,-5|QQ)", False),

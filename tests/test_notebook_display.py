@@ -9,6 +9,7 @@ from anim import compare
 from hfield import GF, QQ, RR, H, QuaternionAlgebra, explain, info, prove, ring, verify
 from hfield.rings.printing import latex_name
 from rotation import RigidTransform, Rotation
+from tests.subcases import subcases
 
 A = QuaternionAlgebra("QQ", 1, 3)
 B = QuaternionAlgebra("QQ", -1, -1)
@@ -25,7 +26,7 @@ SHOWN = [
 ]
 
 
-@pytest.mark.parametrize("thing", SHOWN, ids=lambda x: type(x).__name__)
+@subcases("thing", SHOWN)
 def test_what_is_public_has_a_formula(thing):
     text = thing._repr_latex_()
     assert re.fullmatch(r"\$.+\$", text, re.DOTALL)

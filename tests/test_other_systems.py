@@ -3,6 +3,7 @@
 import pytest
 
 from hfield import H, QuaternionAlgebra, RingError
+from tests.subcases import subcases
 
 ALGEBRAS = [
     ("QQ", -1, -1),
@@ -13,8 +14,8 @@ ALGEBRAS = [
 ]
 
 
-@pytest.mark.parametrize("named", ALGEBRAS, ids=lambda named: named[0])
-@pytest.mark.parametrize("system", ["Magma", "sage", "pari"])
+@subcases("named", ALGEBRAS)
+@subcases("system", ["Magma", "sage", "pari"])
 def test_there_and_back(named, system):
     A = QuaternionAlgebra(*named)
     B = QuaternionAlgebra(A.text_for(system))

@@ -22,7 +22,10 @@ PAGES = [
 ]
 WIDTHS = {"phone": 390, "desk": 1280}
 
-pytestmark = pytest.mark.skipif(not SITE.is_dir(), reason="the site is not built")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not SITE.is_dir(), reason="the site is not built"),
+]
 
 
 class Resources(HTMLParser):

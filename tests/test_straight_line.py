@@ -57,6 +57,7 @@ def test_every_pattern_of_constants(formula, numbers) -> None:
         assert not {name for name in known if name not in GENERAL} & set(program.inputs)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("formula", FORMULAS)
 @given(numbers=st.tuples(*[st.integers(0, 1)] * 11))
 def test_characteristic_two(formula, numbers) -> None:

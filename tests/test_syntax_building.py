@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from hfield import syntax
 from hfield.proving.statements.printing import to_text
 from hfield.syntax import Node, names, number, parse
+from tests.subcases import subcases
 
 P, Q, S = names("p q s")
 LEAVES = st.sampled_from([P, Q, S, P[0], number(2), number(-3), number(0.5)])
@@ -33,7 +34,7 @@ def test_what_operators_make_is_what_its_text_means(x: Node) -> None:
     assert parse(to_text(x)) == x
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("made", "text"),
     [
         (1 + P * Q - 2 * S, "1 + p*q - 2*s"),

@@ -14,6 +14,8 @@ import rotation
 from hfield import H
 from tests.thorough import cases
 
+pytestmark = pytest.mark.slow
+
 PROCESSES = cases(20)
 SCRIPT = Path(__file__).parent.parent / "scripts" / "stress_threads.py"
 NO_CALLS = {"DTypeError", "ForeignArrayError", "RotationError", "ZeroRotationError", "Screw"}

@@ -10,6 +10,7 @@ from hfield.proving.prove import prove
 from tests.adversary.forging.targets import Target
 from tests.adversary.judgement import judge
 from tests.certificates.ring_data import data_of
+from tests.subcases import subcases
 
 IDENTITY = {"kind": "identity"}
 NOTHING = {"kind": "none exists", "proof": IDENTITY}
@@ -114,7 +115,7 @@ FILES = [
 ]
 
 
-@pytest.mark.parametrize(("target", "evidence"), FILES, ids=range(len(FILES)))
+@subcases(("target", "evidence"), FILES)
 def test_the_file_is_rejected(target: Target, evidence: dict[str, Any]) -> None:
     for method in (
         "identity",
@@ -199,7 +200,7 @@ SCOPES = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "field", "algebra"), SCOPES)
+@subcases(("statement", "field", "algebra"), SCOPES)
 def test_the_answer_claims_no_more_than_is_so(
     statement: str, field: str | None, algebra: str | None
 ) -> None:

@@ -4,9 +4,8 @@ import io
 import json
 from contextlib import redirect_stderr, redirect_stdout
 
-import pytest
-
 from hfield.cli import main
+from tests.subcases import subcases
 
 STATEMENTS = [
     *("", " ", "\x00", "\ud800", "p" * 20_001, "(" * 500 + "p" + ")" * 500, "-" * 3_000 + "p == p"),
@@ -157,21 +156,21 @@ def ends_well(*words: str) -> None:
     (out.getvalue() + err.getvalue()).encode()
 
 
-@pytest.mark.parametrize("text", STATEMENTS, ids=range(len(STATEMENTS)))
+@subcases("text", STATEMENTS)
 def test_statements_and_terms(text: str) -> None:
     ends_well("prove", text, "--timeout", "1")
     ends_well("prove", text, "--timeout", "1", "--field", "GF(3)")
     ends_well("eval", text, "--field", "RR")
 
 
-@pytest.mark.parametrize("name", FIELDS, ids=range(len(FIELDS)))
+@subcases("name", FIELDS)
 def test_fields(name: str) -> None:
     ends_well("prove", "p*q == q*p", f"--field={name}", "--timeout", "1")
     ends_well("eval", "i*j", f"--field={name}")
     ends_well("info", f"(-1,-1|{name})")
 
 
-@pytest.mark.parametrize("name", ALGEBRAS, ids=range(len(ALGEBRAS)))
+@subcases("name", ALGEBRAS)
 def test_algebras(name: str) -> None:
     ends_well("prove", "norm(q) == 0 => q == 0", f"--algebra={name}", "--timeout", "1")
     ends_well("info", name)

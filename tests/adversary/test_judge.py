@@ -17,6 +17,7 @@ from tests.adversary.ring_names import name_of
 from tests.adversary.test_breaks import FILES
 from tests.adversary.test_forgeries import pool
 from tests.certificates.ring_data import Data, data_of
+from tests.subcases import subcases
 
 WORDS = (
     ("division", "QQ", True), ("division", "GF(3)", False), ("division", "QQ(sqrt(-7))", True),
@@ -65,7 +66,7 @@ def test_what_is_false_is_called_false() -> None:
     assert blind <= UNSEEN | TRUE_WITH_BAD_EVIDENCE
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("statement", "field", "verdict", "values", "right"),
     [
         ("p*q == q*p", "QQ", "refuted", {"p": "0 1 0 0", "q": "0 0 1 0"}, True),
@@ -88,12 +89,12 @@ def test_witnesses_are_evaluated(
     assert (not said(Target(statement, field, verdict).certificate(evidence))) is right
 
 
-@pytest.mark.parametrize("field", NO_FIELDS)
+@subcases("field", NO_FIELDS)
 def test_there_is_no_such_ring(field: str) -> None:
     assert said(Target("s == s", field).certificate(None)).startswith("there is no ring")
 
 
-@pytest.mark.parametrize(("name", "data"), NO_RINGS)
+@subcases(("name", "data"), NO_RINGS)
 def test_these_are_the_data_of_no_ring(name: str, data: Data) -> None:
     assert said(Target("s == s", name).certificate(None, ring=data))
     with pytest.raises(NotRead):
@@ -111,7 +112,7 @@ def test_data_that_are_not_those_of_the_name(name: str) -> None:
         assert said(claim) == f"the data are not those of {other!r}"
 
 
-@pytest.mark.parametrize(("statement", "field", "truth"), WORDS)
+@subcases(("statement", "field", "truth"), WORDS)
 def test_words(statement: str, field: str | None, truth: bool) -> None:
     proved, refuted = (
         said(Target(statement, field, verdict).certificate(None))

@@ -16,9 +16,11 @@ from tests.adversary.names.lookalikes import (
     wrong_in,
 )
 from tests.adversary.names.reader import read
+from tests.subcases import subcases
 
 
-@pytest.mark.parametrize("group", range(len(GROUPS)))
+@pytest.mark.slow
+@subcases("group", range(len(GROUPS)))
 def test_no_field_passes_for_another(group: int) -> None:
     tally: Counter[tuple[str, bool]] = Counter()
     for how, data in forged(group):
@@ -30,7 +32,7 @@ def test_no_field_passes_for_another(group: int) -> None:
     assert sum(tally.values()) > 50
 
 
-@pytest.mark.parametrize("group", range(len(GROUPS)))
+@subcases("group", range(len(GROUPS)))
 def test_what_is_forged_is_genuine(group: int) -> None:
     """So are the certificates before they are forged, with ``over`` too, and their verdicts are facts."""
     found = list(genuine(group))

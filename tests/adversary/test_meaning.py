@@ -10,6 +10,7 @@ from tests.adversary.meaning import read_algebra, read_claim
 from tests.adversary.scalars import named, value_of
 from tests.adversary.small_rings import galois, rings
 from tests.adversary.statement_generator import cases
+from tests.subcases import subcases
 
 LAWS = (
     "(p*q)*r == p*(q*r)",
@@ -29,7 +30,7 @@ def test_laws_hold_in_every_algebra_over_every_ring(law: str) -> None:
     assert counterexample(claim, rings(), random.Random(0), 60) is None
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("statement", "true_over", "false_over"),
     [
         ("q*j == j*q", {"GF(2)", "F2[e]/e^2"}, {"GF(3)", "Z/4", "GF(2) x GF(3)"}),

@@ -28,6 +28,7 @@ from tests.adversary.names.numbers import Data, modulus_of
 from tests.adversary.names.places import NUMBER_FIELDS
 from tests.adversary.names.reader import read
 from tests.adversary.names.voices import checker_contradicts, prover_contradicts
+from tests.subcases import subcases
 from tests.thorough import cases
 
 # Names that once meant one field to the prover, another to the checker or to a reader; or a ring by mistake.
@@ -57,7 +58,7 @@ REFUSED = (
 CHUNKS = range(cases(5))
 
 
-@pytest.mark.parametrize("text", MEAN)
+@subcases("text", MEAN)
 def test_what_names_mean(text: str) -> None:
     out = Outcome()
     judge_name(text, out)
@@ -65,7 +66,7 @@ def test_what_names_mean(text: str) -> None:
     assert ring(text).name == MEAN[text]
 
 
-@pytest.mark.parametrize("text", REFUSED)
+@subcases("text", REFUSED)
 def test_what_is_no_name(text: str) -> None:
     out = Outcome()
     judge_name(text, out)
@@ -83,6 +84,7 @@ def test_names_mean_one_thing(chunk: int) -> None:
     assert out.tally["rings asked about"] > 70
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("chunk", CHUNKS)
 def test_data_have_one_name_and_come_back(chunk: int) -> None:
     out = run_data(300, 7_100 + chunk)
@@ -91,6 +93,7 @@ def test_data_have_one_name_and_come_back(chunk: int) -> None:
     assert out.tally["rejected"] > 50
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "kind",
     [
@@ -131,7 +134,7 @@ ANOTHER = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "other"), ANOTHER)
+@subcases(("name", "other"), ANOTHER)
 def test_the_judge_sees(name: str, other: str) -> None:
     for one, two in ((name, other), (other, name)):
         known = facts(read(one))

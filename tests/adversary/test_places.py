@@ -23,6 +23,7 @@ from tests.certificates.ring_data import (
     real,
     split,
 )
+from tests.subcases import subcases
 
 PRIMES = (2, 3, 5, 7, 11, 13, 97, 1_000_003)
 
@@ -91,6 +92,7 @@ def test_an_odd_prime_is_taken_exactly_where_the_symbol_is_minus_one() -> None:
     assert min(found.values()) > 40
 
 
+@pytest.mark.slow
 def test_nothing_is_taken_where_all_symbols_are_one() -> None:
     """At primes, and at odd numbers that are none: then one of their primes has to have the symbol −1."""
     rng, taken, composite = random.Random(2), 0, 0
@@ -181,7 +183,8 @@ def _quaternion(entries: tuple[str, ...], rng: random.Random) -> list[str]:
     return [rng.choice((*entries, "0", "0")) for _ in range(4)]
 
 
-@pytest.mark.parametrize("field", FIELDS)
+@pytest.mark.slow
+@subcases("field", FIELDS)
 def test_no_reason_is_taken_for_an_algebra_that_splits(field: str) -> None:
     rng = random.Random(field)
     entries = FIELDS[field][0]
@@ -218,7 +221,7 @@ def test_each_kind_of_reason_is_taken_somewhere() -> None:
     assert not is_certified("(-x,-1|QQ(x))", "QQ(x)", {**special, "at": "-1"})
 
 
-@pytest.mark.parametrize(
+@subcases(
     "place",
     [
         *map(number, (4, 1, 0, -3, 9, 6, 12, 2, "3", "٣", 3.0, True, None, [3])),
@@ -235,7 +238,6 @@ def test_each_kind_of_reason_is_taken_somewhere() -> None:
             {},
         ),
     ],
-    ids=str,
 )
 def test_what_is_no_place_of_q(place: Any) -> None:
     data = at(place, *diagonal(3, -1, 3))
@@ -243,7 +245,7 @@ def test_what_is_no_place_of_q(place: Any) -> None:
     assert is_certified("(3,-1|QQ)", "QQ", {**data, "place": number(3)})
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("field", "place"),
     [
         ("QQ(sqrt(-7))", number(2)),  # splits

@@ -27,6 +27,7 @@ from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.finite import is_prime
 from tests.certificates.ring_data import finite, read_field
+from tests.subcases import subcases
 
 SETTINGS = settings(max_examples=40, derandomize=True, deadline=None, database=None)
 VARIABLES = ("q[0]", "q[3]", "s", "sqrt(2)", "x")
@@ -110,7 +111,7 @@ def test_no_product_carries_into_another_variable(variable):
             NAMES.read(written, "f")
 
 
-@pytest.mark.parametrize(
+@subcases(
     "written",
     [
         *(

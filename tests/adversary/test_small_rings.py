@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from tests.adversary.small_rings import MAX_ORDER, Table, galois, rings
+from tests.subcases import subcases
 
 
-@pytest.mark.parametrize("ring", rings(), ids=lambda r: r.name)
+@subcases("ring", rings())
 def test_axioms(ring: Table) -> None:
     n, plus, times = ring.order, ring.plus, ring.times
     x = np.arange(n)

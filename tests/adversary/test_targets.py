@@ -2,14 +2,13 @@
 
 import random
 
-import pytest
-
 from tests.adversary.falsify import counterexample, is_true, one_place, sampled, somewhere_satisfied
 from tests.adversary.forging.targets import CLAUSES, OTHERS, Target
 from tests.adversary.judgement import rings_of
 from tests.adversary.meaning import read_claim
 from tests.adversary.scalars import named
 from tests.adversary.small_rings import Table, rings
+from tests.subcases import subcases
 
 # False over these fields by theorems that no sampling shows.
 KNOWN = {
@@ -34,7 +33,7 @@ KNOWN = {
 }
 
 
-@pytest.mark.parametrize("target", [*CLAUSES, *OTHERS], ids=str)
+@subcases("target", [*CLAUSES, *OTHERS])
 def test_the_target_is_false(target: Target) -> None:
     rng = random.Random(1)
     ring = None if target.field is None else named(target.field)

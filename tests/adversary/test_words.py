@@ -17,6 +17,7 @@ from tests.adversary.words import split, truth_everywhere, truth_over
 from tests.certificates.cases import with_rings
 from tests.certificates.hand_made import setting
 from tests.certificates.ring_data import data_of
+from tests.subcases import subcases
 from tests.thorough import pairwise
 
 FIELDS = (None, "RR", "GF(2)", "GF(3)")
@@ -76,6 +77,7 @@ def accepted(word: str) -> dict[tuple[str, str | None], dict[str, list[Finding]]
     return out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("word", WORDS)
 def test_what_is_accepted_is_true_and_not_false(word: str) -> None:
     found = accepted(word)
@@ -105,8 +107,8 @@ def left_out(text: str, field: str | None, verdict: str) -> tuple[str, ...]:
     return inside[0] if inside else ()
 
 
-@pytest.mark.parametrize("letter", "pqruvw")
-@pytest.mark.parametrize("base", ["QQ", "GF(2)", "GF(3)"])
+@subcases("letter", "pqruvw")
+@subcases("base", ["QQ", "GF(2)", "GF(3)"])
 def test_a_variable_called_like_a_quaternion_is_none(letter: str, base: str) -> None:
     """What a word says of all quaternions is not shown by what holds of an element of the field."""
     field = f"{base}({letter})"
@@ -119,8 +121,8 @@ def test_a_variable_called_like_a_quaternion_is_none(letter: str, base: str) -> 
                 establish_any("modulus-exists", here, "proved", IDENTITY)
 
 
-@pytest.mark.parametrize("blank", ["\u00a0", "\u2003", "\u3000", "\x1c", "\x85"])
-@pytest.mark.parametrize(
+@subcases("blank", ["\u00a0", "\u2003", "\u3000", "\x1c", "\x85"])
+@subcases(
     "text",
     [
         "every{{{0}1 == 1}}",

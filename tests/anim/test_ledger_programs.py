@@ -65,6 +65,7 @@ MUTANTS = {
 ROOMS = ("optimised", "euler_angles", "quaternion_matrix")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("line", MUTANTS)
 def test_what_is_proved_is_the_code(line: str) -> None:
     mutant, expected = MUTANTS[line]

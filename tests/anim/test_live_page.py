@@ -13,7 +13,7 @@ from anim.viewer import Show, page
 from tests.anim.chromium import Browser
 from tests.anim.test_viewer import SPIN, needs_chromium, settle, yellow
 
-pytestmark = needs_chromium
+pytestmark = [pytest.mark.slow, needs_chromium]
 TOP = HeavyTop(Body.turned(Model().profile), Launch(), 10.0)
 
 

@@ -147,6 +147,7 @@ def test_sheet(scene: Scene, raw: np.ndarray) -> None:
     assert sheet(raw[:1], [0]).shape == (height + 12, width + 12, 3)
 
 
+@pytest.mark.slow
 def test_frames_are_the_same_in_other_processes(scene: Scene, raw: np.ndarray) -> None:
     from hfield.executors import open_executor
 

@@ -112,6 +112,7 @@ def limited(*words: str, size: int) -> subprocess.CompletedProcess[str]:
 COMMAND = (sys.executable, "-m", "hfield", "render", "--size", "160x120", "--points", "60")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["top.mp4", "top.gif", "top", "top.html"])
 def test_a_full_disk_is_one_clear_message(tmp_path: Path, name: str) -> None:
     # PNG pictures of this size take about 2 KB each, so that the limit must be lower there.
@@ -128,6 +129,7 @@ def test_a_full_disk_is_one_clear_message(tmp_path: Path, name: str) -> None:
     assert os.listdir(tmp_path) == []
 
 
+@pytest.mark.slow
 def test_killed_in_the_middle_it_leaves_no_film_and_the_next_run_cleans_up(tmp_path: Path) -> None:
     path = tmp_path / "top.mp4"
     words = [*COMMAND, "--frames", "100000", "-o", str(path)]

@@ -14,7 +14,7 @@ from anim.viewer import Curve, Show, page, seeing
 from tests.anim.chromium import Browser, axe_core
 from tests.anim.test_viewer import SPIN, needs_chromium, settle
 
-pytestmark = needs_chromium
+pytestmark = [pytest.mark.slow, needs_chromium]
 TOP = FreeTop(Body.turned(Model().profile), STORY[0], 10.0, STORY[1])
 
 

@@ -16,6 +16,7 @@ from anim.physics.contact import follow_compiled
 from anim.physics.integrator import run_compiled
 from tests.anim.steps import kept
 from tests.anim.test_physics_motion import LAUNCHES
+from tests.subcases import subcases
 
 NODE = shutil.which("node")
 SOURCES = [Path(anim.viewer.__file__).parent / name for name in ("heavy_top.js", "free_top.js")]
@@ -30,7 +31,10 @@ TEN = [
     Launch(spin=15.0, tilt=0.6, gravity=0.0, heading=2.0),
 ]
 
-pytestmark = pytest.mark.skipif(NODE is None, reason="needs node (Debian: nodejs)")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(NODE is None, reason="needs node (Debian: nodejs)"),
+]
 
 
 def javascript(program: str, **data):
@@ -80,7 +84,7 @@ def follow(top, h, steps, every):
     )
 
 
-@pytest.mark.parametrize("launch", TEN)
+@subcases("launch", TEN)
 def test_ten_launches_go_as_in_python_for_ten_seconds(launch):
     top = HeavyTop(BODY, launch, 10.0)
     states, landed = kept(run_compiled, top.start, top.step, top.steps, 16, top.rates)

@@ -91,6 +91,7 @@ def in_space(top, times):
     return found.y.T
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("launch", "contact"), SLIDING[:2])
 def test_the_motion_is_that_of_another_formulation(launch, contact):
     top = FreeTop(BODY, replace(launch, tilt_decay=9.0, spin_decay=7.0), 1.0, contact)

@@ -7,6 +7,7 @@ from anim.model import Model
 from anim.picture import Camera, Look, merge, painter
 from anim.picture.styles import flat, shaded
 from tests.anim.cones import NOTHING, interior, nearest, random_rotation, reference
+from tests.subcases import subcases
 from tests.thorough import cases
 
 # A colour of its own for each piece and band, far apart from each other.
@@ -62,13 +63,15 @@ def share_wrong(brush, rotations) -> float:
     return bad / total
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("style", ["flat", "classic", "shaded"])
 def test_depth_is_right_in_many_attitudes(style, attitudes):
     brush = coloured(Model(), Look(SIZE, style, tilt=180))
     assert share_wrong(brush, attitudes) <= LIMIT
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@subcases(
     "camera",
     [
         Camera(30, 75, perspective=False),
@@ -76,9 +79,8 @@ def test_depth_is_right_in_many_attitudes(style, attitudes):
         Camera(0, 0, zoom=1.1),
         Camera(-60, 90),
     ],
-    ids=str,
 )
-@pytest.mark.parametrize("style", ["flat", "classic", "shaded"])
+@subcases("style", ["flat", "classic", "shaded"])
 def test_depth_is_right_from_other_cameras(style, camera, attitudes):
     brush = coloured(Model(p2="third"), Look(SIZE, style, camera, tilt=180))
     assert share_wrong(brush, attitudes[:8]) <= LIMIT

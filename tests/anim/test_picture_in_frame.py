@@ -11,6 +11,7 @@ from anim.picture.look import FILM_LOOK
 from anim.pipelines import PIPELINES, kinematic
 from anim.rendering import Scene, framed, frames
 from tests.anim.test_picture_projection import about_y, about_z
+from tests.subcases import subcases
 
 FILM = clip(frames=9)
 HD, WIDE, TALL, SMALL = (1920, 1080), (400, 90), (90, 400), (64, 48)
@@ -38,8 +39,9 @@ def empty_room(scene):
     return painter(scene.model, scene.look).canvas.rgb()
 
 
-@pytest.mark.parametrize("motion", MOTIONS)
-@pytest.mark.parametrize("size", [HD, WIDE, TALL, SMALL], ids=str)
+@pytest.mark.slow
+@subcases("motion", MOTIONS)
+@subcases("size", [HD, WIDE, TALL, SMALL])
 def test_the_default_film(motion, size):
     look = Look(size, FILM_LOOK.style, trace=True, shadow=True, quality=1)
     scene = scene_of(MOTIONS[motion], look)
@@ -48,8 +50,9 @@ def test_the_default_film(motion, size):
     assert on_the_edge(mask) == [False] * 4
 
 
-@pytest.mark.parametrize("style", STYLES)
-@pytest.mark.parametrize("camera", CAMERAS, ids=str)
+@pytest.mark.slow
+@subcases("style", STYLES)
+@subcases("camera", CAMERAS)
 def test_long_shadows_from_every_side(style, camera):
     scene = scene_of(MOTIONS["a fall"], Look((320, 180), style, camera, trace=True, shadow=True))
     assert on_the_edge(drawn(frames(scene), empty_room(scene))) == [False] * 4

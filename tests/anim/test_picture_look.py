@@ -4,9 +4,10 @@ import pytest
 from anim.errors import AnimationError
 from anim.model import Model
 from anim.picture import STYLES, Camera, Look, painter
+from tests.subcases import subcases
 
 
-@pytest.mark.parametrize(
+@subcases(
     "values",
     [
         {"size": (0, 10)},
@@ -29,7 +30,6 @@ from anim.picture import STYLES, Camera, Look, painter
         {"tilt": 181},
         {"tilt": float("nan")},
     ],
-    ids=str,
 )
 def test_looks_that_make_no_sense_are_refused(values):
     with pytest.raises(AnimationError, match=r"expected|is a"):
@@ -69,8 +69,8 @@ def test_looks_are_values():
     assert Look(shadow=True) != Look()
 
 
-@pytest.mark.parametrize("style", STYLES)
-@pytest.mark.parametrize("size", [(1, 1), (1, 30), (31, 2), (33, 27), (641, 5)], ids=str)
+@subcases("style", STYLES)
+@subcases("size", [(1, 1), (1, 30), (31, 2), (33, 27), (641, 5)])
 def test_any_size_is_drawn(style, size):
     look = Look(size, style, trace=True, shadow=True)
     trail = [[0, 0, 3.0], [0, 3.0, 0], [3.0, 0, 0]]

@@ -282,6 +282,7 @@ def test_on_dark_paper_the_black_of_the_top_is_seen():
     assert dark[black].max(axis=-1).mean() > light[black].max(axis=-1).mean() + 8
 
 
+@pytest.mark.slow
 def test_an_open_shutter_shows_the_mean_of_many_moments_without_steps():
     """Eight moments, one sample a pixel each, are nearer to eighty than the mean of eight pictures."""
     brush = painter(Model(), Look((640, 480), "shaded", tilt=30))

@@ -10,6 +10,7 @@ from anim.film import clip
 from anim.pipelines import PIPELINES, compare, kinematic
 from anim.timeline import Timeline
 from rotation import thesis
+from tests.subcases import subcases
 
 POINTS = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.3, -0.2, 3.0]]
 
@@ -68,9 +69,9 @@ def test_every_frame_is_that_of_the_thesis_functions(pipeline):
     assert abs(ours - wanted).max() < 1e-13
 
 
-@pytest.mark.parametrize("angle", ["quarter", "half", "axis"])
-@pytest.mark.parametrize("order", ["spin-first", "tilt-first"])
-@pytest.mark.parametrize("spin", ["absolute", "accumulated"])
+@subcases("angle", ["quarter", "half", "axis"])
+@subcases("order", ["spin-first", "tilt-first"])
+@subcases("spin", ["absolute", "accumulated"])
 def test_the_quaternion_pipelines_agree_to_rounding_and_euler_does_not(angle, order, spin):
     together = compare(reading=Timeline(spin, order, angle))
     for first in ("quaternions", "product", "matrix"):

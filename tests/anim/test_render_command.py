@@ -72,6 +72,7 @@ def test_the_sheet(capsys, tmp_path: Path) -> None:
     assert "expected a name such as sheet.png" in err
 
 
+@pytest.mark.slow
 def test_preview_is_small_and_quick(capsys, tmp_path: Path) -> None:
     words = ("--preview", "--points", "30", "-o", tmp_path / "t.mp4", "--format", "json")
     status, out, _ = run(capsys, *words)
@@ -253,6 +254,7 @@ def test_the_figures_of_section_3(capsys, tmp_path: Path) -> None:
     assert paths[0].read_bytes() == before
 
 
+@pytest.mark.slow
 def test_a_home_that_cannot_be_written_is_not_worth_a_word(tmp_path: Path) -> None:
     places = {"HOME": "/dev/null", "TMPDIR": str(tmp_path), "PATH": os.environ["PATH"]}
     words = [sys.executable, "-m", "hfield", "render", *SMALL, "--jobs", "2", "--bands", "1"]
@@ -262,6 +264,7 @@ def test_a_home_that_cannot_be_written_is_not_worth_a_word(tmp_path: Path) -> No
     assert "atplotlib" not in done.stderr
 
 
+@pytest.mark.slow
 def test_the_time_left_is_told_on_a_terminal(tmp_path: Path) -> None:
     import pty
 

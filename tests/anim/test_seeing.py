@@ -30,6 +30,7 @@ def put(browser: Browser, name: str, value: object) -> None:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("prime", [3, 5])
 def test_the_corners_modulo_a_prime_are_the_units_product_for_product(browser, prime: int) -> None:
     put(browser, "space", prime)

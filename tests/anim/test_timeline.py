@@ -15,6 +15,7 @@ from anim.motion import Motion
 from anim.pipelines import PIPELINES, kinematic
 from anim.timeline import Timeline
 from rotation.vectors import from_axis_angle
+from tests.subcases import subcases
 
 UP = [0.0, 0.0, 1.0]
 
@@ -24,7 +25,7 @@ def spinning(rate, film):
     return Motion.sample("spin", film, lambda t: from_axis_angle(UP, rate * t))
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("given_", "made"),
     [
         ({}, (500, 50, 10)),
@@ -51,7 +52,7 @@ def test_two_numbers_make_a_film(given_, made):
         assert film.time_scale == pytest.approx(given_["time_scale"])
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("given_", "words"),
     [
         ({"frames": 0}, "frames is 0; expected a number from 1"),

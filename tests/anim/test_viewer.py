@@ -9,6 +9,8 @@ from anim.model import Model
 from anim.viewer import Curve, Show, page
 from tests.anim.chromium import CHROMIUM, Browser
 
+pytestmark = pytest.mark.slow
+
 FRAMES = 50
 MODEL = Model(ring=60)
 

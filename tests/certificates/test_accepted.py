@@ -17,6 +17,7 @@ from tests.certificates.cases import (
 )
 
 
+@pytest.mark.slow
 def test_certificates_of_prove_are_accepted() -> None:
     found = certificates()
     assert len(found) > 0.95 * (len(STATEMENTS) * len(FIELDS) + len(ALGEBRAS))

@@ -46,6 +46,7 @@ def conjugated(order: Any, x: Any) -> Any:
     return (x * order * x.inverse()).left_order()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("field", FIELDS)
 def test_the_true_ones_are_accepted(field: str) -> None:
     verdicts = set()
@@ -63,6 +64,7 @@ def test_the_true_ones_are_accepted(field: str) -> None:
     assert ("refuted", "discriminant") in verdicts
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("field", FIELDS)
 def test_what_is_equivalent_is_not_shown_to_be_none(field: str) -> None:
     """The evidence of a false refusal is made as for a true one."""

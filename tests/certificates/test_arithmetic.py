@@ -8,6 +8,7 @@ from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
 from hfield.rings import ring
 from tests.certificates import ring_data as data
+from tests.subcases import subcases
 
 COMMUTATIVE_RINGS = (
     *("QQ", "ZZ", "ZZ/12", "GF(13)", "GF(4)", "GF(9)", "GF(9, x^2+1)", "GF(2^8)", "GF(125)"),
@@ -24,7 +25,7 @@ COMMUTATIVE_RINGS = (
 )
 
 
-@pytest.mark.parametrize("name", COMMUTATIVE_RINGS)
+@subcases("name", COMMUTATIVE_RINGS)
 def test_arithmetic_agrees(name: str) -> None:
     F = ring(name)
     G = read_ring(F.data)
@@ -66,7 +67,7 @@ NO_RINGS = (
 )
 
 
-@pytest.mark.parametrize(("ring", "why"), NO_RINGS)
+@subcases(("ring", "why"), NO_RINGS)
 def test_what_is_no_ring(ring: data.Data, why: str) -> None:
     with pytest.raises(Rejected, match=why):
         read_ring(ring)

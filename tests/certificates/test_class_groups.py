@@ -18,6 +18,7 @@ from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.number_fields import NumberField
 from tests.certificates.cases import Certificate
 from tests.certificates.order_certificates import established, mutated, rejects
+from tests.subcases import subcases
 
 FIELDS = (
     "QQ(sqrt(-1))", "QQ(sqrt(-21))", "QQ(sqrt(-4027))", "QQ(sqrt(5))", "QQ(sqrt(94))", "QQ(sqrt(82))",
@@ -35,7 +36,7 @@ def both(name: str) -> tuple[Certificate, Certificate]:
     return classes, units
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@subcases("name", FIELDS)
 def test_the_true_ones_are_accepted(name: str) -> None:
     for data in both(name):
         found = established(json.loads(json.dumps(data)))
@@ -57,7 +58,8 @@ def test_what_they_state() -> None:
     assert both("QQ(zeta5)")[1]["statement"].startswith("unit-group{10; ")
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.slow
+@subcases("name", FIELDS)
 def test_no_other_statement_passes(name: str) -> None:
     """Other groups are refused; whatever evidence passes after a change shows the same statement."""
     classes, units = both(name)
@@ -155,7 +157,7 @@ FORGED: list[tuple[str, str, Any, str]] = [
 ]
 
 
-@pytest.mark.parametrize(("name", "key", "value", "why"), FORGED)
+@subcases(("name", "key", "value", "why"), FORGED)
 def test_forged_evidence(name: str, key: str, value: Any, why: str) -> None:
     data = both(name)[0]
     rejects({**data, "evidence": {**data["evidence"], key: value}}, why)

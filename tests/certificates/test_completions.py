@@ -33,6 +33,7 @@ from tests.certificates.ring_data import (
     real,
     split,
 )
+from tests.subcases import subcases
 
 FIELDS = (
     "Qp(2)", "Qp(3)", "Qp(5)", "QQ(sqrt(2))_(2)", "QQ(sqrt(2))_(3)", "QQ(I)_(5, I-2)", "QQ(sqrt(5))_(2)",
@@ -48,7 +49,8 @@ def is_certified(algebra, name, reason):
     return certifies(algebra, data_of(name), reason)
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.slow
+@subcases("name", FIELDS)
 def test_every_division_algebra_is_certified_and_no_split_one(name):
     F, rng, seen = ring(name), Random(3), set()
     t = int(F.characteristic == 2)
@@ -80,7 +82,7 @@ def test_what_holds_over_the_global_field_alone_is_not_used(by):
     assert not is_certified(f"(-1,-1|{name})", name, {"by": by})
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("of", "place", "why"),
     [
         *((QQ, number(n), "are at prime numbers") for n in (4, 15, 3215031751)),
@@ -182,7 +184,7 @@ def test_a_witness_in_a_subfield_with_a_root_that_hensel_lifts(statement, algebr
     assert check(data).field == ring(data["field"]).name
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("changes", "why"),
     [
         ({"root": "0"}, "not so near"),

@@ -14,6 +14,7 @@ from hfield.certificates.rejection import (
 from tests.certificates.cases import about_field, certified
 from tests.certificates.hand_made import IDENTITY, direct, ends, implication, opposite, rejects
 from tests.certificates.ring_data import data_of
+from tests.subcases import subcases
 
 # --- exhaustion, witness, existence --------------------------------------------------------------
 
@@ -194,7 +195,7 @@ def test_what_another_ring_shows() -> None:
     rejects(goal, "no common zero")
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("text", "field", "evidence", "good"),
     [
         ("exists s: s**3 == 2", "RR", {"by": "odd degree"}, True),

@@ -34,6 +34,7 @@ from tests.certificates.hand_made import (
     setting,
 )
 from tests.certificates.ring_data import read_field
+from tests.subcases import subcases
 
 # --- JSON values ---------------------------------------------------------------------------------
 
@@ -92,7 +93,7 @@ def test_nothing_but_rejected_leaves_the_checker(monkeypatch: pytest.MonkeyPatch
 # --- reading -------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
+@subcases(
     "text",
     [
         *("q" * 20_001 + " == q", "(" * 101 + "q" + ")" * 101 + " == q", "q == " + "+".join(["q"] * 202)),
@@ -126,7 +127,7 @@ def test_trees() -> None:
     assert parse("p => q == q => r == r")[2][0] == "=>"
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("algebra", "field"),
     [
         ("(norm(a),-1|F)", None),

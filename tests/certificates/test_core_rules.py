@@ -14,6 +14,7 @@ from hfield.proving.prove import prove
 from tests.certificates.cases import about_field, certified
 from tests.certificates.hand_made import IDENTITY, direct, ends, implication, opposite, rejects
 from tests.certificates.ring_data import data_of
+from tests.subcases import subcases
 
 # --- rules of a field ----------------------------------------------------------------------------
 
@@ -324,7 +325,7 @@ REFUTED = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "field", "method"), REFUTED)
+@subcases(("statement", "field", "method"), REFUTED)
 def test_a_refutation_is_named_by_what_is_refuted(statement: str, field: str, method: str) -> None:
     answer = prove(statement, field)
     assert answer.verdict == "refuted"

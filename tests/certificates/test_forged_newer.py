@@ -30,6 +30,7 @@ from tests.certificates.ring_data import (
     split,
 )
 from tests.certificates.test_orders import true_ones
+from tests.subcases import subcases
 
 LIPSCHITZ = "1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 0,0,0,1"
 HURWITZ = "1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2"
@@ -93,7 +94,7 @@ LATTICES = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "method", "evidence"), LATTICES)
+@subcases(("statement", "method", "evidence"), LATTICES)
 def test_lattices_are_what_they_are(statement: str, method: str, evidence: Any) -> None:
     for verdict in ("proved", "refuted", "vacuous"):
         rejects(forged(statement, "QQ", verdict, method, evidence), ".")
@@ -128,7 +129,7 @@ DENIED = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "method", "kind", "more"), DENIED)
+@subcases(("statement", "method", "kind", "more"), DENIED)
 def test_what_is_there_is_not_denied(statement: str, method: str, kind: str, more: Any) -> None:
     rejects(forged(statement, "QQ", "refuted", method, {"kind": kind, **more}), ".")
 
@@ -230,7 +231,7 @@ LEVELS = [
 ]
 
 
-@pytest.mark.parametrize(("field", "level"), LEVELS)
+@subcases(("field", "level"), LEVELS)
 def test_a_level_is_not_above_what_it_is(field: str, level: int) -> None:
     for bound in (level, level + 1, 9_999):
         rejects(forged(f"level-above{{{bound}}}", field, "proved", "level", {"kind": "level"}), ".")
@@ -266,7 +267,7 @@ SQUARES = [
 ]
 
 
-@pytest.mark.parametrize(("field", "square"), SQUARES)
+@subcases(("field", "square"), SQUARES)
 def test_a_square_is_never_a_polynomial_without_roots(field: str, square: str) -> None:
     f = f"s**2 - {square}".replace("- -", "+ ").replace("- 5+", "- 5 - ")
     step = {"step": "no root", "polynomial": f, "cofactors": ["1"], "denominator": 1}
@@ -323,7 +324,7 @@ NO_PLACES: list[tuple[Field, Any]] = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("field", "place"), NO_PLACES)
+@subcases(("field", "place"), NO_PLACES)
 def test_no_place_shows_a_split_algebra_to_be_a_division_algebra(field: Field, place: Any) -> None:
     for u, j in product(
         (HALVES, ["0", "1", "0", "0"], ["0", "1", "1", "0"]),
@@ -366,7 +367,7 @@ SUBFIELDS: list[tuple[str, Field, str | Data, str, str]] = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "field", "inner", "root", "value"), SUBFIELDS)
+@subcases(("statement", "field", "inner", "root", "value"), SUBFIELDS)
 def test_a_root_that_is_not_there_embeds_nothing(
     statement: str, field: Field, inner: str | Data, root: str, value: str
 ) -> None:
@@ -453,7 +454,7 @@ ROOTLESS = [
 ]
 
 
-@pytest.mark.parametrize(("equation", "field"), ROOTLESS)
+@subcases(("equation", "field"), ROOTLESS)
 def test_no_theorem_gives_a_root_that_is_not_there(equation: str, field: str) -> None:
     name = "q" if "q" in equation.replace("sqrt", "") else "s"
     for evidence, theorem in ROOTS:

@@ -49,6 +49,7 @@ def calls(name: str, *folders: str) -> Iterator[ast.Call]:
                 yield node
 
 
+@pytest.mark.slow
 def test_every_decision_speaks_in_these_words() -> None:
     found = [
         (set(written(c, 0, "verdict")), set(written(c, 1, "method")))

@@ -21,6 +21,7 @@ from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.primality import primes
 from tests.certificates.cases import Certificate
 from tests.certificates.order_certificates import changed_and_passed, established, rejects
+from tests.subcases import subcases
 
 ORDERS = (
     ("QQ(sqrt(5))", -1, -1, 1), ("QQ(sqrt(5))", -1, -1, 6), ("QQ(sqrt(2))", -1, -3, 1),
@@ -39,7 +40,8 @@ def genuine(field: str, a: Any, b: Any, level: int) -> Certificate:
     return data
 
 
-@pytest.mark.parametrize("which", ORDERS)
+@pytest.mark.slow
+@subcases("which", ORDERS)
 def test_the_true_ones_are_accepted(which: Any) -> None:
     data = genuine(*which)
     pin = Pin((data["statement"],), data["ring"], data["algebra"])
@@ -53,6 +55,7 @@ def multiplied(values: list[Any], by: int) -> list[Any]:
     return [str(c) if c.denominator > 1 else int(c) for c in found]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("which", ORDERS)
 def test_no_other_number_passes(which: Any) -> None:
     data = genuine(*which)
@@ -128,6 +131,7 @@ def test_zeta_is_that_of_the_prover() -> None:
         assert zeta_minus_one(whole, Factors(whole, listed)) == K.zeta_minus_one()
 
 
+@pytest.mark.slow
 def test_no_number_can_be_changed() -> None:
     """One to three changes anywhere in the evidence: what passes is the statement, which is true."""
     tried, passed = changed_and_passed(2, (genuine(*which) for which in ORDERS), 8, millions=3)

@@ -11,6 +11,7 @@ from hfield.certificates.language import parse
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.statement import HAMILTON
 from tests.certificates.ring_data import read_field
+from tests.subcases import subcases
 
 MODULES = {p.stem for p in Path(evidence.__file__).parent.glob("*.py")} - {"__init__"}
 
@@ -28,8 +29,8 @@ def test_what_each_kind_shows_is_one_of_the_verdicts():
     assert ("proved", True, "none exists") not in checks()
 
 
-@pytest.mark.parametrize("name", ["QQ", "GF(5)", "GF(9)", "QQ(sqrt(2))"])
-@pytest.mark.parametrize("text", ["1/i", "q/p", "e/(1+j)"])
+@subcases("name", ["QQ", "GF(5)", "GF(9)", "QQ(sqrt(2))"])
+@subcases("text", ["1/i", "q/p", "e/(1+j)"])
 def test_what_divides_is_a_scalar(name, text):
     """Elements of GF(9) are tuples as quaternions are: one must not pass for the other."""
     ring = read_field(name)

@@ -11,6 +11,7 @@ from hfield.ledger.claim import PANEL
 from tests.certificates import ring_data as data
 from tests.certificates.cases import decided
 from tests.certificates.ring_data import data_of, read_field
+from tests.subcases import subcases
 
 NAMES = (
     *(name for name in PANEL if name != "universal"),
@@ -19,14 +20,14 @@ NAMES = (
 )
 
 
-@pytest.mark.parametrize("name", NAMES)
+@subcases("name", NAMES)
 def test_data_give_the_name_back(name: str) -> None:
     assert read_field(name).name == name
     assert data_of(name)["kind"] in KINDS
     assert read_field(name).words
 
 
-@pytest.mark.parametrize("name", NAMES)
+@subcases("name", NAMES)
 def test_what_a_kind_says_of_squares_is_so(name: str) -> None:
     R = read_field(name)
     if R.is_field and R.characteristic != 2:

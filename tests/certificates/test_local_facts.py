@@ -30,6 +30,7 @@ from tests.certificates.ring_data import (
     real,
     split,
 )
+from tests.subcases import subcases
 
 FIELDS = (
     *("QQ", "QQ(sqrt(2))", "QQ(I)", "QQ(sqrt(-2))", "QQ(sqrt(-3))", "QQ(sqrt(3))", "QQ(sqrt(5))"),
@@ -77,7 +78,8 @@ def is_finite(v: Any) -> bool:
     return not str(v).startswith("inf") or hasattr(v, "poly")
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.slow
+@subcases("name", FIELDS)
 def test_every_division_algebra_is_certified(name: str) -> None:
     seen = 0
     for F, c, algebra in algebras(name, 25):
@@ -88,7 +90,8 @@ def test_every_division_algebra_is_certified(name: str) -> None:
     assert seen > 5
 
 
-@pytest.mark.parametrize("name", FIELDS[:-1])
+@pytest.mark.slow
+@subcases("name", FIELDS[:-1])
 def test_at_each_ramified_place_and_at_no_other(name: str) -> None:
     """A lattice that shows one algebra to be ramified at a place shows no other to be that is not."""
     shown: dict[str, list[Any]] = {}
@@ -125,6 +128,7 @@ DYADIC = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", DYADIC)
 def test_all_classes_of_squares_above_2(name: str) -> None:
     """Above 2, inert, ramified and split: (a, b) is certified exactly where the symbol is −1."""
@@ -212,7 +216,7 @@ def test_the_hurwitz_order_shows_hamilton() -> None:
     assert is_certified("(-1,-1|QQ)", "QQ", H_IN_QQ)
 
 
-@pytest.mark.parametrize(
+@subcases(
     "changes",
     [
         *(
@@ -272,7 +276,7 @@ SIX = [*numbers(9, 15, 21, 33, 6, 12), *splits((3, 0), (15, 6), (15, 9))]
 ELSE = [real(0), ideal(7), prime(0, 1), INFINITY, {"kind": "complex", "number": 0}]
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("field", "good", "bad"),
     [
         ("QQ", numbers(2, 3, 4611686018427387905), [*numbers(4, 6, 1, 0, -3, "3", 3.0, True), split(7, 3)]),
@@ -373,6 +377,7 @@ def test_squares(name: str) -> None:
             assert G.is_square(G.read(F.text(y))) == (F.sqrt(y) is not None), F.text(y)
 
 
+@pytest.mark.slow
 def test_polynomials_without_rational_roots() -> None:
     rng, told = random.Random(5), {True: 0, False: 0}
     for _ in range(300):
@@ -415,7 +420,7 @@ def test_a_modulus_need_not_be_prime() -> None:
     )
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("algebra", "field"),
     [
         ("(7,-3|QQ(sqrt(2)))", "QQ(sqrt(2))"),

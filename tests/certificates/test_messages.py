@@ -10,6 +10,7 @@ from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
 from tests.certificates.cases import Certificate, certified
 from tests.certificates.ring_data import QQ, number
+from tests.subcases import subcases
 
 IDENTITY = {"kind": "identity"}
 SQUARES = {"form": "squares", "by": "ordering", "most": None, "positive": True}
@@ -179,7 +180,7 @@ def spoilt() -> Iterator[tuple[Certificate, str]]:
             yield data, f"{owner} has an unknown key 'more'"
 
 
-@pytest.mark.parametrize("n", range(len(list(spoilt()))))
+@subcases("n", range(len(list(spoilt()))))
 def test_a_rejection_names_what_is_wrong(n: int) -> None:
     data, said = list(spoilt())[n]
     with pytest.raises(Rejected) as caught:

@@ -37,6 +37,7 @@ from tests.certificates.ring_data import (
     root_field,
 )
 from tests.steps import steps
+from tests.subcases import subcases
 
 
 def refused(data: Data) -> str:
@@ -99,7 +100,7 @@ def test_where_no_prime_helps(f: list[int], right: bool) -> None:
 LONG, CUBE = 4**1000, generated([-2, 0, 0, 1])
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("data", "why"),
     [
         (generated([4, 0, 0, 0, 1]), "may be reducible"),
@@ -214,7 +215,7 @@ def test_sturms_sequence_stays_small() -> None:
         assert is_certified(f"(-1,-1|{name})", data, {"by": "ordering"})
 
 
-@pytest.mark.parametrize("n", [3, 4, 5, 7, 8, 9, 12, 15, 16, 20, 21, 30, 60, 105])
+@subcases("n", [3, 4, 5, 7, 8, 9, 12, 15, 16, 20, 21, 30, 60, 105])
 def test_roots_of_unity(n: int) -> None:
     assert cyclotomic(n) == [int(c) for c in fmpz_poly.cyclotomic(n)]
     # with z + 1/z for s, times z^half, it is the cyclotomic polynomial
@@ -262,7 +263,7 @@ def test_squares_and_levels() -> None:
         assert found == levels, name
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("field", "place", "why"),
     [
         (CUBE, ideal(2, 0, 1, 0), ""),

@@ -10,6 +10,7 @@ from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
 from tests.certificates.cases import certified
 from tests.certificates.ring_data import Data, data_of, ideal, number, prime, split
+from tests.subcases import subcases
 
 ORDERING, LEVEL = {"by": "ordering"}, {"by": "level"}
 
@@ -59,14 +60,14 @@ def refused(algebra: str, field: str, reason: Any) -> str:
     pytest.fail(f"{reason} passes for {algebra}")
 
 
-@pytest.mark.parametrize(("algebra", "field", "reason"), GENUINE)
+@subcases(("algebra", "field", "reason"), GENUINE)
 def test_what_is_genuine_is_accepted(algebra: str, field: str, reason: Any) -> None:
     assert is_certified(algebra, field, reason)
     ring, c = constants_of(algebra, data_of(field))
     assert anisotropic(ring, c, reason, algebra) == ()
 
 
-@pytest.mark.parametrize(("algebra", "field", "reason"), GENUINE)
+@subcases(("algebra", "field", "reason"), GENUINE)
 def test_its_keys_are_complete(algebra: str, field: str, reason: Any) -> None:
     for key in reason:
         left = {k: v for k, v in reason.items() if k != key}
@@ -168,7 +169,7 @@ FORGED: list[tuple[str, str, Any, str]] = [
 ]
 
 
-@pytest.mark.parametrize(("algebra", "field", "reason", "why"), FORGED)
+@subcases(("algebra", "field", "reason", "why"), FORGED)
 def test_what_is_forged_is_rejected(algebra: str, field: str, reason: Any, why: str) -> None:
     assert why in refused(algebra, field, reason)
     assert not is_certified(algebra, field, reason)

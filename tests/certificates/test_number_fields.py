@@ -27,6 +27,7 @@ from tests.certificates.ring_data import (
     root_field,
 )
 from tests.structure.number_field_cases import cases, field
+from tests.subcases import subcases
 
 FIELDS = [case["polynomial"] for case in cases("number_fields")]
 
@@ -43,6 +44,7 @@ def accepted(f: list[int]) -> bool:
     return True
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_irreducible_is_what_flint_does_not_factor(seed: int) -> None:
     """Products are never let pass; nor is much else rejected."""
@@ -70,7 +72,7 @@ def test_irreducible_though_reducible_modulo_every_prime(
     assert read_field(f"QQ[x]/({polynomial})").degree == NumberField(polynomial, "x").degree
 
 
-@pytest.mark.parametrize("n", range(3, 40))
+@subcases("n", range(3, 40))
 def test_cyclotomic_polynomials(n: int) -> None:
     assert cyclotomic(n) == [int(c) for c in fmpz_poly.cyclotomic(n).coeffs()]
     if len(cyclotomic(n)) > 3:
@@ -79,7 +81,7 @@ def test_cyclotomic_polynomials(n: int) -> None:
         assert [int(c.p) for c in ring(name).polynomial.coeffs()] == twice_cosine(n)
 
 
-@pytest.mark.parametrize("polynomial", FIELDS)
+@subcases("polynomial", FIELDS)
 def test_signs_are_those_of_the_real_places(polynomial: str) -> None:
     K, checked, rng = field(polynomial), read_field(f"QQ[x]/({polynomial})"), Random(1)
     assert len(real_roots(checked.modulus)) == K.signature[0]
@@ -89,7 +91,8 @@ def test_signs_are_those_of_the_real_places(polynomial: str) -> None:
         assert signs == (tuple(v.sign(x) for v in K.real_places()) or (None,))
 
 
-@pytest.mark.parametrize("polynomial", FIELDS)
+@pytest.mark.slow
+@subcases("polynomial", FIELDS)
 def test_arithmetic_and_squares(polynomial: str) -> None:
     K, checked, rng = field(polynomial), read_field(f"QQ[x]/({polynomial})"), Random(2)
     for _ in range(3):
@@ -106,7 +109,8 @@ def test_arithmetic_and_squares(polynomial: str) -> None:
         assert square == (K.sqrt(x) is not None)
 
 
-@pytest.mark.parametrize("polynomial", FIELDS)
+@pytest.mark.slow
+@subcases("polynomial", FIELDS)
 def test_levels_are_not_overstated(polynomial: str) -> None:
     K, checked = field(polynomial), read_field(f"QQ[x]/({polynomial})")
     for bound in (1, 2, 3, 4):
@@ -114,6 +118,7 @@ def test_levels_are_not_overstated(polynomial: str) -> None:
     assert checked.level_above(4) == (K.signature[0] > 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "polynomial", ["x^3-x^2-2*x-8", *(f for f in FIELDS if field(f).degree < 7)][::4]
 )
@@ -145,7 +150,7 @@ def test_places_that_ramify_are_certified_and_others_are_not(polynomial: str) ->
 CUBE, QUARTIC = generated([-2, 0, 0, 1]), generated([4, 0, -16, 0, 1])
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("field", "place", "why"),
     [
         (CUBE, ideal(4, 0, 1, 0), "no prime"),
@@ -170,7 +175,7 @@ def test_what_is_no_place_is_rejected(field: Data, place: Data, why: str) -> Non
         read_ring(field).place(place)
 
 
-@pytest.mark.parametrize(
+@subcases(
     "data",
     [
         *(generated(f) for f in ([-4, 0, 0, 0, 1], [-2, 0, 0, 2], [0, 1], ["t", 0, 1], [1, 0, 1, 0])),

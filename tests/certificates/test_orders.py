@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
+import pytest
+
 from hfield import QuaternionAlgebra
 from hfield.certificates.check import Pin
 from hfield.certificates.rejection import Rejected
@@ -97,6 +99,7 @@ def is_true(data: Certificate) -> bool:
     return len(O.class_set()) == int(parts[1])
 
 
+@pytest.mark.slow
 def test_no_number_can_be_changed() -> None:
     """Whatever statement is accepted after a change is true; other keys are given away by any change."""
     rng, tried, accepted = random.Random(4), 0, []

@@ -19,6 +19,7 @@ from hfield.certificates.polynomials import (
 )
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.work import bounded
+from tests.subcases import subcases
 
 NAMES = Names([("name", "s"), ("index", ("name", "q"), 0), ("call", "sqrt", (("num", 2),))])
 S, Q, ROOT = (variable(n) for n in range(3))
@@ -47,7 +48,7 @@ def test_terms_are_read() -> None:
     assert read("s*s*s") == power(S, 3) == read(" s**3 ")
 
 
-@pytest.mark.parametrize(
+@subcases(
     "text",
     [
         *("", " ", "+", "2 3", "s s", "s+", "+-s", "s--s", "2**2", "s**", "s**-1", "s**0", "s**s", "s^2"),

@@ -10,6 +10,7 @@ from hfield.certificates.rejection import Rejected
 from hfield.certificates.vocabulary import presentation
 from hfield.certificates.vocabulary.presentation import read_presentation
 from tests.certificates.cases import Certificate, about_field, certified
+from tests.subcases import subcases
 
 WITH_E = "associative(e, i, j, k): "
 UNITS = "eijk"
@@ -131,7 +132,7 @@ def test_what_is_read() -> None:
     assert read_presentation("associative(x): i == j") is None
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("text", "why"),
     [
         ("associative(i, k, j): i == j => j == i", "expected associative(i, j, k)"),

@@ -6,6 +6,7 @@ from hfield.certificates.check import check
 from hfield.certificates.glossary import QUATERNION_ROOT
 from hfield.certificates.rejection import Rejected
 from tests.certificates.cases import Certificate, about_field, certified
+from tests.subcases import subcases
 
 
 def about(statement: str) -> Certificate:
@@ -17,7 +18,7 @@ NO_SINGLE = "no single monomial has the highest degree"
 SHAPE = "a root is that of one equation in one quaternion"
 
 
-@pytest.mark.parametrize(
+@subcases(
     "equation",
     [
         *("q == r", "q*q == r", "r == q*q", "q**2*i*q + p*q*r + s*q == 1", "-(i*q*j)**2 - q**3 == p"),
@@ -35,7 +36,7 @@ def test_what_has_a_root(equation: str) -> None:
         check({**about(f"exists q: {equation}"), "assumes": []})
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("statement", "why"),
     [
         # i·q − q·i = 1 has no solution, and neither has 0 = 1 or p·q = 1 at p = 0.

@@ -28,6 +28,7 @@ from tests.certificates.ring_data import (
     residues,
     root_field,
 )
+from tests.subcases import subcases
 
 IDENTITY = {
     "schema": "hfield-cert/2",
@@ -85,7 +86,7 @@ def test_each_key_is_needed(key: str) -> None:
     rejects(data, "the schema must be" if key == "schema" else f"lacks the key '{key}'")
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("changes", "why"),
     [
         ({"note": "true"}, "unknown key"),
@@ -291,7 +292,8 @@ def test_lists_of_tuples_must_be_complete() -> None:
     rejects({**data, "statement": "(p*q)*r*p == p*(q*r)*p"}, "not linear")
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@subcases(
     "text",
     [
         "",

@@ -16,13 +16,14 @@ from hfield.rings import ring, ring_of_data
 from tests.certificates import ring_data as made
 from tests.certificates.cases import about_field, certified
 from tests.certificates.ring_data import Data, data_of
+from tests.subcases import subcases
 
 PAGE = (Path(__file__).parents[2] / "docs" / "certificates.md").read_text(encoding="utf-8")
 EXAMPLES = [json.loads(line) for line in re.findall(r'^\{"name": .*\}$', PAGE, re.MULTILINE)]
 IDENTITY = {"kind": "identity"}
 
 
-@pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example["name"])
+@subcases("example", EXAMPLES)
 def test_the_examples_of_the_page(example: dict[str, Any]) -> None:
     name, data = example["name"], example["ring"]
     assert read_ring(data).name == name
@@ -55,7 +56,7 @@ FIELDS = (
 )
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@subcases("name", FIELDS)
 def test_completions_are_called_alike(name: str) -> None:
     K, known = ring(name), 0
     for v in islice(K.places(), 14):
@@ -240,7 +241,7 @@ SPELLED = (
 SPELLED += ("GF(2)(t)", "QQ(I)", "QQ(sqrt(-7))", "QQ(sqrt(97))", "QQ(sqrt(-95))")  # fmt: skip
 
 
-@pytest.mark.parametrize("name", SPELLED)
+@subcases("name", SPELLED)
 def test_names_of_the_table_are_read(name: str) -> None:
     data = certified("s*y == y*s", name, "identity", IDENTITY)
     assert check(first(data)) == check(data)
@@ -254,7 +255,7 @@ OTHERS = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("name", OTHERS)
+@subcases("name", OTHERS)
 def test_other_names_are_not_and_there_is_a_way(name: str) -> None:
     data = {
         **certified("s*y == y*s", "QQ", "identity", IDENTITY),

@@ -11,6 +11,7 @@ from hfield.certificates.scalars.rationals import has_no_rational_root
 from hfield.certificates.work import Work, bounded
 from tests.certificates import ring_data as data
 from tests.certificates.ring_data import Data, read_field
+from tests.subcases import subcases
 
 NEAR = (Fraction(10**6), Fraction(-(10**6)), Fraction(1, 10**6), Fraction(-1, 10**6))
 
@@ -73,7 +74,7 @@ def test_units() -> None:
     assert read_field("GF(3)[x]").characteristic == 3
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("field", "text", "same"),
     [
         ("RR", "sqrt(1/2)", "1/2*sqrt(2)"),
@@ -99,7 +100,7 @@ def test_elements_as_texts(field: str, text: str, same: str) -> None:
     assert not ring.equal(ring.read(text), ring.add(ring.read(same), ring.one))
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("field", "text"),
     [
         *(("QQ", "1**10001"), ("QQ", "1**-10001"), ("QQ", "1/0"), ("QQ", "x"), ("QQ", "I")),
@@ -114,7 +115,7 @@ def test_texts_that_name_no_element(field: str, text: str) -> None:
         ring.read(text)
 
 
-@pytest.mark.parametrize(
+@subcases(
     "ring",
     [
         *(data.finite(3, 2, f) for f in ([2, 0, 1], [0, 1], [1, 0, 0, 1], [1, 0, 3], [1, 0, 1, 0], [])),
@@ -138,7 +139,6 @@ def test_texts_that_name_no_element(field: str, text: str) -> None:
         *({"kind": kind} for kind in ("finite field", "residues", "completion", "number field")),
         *("QQ", None, 7, [], [data.QQ], {}, {"Kind": "rationals"}),
     ],
-    ids=str,
 )  # fmt: skip
 def test_data_of_no_ring(ring: object) -> None:
     with pytest.raises(Rejected), bounded():
@@ -232,6 +232,7 @@ def grown(name: str, text: str) -> None:
             x = field.mul(x, x)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "text"), [("QQ", "2"), ("QQ", "1/2"), ("RR", "sqrt(2)/3"), ("QQ(x)", "x/2 + 1/3")]
 )
@@ -240,7 +241,7 @@ def test_numbers_do_not_grow_without_end(name: str, text: str) -> None:
         grown(name, text)
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("ring", "text", "why"),
     [
         (data.finite(2, 2), None, "GF.4. has to say its modulus"),

@@ -10,6 +10,7 @@ from hfield.certificates.glossary import CIRCLE, COMPLEX_ROOTS, INDUCTION, KULIK
 from hfield.certificates.rejection import Rejected
 from tests.certificates.cases import certified, with_rings
 from tests.certificates.ring_data import data_of
+from tests.subcases import subcases
 
 TUPLES = [["".join(t) for t in product("eijk", repeat=k)] for k in (1, 2, 3)]
 IDENTITY = {"kind": "identity"}
@@ -152,7 +153,7 @@ def rejects(row: Row, **changes: Any) -> None:
     assert "exactly what the evidence cites" not in str(caught.value)
 
 
-@pytest.mark.parametrize("row", GOOD, ids=lambda row: f"{row[0]} {row[1]}")
+@subcases("row", GOOD)
 def test_what_is_shown_is_accepted_and_nothing_else(row: Row) -> None:
     assert check(certificate(row)).scope == row[6]
     for verdict in {"proved", "refuted", "vacuous"} - {row[2]}:
@@ -300,7 +301,7 @@ BAD: list[tuple[str, str | None, dict[str, Any]]] = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("n", range(len(BAD)))
+@subcases("n", range(len(BAD)))
 def test_what_is_not_shown_is_rejected(n: int) -> None:
     statement, field, changes = BAD[n]
     rejects(row_of(statement, field), **changes)
@@ -395,7 +396,7 @@ NONSENSE = (
 )
 
 
-@pytest.mark.parametrize("nonsense", NONSENSE)
+@subcases("nonsense", NONSENSE)
 def test_every_part_has_a_meaning(nonsense: str) -> None:
     """Also a part that the evidence is not about."""
     never = {"kind": "part", "part": 0, "evidence": at({}, "QQ")}

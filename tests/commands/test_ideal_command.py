@@ -121,6 +121,7 @@ def test_bad_input(capsys, words, hint):
     assert hint in err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("command", "shift"), [("order", 3), ("classes --formula", 5), ("ideal", 7), ("brandt", 9)]
 )

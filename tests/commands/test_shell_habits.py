@@ -11,9 +11,10 @@ from hfield.cli import main
 from hfield.commands import completion, doctor
 from hfield.commands.catalogue import names
 from hfield.commands.completion import SCRIPTS, candidates
+from tests.subcases import subcases
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("words", "offered"),
     [
         (["pro"], ["prove"]),
@@ -81,7 +82,7 @@ def test_fish_offers_files_only_where_nothing_else_is_known(tmp_path, typed, off
     assert said.stderr == ""
 
 
-@pytest.mark.parametrize("field", [f for f in completion.FIELDS if f != "universal"])
+@subcases("field", [f for f in completion.FIELDS if f != "universal"])
 def test_the_fields_offered_are_fields(field):
     from hfield import ring
 

@@ -7,6 +7,7 @@ import pytest
 
 from hfield import __version__
 from hfield.ledger.claim import PANEL
+from tests.subcases import subcases
 
 
 def results(run, *words):
@@ -198,7 +199,7 @@ def test_a_full_disk(run):
     assert "/dev/full" in err
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("words", "hint"),
     [
         (["C9.9-z"], "there is no claim"),

@@ -62,6 +62,7 @@ class Screen:
         return self.process.returncode, out.decode()
 
 
+@pytest.mark.slow
 def test_a_command_says_what_it_is_at_and_takes_it_back():
     counted = "from hfield.commands.status import STATUS\nshown, show = [], STATUS.show\n"
     counted += "STATUS.show = lambda text: (show(text), shown.append(text))\n"
@@ -75,6 +76,7 @@ def test_a_command_says_what_it_is_at_and_takes_it_back():
     assert "proving" not in out
 
 
+@pytest.mark.slow
 def test_nothing_is_said_into_a_pipe():
     code = "from time import monotonic; end = monotonic() + 1.2\n" + SLOW
     code = code.format(enough="monotonic() > end")

@@ -5,6 +5,8 @@ import os
 import subprocess
 import sys
 
+import pytest
+
 
 def warm(tmp_path, *words):
     environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
@@ -16,6 +18,7 @@ def warm(tmp_path, *words):
     )
 
 
+@pytest.mark.slow
 def test_warm_keeps_what_it_compiles_and_two_may_write(tmp_path):
     both = [warm(tmp_path, "GF(5)", "(-1,-3|QQ)", "--format", "json") for _ in range(2)]
     for process in both:

@@ -25,7 +25,10 @@ from tests.coq.certificates import LEDGER, TRUE, forged_certificates, true_certi
 from tests.coq.one_process import reject_each
 
 COQC = shutil.which("coqc")
-pytestmark = pytest.mark.skipif(COQC is None, reason="coqc is not installed (Debian: coq)")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(COQC is None, reason="coqc is not installed (Debian: coq)"),
+]
 CLOSED = "Closed under the global context\n"
 
 

@@ -14,6 +14,7 @@ def export():
     return export_ledger()
 
 
+@pytest.mark.slow
 def test_everything_universal_is_exported(export):
     assert export.left == ()
     names = {t.name for t in export.theorems}

@@ -10,6 +10,7 @@ import pytest
 from hfield.certificates.check import check as check_data
 from hfield.cli import main
 from hfield.proving.prove import prove
+from tests.subcases import subcases
 
 MARK = """mark=$(sed -n 's/.*idtac "\\([0-9a-f]*\\)".*/\\1/p' Judged.v)
 said() { printf '%s\\n     : %s\\n%s\\n%s\\n' certificate "$1" "$mark" "$2"; }
@@ -63,7 +64,8 @@ def test_only_a_computation_that_gives_false_rejects(coqc, check):
     assert "Coq: rejected: Error: The term" in out
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@subcases(
     ("script", "reason"),
     [
         (f'said "all is well" "{CLOSED}"; exit 1', "ended with status 1: without a word"),

@@ -11,6 +11,7 @@ from hfield.errors import HFieldError, NotationError
 from hfield.proving.prove import prove
 from tests.certificates.cases import about_field
 from tests.coq.certificates import multilinear, true_certificates
+from tests.subcases import subcases
 
 
 def one(statement, algebra=None):
@@ -18,7 +19,7 @@ def one(statement, algebra=None):
     return theorem
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("statement", "text"),
     [
         ("(p*q)*r == p*(q*r)", "p [*H] q [*H] r = p [*H] (q [*H] r)"),
@@ -186,7 +187,7 @@ def test_evidence_is_written_out():
     assert "X 9 ^ 2" in proof.replace("(X 9)", "X 9")
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("change", "reason"),
     [
         ({"schema": "hfield-cert/3"}, "this is no certificate"),

@@ -10,6 +10,7 @@ from hfield import prove
 from hfield.commands.catalogue import command
 from tests.commands.running import run
 from tests.docs.console import PAGES, ROOT
+from tests.subcases import subcases
 
 BLOCK = re.compile(r"^```([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 # Sessions are run by doctest and test_console_blocks; json by tests/certificates; lean by tests/coq.
@@ -99,7 +100,7 @@ def pictures() -> list[tuple[str, str]]:
     return found
 
 
-@pytest.mark.parametrize(("name", "typed"), pictures(), ids=[name for name, _ in pictures()])
+@subcases(("name", "typed"), pictures())
 def test_a_picture_of_the_gallery_has_the_command_that_makes_it(name, typed):
     assert (ROOT / "docs" / "images" / name).stat().st_size > 1000
     words = shlex.split(typed)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from hfield import GF, H, QuaternionAlgebra, check, prove
+from tests.subcases import subcases
 
 PAGE = Path(__file__).parents[2] / "docs" / "index.md"
 SYSTEMS = ("hfield", "Sage", "PARI", "GAP", "Magma")
@@ -96,7 +97,7 @@ def test_every_row_is_ours_and_tried() -> None:
     }
 
 
-@pytest.mark.parametrize("row", OURS)
+@subcases("row", OURS)
 def test_ours(row: str) -> None:
     assert OURS[row]()
 

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-import pytest
+from tests.subcases import subcases
 
 ROOT = Path(__file__).parents[2]
 BAR = re.compile(r"(?<!\\)\|")
@@ -26,9 +26,7 @@ def torn(text: str) -> list[str]:
     ]
 
 
-@pytest.mark.parametrize(
-    "page", [ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md"))], ids=lambda p: p.name
-)
+@subcases("page", [ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md"))])
 def test_no_row_is_torn(page: Path) -> None:
     assert torn(page.read_text(encoding="utf-8")) == []
 

@@ -12,11 +12,13 @@ from hfield import ring
 from hfield.errors import HFieldError, RingError
 from hfield.fields.number_fields.classes.s_units import SUnits, root
 from hfield.fields.number_fields.ideals import integers
+from tests.subcases import subcases
 
 CASES = json.loads((Path(__file__).parents[1] / "vectors/class_groups.json").read_text())["cases"]
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda c: c["polynomial"])
+@pytest.mark.slow
+@subcases("case", CASES)
 def test_as_pari(case: dict[str, Any]) -> None:
     """Invariants, regulator, torsion, ζ_K(−1) and which primes are principal; generators generate."""
     K = ring(f"QQ[s]/({case['polynomial']})")

@@ -15,6 +15,7 @@ from hfield.factorisation import factorise
 from hfield.fuchsian import area, dirichlet, group, normaliser, presentation
 from hfield.fuchsian.polygon import Polygon
 from hfield.lattices.lattice import Order
+from tests.subcases import subcases
 
 # D, N: the area in units of π/3, elliptic points of order 2 and 3, the genus (tables of Shimura curves)
 KNOWN = {
@@ -85,7 +86,7 @@ def interior(D, n: int) -> float:
     return cmath.phase(seen(before) / seen(after)) % (2 * math.pi)
 
 
-@pytest.mark.parametrize(("D", "N"), KNOWN)
+@subcases(("D", "N"), KNOWN)
 def test_shimura_curves(D: int, N: int) -> None:
     size, two, three, genus = KNOWN[D, N]
     G = order(D, N).norm_one_group()
@@ -182,7 +183,8 @@ STARS_OVER_FIELDS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("field", "real", "primes", "index", "orders"), STARS_OVER_FIELDS)
+@pytest.mark.slow
+@subcases(("field", "real", "primes", "index", "orders"), STARS_OVER_FIELDS)
 def test_modulo_the_normaliser_over_a_field(field, real, primes, index, orders) -> None:
     O = over_field(field, real, *primes).maximal_order()
     G = O.norm_one_group()
@@ -339,7 +341,7 @@ def test_curves_of_genus_one(D: int, N: int) -> None:
     assert order(D, N).norm_one_group().signature.genus == 1
 
 
-@pytest.mark.parametrize("N", MODULAR)
+@subcases("N", MODULAR)
 def test_modular_curves(N: int) -> None:
     two, three, cusps, genus = MODULAR[N]
     assert order(1, N).norm_one_group().signature == (genus, (2,) * two + (3,) * three, cusps)

@@ -9,7 +9,10 @@ from hfield import QuaternionAlgebra
 from hfield.fuchsian.group import Domain
 from tests.anim.chromium import CHROMIUM, Browser
 
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine"),
+]
 
 
 @cache

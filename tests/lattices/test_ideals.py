@@ -94,6 +94,7 @@ def right_ideals_of_norm(O, p):
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("p", "count"), [(2, 12), (3, 2)])
 def test_ideals_of_orders_that_are_no_eichler_orders(p, count) -> None:
     rng = Random(3)

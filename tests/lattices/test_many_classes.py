@@ -23,6 +23,7 @@ print(json.dumps([len(C), A.class_number(), after - before, C.certificate is not
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="counts memory in KiB, as Linux does")
 def test_four_thousand_classes():
     words = [sys.executable, "-c", PROGRAM]
@@ -33,6 +34,7 @@ def test_four_thousand_classes():
     assert certified
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("discriminant", "level", "p"), [(1009, 1, 101), (13, 35, 97), (42, 5, 61)]
 )

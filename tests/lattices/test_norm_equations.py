@@ -11,6 +11,7 @@ from hfield.lattices.named_orders import quadratic_part
 from hfield.lattices.quadratic_orders import frame, is_obstructed, represent
 from hfield.primality import is_prime
 from tests.lattices.random_lattices import algebra
+from tests.subcases import subcases
 
 
 def prime_algebra(p: int) -> QuaternionAlgebra:
@@ -199,7 +200,7 @@ def test_klpt(p, prime) -> None:
         assert e * math.log2(prime) < 3.2 * math.log2(p) + 60
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("p", "n", "prime"),
     [(716897, 2, 3), (716897, 7, 2), (716897, 7, 7), (905909, 2, 3), (882788248245247, 272, 17),
      (13029726666197949709, 2, 2), (2, 3, 5), (3, 2, 2), (5, 13, 2), (7, 6, 11)],

@@ -11,6 +11,7 @@ import pytest
 from hfield import LatticeError, QuaternionAlgebra, ring
 from hfield.errors import IndefiniteError, TooLargeError
 from hfield.lattices.over_integers.class_sets import Around, number_by_signs
+from tests.subcases import subcases
 
 # discriminant of K: polynomial, classes and types of the maximal order of discriminant 1, mass
 KNOWN = {
@@ -30,7 +31,8 @@ def unramified(polynomial: str) -> QuaternionAlgebra:
     return QuaternionAlgebra.from_ramification(K, K.real_places())
 
 
-@pytest.mark.parametrize("discriminant", KNOWN)
+@pytest.mark.slow
+@subcases("discriminant", KNOWN)
 def test_known_class_numbers(discriminant: int) -> None:
     polynomial, classes, types, mass = KNOWN[discriminant]
     A = unramified(polynomial)
@@ -61,6 +63,7 @@ def test_levels_over_the_golden_field() -> None:
     assert len(A.eichler_order(3).class_set()) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "level"),
     [("QQ[s]/(s^2-15)", 7), ("QQ[s]/(s^2-3)", 11), ("QQ[s]/(s^3-s^2-2*s+1)", 13)],
@@ -86,6 +89,7 @@ def test_brandt_matrices(name: str, level: int) -> None:
     assert all(S * T == T * S for S, T in product(matrices, repeat=2))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "level", "p"), [("s^2-5", 31, 2), ("s^2-5", 31, 5), ("s^2-10", 1, 2), ("s^2-10", 1, 3)]
 )

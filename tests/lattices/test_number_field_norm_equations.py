@@ -61,6 +61,7 @@ def test_icosians_of_order_3_4_and_10() -> None:
         QuaternionAlgebra("(-1,3|QQ(sqrt(5)))").maximal_order().embeddings(-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["(-1,-1|QQ(sqrt(2)))", "(-1,-3|QQ(sqrt(10)))", "(-1,-1|QQ(sqrt(5)))"]
 )

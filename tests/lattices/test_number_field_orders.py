@@ -51,6 +51,7 @@ def test_levels_where_residues_are_fractions_in_the_generator() -> None:
         assert A.maximal_order() >= A.eichler_order(level)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ALGEBRAS)
 def test_ideals_of_prime_norm_are_all_of_them(name: str) -> None:
     """Against all right ideals x·O + P·O with x modulo P, for orders of every Eichler symbol."""
@@ -124,6 +125,7 @@ def test_suborders_are_all_lattices_that_are_rings() -> None:
             assert all(O.index(L) == A.ring.ideal(P) ** k for L in found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["(-1,-3|QQ(sqrt(-7)))", "(-1,-1|QQ(sqrt(2)))", "(-1,5|QQ(sqrt(-7)))"]
 )
@@ -171,6 +173,7 @@ def test_duals(name: str) -> None:
 # --- ideals ----------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ALGEBRAS)
 def test_connecting_and_two_sided_ideals(name: str) -> None:
     A = QuaternionAlgebra(name)

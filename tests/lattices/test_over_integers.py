@@ -25,6 +25,7 @@ def algebras(name: str) -> list[QuaternionAlgebra]:
     return out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FIELDS)
 def test_maximal_orders(name: str) -> None:
     """A ring of integral elements whose discriminant is the product of the ramified primes."""

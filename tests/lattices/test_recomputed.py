@@ -3,15 +3,14 @@
 ``scripts/check_lattices.py`` takes as many as one likes.
 """
 
-import pytest
-
 from tests.lattices.recomputed import OPERATIONS, run
+from tests.subcases import subcases
 from tests.thorough import cases
 
 CASES = cases(80)
 
 
-@pytest.mark.parametrize("name", OPERATIONS)
+@subcases("name", OPERATIONS)
 def test_random_cases(name: str) -> None:
     for n in range(CASES):
         run(name, n, seed=1)

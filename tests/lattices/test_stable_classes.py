@@ -12,6 +12,7 @@ import pytest
 
 from hfield import QuaternionAlgebra, ring
 from hfield.fields.number_fields.symbols import square_class
+from tests.subcases import subcases
 
 SPEC = importlib.util.spec_from_file_location(
     "try_definite_orders", Path(__file__).parents[2] / "scripts" / "try_definite_orders.py"
@@ -22,10 +23,8 @@ search = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(search)
 
 
-@pytest.mark.parametrize(
-    "polynomial", ["s^2-2", "s^2-s-1", "s^2-17", "s^3-s^2-2*s+1", "s^4-4*s^2+1", "s^3-2"]
-)
-@pytest.mark.parametrize("p", [2, 3])
+@subcases("polynomial", ["s^2-2", "s^2-s-1", "s^2-17", "s^3-s^2-2*s+1", "s^4-4*s^2+1", "s^3-2"])
+@subcases("p", [2, 3])
 def test_square_classes(polynomial: str, p: int) -> None:
     """A homomorphism onto all digits, and 0 for squares: so its kernel are the squares."""
     K: Any = ring(f"QQ[s]/({polynomial})")
@@ -69,6 +68,7 @@ FIELDS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FIELDS)
 def test_stable_classes(name: str) -> None:
     """Of orders of all kinds, at primes above 2 and others."""
@@ -126,6 +126,7 @@ def test_hermite_orders_over_the_rationals() -> None:
     assert [line[1:6] for line in lines if not line.cancellation] == [(3, 27, 4, 2, 2)]
 
 
+@pytest.mark.slow
 def test_hermite_orders_over_a_quadratic_field() -> None:
     """All eight of discriminant 33, four with cancellation, as published."""
     lines = search.of_field("QQ(sqrt(33))")

@@ -30,6 +30,7 @@ MOST = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("p", [2, 3])
 def test_every_case_agrees_with_the_verdict(p):
     tried = 0

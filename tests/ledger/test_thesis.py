@@ -12,6 +12,7 @@ from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Computed, decide
 from hfield.ledger.registry import claims, find
 from hfield.rings import ring
+from tests.subcases import subcases
 
 CHECKABLE = [claim for claim in claims() if claim.checkable]
 ROWS_OF_SECTION = {
@@ -103,7 +104,8 @@ def test_decided_with_certificates(claim: Claim) -> None:
         assert all(row.as_printed.verdict != "refuted" for row in rows.values())
 
 
-@pytest.mark.parametrize("claim", CHECKABLE, ids=lambda claim: claim.id)
+@pytest.mark.slow
+@subcases("claim", CHECKABLE)
 def test_the_spoilt_twin_changes_the_verdict(claim: Claim) -> None:
     assert claim.spoilt is not None
     assert claim.as_printed is not None

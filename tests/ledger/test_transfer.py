@@ -1,17 +1,16 @@
 """What a proof over every commutative ring says of one field is what the prover finds there."""
 
-import pytest
-
 from hfield.ledger.propositions import Statement
 from hfield.ledger.transfer import carried
 from hfield.proving.decide import decide
 from hfield.rings import ring
+from tests.subcases import subcases
 
 FIELDS = ("QQ", "GF(2)", "GF(3)", "GF(9)", "QQ(sqrt(-7))", "GF(2)(t)", "RR")
 
 
-@pytest.mark.parametrize("field", FIELDS)
-@pytest.mark.parametrize(
+@subcases("field", FIELDS)
+@subcases(
     "formula",
     [
         "(p*q)*r == p*(q*r)",

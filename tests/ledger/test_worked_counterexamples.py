@@ -1,14 +1,13 @@
 """Counterexamples, worked out on both sides."""
 
-import pytest
-
 from hfield.ledger.decision_lines import worked_out
+from tests.subcases import subcases
 
 I, J = ["0", "1", "0", "0"], ["0", "0", "1", "0"]  # noqa: E741
 ZERO = ["0", "0", "0", "0"]
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("text", "witness", "field", "lines"),
     [
         ("p*q == q*p", {"p": I, "q": J}, "QQ", ["p·q = k ≠ −k = q·p"]),

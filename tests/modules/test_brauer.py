@@ -15,6 +15,7 @@ from hfield import (
 )
 from hfield.algebra.embedding import embedding
 from hfield.structure.norm_forms.residue_forms import no_zero
+from tests.subcases import subcases
 
 
 def over(primes):
@@ -24,7 +25,7 @@ def over(primes):
 PAIRS = list(combinations([(2, 3), (2, 5), (3, 5), (7, "inf"), (), (2, "inf")], 2))
 
 
-@pytest.mark.parametrize(("one", "other"), PAIRS)
+@subcases(("one", "other"), PAIRS)
 def test_products_over_the_rationals(one, other):
     A, B = over(one), over(other)
     T = A.tensor(B)
@@ -65,6 +66,7 @@ def test_what_is_refused():
         H("GF(2)").tensor(H("GF(2)"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("one", "other", "index"),
     [

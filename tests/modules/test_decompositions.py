@@ -6,6 +6,7 @@ import pytest
 from hfield import CC, CoercionError, H, QuaternionAlgebra, UndecidedError
 from hfield.modules import decompositions
 from hfield.modules.complex_form import Pair, beginning_with, column
+from tests.subcases import subcases
 
 ALGEBRAS = [("RDF", -1, -1, 0), ("RDF", -2, -3, 1), ("RDF", -4, -0.5, 0)]
 RNG = np.random.default_rng(7)
@@ -26,9 +27,9 @@ def diagonal(A, values, m, n):
     )
 
 
-@pytest.mark.parametrize("constants", ALGEBRAS)
-@pytest.mark.parametrize("shape", [(), (4,), (2, 3)])
-@pytest.mark.parametrize("n", [1, 2, 5])
+@subcases("constants", ALGEBRAS)
+@subcases("shape", [(), (4,), (2, 3)])
+@subcases("n", [1, 2, 5])
 def test_the_parts_multiply_to_the_matrix(constants, shape, n):
     A = QuaternionAlgebra(*constants)
     one = A.matrix(np.eye(n))
@@ -64,10 +65,8 @@ def test_singular_values(m, n):
             assert size(unitary @ unitary.conjugate_transpose() - A.matrix(np.eye(k))) < 1e-12
 
 
-@pytest.mark.parametrize("constants", ALGEBRAS)
-@pytest.mark.parametrize(
-    "values", [[1 + 2j, 3, -1j], [2, 2, 2], [1j, 1j, 5], [0, 0, 1], [1, 1 + 1e-3, 1 - 1e-3]]
-)
+@subcases("constants", ALGEBRAS)
+@subcases("values", [[1 + 2j, 3, -1j], [2, 2, 2], [1j, 1j, 5], [0, 0, 1], [1, 1 + 1e-3, 1 - 1e-3]])
 def test_known_eigenvalues(constants, values):
     A = QuaternionAlgebra(*constants)
     a, t, _ = map(float, A.constants)

@@ -19,6 +19,7 @@ from hfield import (
 )
 from hfield.modules.equations import read_equation
 from tests.commands.running import run
+from tests.subcases import subcases
 
 ALGEBRAS = [
     *(
@@ -46,7 +47,7 @@ def dot(row, column):
     return sum((x * y for x, y in zip(row[1:], column[1:], strict=True)), row[0] * column[0])
 
 
-@pytest.mark.parametrize("text", ALGEBRAS)
+@subcases("text", ALGEBRAS)
 def test_identities(text):
     A, rng = QuaternionAlgebra.from_text(text), Random(text)
     F = A.ring
@@ -71,7 +72,7 @@ def test_identities(text):
             assert any(y)
 
 
-@pytest.mark.parametrize("text", ALGEBRAS)
+@subcases("text", ALGEBRAS)
 def test_kernels_and_solutions(text):
     A, rng = QuaternionAlgebra.from_text(text), Random(text)
     for m, n in ((1, 2), (2, 2), (3, 2)):

@@ -429,6 +429,7 @@ def test_all_roots_are_tried_over_a_finite_field(text):
     assert kinds == {0, 1}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("degree", [1, 2, 3, 4, 5])
 def test_exact_roots_over_the_reals_are_short_and_near_floats(degree):
     """Against eigenvalues of the companion matrix; a root has the degree n·(2n − 1), and a text to suit."""

@@ -2,12 +2,11 @@
 
 from random import Random
 
-import pytest
-
 from tests.modules.matrix_checks import ALGEBRAS, Case
+from tests.subcases import subcases
 
 
-@pytest.mark.parametrize("text", ALGEBRAS)
+@subcases("text", ALGEBRAS)
 def test_against_the_regular_representation(text):
     case = Case(text, Random(text))
     for n in (1, 2, 2, 3):

@@ -6,6 +6,7 @@ from random import Random
 import pytest
 
 from hfield import NotFiniteError, QuaternionAlgebra, TooLargeError, UndecidedError, ring
+from tests.subcases import subcases
 
 
 class Everything:
@@ -90,7 +91,7 @@ def test_roots_are_those_among_all_elements(q):
     assert {"whole", "family", "single"} <= kinds
 
 
-@pytest.mark.parametrize(
+@subcases(
     "text",
     [
         "(0,0|QQ)", "(-1,0|QQ)", "(1,0|QQ)", "(0,3|QQ)", "(0,0|GF(5)(t))", "(-1,0|QQ(sqrt(2)))",

@@ -8,6 +8,7 @@ from hfield import CoercionError, H, NotationError, QuaternionAlgebra, Undecided
 from hfield.modules.equations import read_equation
 from hfield.modules.texts import read_matrix_equation
 from tests.commands.running import run
+from tests.subcases import subcases
 
 RINGS = ["QQ", "GF(9)", "QQ(sqrt(2))", "QQ(t)", "RR", "ZZ/6", "QQ[s]/(s^3-2)"]
 
@@ -37,7 +38,7 @@ def test_expressions():
     assert H("QQ(sqrt(2))").matrix("[[sqrt(2)]]*sqrt(2)") == H("QQ(sqrt(2))").matrix([[2]])
 
 
-@pytest.mark.parametrize(
+@subcases(
     "text",
     ["", "i", "[1,i]", "[[1,i],j]", "[[1,i", "[[1,i],[j,k]]+1", "[[1]]/[[1]]", "[[[1,i],[j,k]]]", "[[]]",
      "[[1,],[2,3]]", "[[1,i],[j,k]][0]", "[[x]]", "[[1,i],[j]]", "[[1)]]", "sqrt([[1]])"],

@@ -48,6 +48,7 @@ def test_verdicts_do_not_depend_on_the_way(statement, over_3, over_4, monkeypatc
         assert prove(statement, field="GF(4)").verdict == over_4
 
 
+@pytest.mark.slow
 def test_all_cases_have_time_left_when_ideals_take_theirs(monkeypatch):
     prove_clauses = one_field.prove_clauses
 

@@ -5,6 +5,7 @@ import pytest
 from hfield.errors import NotationError
 from hfield.proving.prove import prove
 from tests.proving.statements import DEPENDS, FALSE, FIELDS, UNIVERSAL
+from tests.subcases import subcases
 
 STATEMENTS = [*UNIVERSAL, *FIELDS, *FALSE, *DEPENDS]
 RINGS = [
@@ -16,7 +17,7 @@ RINGS = [
 SHARE = 7  # of the statements one in so many over each ring, others over the next
 
 
-@pytest.mark.parametrize(("n", "ring"), list(enumerate(RINGS)))
+@subcases(("n", "ring"), list(enumerate(RINGS)))
 def test_what_is_decided_has_a_certificate(n, ring):
     decided = 0
     for statement in STATEMENTS[n % SHARE :: SHARE]:
@@ -44,7 +45,7 @@ ALGEBRAS = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "algebra"), ALGEBRAS)
+@subcases(("statement", "algebra"), ALGEBRAS)
 def test_statements_about_other_algebras_are_certified(statement, algebra):
     answer = prove(statement, algebra=algebra)
     assert answer.certificate is not None, answer.why_no_certificate

@@ -20,6 +20,7 @@ from hfield.proving.evaluation.searcher import Assignment, Searcher
 from hfield.proving.problem import Memory, Problem
 from hfield.proving.statements.language import Sort
 from tests.adversary.statement_generator import plain_statements
+from tests.subcases import subcases
 
 WRITTEN = (
     "q*inv(q) == e",
@@ -68,8 +69,8 @@ def _lifted(ring: Any, x: Any) -> Any:
     return tuple(map(ring, x)) if isinstance(x, tuple) else ring(x)
 
 
-@pytest.mark.parametrize("algebra", ALGEBRAS)
-@pytest.mark.parametrize("field", ["QQ", "GF(2)", "GF(3)", "GF(7)"])
+@subcases("algebra", ALGEBRAS)
+@subcases("field", ["QQ", "GF(2)", "GF(3)", "GF(7)"])
 def test_over_prime_fields(field: str, algebra: str) -> None:
     exist = 0
     for text in (*WRITTEN, *DRAWN):

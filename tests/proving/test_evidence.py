@@ -4,11 +4,11 @@ import json
 import math
 import re
 
-import pytest
 import sympy
 
 from hfield.proving.prove import prove
 from tests.proving.statements import FIELDS, UNIVERSAL
+from tests.subcases import subcases
 
 IMPLICATIONS = [
     *((s, None) for s in [*UNIVERSAL, *FIELDS] if "=>" in s),
@@ -80,7 +80,7 @@ def follow(reader, steps, zeros, p):
     raise AssertionError("the steps end without a contradiction")
 
 
-@pytest.mark.parametrize(("statement", "field"), IMPLICATIONS)
+@subcases(("statement", "field"), IMPLICATIONS)
 def test_cofactors_multiply_out(statement, field):
     certificate = prove(statement, field).certificate
     assert certificate["verdict"] == "proved"

@@ -17,6 +17,7 @@ from hfield.proving.statements.language import read_statement
 from hfield.proving.statements.setting import read_setting
 from hfield.syntax import parse
 from tests.proving.small_rings import RINGS, holds
+from tests.subcases import subcases
 
 LINEAR = [
     ("exists u: u + s == 0", None, "proved"),
@@ -72,7 +73,7 @@ NOT_SO = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "field", "verdict"), LINEAR)
+@subcases(("statement", "field", "verdict"), LINEAR)
 def test_linear_existence_is_decided(statement, field, verdict):
     assert decide(statement, field).verdict == verdict
 
@@ -118,6 +119,7 @@ def systems(seed, count):
         yield f"{h}(exists {sought}: {body})" if h else f"exists {sought}: {body}"
 
 
+@pytest.mark.slow
 def test_random_systems_agree_with_all_cases_over_small_fields():
     rings = {"GF(2)": "Z/2", "GF(3)": "Z/3", "GF(4)": "GF(4)", "GF(5)": "Z/5", "ZZ/4": "Z/4"}
     by_name = {ring.name: ring for ring in RINGS}

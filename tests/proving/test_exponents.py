@@ -5,10 +5,12 @@ import pytest
 from hfield import prove
 from hfield.certificates.check import Rejected, check
 from hfield.proving.decide import decide
+from tests.subcases import subcases
 
 
-@pytest.mark.parametrize("field", [None, "GF(4)", "ZZ/6"])
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@subcases("field", [None, "GF(4)", "ZZ/6"])
+@subcases(
     "statement",
     [
         "s**65537 == s*s**65536",
@@ -24,6 +26,7 @@ def test_exponents_add_up(statement, field):
     assert decision.scope == "commutative rings"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "statement",
     [

@@ -10,6 +10,7 @@ from hfield.errors import TooLargeError
 from hfield.proving.clock import Clock
 from hfield.proving.polynomials.groebner import Monomials
 from hfield.proving.polynomials.membership import Ideal
+from tests.subcases import subcases
 
 
 def test_the_coding_of_monomials_is_an_order_and_a_product():
@@ -39,7 +40,7 @@ def random_polynomial(rng, gens, terms, degree):
     return out
 
 
-@pytest.mark.parametrize("seed", range(12))
+@subcases("seed", range(12))
 def test_membership_agrees_with_sympy(seed):
     rng = random.Random(seed)
     p = [0, 0, 2, 3, 7][seed % 5]

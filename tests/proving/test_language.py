@@ -9,9 +9,10 @@ from hfield.rings import ring
 from hfield.syntax import parse
 from tests.adversary.statement_generator import plain_statements
 from tests.proving.statements import DEPENDS, FALSE, FIELDS, UNIVERSAL
+from tests.subcases import subcases
 
 
-@pytest.mark.parametrize("text", [*UNIVERSAL, *FIELDS, *FALSE, *DEPENDS])
+@subcases("text", [*UNIVERSAL, *FIELDS, *FALSE, *DEPENDS])
 def test_printing_reads_back(text):
     node = parse(text)
     assert parse(to_text(node)) == node
@@ -46,7 +47,7 @@ PRINTED = [
 ]
 
 
-@pytest.mark.parametrize(("text", "plain", "unicode"), PRINTED)
+@subcases(("text", "plain", "unicode"), PRINTED)
 def test_styles(text, plain, unicode):
     node = parse(text)
     assert to_text(node) == plain
@@ -108,7 +109,7 @@ ERRORS = [
 ]
 
 
-@pytest.mark.parametrize(("text", "position", "message"), ERRORS)
+@subcases(("text", "position", "message"), ERRORS)
 def test_errors_show_the_position(text, position, message):
     with pytest.raises(NotationError) as caught:
         read_statement(text)

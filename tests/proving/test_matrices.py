@@ -25,6 +25,7 @@ from hfield.proving.prove import prove
 from hfield.proving.statements.matrices import expanded
 from hfield.proving.statements.printing import to_latex, to_text
 from hfield.syntax import parse
+from tests.subcases import subcases
 
 PAGE = Path(__file__).parents[2] / "docs/how-to/matrix-exercises.md"
 
@@ -153,7 +154,7 @@ DECIDED = [
 ]
 
 
-@pytest.mark.parametrize(("text", "field", "verdict"), DECIDED)
+@subcases(("text", "field", "verdict"), DECIDED)
 def test_verdicts_with_certificates(text: str, field: str | None, verdict: str) -> None:
     answer = prove(text, field)
     assert answer.verdict == verdict
@@ -175,7 +176,7 @@ def test_the_ledger_of_exercises_can_be_read(tmp_path: Path) -> None:
     assert len(read_ledger(tmp_path / "sheet.toml")) == len(exercises()) == 10
 
 
-@pytest.mark.parametrize("claim", exercises(), ids=lambda claim: claim["id"])
+@subcases("claim", exercises())
 def test_exercises_and_forged_certificates(claim: Any) -> None:
     """Each is decided; its certificate passes for no spoilt statement, and spoilt ones are refuted."""
     field = claim["fields"][0]

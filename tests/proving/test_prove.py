@@ -12,6 +12,7 @@ from hfield.errors import HFieldError, NotationError, RingError, UndecidedError
 from hfield.proving.decide import decide
 from hfield.proving.prove import prove
 from hfield.rings import ring
+from tests.subcases import subcases
 
 
 def test_an_answer_is_true_false_or_raises():
@@ -126,7 +127,8 @@ HEAVY = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "field"), HEAVY)
+@pytest.mark.slow
+@subcases(("statement", "field"), HEAVY)
 def test_hard_statements_end(statement, field):
     decision = decide(statement, field, timeout=1.0)
     assert decision.verdict in ("refuted", "undecided", "proved", "vacuous")

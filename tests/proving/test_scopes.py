@@ -7,6 +7,7 @@ import pytest
 
 from hfield.proving.decide import decide
 from tests.proving.small_rings import RINGS, holds
+from tests.subcases import subcases
 from tests.thorough import cases
 
 # Equal over every commutative ring, so that "A + n·C == B" holds exactly where n·C is 0.
@@ -100,6 +101,7 @@ def wrong_claims(statement, field, most=20_000):
     ], decision
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("field", [None, "QQ", "GF(2)", "GF(3)", "GF(4)"])
 def test_what_a_scope_claims_holds_over_every_ring_of_its_kind(field):
     wrong, scopes = [], set()
@@ -132,7 +134,7 @@ KNOWN = [
 ALGEBRAS = {"i*i == a": "(a,b|F)", "a != 0": "(1/a,b|F)"}
 
 
-@pytest.mark.parametrize(("statement", "field", "verdict", "scope"), KNOWN)
+@subcases(("statement", "field", "verdict", "scope"), KNOWN)
 def test_scopes_that_are_known(statement, field, verdict, scope):
     decision = decide(statement, field, algebra=ALGEBRAS.get(statement))
     assert (decision.verdict, decision.scope) == (verdict, scope)

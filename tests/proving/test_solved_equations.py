@@ -14,6 +14,7 @@ from hfield.proving.statements.language import read_statement
 from hfield.proving.statements.setting import read_setting
 from hfield.rings.roots import residue_roots
 from tests.certificates.cases import certified
+from tests.subcases import subcases
 
 P = 2**64 - 59  # a prime, 5 modulo 8, and 2 modulo 3
 N = 2**64 - 2
@@ -46,7 +47,8 @@ DECIDED = [
 ]
 
 
-@pytest.mark.parametrize(("text", "field", "verdict"), DECIDED)
+@pytest.mark.slow
+@subcases(("text", "field", "verdict"), DECIDED)
 def test_textbook(text: str, field: str | None, verdict: str) -> None:
     """The verdict is right, and its certificate is accepted."""
     answer = proving.prove(text, field)
@@ -124,7 +126,7 @@ def test_forged_quaternion_roots() -> None:
             check({**data, "assumes": list(theorem)})
 
 
-@pytest.mark.parametrize("seed", range(12))
+@subcases("seed", range(12))
 def test_quadratics_over_a_field_that_is_not_tried_through(seed: int) -> None:
     """Over GF(1009) and ℤ/(3·1009) a quadratic has a root where trying finds one."""
     a, b, c = (pow(7, seed + 5 * n, 1009) for n in range(3))
@@ -139,7 +141,7 @@ def test_quadratics_over_a_field_that_is_not_tried_through(seed: int) -> None:
     )
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("statement", "field", "verdict"),
     [
         ("exists q: q*q == 2", "QQ(zeta5)", "proved"),

@@ -14,6 +14,7 @@ from hfield.proving.steps import Step, indented, say, sentences
 from tests.proving.statements import DEPENDS, FALSE, FIELD_NAMES, FIELDS, UNIVERSAL
 from tests.proving.test_existence import LINEAR, ROOTS
 from tests.proving.test_textbook import RINGS
+from tests.subcases import subcases
 
 SOURCES = "\n".join(
     path.read_text(encoding="utf-8")
@@ -26,7 +27,7 @@ def slots(sentence: str) -> set[str]:
     return {slot for _, slot, _, _ in Formatter().parse(sentence) if slot is not None}
 
 
-@pytest.mark.parametrize("name", sentences())
+@subcases("name", sentences())
 def test_a_sentence_is_there_in_every_language_with_the_same_slots(name):
     told = sentences()[name]
     assert told.keys() == {"en", "pl"}
@@ -53,6 +54,7 @@ ASKED = [
 ]
 
 
+@pytest.mark.slow
 def test_the_prover_says_nothing_beside_the_table():
     relations = ["i*i == -e", "j*j == -e", "k*k == -e", "i*j*k == -e"]
     made = [decide_presentation(relations, ["i*j == k"], identity) for identity in (True, False)]

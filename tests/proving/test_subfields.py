@@ -9,9 +9,11 @@ from hfield import QuaternionAlgebra, prove, ring
 from hfield.certificates.check import Rejected, check
 from hfield.proving.decide import decide
 from tests.certificates.cases import about_field
+from tests.subcases import subcases
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@subcases(
     ("statement", "algebra", "verdict"),
     [
         ("norm(q) == 0 => q == 0", "H(Qp(5))", "refuted"),

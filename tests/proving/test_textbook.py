@@ -4,6 +4,7 @@ import pytest
 
 from hfield.proving.decide import decide
 from hfield.proving.prove import prove
+from tests.subcases import subcases
 
 FORMS = [
     ("s**2 == 2*y**2 => s == 0", "QQ", "proved"),
@@ -60,7 +61,7 @@ RINGS = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "field", "verdict"), FORMS)
+@subcases(("statement", "field", "verdict"), FORMS)
 def test_forms_that_are_zero_only_at_zero(statement, field, verdict):
     assert decide(statement, field).verdict == verdict
 
@@ -75,7 +76,7 @@ def test_constants_of_the_field_are_told_apart(statement, field):
     assert decide(statement, field).verdict == "proved"
 
 
-@pytest.mark.parametrize(("statement", "ring", "verdict", "kind"), RINGS)
+@subcases(("statement", "ring", "verdict", "kind"), RINGS)
 def test_rings_that_are_no_fields(statement, ring, verdict, kind):
     decision = decide(statement, ring)
     assert (decision.verdict, decision.evidence.kind) == (verdict, kind)

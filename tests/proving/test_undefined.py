@@ -6,6 +6,7 @@ from hfield.errors import NotationError
 from hfield.proving.decide import decide
 from hfield.proving.prove import prove
 from tests.proving.small_rings import RINGS, truths
+from tests.subcases import subcases
 
 CONSTANTS = [
     ("a != 0", "(1/a,-1|QQ)", "proved"),
@@ -43,7 +44,7 @@ CONSTANTS = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "algebra", "verdict"), CONSTANTS)
+@subcases(("statement", "algebra", "verdict"), CONSTANTS)
 def test_structure_constants_restrict_what_is_said(statement, algebra, verdict):
     assert decide(statement, algebra=algebra).verdict == verdict
 
@@ -126,7 +127,7 @@ TERMS = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "field", "verdict"), TERMS)
+@subcases(("statement", "field", "verdict"), TERMS)
 def test_terms_that_are_undefined_make_a_comparison_false(statement, field, verdict):
     decision = decide(statement, field)
     assert decision.verdict == verdict or (verdict is None and decision.verdict != "refuted")
@@ -145,8 +146,8 @@ def test_what_is_divided_by_tells_the_checker_which_cases_there_are(statement):
     assert prove(statement, "ZZ/9").certificate is not None
 
 
-@pytest.mark.parametrize("text", ["inv(b)", "conj(b)", "norm(b)", "comm(a,b)", "a[1]", "norm(2)"])
-@pytest.mark.parametrize("field", ["F", "QQ", "ZZ"])
+@subcases("text", ["inv(b)", "conj(b)", "norm(b)", "comm(a,b)", "a[1]", "norm(2)"])
+@subcases("field", ["F", "QQ", "ZZ"])
 def test_structure_constants_are_made_of_scalars(text, field):
     with pytest.raises(NotationError, match="is about quaternions"):
         decide("p*p == 3", algebra=f"({text},-1|{field})")

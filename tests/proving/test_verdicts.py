@@ -8,6 +8,7 @@ from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.statements.language import Sort, read_statement
 from hfield.proving.statements.setting import read_setting
 from tests.proving.statements import DEPENDS, FALSE, FIELD_NAMES, FIELDS, UNIVERSAL
+from tests.subcases import subcases
 
 PANEL = [*FIELD_NAMES, "RR", "CC", "GF(5)", "GF(7)", "GF(8)", "GF(13)", "QQ(sqrt(2))", "QQ(x)"]
 CLASH = {"QQ(x)": "x", "GF(2)(t)": "t"}  # their generators are scalar unknowns elsewhere
@@ -29,13 +30,13 @@ def true_at(statement, field, algebra, witness):
     return not hypotheses or world.truth(read.conclusion)
 
 
-@pytest.mark.parametrize("statement", UNIVERSAL)
+@subcases("statement", UNIVERSAL)
 def test_universal_statements_are_proved_over_every_commutative_ring(statement):
     decision = decide(statement)
     assert (decision.verdict, decision.scope) == ("proved", "commutative rings")
 
 
-@pytest.mark.parametrize("statement", FIELDS)
+@subcases("statement", FIELDS)
 def test_statements_about_fields_are_proved_over_every_field(statement):
     decision = decide(statement)
     assert decision.verdict == "proved"
@@ -52,7 +53,7 @@ def test_true_statements_are_proved_over_each_field_of_the_panel():
             assert decision.verdict == "proved" or "2 == 0" in statement
 
 
-@pytest.mark.parametrize("statement", FALSE)
+@subcases("statement", FALSE)
 def test_false_statements_are_refuted_by_a_witness(statement):
     decision = decide(statement)
     assert decision.verdict == "refuted"
@@ -69,7 +70,7 @@ def test_false_statements_are_refuted_over_fields_of_odd_characteristic():
                 assert not true_at(statement, field, None, decision.witness), (statement, field)
 
 
-@pytest.mark.parametrize("statement", DEPENDS)
+@subcases("statement", DEPENDS)
 def test_what_depends_on_the_field_is_told_apart(statement):
     for field in FIELD_NAMES:
         decision = decide(statement, field)
@@ -136,7 +137,7 @@ ALGEBRAS = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "algebra", "field", "verdict"), ALGEBRAS)
+@subcases(("statement", "algebra", "field", "verdict"), ALGEBRAS)
 def test_other_algebras(statement, algebra, field, verdict):
     decision = decide(statement, field, algebra=algebra)
     assert decision.verdict == verdict
@@ -166,7 +167,7 @@ CONSTANTS = [
 ]
 
 
-@pytest.mark.parametrize(("statement", "field", "verdict"), CONSTANTS)
+@subcases(("statement", "field", "verdict"), CONSTANTS)
 def test_constants_of_the_field(statement, field, verdict):
     decision = decide(statement, field)
     if verdict is None:  # a limit that is known: a transcendental constant is not inverted

@@ -35,6 +35,7 @@ MEASURED = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "pl"])
 def test_the_figures_are_pictures_inside_the_page(language):
     chapter = figures(language)
@@ -53,6 +54,7 @@ def test_the_benchmark_lists_the_quickest_first():
     assert "434.9 s" in html
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "pl"])
 def test_the_top_stands_in_a_frame_of_its_own(language):
     chapter = top(language)

@@ -16,12 +16,13 @@ from hfield.ledger.paper import decision
 from hfield.ledger.registry import claims
 from hfield.proving.prove import prove
 from hfield.report.paper import paper
+from tests.subcases import subcases
 
 PDFLATEX = shutil.which("pdflatex")
 SIGNS = "pqλθψ²³⁻¹₀₁·−√≠⇒∈‖°…“”—żółćę{}$&%#_^~\\<>|\"'`()[]*=+-/.,;: aAIGF(9)QQ\u0304\u20d7中é✓ℚ"
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("text", "latex"),
     [
         ("q = 1 + i over GF(2)", r"$q = 1 + i$ over $\mathbb{F}_{2}$"),

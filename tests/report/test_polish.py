@@ -50,6 +50,7 @@ def decided(rows):
         yield from (erratum.witness, *erratum.failures)
 
 
+@pytest.mark.slow
 def test_every_text_of_claims_and_decisions_has_a_polish_one(whole):
     language = Language("pl", whole)
     assert [claim.id for claim in claims() if language.told(claim) is None] == []

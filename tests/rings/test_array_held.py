@@ -24,6 +24,7 @@ from hfield.errors import CoercionError, NotInvertibleError
 from hfield.product import conjugate, multiply, norm, trace
 from hfield.rings.array_held.finite import LabelArrays
 from hfield.rings.array_held.rows import RowArrays
+from tests.subcases import subcases
 from tests.thorough import THOROUGH
 
 # every arithmetic and word, at both ends of what it serves
@@ -118,6 +119,7 @@ def agrees(A, P, Q):
             p.inverse()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FINITE)
 def test_finite_rings(name):
     F, rng = ring(name), Random(name)
@@ -139,6 +141,7 @@ BYTES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BYTES)
 @pytest.mark.parametrize("instruction", [True, False])
 def test_fields_whose_labels_are_bytes(name, instruction, monkeypatch):
@@ -207,6 +210,7 @@ def test_every_product_of_a_small_ring(name):
 SIZES = [0, 1, 2**15, 2**21, 2**30 - 1, 2**30, 2**31, 2**32, 2**62, 2**63 - 1, 2**63, 2**64, 2**100]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("name", ["ZZ", "QQ"])
 def test_words_that_overflow(name, size):
@@ -229,6 +233,7 @@ def test_words_that_overflow(name, size):
 ENDS = sorted({s * (2**n + d) for n in (7, 15, 31, 63) for d in (-2, -1, 0, 1) for s in (1, -1)})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_whole_numbers_at_the_ends_of_every_width(seed):
     """Arrays of one width each, every one with every other, and the widths themselves."""
@@ -251,7 +256,7 @@ def test_whole_numbers_at_the_ends_of_every_width(seed):
             agrees(A, P, Q)
 
 
-@pytest.mark.parametrize("x", [*ENDS, 0])
+@subcases("x", [*ENDS, 0])
 def test_a_whole_number_is_the_same_in_every_width(x):
     A = H("ZZ")
     texts, numbers = A([str(x), "1"], 0, 0, 0), [A(x, 0, 0, 0), A(1, 0, 0, 0)]
@@ -372,8 +377,8 @@ def test_threads_share_long_arrays(name, number, count, monkeypatch):
 # --- what is asked of arrays alone ----------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", ["GF(7)", "GF(2^64)", "QQ", "ZZ", "QQ(sqrt(2))", "RDF"])
-@pytest.mark.parametrize("count", [1, 2, 3, 7, 8, 13])
+@subcases("name", ["GF(7)", "GF(2^64)", "QQ", "ZZ", "QQ(sqrt(2))", "RDF"])
+@subcases("count", [1, 2, 3, 7, 8, 13])
 def test_sums_and_ordered_products(name, count):
     A, rng = H(name), Random(count)
     each = [A(*(rng.randint(-2, 2) for _ in range(4))) for _ in range(2 * count)]
@@ -401,6 +406,7 @@ def test_sums_and_ordered_products(name, count):
         each[0].sum()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*FINITE, "ZZ", "QQ"])
 def test_arrays_of_integers_go_out_and_in(name, tmp_path):
     F, rng = ring(name), Random(name)
@@ -446,6 +452,7 @@ def test_what_stands_for_no_elements_is_refused():
         H("RR")([1], 0, 0, 0).to_array()
 
 
+@pytest.mark.slow
 def test_arrays_of_galois_are_copied():
     import galois
 
@@ -466,6 +473,7 @@ def test_arrays_of_galois_are_copied():
 # --- arithmetics ------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("p", "n"), [(3, 2), (3, 5), (5, 4), (7, 3)])
 def test_logarithms_and_polynomials_say_the_same_as_galois(p, n):
     import galois
@@ -483,6 +491,7 @@ def test_logarithms_and_polynomials_say_the_same_as_galois(p, n):
     assert ExtensionField(p, tuple(F.coefficients)).dtype == arithmetic.dtype
 
 
+@pytest.mark.slow
 def test_without_machine_code_the_values_are_the_same():
     code = (
         "from hfield import H\n"

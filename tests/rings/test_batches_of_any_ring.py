@@ -14,6 +14,7 @@ from hfield.errors import CoercionError, HFieldError
 from hfield.product import Constants
 from hfield.rings.arrays import check_shapes, objects, one_shape
 from hfield.rings.holding import Batch, Holding
+from tests.subcases import subcases
 
 NAMES = ("QQ", "QQ[x]", "GF(5)[x,y]", "ZZ/6", "QQ(sqrt(2))", "QQ(x)[u]/(u^2-x)")
 
@@ -186,7 +187,7 @@ def test_shapes() -> None:
     assert list(x == x) == [True, True]
 
 
-@pytest.mark.parametrize("name", ["ZZ", "QQ", "ZZ/6", "QQ(x)", "GF(4)(t)", "GF(9)", "GF(2^100)",
+@subcases("name", ["ZZ", "QQ", "ZZ/6", "QQ(x)", "GF(4)(t)", "GF(9)", "GF(2^100)",
                                   "QQ(sqrt(2))",
                                   "QQ[s]/(s^3-2)", "QQ[s]/(s^5-s-1)", "RR"])  # fmt: skip
 def test_compact_forms_compute_the_table(name: str) -> None:
@@ -235,6 +236,7 @@ def spoilt(*arrays):
     return bool(done)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", VALUES)
 def test_nothing_that_a_caller_holds_changes_an_element(name: str) -> None:
     A = H(name)

@@ -5,6 +5,7 @@ import pytest
 from hfield.errors import CoercionError
 from hfield.rings import ring
 from hfield.rings.base import WithIntegers
+from tests.subcases import subcases
 
 PLAIN = ["QQ", "ZZ", "ZZ/6", "GF(9)", "RR", "QQ(I)", "QQ[s]/(s^3-2)", "Qp(5)"]
 
@@ -28,7 +29,7 @@ def test_other_rings_have_no_constants(name):
     assert R.as_constant(R(1)) is None
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "coefficients", "rootless"),
     [
         ("QQ", [-2, 0, 0, 1], True),

@@ -24,11 +24,12 @@ from hfield.rings.closed_fields.surds import (
     root_near,
     sqrt_rational,
 )
+from tests.subcases import subcases
 
 L2, L3, L5, L7 = log(2), log(3), log(5), log(7)
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("expr", "height", "roots", "order", "degree"),
     [
         (Rational(-7, 3), L7, {}, 1, 1),
@@ -57,7 +58,7 @@ def test_heights(expr, height, roots, order, degree) -> None:
     assert (found.roots, found.order, found.degree) == (roots, order, degree)
 
 
-@pytest.mark.parametrize("expr", [
+@subcases("expr", [
     pi, sympy.E, sympy.log(2), cos(1), exp(1 + I * pi / 3), Pow(2, sqrt(2)), sqrt(pi), pi + 1, 2 * pi,
     cos(sqrt(2) * pi), sympy.cosh(1), exp(pi / 3), sin(I * pi / 2), sqrt(sympy.log(3) + 1),
 ])  # fmt: skip
@@ -96,7 +97,7 @@ OTHERS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("expr", [*POWERS, *OTHERS], ids=str)
+@subcases("expr", [*POWERS, *OTHERS])
 def test_enclosures_are_those_of_sympy(expr) -> None:
     assert is_known(expr)
     with flint.ctx.workprec(120):
@@ -140,7 +141,7 @@ def value(x: Surd) -> complex:
     return sum(float(c.p) / float(c.q) * complex(n) ** 0.5 for n, c in x.terms.items())
 
 
-@pytest.mark.parametrize("x", SURDS, ids=str)
+@subcases("x", SURDS)
 def test_powers_and_inverses_of_surds(x) -> None:
     one = from_rational(1)
     inverse = x.inverse()
@@ -165,7 +166,7 @@ def test_powers_and_inverses_of_surds(x) -> None:
     assert surd_of(sympy.expand(sympy_of(x))) == x
 
 
-@pytest.mark.parametrize("x", SURDS, ids=str)
+@subcases("x", SURDS)
 def test_parts_and_signs_of_surds(x) -> None:
     z = value(x)
     real, imaginary = x.real(), x.imaginary()
@@ -302,7 +303,7 @@ def test_surds_are_values() -> None:
 # --- closed forms -----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("text", "plain", "unicode", "latex"),
     [
         ("pi", "pi", "π", r"\pi"),

@@ -3,11 +3,11 @@
 import itertools
 from fractions import Fraction
 
-import pytest
 import sympy
 
 from hfield import H, QuaternionAlgebra
 from hfield.rings import ring
+from tests.subcases import subcases
 
 EQUAL = [
     ("1/6", "(cos(pi/7)-cos(2*pi/7)+cos(3*pi/7))/3", "cos(pi/7)/3-cos(2*pi/7)/3+cos(3*pi/7)/3"),
@@ -25,8 +25,8 @@ EQUAL = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("name", ["RR", "CC"])
-@pytest.mark.parametrize("texts", EQUAL, ids=lambda t: t[0])
+@subcases("name", ["RR", "CC"])
+@subcases("texts", EQUAL)
 def test_equal_numbers(name, texts):
     F = ring(name)
     A = H(F)

@@ -10,6 +10,7 @@ from hfield.errors import HFieldError, NotInvertibleError
 from hfield.fields.function_fields.extensions import ExtensionElement
 from hfield.rings import ring
 from hfield.rings.roots import divided, stripped
+from tests.subcases import subcases
 
 NAMES = (
     "GF(3)(t)[u]/(u^2-t^3+t)", "QQ(x)[u]/(u^3-x)", "QQ(x,y)[u]/(u^2-x*y)", "GF(4)(s,t)",
@@ -100,7 +101,7 @@ def test_elements_of_different_extensions_do_not_mix() -> None:
     assert isinstance(F(2), ExtensionElement)
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "said"),
     [
         ("QQ(x)[u]/(u^2-x^2)", "the polynomial is reducible, (x - u)*(x + u) up to a constant"),

@@ -5,6 +5,7 @@ import pytest
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError
 from hfield.rings import RDF
+from tests.subcases import subcases
 
 
 def test_values_enter():
@@ -16,7 +17,7 @@ def test_values_enter():
     assert isinstance(RDF(np.float64(1)), float)
 
 
-@pytest.mark.parametrize(
+@subcases(
     "x", [float("nan"), float("inf"), -float("inf"), "nan", "inf", "-inf", "1e999", 2**2000, 1j, "1/0",
           "sqrt(-1)", "log(0)", "exp(1000)", None, np.float64("nan")],
 )  # fmt: skip

@@ -17,6 +17,7 @@ from hfield.errors import (
 from hfield.rings import INFINITY, ring
 from hfield.rings.roots import divided, multiplied, stripped
 from tests.steps import steps
+from tests.subcases import subcases
 
 coefficients = st.lists(st.integers(-5, 5), min_size=1, max_size=4)
 
@@ -41,7 +42,7 @@ def test_rational_functions_against_sympy(a, b, c, d):
     assert F.text(left) == F.text(F(str(right)))
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "text", "shown"),
     [
         ("QQ(x)", "(x^2-1)/(2*x+2)", "1/2*x-1/2"),

@@ -18,6 +18,7 @@ from hfield.rings.held.compact import LARGE
 from hfield.rings.held.plain import Plain
 from hfield.rings.holding import Holding
 from tests.conformance import CONSTANTS, RINGS
+from tests.subcases import subcases
 
 FIELDS = ("QQ[s]/(s^3-1/2*s-1/3)", "QQ[s]/(s^4-s-1)", "QQ[s]/(s^5-1/3*s+2/5)")
 
@@ -139,6 +140,7 @@ class Four:
         return Four(np.array(TIMES)[self.labels, other.labels])
 
 
+@pytest.mark.slow
 def test_all_elements_and_constants_of_four() -> None:
     """All 64 algebras over GF(4), all 65 536 pairs."""
     F = ring("GF(4)")
@@ -155,6 +157,7 @@ def test_all_elements_and_constants_of_four() -> None:
         assert found == by_formula.tobytes()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", EXACT)
 @settings(max_examples=2, deadline=None, derandomize=True)
 @given(seed=st.integers(0, 999))
@@ -295,7 +298,7 @@ def test_explain_product(capsys) -> None:
     assert "b*" not in out
 
 
-@pytest.mark.parametrize(
+@subcases(
     "name",
     [
         *("QQ", "QQ(sqrt(-7))", "QQ(I)", "QQ[s]/(s^3-2)", "QQ[s]/(s^3+s^2-4*s-1/2)"),

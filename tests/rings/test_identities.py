@@ -1,6 +1,5 @@
 """Numbers in nested roots that are 0 by the rules of a field: seen without digits, and no others."""
 
-import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -12,6 +11,7 @@ from hfield.rings import CC, RR
 from hfield.rings.closed_fields import closed_forms as closed
 from hfield.rings.closed_fields.identities import vanishes_identically
 from tests.steps import steps
+from tests.subcases import subcases
 
 # an identity whose degree and height asked for more digits than are computed
 LONG = ["4+root(4,3)", "root(7,25)", "sqrt(5-root(5,3))+sqrt(6+root(3,3))", "11"]
@@ -59,7 +59,7 @@ FORMS = [
 ]
 
 
-@pytest.mark.parametrize(("expr", "seen"), FORMS, ids=range(len(FORMS)))
+@subcases(("expr", "seen"), FORMS)
 def test_what_is_seen(expr, seen) -> None:
     assert vanishes_identically(expr) is seen
 

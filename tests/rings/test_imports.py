@@ -21,6 +21,7 @@ CASES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("code", CASES, ids=lambda code: code[-40:])
 def test_imports(code):
     script = f"{code}\nimport sys\nprint(*[m for m in {HEAVY} if m in sys.modules])"

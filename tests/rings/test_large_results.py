@@ -33,6 +33,7 @@ def place(q: Quaternion) -> int:
     return address
 
 
+@pytest.mark.slow
 def test_memory_is_used_again_when_nobody_holds_it() -> None:
     p, q = drawn(1000), drawn(1000, seed=2)
     first = p * q
@@ -86,6 +87,7 @@ def test_threads_do_not_get_the_same_memory() -> None:
     assert not wrong
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("bits", [7, 15, 20, 29])
 def test_what_is_written_past_the_caches_is_the_same(bits: int) -> None:
     """Lengths around those of lines and blocks, rows that begin anywhere in a line."""

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, UndecidedError
 from hfield.rings import ring
+from tests.subcases import subcases
 
 FIELDS = (
     "Qp(2)", "Qp(5)", "QQ(I)_(5, I-2)", "QQ(sqrt(2))_(2)", "QQ(sqrt(-3))_(2)", "QQ(sqrt(-3))_(3)",
@@ -23,6 +24,7 @@ def contains(ball, x):
     return ball.precision is not None and rest.valuation() >= ball.precision
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FIELDS)
 @settings(max_examples=25, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(seed=st.integers(0, 2**20), m=st.integers(-2, 8), n=st.integers(-2, 8))
@@ -73,7 +75,7 @@ def test_texts_read_back_and_equal_sets_have_equal_parts(name, seed, n):
     assert F.up_to(x, n + 1) != ball or F.text(F.up_to(x, n + 1)) == F.text(ball)
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@subcases("name", FIELDS)
 def test_roots_are_as_near_as_they_say(name):
     F, rng = ring(name), Random(2)
     seen = 0

@@ -14,6 +14,7 @@ from hfield.errors import CoercionError, NotInvertibleError, RingError
 from hfield.fields.number_fields.places import place_of_number_field
 from hfield.rings.printing import from_unicode
 from tests.structure.number_field_cases import cases, field, prime
+from tests.subcases import subcases
 
 FIELDS = cases("number_fields")
 SPELLED = {
@@ -23,7 +24,7 @@ SPELLED = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("text", "name"),
     [
         ("QQ[s]/(s^3-2)", "QQ[s]/(s^3-2)"),
@@ -52,7 +53,7 @@ def test_number_field_from_a_polynomial_in_any_letter() -> None:
     assert K.gen * ring("QQ[s]/(s^4-s-1)").gen == K.gen**2
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("text", "why"),
     [
         ("QQ[s]/(s^3-8)", r"reducible, \(s-2\)\*\(s\^2\+2\*s\+4\)"),
@@ -77,7 +78,7 @@ def test_what_makes_no_field_is_refused_in_words(text: str, why: str) -> None:
         ring(text)
 
 
-@pytest.mark.parametrize("name", SPELLED)
+@subcases("name", SPELLED)
 def test_numbers_in_names_have_their_values(name: str) -> None:
     K = ring(name)
     assert K.degree == SPELLED[name]
@@ -104,9 +105,7 @@ def test_both_roots_of_a_field_with_several_are_read_and_printed() -> None:
     )
 
 
-@pytest.mark.parametrize(
-    "name", [*SPELLED, "QQ[s]/(s^3-2)", "QQ[s]/(s^5-s+1)", "QQ[s]/(2*s^3+s-1/3)"]
-)
+@subcases("name", [*SPELLED, "QQ[s]/(s^3-2)", "QQ[s]/(s^5-s+1)", "QQ[s]/(2*s^3+s-1/3)"])
 def test_norm_trace_and_values_are_those_of_the_conjugates(name: str) -> None:
     K, rng = ring(name), Random(name)
     real = K.signature[0]
@@ -126,9 +125,7 @@ def test_norm_trace_and_values_are_those_of_the_conjugates(name: str) -> None:
         assert K.degree % (len(f) - 1) == 0
 
 
-@pytest.mark.parametrize(
-    "name", [*SPELLED, "QQ[s]/(s^3-2)", "QQ[s]/(s^4-s-1)", "QQ[s]/(s^6+3*s+3)"]
-)
+@subcases("name", [*SPELLED, "QQ[s]/(s^3-2)", "QQ[s]/(s^4-s-1)", "QQ[s]/(s^6+3*s+3)"])
 def test_square_roots_are_found_and_told_apart(name: str) -> None:
     K, rng = ring(name), Random(1)
     for _ in range(6):
@@ -167,7 +164,8 @@ def test_elements_are_values() -> None:
     assert float(s.complex(digits=40).real.rad()) < 1e-39
 
 
-@pytest.mark.parametrize("case", FIELDS, ids=lambda case: case["polynomial"])
+@pytest.mark.slow
+@subcases("case", FIELDS)
 def test_integers_and_prime_ideals_are_those_of_pari(case: dict) -> None:
     K = field(case["polynomial"])
     assert K.discriminant() == case["discriminant"]
@@ -237,7 +235,7 @@ def test_places() -> None:
         P.valuation(0)
 
 
-@pytest.mark.parametrize("d", [-1, 2, 3, 5, -3, -7, -2, 13, 17, -15, 6, 33])
+@subcases("d", [-1, 2, 3, 5, -3, -7, -2, 13, 17, -15, 6, 33])
 def test_quadratic_fields_have_the_same_methods(d: int) -> None:
     K, L = ring(f"QQ(sqrt({d}))"), NumberField(f"x^2-({d})", "s")
     assert K.degree == 2

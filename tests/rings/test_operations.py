@@ -14,6 +14,7 @@ from hfield.rings import ring
 from hfield.rings.galois_arrays import of_labels
 from hfield.rings.roots import rational_roots, residue_roots
 from hfield.rings.squares import three_squares, two_squares
+from tests.subcases import subcases
 
 EVERY = (
     *("ZZ", "QQ", "RR", "CC", "QQ(I)", "QQ(sqrt(2))", "QQ(sqrt(-7))", "QQ(sqrt(-3))", "QQ(x)"),
@@ -22,7 +23,7 @@ EVERY = (
 )
 
 
-@pytest.mark.parametrize("n", [*range(2, 33), 36, 45, 49, 64, 100])
+@subcases("n", [*range(2, 33), 36, 45, 49, 64, 100])
 def test_square_roots_modulo_n(n: int) -> None:
     residues = ring(f"ZZ/{n}")
     squares = {x * x % n for x in range(n)}
@@ -32,7 +33,7 @@ def test_square_roots_modulo_n(n: int) -> None:
         assert root is None or residues.equal(root * root, residues(x))
 
 
-@pytest.mark.parametrize("q", [2, 3, 4, 5, 7, 8, 9, 11, 25, 27, 101])
+@subcases("q", [2, 3, 4, 5, 7, 8, 9, 11, 25, 27, 101])
 def test_square_roots_in_finite_fields(q: int) -> None:
     field = ring(f"GF({q})")
     squares = {field.key(x * x) for x in field.elements()}
@@ -53,7 +54,7 @@ def test_quotients_of_integers() -> None:
                 integers.divide(integers(x), integers(y))
 
 
-@pytest.mark.parametrize(
+@subcases(
     "name",
     [
         *("GF(2)", "GF(3)", "GF(5)", "GF(7)", "GF(4)", "GF(9)", "GF(27)", "GF(3)(t)", "GF(5)(t)"),
@@ -67,7 +68,7 @@ def test_minus_one_as_a_sum_of_as_many_squares_as_the_level(name: str) -> None:
     assert len([x for x in squares if not field.is_zero(x)]) == field.level.value
 
 
-@pytest.mark.parametrize("name", EVERY)
+@subcases("name", EVERY)
 def test_elements_are_read_back_and_copied(name: str) -> None:
     import random
 
@@ -104,7 +105,7 @@ def test_numbers_near_a_fraction_are_none() -> None:
     assert real(Fraction(1, 3)) == third
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 6, 8, 9, 12, 16, 27, 30, 36, 45, 72, 100])
+@subcases("n", [2, 3, 4, 6, 8, 9, 12, 16, 27, 30, 36, 45, 72, 100])
 def test_roots_modulo_n(n: int) -> None:
     for c in (
         *([-1, 0, 1], [0, 1], [1], [0], [-4, 0, 1], [2, 3, 1], [0, -1, 0, 1], [1, 1, 1]),
@@ -166,7 +167,7 @@ def test_places_of_number_fields_are_listed() -> None:
     assert gaussian[0].startswith("inf")
 
 
-@pytest.mark.parametrize(
+@subcases(
     "text",
     [
         *("1/pi", "1/pi**2", "pi**3 - 1", "2/(3*pi)", "1/(pi + 1)", "1/(pi + 1)**2", "(1 + pi)**2", "-pi"),

@@ -39,6 +39,7 @@ from hfield.fields.rationals.places import place_of_q
 from hfield.rings import ring
 from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
 from hfield.rings.whole_numbers import fraction
+from tests.subcases import subcases
 
 PRIMES = (2, 3, 5, 7, 11, 13)
 QUADRATIC = (-1, -2, -3, -5, -6, -7, -11, -15, -23, 2, 3, 5, 6, 7, 10, 13, 17, 21, 33)
@@ -56,6 +57,7 @@ def order_of(x: Fraction, p: int) -> int:
     return order_at(x.numerator, p) - order_at(x.denominator, p)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("d", QUADRATIC)
 def test_places_of_quadratic_fields_are_those_of_the_number_field(d: int) -> None:
     F = QuadraticField(d)
@@ -238,7 +240,8 @@ POLYNOMIALS = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("polynomial", POLYNOMIALS)
+@pytest.mark.slow
+@subcases("polynomial", POLYNOMIALS)
 def test_prime_ideals_by_definition(polynomial: str) -> None:
     K = ring(f"QQ[x]/({polynomial})")
     rng = Random(2)
@@ -394,7 +397,7 @@ def test_sums_of_roots() -> None:
     assert factor_at(both * 3, lambda bits: flint.acb(g.numer().complex_roots()[0][0])) == g
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "polynomial", "count"),
     [
         ("QQ[s]/(s^3-2)", [-2, 0, 0, 1], 1),

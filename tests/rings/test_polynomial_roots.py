@@ -9,6 +9,7 @@ import pytest
 from hfield import CC, RR, CoercionError
 from hfield.rings.closed_fields import conjugate_pairs
 from hfield.rings.roots import divided
+from tests.subcases import subcases
 
 QUINTIC = (-1, -1, 0, 0, 0, 1)
 
@@ -61,7 +62,7 @@ def test_factors_over_the_reals():
     assert RR.irreducible_factors([RR(-2), RR(0), RR(0), RR(1)])[0][0] == -RR("root(2,3)")
 
 
-@pytest.mark.parametrize(
+@subcases(
     "text",
     [
         "rootof(5,-1,-1,0,0,0,1)",

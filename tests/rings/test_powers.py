@@ -8,6 +8,7 @@ import pytest
 from hfield import H, ring
 from hfield.errors import TooLargeError
 from hfield.rings.powers import bits
+from tests.subcases import subcases
 
 HUGE = 10**30
 INFINITE = (
@@ -17,7 +18,8 @@ INFINITE = (
 FUNCTIONS = ("GF(2)(t)", "GF(9)(t)", "GF(5)[x]", "GF(3)(t)[u]/(u^2-t^3+t)")
 
 
-@pytest.mark.parametrize("field", INFINITE)
+@pytest.mark.slow
+@subcases("field", INFINITE)
 def test_powers_of_what_grows_are_refused(field):
     A = H(ring(field))
     for q in (A(2, 1, 0, 3), A(np.array([1, 2]), 0, 1, 3)):
@@ -27,6 +29,7 @@ def test_powers_of_what_grows_are_refused(field):
         A.ring.power(A.ring(3), HUGE)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("field", ["QQ", "RR", "QQ(I)", "QQ(zeta5)", "QQ(x)", "Qp(5)"])
 def test_negative_and_nested_powers_are_refused(field):
     A = H(ring(field))
@@ -36,6 +39,7 @@ def test_negative_and_nested_powers_are_refused(field):
         ((A(2, 1, 0, 0) ** 1000) ** 1000) ** 1000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("field", ["QQ(x)", "QQ(x,y)", "ZZ[a,b]", "QQ[x]", *FUNCTIONS])
 def test_powers_of_a_variable_are_refused(field):
     F = ring(field)
@@ -45,7 +49,7 @@ def test_powers_of_a_variable_are_refused(field):
             F.power(x, HUGE)
 
 
-@pytest.mark.parametrize("field", [*INFINITE, *FUNCTIONS, "ZZ/6", "GF(7)", "GF(9)", "GF(2^64)"])
+@subcases("field", [*INFINITE, *FUNCTIONS, "ZZ/6", "GF(7)", "GF(9)", "GF(2^64)"])
 def test_powers_of_what_stays_small_are_computed(field):
     A = H(ring(field))
     i = A.basis[1]
@@ -54,6 +58,7 @@ def test_powers_of_what_stays_small_are_computed(field):
     assert (A(np.array([0, 0]), 1, 0, 0) ** HUGE == 1).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "field", ["QQ", "RR", "QQ(zeta5)", "QQ(x)", "QQ(x,y)", "QQ[x]", "GF(2)(t)"]
 )

@@ -2,9 +2,8 @@
 
 import json
 
-import pytest
-
 from tests.rings.told import FILE, RINGS, told
+from tests.subcases import subcases
 
 BEFORE = json.loads(FILE.read_text(encoding="utf-8"))
 
@@ -13,6 +12,6 @@ def test_all_rings_are_asked() -> None:
     assert tuple(BEFORE) == RINGS
 
 
-@pytest.mark.parametrize("name", RINGS)
+@subcases("name", RINGS)
 def test_what_a_ring_says_of_itself(name: str) -> None:
     assert told(name) == BEFORE[name]

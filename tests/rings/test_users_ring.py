@@ -1,15 +1,14 @@
 """The ring that docs/rings.md builds from scratch, through the axioms and into quaternions."""
 
-import pytest
-
 from hfield import H
 from hfield.rings import ring
+from tests.subcases import subcases
 
 from .axioms import CHECKS
 
 
-@pytest.mark.parametrize("base", ["QQ", "GF(3)", "GF(2)"])
-@pytest.mark.parametrize("check", CHECKS, ids=lambda f: f.__name__.removeprefix("check_"))
+@subcases("base", ["QQ", "GF(3)", "GF(2)"])
+@subcases("check", CHECKS)
 def test_axiom(dual_numbers, base, check):
     check(dual_numbers(ring(base)))
 

@@ -20,6 +20,7 @@ from hfield.rings.printing import (
     sum_text,
 )
 from tests.rings.words import FILE, named
+from tests.subcases import subcases
 
 BEFORE = json.loads(FILE.read_text(encoding="utf-8"))
 
@@ -237,9 +238,7 @@ def test_roots_in_the_names_of_fields_are_read() -> None:
             K(text)
 
 
-@pytest.mark.parametrize(
-    "n", [4, 6, 8, 9, 10, 12, 14, 15, 16, 20, 21, 24, 25, 28, 32, 33, 36, 45, 49, 64, 77, 99]
-)
+@subcases("n", [4, 6, 8, 9, 10, 12, 14, 15, 16, 20, 21, 24, 25, 28, 32, 33, 36, 45, 49, 64, 77, 99])
 def test_as_few_squares_as_can_be(n: int) -> None:
     R = ring(f"ZZ/{n}")
     squares = {x * x % n for x in range(n)}
@@ -251,7 +250,7 @@ def test_as_few_squares_as_can_be(n: int) -> None:
     assert sum((x * x for x in found), R.zero) == -1
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "text"),
     [
         ("QQ(sqrt(2))", "sqrt(2)"), ("RR", "pi"), ("QQ(x)", "1/x"), ("QQ(x,y)", "x/y"),

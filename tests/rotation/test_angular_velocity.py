@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rotation import DTypeError, Rotation, RotationError, angular_velocity, integrate
+from tests.subcases import subcases
 
 RNG = np.random.default_rng(12)
 
@@ -27,8 +28,8 @@ def test_the_error_is_of_fourth_order(frame: str) -> None:
     assert 11 < errors[1] / errors[2] < 60
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 6, 30])
-@pytest.mark.parametrize("backward", [False, True])
+@subcases("n", [2, 3, 4, 5, 6, 30])
+@subcases("backward", [False, True])
 def test_it_is_exact_for_a_constant_velocity_at_any_times(n: int, backward: bool) -> None:
     times = np.cumsum(RNG.uniform(0.05, 0.5, n))[:: -1 if backward else 1].copy()
     w = np.array([0.3, -0.9, 0.4])

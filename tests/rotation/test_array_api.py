@@ -27,6 +27,7 @@ from rotation import (
     slerp,
     squad,
 )
+from tests.subcases import subcases
 
 xp = pytest.importorskip("array_api_strict")
 
@@ -109,8 +110,9 @@ CALLS: dict[str, Callable[[Rotation, Callable[[Any], Any]], Any]] = {
 }
 
 
-@pytest.mark.parametrize("name", CALLS)
-@pytest.mark.parametrize("version", ["2023.12", "2024.12"])
+@pytest.mark.slow
+@subcases("name", CALLS)
+@subcases("version", ["2023.12", "2024.12"])
 def test_the_same_as_numpy(name: str, version: str) -> None:
     with xp.ArrayAPIStrictFlags(api_version=version):
         found = CALLS[name](Rotation.from_quat(xp.asarray(Q)), xp.asarray)
@@ -122,7 +124,7 @@ def test_the_same_as_numpy(name: str, version: str) -> None:
     )
 
 
-@pytest.mark.parametrize("name", CALLS)
+@subcases("name", CALLS)
 def test_float32_stays_float32(name: str) -> None:
     if name in ("from_quat huge", "from_rotvec small"):
         pytest.skip("beyond the range of float32")

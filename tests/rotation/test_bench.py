@@ -15,6 +15,7 @@ from rotation.bench.tasks import TESTS
 from rotation.bench.ways import WAYS
 from rotation.bench.ways.way import Way
 from rotation.commands.bench import BLAS
+from tests.subcases import subcases
 
 TINY = Settings(points=40, frames=4, repeats=2, seconds=0.001)
 BY_NAME = {test.name: test for test in TESTS}
@@ -54,6 +55,7 @@ def copy():
     return ways.PLAIN[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("test", TESTS, ids=lambda test: test.name)
 def test_every_way_computes_the_same(test, threads):
@@ -118,8 +120,8 @@ def test_as_printed_nothing_moves_and_with_axes_of_their_own_points_do():
     assert "largest displacement of a coordinate over all ways is" in text
 
 
-@pytest.mark.parametrize("test", [TEST_1, OWN, EULER], ids=lambda test: test.name)
-@pytest.mark.parametrize("frames", [1, 2, 3, 5])
+@subcases("test", [TEST_1, OWN, EULER])
+@subcases("frames", [1, 2, 3, 5])
 def test_a_way_that_does_other_work_is_not_timed(test, frames):
     results = run_test(test, [copy(), spoilt()], replace(TINY, frames=frames))
     assert [r.status for r in results] == ["ok", "wrong"]

@@ -19,6 +19,7 @@ EXPECTED = {
 }
 
 
+@pytest.mark.slow
 def test_scipys_own_tests_pass_but_for_those_named(tmp_path: Path) -> None:
     results, settings = tmp_path / "results.json", tmp_path / "pytest.ini"
     settings.write_text("[pytest]\n")

@@ -8,6 +8,7 @@ import pytest
 from rotation import Rotation, RotationError
 from rotation.euler import sequence
 from tests.rotation import reference
+from tests.subcases import subcases
 
 THREE = [a + b + c for a, b, c in itertools.product("xyz", repeat=3) if a != b != c]
 ALL = THREE + [s.upper() for s in THREE]
@@ -23,7 +24,7 @@ def test_there_are_24() -> None:
     assert len(set(ALL)) == 24
 
 
-@pytest.mark.parametrize("seq", ALL + SHORT + [s.upper() for s in SHORT])
+@subcases("seq", ALL + SHORT + [s.upper() for s in SHORT])
 def test_from_euler_is_the_product_of_the_axes_matrices(seq: str) -> None:
     angles = np.random.default_rng(1).uniform(-7, 7, (10, len(seq)))
     for found, row in zip(Rotation.from_euler(seq, angles).as_matrix(), angles, strict=True):
@@ -37,7 +38,8 @@ def test_zyx_of_the_thesis() -> None:
     assert Rotation.from_euler("xyz", [90, 0, 90], degrees=True).approx_equal(r)
 
 
-@pytest.mark.parametrize("seq", ALL)
+@pytest.mark.slow
+@subcases("seq", ALL)
 def test_angles_come_back(seq: str) -> None:
     rng = np.random.default_rng(2)
     low, high = ends(seq)
@@ -50,7 +52,7 @@ def test_angles_come_back(seq: str) -> None:
     )
 
 
-@pytest.mark.parametrize("seq", ALL)
+@subcases("seq", ALL)
 def test_gimbal_lock_on_both_sides(seq: str) -> None:
     rng = np.random.default_rng(3)
     for end in ends(seq):
@@ -65,7 +67,7 @@ def test_gimbal_lock_on_both_sides(seq: str) -> None:
             assert np.abs(again.as_matrix() - r.as_matrix()).max() < 1e-14
 
 
-@pytest.mark.parametrize("seq", ALL)
+@subcases("seq", ALL)
 def test_near_gimbal_lock_nothing_is_lost(seq: str) -> None:
     rng = np.random.default_rng(4)
     for end in ends(seq):
@@ -127,9 +129,7 @@ def test_shapes() -> None:
         assert r.as_euler("zyx").shape == (*batch, 3)
 
 
-@pytest.mark.parametrize(
-    "seq", ["", "w", "xyzx", "XyZ", "xx", "XXZ", "xyy", "x z", None, 3, ["x"], "ⅹ"]
-)
+@subcases("seq", ["", "w", "xyzx", "XyZ", "xx", "XXZ", "xyy", "x z", None, 3, ["x"], "ⅹ"])
 def test_sequences_that_do_not_exist(seq: object) -> None:
     with pytest.raises(RotationError, match="sequence"):
         sequence(seq)  # type: ignore[arg-type]

@@ -17,6 +17,7 @@ from rotation import (
     rotate,
     rotate_quat,
 )
+from tests.subcases import subcases
 
 strict = pytest.importorskip("array_api_strict")
 R = Rotation.random(6, seed=1)
@@ -89,7 +90,7 @@ def test_half_precision_is_refused_in_every_library(monkeypatch: pytest.MonkeyPa
             make(q)
 
 
-@pytest.mark.parametrize(
+@subcases(
     "call",
     [
         lambda xp: Rotation(xp.asarray(R.as_quat())).apply(xp.asarray(V[:5])),
@@ -101,7 +102,7 @@ def test_half_precision_is_refused_in_every_library(monkeypatch: pytest.MonkeyPa
         lambda xp: Rotation.between(xp.asarray(V), xp.asarray(V[:5])),
     ],
 )
-@pytest.mark.parametrize("xp", [strict, np])
+@subcases("xp", [strict, np])
 def test_shapes_that_do_not_fit_are_our_error(call: Callable[[Any], Any], xp: Any) -> None:
     with pytest.raises(RotationError):
         call(xp)

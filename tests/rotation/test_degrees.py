@@ -15,6 +15,7 @@ from rotation.euler import SEQUENCES
 from rotation.kernels import twins
 from rotation.plane import R2, reflection, rotate2
 from tests.rotation.reference import mp
+from tests.subcases import subcases
 
 QUARTERS = [0.0, 90.0, 180.0, 270.0, 360.0, 450.0, -90.0, -180.0, 720.0, 9e15, -90.0 * 2.0**60]
 E = np.eye(3)
@@ -43,8 +44,8 @@ MATRICES: dict[str, Callable[[Any], Any]] = {
 }
 
 
-@pytest.mark.parametrize("name", MATRICES)
-@pytest.mark.parametrize("times", [1, 100])  # by formulas, and by the loops for many
+@subcases("name", MATRICES)
+@subcases("times", [1, 100])  # by formulas, and by the loops for many
 def test_quarter_turns_are_exact(name: str, times: int) -> None:
     angles = np.tile(QUARTERS, times)
     found = MATRICES[name](angles)
@@ -62,7 +63,8 @@ def test_quarter_turns_of_the_plane_and_of_all_axes_are_exact() -> None:
         assert np.array_equal(about(QUARTERS, degrees=True)[:, shift][..., shift], found)
 
 
-@pytest.mark.parametrize("seq", SEQUENCES)
+@pytest.mark.slow
+@subcases("seq", SEQUENCES)
 def test_quarter_turns_by_euler_angles_are_exact(seq: str) -> None:
     angles = np.array(list(product([0.0, 90.0, 180.0, 270.0, -90.0], repeat=3)))
     turns = Rotation.from_euler(seq, angles, degrees=True)

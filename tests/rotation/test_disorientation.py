@@ -64,6 +64,7 @@ def test_corners_where_many_are_as_small(name: str) -> None:
     assert found.approx_equal(found[0, 0], 1e-13).all()  # equivalent ones get equal answers
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["D3", "D6", "O", "T", "I", "C4", "D2"])
 def test_equivalent_ones_get_equal_answers(name: str) -> None:
     rng = np.random.default_rng(1)

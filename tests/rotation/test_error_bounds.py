@@ -172,6 +172,7 @@ def by_scalar(off: Any) -> Any:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("face", range(4))
 def test_points_turned_about_axes(face: int, fused: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     for name, exact in (

@@ -90,6 +90,7 @@ def test_axes_are_equal(number):
     assert all(ax.get_aspect() == 1 for ax in shapes)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["png", "svg", "pdf"])
 def test_the_same_bytes_each_time(suffix, tmp_path, run, monkeypatch):
     first, second = tmp_path / "a", tmp_path / "b" / "c"
@@ -177,6 +178,7 @@ def test_another_package_can_draw_by_the_same_means(tmp_path):
     assert saving.save([mine], tmp_path, "svg") == [tmp_path / "figure-3.1.svg"]
 
 
+@pytest.mark.slow
 def test_no_pyplot_and_no_settings_of_the_user(tmp_path):
     code = (
         "import sys; from hfield.cli import main\n"

@@ -8,6 +8,7 @@ import pytest
 
 from rotation import Rotation, integrate, slerp
 from rotation.namespaces import namespace
+from tests.subcases import subcases
 
 HALF = np.vstack([np.zeros(3), 0.5 * np.eye(3)])
 E = np.eye(3)
@@ -107,7 +108,7 @@ def test_by_jax_compiled(name: str) -> None:
     np.testing.assert_allclose(found, wanted, atol=1e-14)
 
 
-@pytest.mark.parametrize("name", CASES)
+@subcases("name", CASES)
 def test_by_torch(name: str) -> None:
     torch = pytest.importorskip("torch")
     pytest.importorskip("array_api_compat")
@@ -116,7 +117,7 @@ def test_by_torch(name: str) -> None:
     np.testing.assert_allclose(found.numpy(), wanted, atol=1e-14)
 
 
-@pytest.mark.parametrize("name", FOUND)
+@subcases("name", FOUND)
 def test_what_decompositions_find_has_derivatives_by_torch(name: str) -> None:
     torch = pytest.importorskip("torch")
     pytest.importorskip("array_api_compat")

@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 
 from rotation import Rotation, RotationError
+from tests.subcases import subcases
 
 RNG = np.random.default_rng(12)
 GROUPS = {"I": 60, "O": 24, "T": 12, "C1": 1, "C7": 7, "D1": 2, "D2": 4, "D6": 12}
 
 
-@pytest.mark.parametrize(("name", "order"), GROUPS.items())
-@pytest.mark.parametrize("axis", ["X", "y", "Z"])
+@subcases(("name", "order"), GROUPS.items())
+@subcases("axis", ["X", "y", "Z"])
 def test_groups_are_groups(name: str, order: int, axis: str) -> None:
     g = Rotation.create_group(name, axis)
     assert g.shape == (order,)
@@ -23,7 +24,7 @@ def test_groups_are_groups(name: str, order: int, axis: str) -> None:
     assert (np.sum(near > 1 - 1e-9, axis=1) == 1).all()
 
 
-@pytest.mark.parametrize(("name", "axis"), [*itertools.product(GROUPS, "XYZ")])
+@subcases(("name", "axis"), [*itertools.product(GROUPS, "XYZ")])
 def test_groups_are_scipys(name: str, axis: str) -> None:
     S = pytest.importorskip("scipy.spatial.transform").Rotation
     ours = Rotation.create_group(name, axis).as_quat()
@@ -53,8 +54,8 @@ def test_groups_that_are_none(group: str, axis: str) -> None:
         Rotation.create_group(group, axis)
 
 
-@pytest.mark.parametrize("order", ["intrinsic", "e"])
-@pytest.mark.parametrize("lean", [-2.5, -np.pi / 2, -0.4, 0.0, 0.4, np.pi / 2, 2.5, np.pi])
+@subcases("order", ["intrinsic", "e"])
+@subcases("lean", [-2.5, -np.pi / 2, -0.4, 0.0, 0.4, np.pi / 2, 2.5, np.pi])
 def test_davenport_angles_come_back(order: str, lean: float) -> None:
     frame = Rotation.random(seed=3)
     axes = frame.apply([[1, 0, 0], [0, 1, 0], [np.cos(lean), 0, -np.sin(lean)]]) * [[2], [1], [5]]

@@ -64,6 +64,7 @@ print("untouched")
 """
 
 
+@pytest.mark.slow
 def test_no_kernel_reads_or_writes_beside_its_arrays() -> None:
     done = subprocess.run(
         [sys.executable, "-c", SCRIPT],

@@ -17,6 +17,7 @@ from rotation.euler import SEQUENCES, sequence
 from rotation.ledger.entries import Matrix, Vector, det, identity, scaled, times, transpose
 from rotation.optimum import davenport
 from rotation.quaternions import HAMILTON, multiplied, steadied
+from tests.subcases import subcases
 
 P, Q, R, V = (tuple(name[k] for k in range(4)) for name in names("p q r v"))
 
@@ -106,7 +107,8 @@ def test_each_row_that_from_matrix_chooses_from_is_a_multiple_of_q() -> None:
     assert proved(table)
 
 
-@pytest.mark.parametrize("seq", SEQUENCES)
+@pytest.mark.slow
+@subcases("seq", SEQUENCES)
 def test_euler_angles_are_three_turns(seq: str) -> None:
     """Quaternions of half angles, multiplied, turn points as sines and cosines of the angles do."""
     axes, intrinsic = sequence(seq)

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rotation import Rotation, RotationError, Slerp, Squad, slerp, squad
+from tests.subcases import subcases
 
 
 def near(p: Rotation, q: Rotation, atol: float = 1e-14) -> bool:
@@ -89,7 +90,7 @@ def test_slerp_through_keyframes_is_slerp_between_them() -> None:
     )
 
 
-@pytest.mark.parametrize("seed", range(10))
+@subcases("seed", range(10))
 def test_squad_has_no_corners(seed: int) -> None:
     keys = Rotation.random(6, rng=seed)
     times = np.cumsum(np.random.default_rng(seed).uniform(0.3, 1.0, 6))

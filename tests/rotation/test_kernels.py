@@ -12,6 +12,7 @@ from hfield.product import Constants, conjugate, multiply, norm
 from rotation import kernels
 from rotation.fused import rotate, rotate_quat
 from rotation.kernels import twins
+from tests.subcases import subcases
 
 RNG = np.random.default_rng(20)
 N = 1300  # two whole blocks and a part of one
@@ -43,8 +44,8 @@ def layouts(array: Any) -> dict[str, Any]:
 KINDS = list(layouts(POINTS))
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("out_kind", ["aos", "soa", "strided", "unaligned", "the points"])
+@subcases("kind", KINDS)
+@subcases("out_kind", ["aos", "soa", "strided", "unaligned", "the points"])
 def test_every_layout_gives_what_the_twin_gives(kind: str, out_kind: str) -> None:
     axes, q, euler = layouts(AXES)[kind], layouts(QUATS)[kind], layouts(EULER)[kind]
     angles = layouts(ANGLES[:, None])[kind][:, 0]
@@ -94,7 +95,7 @@ def test_zero_rows_are_found_in_every_layout(kind: str) -> None:
         assert kernels.contains_zero(layouts(spoilt)[kind])
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("points", "axis", "angle"),
     [
         ((N,), (), ()),

@@ -9,6 +9,7 @@ import pytest
 from rotation import fused, kernels
 from rotation.fused import rotate, rotate_euler, rotate_quat
 from tests.rotation.reference import exact, length, matrix_of, mp
+from tests.subcases import subcases
 
 ULP = 2.0**-52
 RNG = np.random.default_rng(7)
@@ -32,6 +33,7 @@ def errors(points: Any, turned: Any, quaternions: Any) -> float:
     return float(worst)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("spread", [0.0, 6.0])
 def test_quaternions_are_right_to_five_ulps_of_the_length(spread: float) -> None:
     n = 400
@@ -146,7 +148,7 @@ def test_the_sine_of_minus_zero_is_minus_zero() -> None:
     np.testing.assert_array_equal(np.signbit(turned[:, 1]), [True, False])
 
 
-@pytest.mark.parametrize("size", [5e-324, 1e-310, 1e-300, 1e-160, 1.0, 1e160, 1e300, 1.7e308])
+@subcases("size", [5e-324, 1e-310, 1e-300, 1e-160, 1.0, 1e160, 1e300, 1.7e308])
 def test_axes_of_every_length(size: float) -> None:
     expected = rotate(np.array([1.0, 2.0, 3.0]), [0.0, 1.0, 0.0], 0.7)
     one = rotate(np.array([1.0, 2.0, 3.0]), [0.0, size, 0.0], 0.7)
@@ -159,8 +161,8 @@ def test_axes_of_every_length(size: float) -> None:
         np.testing.assert_allclose(rotate_quat([1, 2, 3], q), expected, atol=2e-14)
 
 
-@pytest.mark.parametrize("size", [1e-280, 1e-200, 1e-100, 1e-10, 1e10, 1e100, 1e200, 1e307])
-@pytest.mark.parametrize("many", [1e-150, 1e-30, 1.0, 1e30, 1e150])
+@subcases("size", [1e-280, 1e-200, 1e-100, 1e-10, 1e10, 1e100, 1e200, 1e307])
+@subcases("many", [1e-150, 1e-30, 1.0, 1e30, 1e150])
 def test_points_of_every_size_by_quaternions_of_every_length(size: float, many: float) -> None:
     points, q = RNG.normal(size=(20, 3)), RNG.normal(size=(20, 4))
     points *= size / np.abs(points).max()

@@ -24,6 +24,7 @@ from rotation import (
     squad,
     swing_twist,
 )
+from tests.subcases import subcases
 
 scipys = pytest.importorskip("scipy.spatial.transform")
 
@@ -72,8 +73,8 @@ NUMBERS: dict[str, Callable[[Any], Any]] = {
 }
 
 
-@pytest.mark.parametrize("home", FOREIGN)
-@pytest.mark.parametrize("name", TAKING)
+@subcases("home", FOREIGN)
+@subcases("name", TAKING)
 def test_who_takes_rotations_says_whose_they_are_and_what_to_write(home: str, name: str) -> None:
     turn, move = FOREIGN[home]
     with pytest.raises(DTypeError) as error:
@@ -106,8 +107,8 @@ def test_who_takes_transforms_says_so_too(home: str, name: str) -> None:
         MOVING[name](T.as_matrix())
 
 
-@pytest.mark.parametrize("home", ["rotation", *FOREIGN])
-@pytest.mark.parametrize("name", NUMBERS)
+@subcases("home", ["rotation", *FOREIGN])
+@subcases("name", NUMBERS)
 def test_who_takes_numbers_names_the_class(home: str, name: str) -> None:
     for value in (R, T) if home == "rotation" else FOREIGN[home]:
         with pytest.raises(DTypeError, match=rf"is a {home}\.\w+; expected an array of numbers"):
@@ -217,8 +218,8 @@ def test_arrays_of_other_libraries_stay_where_they_are() -> None:
             call()
 
 
-@pytest.mark.parametrize("group", ["T", "O", "I", "C1", "C5", "D1", "D2", "D7"])
-@pytest.mark.parametrize("axis", ["X", "y"])
+@subcases("group", ["T", "O", "I", "C1", "C5", "D1", "D2", "D7"])
+@subcases("axis", ["X", "y"])
 def test_groups_of_compat_are_in_scipys_order(group: str, axis: str) -> None:
     ours, theirs = (kind.create_group(group, axis).as_quat() for kind in (C, S))
     np.testing.assert_allclose(ours, theirs, atol=1e-15)
@@ -239,7 +240,7 @@ def test_of_equally_small_rotations_compat_takes_scipys() -> None:
             assert mine is None or (mine == theirs).all()
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("form", "advice"),
     [
         ("~r", r"r\.inv\(\)"),
@@ -257,7 +258,7 @@ def test_of_equally_small_rotations_compat_takes_scipys() -> None:
         ("s @ r", r"p \* q"),
     ],
 )
-@pytest.mark.parametrize("r", [R, T])
+@subcases("r", [R, T])
 def test_operators_that_there_are_not_say_what_to_write(form: str, advice: str, r: Any) -> None:
     with pytest.raises(DTypeError, match=f"write .*{advice}"):
         eval(form, {"r": r, "v": V, "s": FOREIGN["scipy.spatial.transform"][0]})

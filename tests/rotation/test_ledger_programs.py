@@ -37,6 +37,7 @@ MUTANTS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("line", MUTANTS)
 def test_what_is_proved_is_the_code(line: str) -> None:
     """A wrong function turns its own rows red, and those of the functions that call it."""

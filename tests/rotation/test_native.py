@@ -19,6 +19,7 @@ from rotation.native import builtins
 from rotation.native.entry import MUCH
 from rotation.quaternions import INVERSE, PRODUCT, SHORTER_POWER, _product, normalise
 from rotation.rowwise import Formula
+from tests.subcases import subcases
 
 RNG = np.random.default_rng(11)
 UNITS = Rotation.random(40_000, seed=1).as_quat()
@@ -35,7 +36,7 @@ def run(code: str, **variables: str) -> str:
     return found.stdout.strip()
 
 
-@pytest.mark.parametrize("n", [0, 1, 2, 7, 8, 9, 15, 17, 100, 5000, 40_000])
+@subcases("n", [0, 1, 2, 7, 8, 9, 15, 17, 100, 5000, 40_000])
 def test_every_number_of_rows(n: int) -> None:
     p, q = UNITS[:n], UNITS[::-1][:n]
     np.testing.assert_array_equal(PRODUCT(p, q), _product(p, q))
@@ -67,7 +68,7 @@ SHAPES: list[tuple[Any, Any]] = [
 ]
 
 
-@pytest.mark.parametrize(("one", "other"), SHAPES)
+@subcases(("one", "other"), SHAPES)
 def test_batches_broadcast(one: Any, other: Any) -> None:
     p = RNG.standard_normal((*one, 4))
     q = RNG.standard_normal((*other, 4))

@@ -10,6 +10,7 @@ import pytest
 from rotation import RigidTransform, Rotation, align, align_points, matrices, vectors
 from rotation.namespaces import quiet
 from rotation.native import builtins
+from tests.subcases import subcases
 
 RNG = np.random.default_rng(2024)
 Make = Callable[[Any], Any]
@@ -77,7 +78,7 @@ READERS: dict[str, Make] = {
 }
 
 
-@pytest.mark.parametrize("name", READERS)
+@subcases("name", READERS)
 def test_one_is_read_as_many_are(name: str) -> None:
     rotations, read = Rotation(quaternions()), READERS[name]
     one = [read(r) for r in rotations]

@@ -18,6 +18,7 @@ from rotation import (
     swing_twist,
 )
 from rotation.conventions import AXES
+from tests.subcases import subcases
 
 RNG = np.random.default_rng(21)
 
@@ -52,7 +53,7 @@ def test_six_numbers_come_back() -> None:
             Rotation.from_6d(bad)
 
 
-@pytest.mark.parametrize(("source", "target"), [*itertools.permutations(AXES, 2)])
+@subcases(("source", "target"), [*itertools.permutations(AXES, 2)])
 def test_conventions_agree_about_what_happens(source: str, target: str) -> None:
     r, v = Rotation.random(10, seed=3), RNG.standard_normal((10, 3))
     turned = convert_rotation(r, source, target).apply(convert_points(v, source, target))
@@ -71,6 +72,7 @@ def test_conventions_have_the_hands_they_are_known_for() -> None:
         change_of_axes("ros", "maya")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("frame", ["body", "world"])
 def test_integration_to_a_tolerance(frame: str) -> None:
     def omega(t: float) -> list[float]:
@@ -112,8 +114,8 @@ def test_conventions_of_motions(source: str, target: str) -> None:
         change_of_axes(3, target)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("frame", ["body", "world"])
-@pytest.mark.parametrize("place", [0.5123, 0.5, 0.211, 1 / 3, 0.999, 1e-3])
+@subcases("frame", ["body", "world"])
+@subcases("place", [0.5123, 0.5, 0.211, 1 / 3, 0.999, 1e-3])
 def test_integration_finds_a_jump(frame: str, place: float) -> None:
     before, after = np.array([1.0, 2, -1]), np.array([-2.0, 1, 4])
 

@@ -146,6 +146,7 @@ def test_nowhere_to_write_a_cache(tmp_path: Path) -> None:
     assert run(ONE, root, **nowhere) == "[3. 1. 2.]"
 
 
+@pytest.mark.slow
 def test_machine_code_is_kept_and_follows_the_formulas(tmp_path: Path) -> None:
     root, cache = installed(tmp_path / "site"), tmp_path / "cache"
     place = {"NUMBA_CACHE_DIR": str(cache)}

@@ -294,6 +294,7 @@ def rounded(q: Fixed) -> np.ndarray:
 
 
 @pytest.mark.slow
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["random", "one repeated"])
 def test_a_million_compositions(kind: str) -> None:
     n = 10**6

@@ -8,6 +8,7 @@ import pytest
 from hfield.product import multiply
 from rotation import Rotation, RotationError, integrate
 from rotation.quaternions import HAMILTON
+from tests.subcases import subcases
 
 
 def velocity(t: float) -> np.ndarray:
@@ -93,7 +94,7 @@ def test_norms_hold_over_many_steps() -> None:
     assert np.abs(np.linalg.norm(q, axis=1) - 1).max() <= 1e-15
 
 
-@pytest.mark.parametrize(
+@subcases(
     "call",
     [
         lambda: integrate([0, 0, 1], [0.0, 1.0, 1.0]),

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rotation import Rotation, Slerp, slerp
+from tests.subcases import subcases
 from tests.thorough import cases
 
 scipy_rotation = pytest.importorskip("scipy.spatial.transform")
@@ -46,7 +47,7 @@ def test_constructors(pair: tuple[Rotation, object]) -> None:
     assert difference(ours, S.from_matrix(rough)) < 1e-13  # both by singular values
 
 
-@pytest.mark.parametrize("seq", SEQUENCES + [s.upper() for s in SEQUENCES])
+@subcases("seq", SEQUENCES + [s.upper() for s in SEQUENCES])
 def test_all_24_sequences(seq: str, pair: tuple[Rotation, object]) -> None:
     angles = np.random.default_rng(5).uniform(-np.pi, np.pi, (N, 3))
     assert difference(Rotation.from_euler(seq, angles), S.from_euler(seq, angles)) < TOLERANCE
@@ -57,7 +58,7 @@ def test_all_24_sequences(seq: str, pair: tuple[Rotation, object]) -> None:
     assert np.minimum(turns, 2 * np.pi - turns).max() < 1e-11
 
 
-@pytest.mark.parametrize("seq", SHORT + [s.upper() for s in SHORT])
+@subcases("seq", SHORT + [s.upper() for s in SHORT])
 def test_one_and_two_letters(seq: str) -> None:
     angles = np.random.default_rng(6).uniform(-400, 400, (1000, len(seq)))
     ours = Rotation.from_euler(seq, angles, degrees=True)

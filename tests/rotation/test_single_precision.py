@@ -10,6 +10,7 @@ import rotation
 from rotation import DTypeError, ForeignArrayError, RigidTransform, Rotation, RotationSpline, Slerp
 from rotation.native import builtins
 from rotation.quaternions import normalised
+from tests.subcases import subcases
 
 SINGLE, U = np.dtype(np.float32), 2.0**-24
 SEQUENCE = "ZYX"
@@ -42,7 +43,7 @@ READ: dict[str, Callable[[Rotation], Any]] = {
 }
 
 
-@pytest.mark.parametrize("name", READ)
+@subcases("name", READ)
 def test_what_is_read_is_right_to_one_rounding(name: str, pair: tuple[Rotation, Rotation]) -> None:
     single, double = map(READ[name], pair)
     assert single.dtype == SINGLE
@@ -79,7 +80,7 @@ MADE: dict[str, Callable[..., Rotation]] = {
 }
 
 
-@pytest.mark.parametrize("name", MADE)
+@subcases("name", MADE)
 def test_all_are_made_in_the_precision_asked_for(name: str) -> None:
     double = MADE[name]()
     for dtype in (np.float32, "f4", SINGLE):

@@ -18,6 +18,7 @@ from rotation import (
     right_jacobian,
     vee,
 )
+from tests.subcases import subcases
 
 expm = pytest.importorskip("scipy.linalg").expm
 RNG = np.random.default_rng(29)
@@ -58,10 +59,8 @@ def test_ad_is_the_bracket_and_its_exponential_the_adjoint(n: int) -> None:
         np.testing.assert_allclose(KINDS[n].exp(x).adjoint(), expm(ad(x)), atol=1e-13)
 
 
-@pytest.mark.parametrize("n", KINDS)
-@pytest.mark.parametrize(
-    "length", [0.0, 1e-300, 1e-9, 0.1, 0.999999, 1.000001, 2.0, 3.1, 6.0, 40.0]
-)
+@subcases("n", KINDS)
+@subcases("length", [0.0, 1e-300, 1e-9, 0.1, 0.999999, 1.000001, 2.0, 3.1, 6.0, 40.0])
 def test_jacobians_are_the_integral_of_adjoints(n: int, length: float) -> None:
     """J = ∫ exp(s·ad) ds, which is a block of the exponential of a matrix twice as large."""
     for v in tangents(n, length, 5):

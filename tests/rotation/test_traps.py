@@ -9,6 +9,7 @@ import pytest
 
 import rotation
 from rotation import Rotation, RotationError, ZeroRotationError, integrate, slerp
+from tests.subcases import subcases
 
 NAN, INF = np.nan, np.inf
 
@@ -149,8 +150,8 @@ ROWS: list[tuple[Callable[[Any], Any], Any]] = [
 ]
 
 
-@pytest.mark.parametrize(("make", "row"), ROWS)
-@pytest.mark.parametrize("bad", [NAN, INF, -INF])
+@subcases(("make", "row"), ROWS)
+@subcases("bad", [NAN, INF, -INF])
 def test_nan_and_inf_spoil_their_own_row_only(
     make: Callable[[Any], Any], row: list[float], bad: float
 ) -> None:

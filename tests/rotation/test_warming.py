@@ -58,6 +58,7 @@ def test_warm_up_asks_for_every_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
     assert asked == set(kernels.__all__) - {"threads"}
 
 
+@pytest.mark.slow
 def test_after_warm_up_nothing_is_compiled() -> None:
     code = """
 import numpy as np

@@ -8,6 +8,7 @@ import pytest
 
 from hfield import QuaternionAlgebra, hilbert_symbol, ring
 from hfield.errors import CoercionError, RingError, UndecidedError
+from tests.subcases import subcases
 
 FIELDS = (
     "QQ", "QQ(I)", "QQ(sqrt(2))", "QQ(sqrt(5))", "QQ(sqrt(-7))", "QQ[s]/(s^2+s+1)", "QQ[s]/(s^3-2)",
@@ -18,7 +19,8 @@ FIELDS = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.slow
+@subcases("name", FIELDS)
 def test_a_completion_tells_where_an_algebra_ramifies(name):
     K, rng = ring(name), Random(name)
     divisions = 0
@@ -62,7 +64,7 @@ def test_at_a_real_place_signs_are_those_of_the_place(name):
                 assert hilbert_symbol(x, y, v) == (-1 if v.sign(x) < 0 and v.sign(y) < 0 else 1)
 
 
-@pytest.mark.parametrize("name", FIELDS[:-4])
+@subcases("name", FIELDS[:-4])
 def test_infinite_completions_are_read_back(name):
     K = ring(name)
     for v in islice(K.places(), 2):

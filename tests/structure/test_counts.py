@@ -61,6 +61,7 @@ def test_residue_formulas_for_all_algebras_modulo_4():
         everything_agrees(4, a, t, b)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("n", "times"), [(6, 12), (8, 40), (9, 25), (12, 8), (16, 12), (25, 2)])
 def test_residue_formulas_for_random_algebras(n, times):
     rng = random.Random(n)

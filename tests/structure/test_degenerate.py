@@ -11,9 +11,10 @@ from hfield.rings import ring
 from hfield.structure import is_isomorphic, isomorphism
 from hfield.structure.forms import discriminant
 from hfield.structure.single_elements.square_roots import square_roots
+from tests.subcases import subcases
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "one", "other", "answer"),
     [
         ("QQ", (0, 0, 3), (0, 0, 12), True),
@@ -81,7 +82,7 @@ def test_isomorphisms_between_random_presentations(name):
         assert len(set(map(str, m.images))) == 4
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "a", "t", "b", "s", "some"),
     [
         ("QQ", 2, 0, 0, 8, True),

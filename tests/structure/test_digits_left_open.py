@@ -42,6 +42,7 @@ def one(answers):
     return found.pop() if len(found) == 1 else None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["Qp(2)", "QQ(I)_(2)", "QQ(sqrt(-3))_(2)", "QQ(sqrt(2))_(2)", "QQ[s]/(s^3-2)_(2, s)"]
 )
@@ -73,6 +74,7 @@ def test_symbols_and_squares_are_those_of_all_numbers_with_these_digits(name):
     assert seen == {1, -1, None}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["GF(2)((t))", "GF(4)((t))", "GF(2)(t)_inf"])
 def test_symbols_in_characteristic_2_are_those_of_all_numbers_with_these_digits(name):
     F, rng, seen = ring(name), Random(2), set()

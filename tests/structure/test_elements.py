@@ -16,6 +16,7 @@ from hfield.structure.single_elements.properties import (
 )
 from hfield.structure.single_elements.square_roots import square_roots
 from hfield.structure.single_elements.torsion import multiplicative_order
+from tests.subcases import subcases
 
 SMALL = [
     ("GF(2)", 1, 0, 1),
@@ -138,7 +139,7 @@ def test_roots_of_squares_of_scalars_in_characteristic_2():
         assert same(F, multiply(c, found.quadric, found.quadric), (s, o, o, o))
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "a", "t", "b", "q", "order"),
     [
         ("QQ", -1, 0, -1, (0, 1, 0, 0), 4),

@@ -9,6 +9,7 @@ import pytest
 from hfield import H, QuaternionAlgebra
 from hfield.errors import NotFiniteError
 from hfield.rings import ring
+from tests.subcases import subcases
 
 NONE = [
     ("(-1,-1|QQ(x))", ["x", "-x", "-x^2-7", "-x^2-x-1", "-7", "-x^4-7", "-(x^2+3)^3", "1/(x+1)"]),
@@ -80,7 +81,7 @@ def test_whole_quadrics_over_large_finite_fields():
                 len(roots)
 
 
-@pytest.mark.parametrize(
+@subcases(
     "text",
     ["(-1,-1|GF(3))", "[1,1|GF(2))", "[x,1|GF(4))", "(2,3|GF(5))", "(0,0|GF(3))", "(0,2|GF(5))",
      "(1,1|GF(4))", "[1,0|GF(2))", "[1,2|GF(7))", "[0,0|GF(3))"],

@@ -12,6 +12,7 @@ from hfield.structure import is_division, isomorphism, ramified_places
 from hfield.structure.forms import discriminant
 from hfield.structure.ramification import hilbert_symbol
 from hfield.structure.single_elements.square_roots import square_roots
+from tests.subcases import subcases
 
 ODD = ["GF(3)(t)", "GF(5)(t)", "GF(9)(t)", "GF(1000003)(t)"]
 EVEN = ["GF(2)(t)", "GF(4)(t)", "GF(8)(t)"]
@@ -44,8 +45,9 @@ def other_generators(F, c: Constants, rng: random.Random, degree: int) -> Consta
             return d
 
 
-@pytest.mark.parametrize("name", ODD + EVEN)
-@pytest.mark.parametrize("degree", [2, 6])
+@pytest.mark.slow
+@subcases("name", ODD + EVEN)
+@subcases("degree", [2, 6])
 def test_isomorphisms_of_division_algebras(name, degree):
     F, rng = ring(name), random.Random(f"{name}{degree}")
     for _ in range(3):

@@ -14,6 +14,7 @@ from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.ramification import place, ramified_places, reduced_discriminant
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "t"),
     [

@@ -12,6 +12,7 @@ from hfield.rings.base import Ring
 from hfield.rings.integers import Rationals
 from hfield.structure import hilbert_symbol, is_isomorphic, ramified_places, zero_norm
 from hfield.structure.global_field import GlobalField, global_field, known_field
+from tests.subcases import subcases
 
 FIELDS = [
     "QQ",
@@ -29,7 +30,7 @@ FIELDS = [
 OTHERS = ["Qp(5)", "QQ(sqrt(2))_inf-", "QQ(x,y)"]
 
 
-@pytest.mark.parametrize("name", [*FIELDS, *OTHERS])
+@subcases("name", [*FIELDS, *OTHERS])
 def test_fields_with_places_have_an_arithmetic(name):
     F = ring(name)
     field = global_field(F)

@@ -49,6 +49,7 @@ def some_algebra(rng, bits, kind):
     }[kind]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["any", "definite", "split", "isotropic", "square"])
 @pytest.mark.parametrize("bits", [20, 40, 60])
 def test_isomorphisms_are_found_and_short(bits, kind, monkeypatch):

@@ -11,6 +11,7 @@ from padic_cases import cases, extension_cases, pari, pari_symbol
 from hfield import QuaternionAlgebra, hilbert_symbol, prove, ring
 from hfield.errors import NotInvertibleError, RingError, UndecidedError
 from hfield.factorisation import remove
+from tests.subcases import subcases
 
 VECTORS = Path(__file__).parents[1] / "vectors" / "padic_symbols.txt"
 EXTENSIONS = Path(__file__).parents[1] / "vectors" / "padic_extension_symbols.txt"
@@ -82,7 +83,8 @@ def test_so_many_digits_decide_and_fewer_do_not():
         assert F.big_o(power) in str(error.value)
 
 
-@pytest.mark.parametrize("name", COMPLETIONS)
+@pytest.mark.slow
+@subcases("name", COMPLETIONS)
 def test_square_classes_are_as_many_as_they_should_be(name):
     """There are 4 in odd residue characteristic, 4·2ⁿ in degree n over ℚ₂; the symbol is regular on them."""
     F, rng = ring(name), Random(3)
@@ -105,7 +107,7 @@ def test_square_classes_are_as_many_as_they_should_be(name):
     assert all(sum(row) == 0 for row in signs[1:])  # half of the classes are norms
 
 
-@pytest.mark.parametrize("name", COMPLETIONS)
+@subcases("name", COMPLETIONS)
 def test_an_inexact_number_is_decided_as_all_numbers_in_it(name):
     F, rng = ring(name), Random(4)
     for _ in range(6):
@@ -123,7 +125,8 @@ def test_an_inexact_number_is_decided_as_all_numbers_in_it(name):
                 assert hilbert_symbol(*moved, None) == expected
 
 
-@pytest.mark.parametrize("name", COMPLETIONS + EVEN)
+@pytest.mark.slow
+@subcases("name", COMPLETIONS + EVEN)
 def test_what_splits_is_split_and_what_does_not_is_proved_so(name):
     F, rng, seen = ring(name), Random(6), set()
     t = F.characteristic == 2
@@ -156,7 +159,8 @@ def scalar(F, x, m, t):
     return x + a, b, c, x + d
 
 
-@pytest.mark.parametrize("name", COMPLETIONS)
+@pytest.mark.slow
+@subcases("name", COMPLETIONS)
 def test_all_division_algebras_are_isomorphic(name):
     F, rng, division = ring(name), Random(8), []
     while len(division) < 3:

@@ -3,12 +3,11 @@
 from itertools import islice
 from random import Random
 
-import pytest
-
 from hfield import ring
 from hfield.product import Constants, conjugate, multiply, norm, trace
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.global_field import known_field
+from tests.subcases import subcases
 
 FIELDS = (
     "QQ", "QQ(sqrt(2))", "QQ(I)", "QQ(sqrt(-3))", "QQ(sqrt(5))", "QQ(sqrt(-7))", "QQ(sqrt(3))",
@@ -16,7 +15,7 @@ FIELDS = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@subcases("name", FIELDS)
 def test_a_plane_with_a_zero_exactly_where_the_symbol_is_1(name):
     F, rng = ring(name), Random(5)
     field, t = known_field(F), F(F.characteristic == 2)

@@ -57,6 +57,7 @@ def check(A, B):
     return i, j
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FIELDS)
 def test_random_pairs(name):
     K, rng = ring(name), random.Random(5)
@@ -66,6 +67,7 @@ def test_random_pairs(name):
         check(B, A)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", HARD, ids=range(len(HARD)))
 def test_pairs_that_were_refused(case, monkeypatch):
     """Nothing is factored but the norms of the constants, and images are about as long as these."""
@@ -85,6 +87,7 @@ def test_pairs_that_were_refused(case, monkeypatch):
     assert digits < 100
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["QQ[s]/(s^2-s-1)", *FIELDS[:2], "QQ[s]/(s^4-2)"])
 def test_modules_are_unimodular(name):
     """The trace of the bilinear form has the discriminant of the field to the sixth, times a scale."""
@@ -108,6 +111,7 @@ def test_modules_are_unimodular(name):
         assert ratio == 1 or exact % (12 * K.degree) == 0, root
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*FIELDS, "QQ[s]/(s^7-s^6-6*s^5+4*s^4+10*s^3-4*s^2-4*s+1)"])
 def test_algebras_from_their_ramification_have_maximal_orders(name):
     """The primes that come along are small, unlike those asked for."""

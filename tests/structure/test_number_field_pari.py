@@ -16,6 +16,7 @@ import pytest
 from hfield import NumberField, QuaternionAlgebra, hilbert_symbol
 from hfield.errors import RingError
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+from tests.subcases import subcases
 from tests.thorough import cases
 
 SEED = os.environ.get("HFIELD_SEED", "1")
@@ -44,7 +45,7 @@ def test_the_fields_are_as_many_as_they_should_be() -> None:
     assert sum(ALGEBRAS[n] for n, _ in FIELDS) == cases(2000)
 
 
-@pytest.mark.parametrize(("degree", "kind"), FIELDS)
+@subcases(("degree", "kind"), FIELDS)
 def test_algebras_ramify_where_pari_says(degree: int, kind: str) -> None:
     """At every prime ideal of 2ab, whose symbols multiply to 1 with the real ones."""
     oracle, rng = pari(), Random(f"{SEED} {degree} {kind}")

@@ -17,13 +17,15 @@ from hfield.product import Constants
 from hfield.structure.minimal_conics import Conic, minimise, norm_form
 from tests.steps import steps
 from tests.structure.number_field_cases import cases, field, prime
+from tests.subcases import subcases
 from tests.thorough import part
 
 ALGEBRAS = cases("number_field_ramification")
 POLYNOMIALS = list(dict.fromkeys(case["polynomial"] for case in ALGEBRAS))
 
 
-@pytest.mark.parametrize("polynomial", POLYNOMIALS)
+@pytest.mark.slow
+@subcases("polynomial", POLYNOMIALS)
 def test_ramification_is_that_of_pari(polynomial: str) -> None:
     """Symbols at all primes of 2ab, dyadic ones too; PARI checked that they multiply to 1."""
     K = field(polynomial)
@@ -47,7 +49,7 @@ def test_the_vectors_are_many() -> None:
     assert sum(case["finite"] == case["real"] == [] for case in ALGEBRAS) > 300
 
 
-@pytest.mark.parametrize("polynomial", POLYNOMIALS[::3])
+@subcases("polynomial", POLYNOMIALS[::3])
 def test_symbols_are_those_of_minimised_forms(polynomial: str) -> None:
     """At every prime of 2ab: the form has a good lattice exactly where the symbol is 1."""
     K, rng = field(polynomial), Random(polynomial)
@@ -137,7 +139,8 @@ def test_splittings_and_isomorphisms() -> None:
     assert B.is_isomorphic(B)
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@subcases(
     "name",
     ["QQ[s]/(s^3-2)", "QQ(zeta7)+", "QQ(zeta5)", "QQ[s]/(s^4-s-1)", "QQ(sqrt(2),sqrt(3))", "QQ[s]/(s^6-2)",
      "QQ[s]/(s^5-s+1)", "QQ[s]/(s^8+15)", "QQ(zeta11)+", "QQ[s]/(s^10-2)", "QQ(sqrt(5))", "QQ(I)"],

@@ -28,6 +28,7 @@ from hfield.rings import ring
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
 from hfield.structure.minimal_conics import Conic
 from hfield.structure.single_elements.square_roots import square_roots
+from tests.subcases import subcases
 from tests.thorough import cases
 
 FIELDS = [2, 3, 5, 10, 17, -1, -3, -7, -23, -163]
@@ -75,8 +76,8 @@ def is_square_at(v, x):
     return is_local_square(place_in_number_field(v), into_number_field(v.field, x))
 
 
-@pytest.mark.parametrize("d", FIELDS)
-@pytest.mark.parametrize("size", [300, 10**9])
+@subcases("d", FIELDS)
+@subcases("size", [300, 10**9])
 def test_conics_with_large_coefficients(d, size):
     F, rng = field(d), random.Random(d * size)
     for _ in range(cases(5)):
@@ -130,7 +131,7 @@ def test_rational_constants_over_a_field_of_any_discriminant():
     assert split(F, c) is not None
 
 
-@pytest.mark.parametrize("d", FIELDS)
+@subcases("d", FIELDS)
 def test_prime_ideals(d):
     F, rng = field(d), random.Random(d)
     for p in (2, 3, 5, 7, 163, 10**20 + 39):
@@ -185,7 +186,7 @@ def _index(K, values):
     return abs(hermite[0, 0] * hermite[1, 1])
 
 
-@pytest.mark.parametrize("d", FIELDS)
+@subcases("d", FIELDS)
 def test_common_slots(d):
     F, rng = field(d), random.Random(d)
     for _ in range(2):
@@ -211,8 +212,9 @@ def test_no_common_slot():
         slot(F, c, [F(-1)])
 
 
-@pytest.mark.parametrize("d", FIELDS)
-@pytest.mark.parametrize("size", [20, 100])
+@pytest.mark.slow
+@subcases("d", FIELDS)
+@subcases("size", [20, 100])
 def test_isomorphisms_of_division_algebras(d, size):
     F, rng = field(d), random.Random(d + size)
     for _ in range(cases(5)):

@@ -10,6 +10,7 @@ from hfield.structure.forms import discriminant
 from hfield.structure.isomorphisms.isomorphic import is_isomorphic, isomorphism, same_parent
 from hfield.structure.isomorphisms.splitting import Splitting, division_or_splitting, product, split
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
+from tests.subcases import subcases
 
 SPLIT = [
     ("QQ", 1, 0, 7),
@@ -32,7 +33,7 @@ SPLIT = [
 ]
 
 
-@pytest.mark.parametrize(("name", "a", "t", "b"), SPLIT)
+@subcases(("name", "a", "t", "b"), SPLIT)
 def test_a_splitting_is_an_isomorphism(name, a, t, b):
     F, c = ring(name), constants(name, a, t, b)
     s = split(F, c) if (name, a) != ("QQ(x)", "x") else None
@@ -87,7 +88,8 @@ def another_presentation(F, c: Constants, rng: random.Random) -> Constants:
             return d
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@subcases(
     ("name", "a", "t", "b"),
     [
         *SPLIT[:-1],
@@ -119,7 +121,7 @@ def test_isomorphic_presentations(name, a, t, b):
         assert all(F.equal(x, y) for x, y in zip(m.inverse(m(q)), q, strict=True))
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "one", "other", "answer"),
     [
         ("QQ", (-1, 0, -1), (-2, 0, -5), False),

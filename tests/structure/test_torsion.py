@@ -11,13 +11,14 @@ from hfield.errors import NotInvertibleError, UndecidedError
 from hfield.product import multiply
 from hfield.rings import ring
 from hfield.structure.single_elements.torsion import multiplicative_order
+from tests.subcases import subcases
 
 
 def order_of(algebra, text):
     return QuaternionAlgebra.from_text(algebra).parse(text).order()
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("algebra", "text", "order"),
     [
         ("H(RR)", "1", 1),

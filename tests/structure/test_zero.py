@@ -8,6 +8,7 @@ from hfield.product import norm
 from hfield.rings import ring
 from hfield.structure import centre, is_commutative, is_division, zero_norm
 from hfield.structure.norm_forms.zero_norm_answer import found
+from tests.subcases import subcases
 
 PANEL = {
     "QQ": True, "RR": True, "CC": False, "GF(2)": False, "GF(3)": False, "GF(4)": False, "GF(5)": False,
@@ -16,7 +17,7 @@ PANEL = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "division"), PANEL.items())
+@subcases(("name", "division"), PANEL.items())
 def test_hamilton_over_the_panel(name, division):
     F, c = ring(name), constants(name, -1, 0, -1)
     assert is_division(F, c) == division
@@ -28,7 +29,7 @@ def test_hamilton_over_the_panel(name, division):
         assert not all(map(F.is_zero, answer.element))
 
 
-@pytest.mark.parametrize("m", [m for m in range(1, 60) if all(m % (p * p) for p in (2, 3, 5, 7))])
+@subcases("m", [m for m in range(1, 60) if all(m % (p * p) for p in (2, 3, 5, 7))])
 def test_hamilton_over_imaginary_quadratic_fields(m):
     name = f"QQ(sqrt({-m}))"
     assert is_division(ring(name), constants(name, -1, 0, -1)) == (m % 8 == 7)
@@ -65,7 +66,7 @@ def test_large_finite_fields_need_no_search(name):
         assert zero_norm(F, constants(name, a, t, b))
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "a", "t", "b", "division"),
     [
         ("RR", "-sqrt(2)", 0, -3, True),
@@ -93,7 +94,7 @@ def test_general_constants(name, a, t, b, division):
         assert F.is_zero(norm(c, element))
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "a", "t", "b", "has"),
     [
         ("ZZ", -1, 0, -1, False),
@@ -146,7 +147,7 @@ def test_centres_agree_with_gap():
         assert len(centre(F, c)) == case["centre_dim"]
 
 
-@pytest.mark.parametrize(
+@subcases(
     ("name", "a", "t", "b", "size"),
     [
         ("QQ", -1, 0, -1, 1),
