@@ -11,7 +11,7 @@ TASKS = {
     "lint": ["ruff", "check", "."],
     "types": ["mypy"],
     "test": ["pytest", "-n", "auto"],
-    "coverage": ["coverage", "run", "-m", "pytest"],
+    "coverage": ["coverage", "run", "-m", "pytest", "--runslow"],
     "covered": ["coverage", "report", "--skip-covered", "--sort=cover"],
     "docs": [
         "sphinx",
