@@ -58,11 +58,19 @@ def start(A: QuaternionAlgebra) -> int:
     names = namespace(A)
     if not sys.stdin.isatty():
         return _run_piped(names)
+    app = _ipython()
+    if app is None:  # outside the except clause: errors of the session are shown as they are
+        return _run_plain(names, banner(A))
+    return _run_ipython(app, names, banner(A))
+
+
+def _ipython() -> Any:
+    """Return the class of IPython's terminal sessions, None where IPython is not installed."""
     try:
         from IPython.terminal.ipapp import TerminalIPythonApp
     except ImportError:
-        return _run_plain(names, banner(A))
-    return _run_ipython(TerminalIPythonApp, names, banner(A))
+        return None
+    return TerminalIPythonApp
 
 
 class _Console(InteractiveConsole):

@@ -122,6 +122,21 @@ def test_a_session(tmp_path, without):
     assert "Traceback" not in shown
 
 
+@pytest.mark.parametrize("line", ["no_such_name", "1 +* 2", "i/0", "raise ImportError('mine')"])
+def test_an_error_without_ipython_is_shown_alone(monkeypatch, capsys, line):
+    lines = iter([line, "exit()"])
+    monkeypatch.setitem(sys.modules, "IPython", None)
+    monkeypatch.setitem(sys.modules, "IPython.terminal.ipapp", None)
+    monkeypatch.setattr(sys.stdin, "isatty", lambda: True, raising=False)
+    monkeypatch.setattr("builtins.input", lambda prompt="": next(lines))
+    with pytest.raises(SystemExit):
+        repl.start(H("GF(7)"))
+    shown = capsys.readouterr().err
+    assert "Error" in shown
+    assert "IPython" not in shown
+    assert "During handling" not in shown
+
+
 INTERRUPTED = """
 import os, time
 import hfield.proving.prove as proving
