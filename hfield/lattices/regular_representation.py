@@ -161,7 +161,7 @@ def _checked(algebra: Parent) -> Regular:
             f"A.lattice, A.order, A.eichler_order), and {algebra} is over {algebra.ring}"
         )
     a, t, b = (fraction(x) for x in algebra.constants)
-    if not discriminant(Constants(a, t, b)):
+    if not discriminant(algebra.ring, algebra.constants):
         raise RingError(
             f"{algebra} is a degenerate algebra, (t² + 4a)·b = 0: it is not simple, and has no orders here"
         )

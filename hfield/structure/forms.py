@@ -27,11 +27,10 @@ class NormalForm(NamedTuple):
         return self.a, self.b
 
 
-def discriminant(c: Constants) -> Any:
+def discriminant(ring: Ring, c: Constants) -> Any:
     """Return ``(t² + 4a)·b``; the algebra over a field is central simple iff it is not 0."""
     a, t, b = c
-    twice = a + a
-    return (t * t + (twice + twice)) * b
+    return (t * t + ring(4) * a) * b  # of a p-adic a, 4a is known to more digits than a + a + a + a
 
 
 def normal_form(ring: Ring, c: Constants) -> NormalForm:
@@ -73,9 +72,9 @@ def from_pairings(ring: Ring, c: Constants, pairings: Sequence[Scalar]) -> Coord
     """
     a, t, b = c
     m, n, p, q = pairings
-    scale = ring.inverse(t * t + a + a + a + a)
+    scale = ring.inverse(t * t + ring(4) * a)
     other = ring.inverse(ring.zero - b) * scale
-    twice = a + a
+    twice = ring(2) * a
     return (
         scale * (twice * m + t * n),
         scale * (t * m - n - n),

@@ -31,7 +31,7 @@ def division_algebra(F, rng: random.Random, degree: int) -> Constants:
         a, b, den = (polynomial(F, rng, rng.randint(0, degree)) for _ in range(3))
         if not F.is_zero(den):
             c = Constants(F.divide(a, den), t, b)
-            if not F.is_zero(discriminant(c)) and is_division(F, c):
+            if not F.is_zero(discriminant(F, c)) and is_division(F, c):
                 return c
 
 
@@ -41,7 +41,7 @@ def other_generators(F, c: Constants, rng: random.Random, degree: int) -> Consta
         i, u = ([polynomial(F, rng, degree) for _ in range(4)] for _ in range(2))
         j = [x - y for x, y in zip(multiply(c, u, i), multiply(c, i, u), strict=True)]
         d = Constants(F.zero - norm(c, i), trace(c, i), multiply(c, j, j)[0])
-        if not F.is_zero(discriminant(d)):
+        if not F.is_zero(discriminant(F, d)):
             return d
 
 

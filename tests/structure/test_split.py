@@ -84,7 +84,7 @@ def another_presentation(F, c: Constants, rng: random.Random) -> Constants:
         p = [rng.choice(small) for _ in range(4)]
         j = [x - y for x, y in zip(multiply(c, i, p), multiply(c, p, i), strict=True)]
         d = Constants(multiply(c, i, i)[0] - middle * i[0], middle, multiply(c, j, j)[0])
-        if not F.is_zero(discriminant(d)):
+        if not F.is_zero(discriminant(F, d)):
             return d
 
 

@@ -237,7 +237,7 @@ def specialised_evidence(c: Constants) -> Iterator[Evidence]:
         if any(x.den(point) == 0 for x in c):
             continue
         special = Constants(*(x.num(point) / x.den(point) for x in c))
-        if not discriminant(special):
+        if not discriminant(QQ, special):
             continue
         proof = _rational(special, every=n < FEW)
         if proof is not None:

@@ -68,9 +68,7 @@ class LocalElement(Element):
         return None if self.precision is None else self.precision - (self.least_valuation() or 0)
 
     def plus(self, other: LocalElement) -> LocalElement:
-        """Return the set of all sums; a number plus itself is known to as many digits as the number."""
-        if other is self:
-            return self.times(self.field(2))
+        """Return the set of all sums."""
         precision = _least(self.precision, other.precision)
         return LocalElement(self.field, self.value + other.value, precision)
 
@@ -87,10 +85,9 @@ class LocalElement(Element):
         return LocalElement(self.field, self.value * other.value, precision)
 
     def inverse(self) -> LocalElement:
-        """Return 1/x. Raises :class:`NotInvertibleError` for 0, and for O(πⁿ), which may be 0."""
-        if not self.has_value:
-            why = "" if self.is_exact else ", which may be 0: none of its digits but zeros is known"
-            raise NotInvertibleError(f"cannot divide by {self} in {self.field}{why}")
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0, UndecidedError for O(πⁿ), which may be 0."""
+        if self.field.is_zero(self):
+            raise NotInvertibleError(f"cannot divide by 0 in {self.field}")
         precision = None
         if self.precision is not None:
             precision = self.precision - 2 * self.field.order_of(self.value)

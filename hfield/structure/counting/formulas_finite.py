@@ -89,7 +89,7 @@ def _over_prime(c: Constants, p: int, kind: str) -> int:
 
 
 def _shape(ring: Ring, c: Constants) -> _Shape:
-    if not ring.is_zero(discriminant(c)):
+    if not ring.is_zero(discriminant(ring, c)):
         return _Shape("split")
     if ring.characteristic == 2:
         if ring.is_zero(c.t):

@@ -52,7 +52,7 @@ class Isomorphism:
 
     def inverse(self, q: Coordinates) -> Coordinates:
         """Return the coordinates of the element whose image is q."""
-        if self.ring.is_zero(discriminant(self.source)):
+        if self.ring.is_zero(discriminant(self.ring, self.source)):
             columns = [*self.images, q]
             (solution,) = kernel(self.ring, [list(row) for row in zip(*columns, strict=True)], 5)
             scale = self.ring.zero - self.ring.inverse(solution[4])
@@ -95,7 +95,7 @@ def verified(
             for r, p in enumerate(images)
             for s, q in enumerate(images)
         )
-        and not (ring.is_zero(discriminant(c)) and kernel(ring, rows, 4))
+        and not (ring.is_zero(discriminant(ring, c)) and kernel(ring, rows, 4))
     ):
         raise AssertionError("the map found is not an isomorphism")
     return Isomorphism(ring, c, target, images)
@@ -110,7 +110,7 @@ def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
         return True
     if not ring.is_field:
         raise UndecidedError(f"{ring.name} is not a field: isomorphism is decided over fields only")
-    degenerate = [ring.is_zero(discriminant(x)) for x in (c, other)]
+    degenerate = [ring.is_zero(discriminant(ring, x)) for x in (c, other)]
     if any(degenerate):
         return all(degenerate) and embed_degenerate(ring, c, other) is not None
     if ring.order is not None:
@@ -148,7 +148,7 @@ def isomorphism(ring: Ring, c: Constants, other: Constants) -> Isomorphism | Non
         return verified(ring, c, other, e[1], e[2])
     if not is_isomorphic(ring, c, other):
         return None
-    if ring.is_zero(discriminant(c)):
+    if ring.is_zero(discriminant(ring, c)):
         found = embed_degenerate(ring, c, other)
         assert found is not None, "the two are isomorphic"
         return verified(ring, c, other, *found)

@@ -24,7 +24,7 @@ def centre(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:
     try:
         basis = kernel(ring, [row[1:] for row in commutator_rows(ring, c)], 3)
     except UndecidedError:  # with O() it is not decided that a pivot is 0
-        if not ring.is_field or ring.is_zero(discriminant(c)):
+        if not ring.is_field or ring.is_zero(discriminant(ring, c)):
             raise
         return (e,)  # the algebra is central simple
     return (e, *((zero, x, y, z) for x, y, z in basis))

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 def is_central_simple(ring: Ring, c: Constants) -> bool:
     """Tell whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field."""
-    return ring.is_field and not ring.is_zero(discriminant(c))
+    return ring.is_field and not ring.is_zero(discriminant(ring, c))
 
 
 def radical(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:

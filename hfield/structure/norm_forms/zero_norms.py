@@ -50,7 +50,7 @@ def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
         answer = _squares(ring, c, form)
         if answer is not None:
             return answer
-        ring.is_zero(discriminant(c))  # says what is missing
+        ring.is_zero(discriminant(ring, c))  # says what is missing
     tried = ["elements with coordinates 0, 1, −1"]
     for name, procedure in _PROCEDURES:
         answer = procedure(ring, c, form)
@@ -121,7 +121,7 @@ def _scaled(ring: Ring, q: Coordinates) -> Coordinates:
 def _is_degenerate(ring: Ring, c: Constants) -> bool | None:
     """Tell whether ``(t² + 4a)·b = 0`` in a field; None where too few digits of the constants are known."""
     try:
-        return ring.is_zero(discriminant(c))
+        return ring.is_zero(discriminant(ring, c))
     except UndecidedError:
         return None
 

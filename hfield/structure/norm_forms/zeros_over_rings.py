@@ -80,7 +80,7 @@ def _polynomials(ring: PolynomialRing, c: Constants, decide: Decide) -> ZeroNorm
     for keep, point in itertools.islice(_points(used), 60):
         field: Any = shared(PolynomialRing, ring.base, ring.variables[keep : keep + 1]).fractions
         special = Constants(*(_specialise(x, field, keep, point) for x in c))
-        if field.is_zero(discriminant(special)):
+        if field.is_zero(discriminant(field, special)):
             continue
         answer = decide(field, special)
         if answer.element is None:

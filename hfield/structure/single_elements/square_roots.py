@@ -95,7 +95,7 @@ def nilpotent_element(ring: Ring, c: Constants) -> Coordinates | None:
     _, i, j, _ = basis_of(ring)
     if ring.is_zero(c.b):
         return j
-    if ring.is_zero(discriminant(c)) and ring.characteristic != 2:
+    if ring.is_zero(discriminant(ring, c)) and ring.characteristic != 2:
         return ring.zero - c.t, ring(2), ring.zero, ring.zero
     q = zero_norm(ring, c).element
     if q is None or ring.is_zero(trace(c, q)):
@@ -123,7 +123,7 @@ def traceless_root(ring: Ring, c: Constants, s: Scalar) -> Coordinates | None:
             if ratio is not None:
                 w, x, y, z = (ratio * v for v in u)
                 return form.back((w, x, y, z))
-    if ring.is_zero(discriminant(c)):
+    if ring.is_zero(discriminant(ring, c)):
         return None  # every other element of trace 0 has one of these squares, up to squares, or 0
     splitting = split(ring, c)
     if splitting is not None:
@@ -141,7 +141,7 @@ def _traceless_root_even(ring: Ring, c: Constants, s: Scalar) -> Coordinates | N
     if ring.is_zero(c.t) and ring.sqrt(c.a) is None:
         w, r = field.as_norm(s, c.a)
         return w, r, o, o
-    if ring.is_zero(discriminant(c)):
+    if ring.is_zero(discriminant(ring, c)):
         return None  # all squares of elements of trace 0 are squares of scalars
     splitting = split(ring, c)
     assert splitting is not None, "j² is a square"
