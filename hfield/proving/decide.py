@@ -10,8 +10,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from hfield.certificates.glossary import LINEAR_ALGEBRA, NONE
-from hfield.errors import HFieldError, TooLargeError, UndecidedError
+from hfield.errors import HFieldError
 from hfield.fields.names import ring
+from hfield.proving.attempts import Attempts, Method
 from hfield.proving.clock import Clock
 from hfield.proving.decision import (
     FIELD,
@@ -23,6 +24,7 @@ from hfield.proving.decision import (
     undecided,
 )
 from hfield.proving.definedness import algebra_exists
+from hfield.proving.evaluation.scalars import constant
 from hfield.proving.existence import quantifiers
 from hfield.proving.existence.closed_equations import closed_solutions
 from hfield.proving.methods import universal
@@ -100,21 +102,31 @@ def answer_here(question: Question) -> Decision:
 @remembered
 def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
     """Try the methods, where the algebra exists; ``ring`` and ``timeout`` are for the memory."""
-    exists = algebra_exists(problem)
+    exists, attempts = algebra_exists(problem), Attempts()
     if exists is False:
         return _no_algebra(problem)
-    try:
-        decision = _tried(problem)
-        if decision.verdict == UNDECIDED:
-            found = decide_in_subfields(problem, _tried)
-            found = _never_false(problem) if found is None else found
-            decision = decision if found is None else found
-    except (TooLargeError, UndecidedError) as error:  # such as digits that are not known
-        return undecided(str(error))
+    attempts.answer(_evaluate_constants, problem)
+    if attempts.refusals:
+        return undecided(*attempts.refusals)
+    decision = attempts.answer(_tried, problem)
+    if decision is None or decision.verdict == UNDECIDED:
+        others: Iterable[Method] = (
+            lambda: decide_in_subfields(problem, _tried),
+            lambda: _never_false(problem),
+            lambda: decision,
+        )
+        decision = attempts.decide(others)
     if exists is None and decision.verdict in (PROVED, VACUOUS):
         tried = ("values of the letters for which the structure constants are defined",)
         return undecided(*tried)
     return decision
+
+
+def _evaluate_constants(problem: Problem) -> None:
+    """Evaluate the constants of the field. Raises :class:`UndecidedError` where one may not exist."""
+    if problem.field is not None:
+        for text in problem.statement.constants:
+            constant(problem.field, text)
 
 
 def _never_false(problem: Problem) -> Decision | None:
@@ -134,7 +146,7 @@ def _tried(problem: Problem) -> Decision:
     method = quantifiers.decide if statement.exists else universal.decide
     decision = method(problem)
     if decision.verdict == PROVED and statement.hypotheses:
-        return quantifiers.vacuous(problem) or decision
+        return Attempts().answer(quantifiers.vacuous, problem) or decision
     return decision
 
 

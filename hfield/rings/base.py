@@ -150,6 +150,10 @@ class Core(ABC, Generic[E]):
         """Tell whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
         return self.is_zero(x)
 
+    def is_known(self, x: E) -> bool:
+        """Tell whether x is one element: elements of local fields may be known up to O(…)."""
+        return True
+
     def agree(self, x: E, y: E) -> bool:
         """Tell whether x = y as far as they are known."""
         return self.vanishes(x - y)
@@ -202,6 +206,14 @@ class Named(Core[E]):
     def functions(self) -> dict[str, Callable[..., E]]:
         """What functions mean in this ring's texts, such as ``sqrt`` where numbers are written so."""
         return {}
+
+    def named_constants(self, node: syntax.Node) -> syntax.Node:
+        """Return a tree in which a number that the ring knows in part is written in one way, as one call."""
+        return node
+
+    def spelled_constants(self, node: syntax.Node) -> syntax.Node:
+        """Return a tree with such calls as people write them."""
+        return node
 
     def parse(self, text: str) -> E:
         """Read an element from text, in the grammar of :mod:`hfield.syntax`."""

@@ -19,13 +19,14 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import CoercionError, UndecidedError
+from hfield.errors import CoercionError, HFieldError, UndecidedError
 from hfield.fields.local.element import LocalElement
 from hfield.product import Scalar
 from hfield.rings.base import E, Known, Ring, shared
 from hfield.rings.operators import Overfield
 from hfield.rings.printing import is_sum, parentheses, power_text
 from hfield.rings.roots import integral, irreducible_factors, near_root
+from hfield.syntax import Binary, Call, Node, Number, Reader, children, parse, rebuild, weight
 
 if TYPE_CHECKING:
     from collections.abc import Hashable
@@ -94,7 +95,16 @@ class Completion(Overfield[E]):
 
     def _lifted(self, f: Callable[..., Scalar]) -> Callable[..., E]:
         """Return a function of the global field as one of exact elements."""
-        return lambda *xs: self(f(*(x.value for x in xs)))
+
+        def lifted(*xs: Any) -> E:
+            for x in xs:
+                if not self.is_known(x):
+                    raise UndecidedError(
+                        f"a function of {self.text(x)} hangs on digits that are not known"
+                    )
+            return self(f(*(x.value for x in xs)))
+
+        return lifted
 
     def places(self) -> Iterator[Hashable]:
         """Run through the places: there is one."""
@@ -173,15 +183,36 @@ class LocalField(Completion[LocalElement]):
 
     def up_to(self, x: Scalar, n: int) -> LocalElement:
         """Return ``x + O(πⁿ)``."""
-        return LocalElement(self, self(x).value, n)
+        return self(x) + LocalElement(self, self.global_field.zero, n)
 
     def functions(self) -> dict[str, Callable[..., LocalElement]]:
-        """``O(x)``, everything that x divides; ``sqrt``; and what functions mean in the global field."""
+        """Return the functions of the global field, ``sqrt``, and O: ``O(v, x)`` is ``v + O(x)``."""
         return {**super().functions(), "O": self._big_o, "sqrt": self._sqrt_here}
 
-    def _big_o(self, x: LocalElement) -> LocalElement:
+    def _big_o(self, x: LocalElement, *rest: LocalElement) -> LocalElement:
+        if rest:
+            (divisor,) = rest
+            return x + self._big_o(divisor)
         precision = x.least_valuation()
         return x if precision is None else LocalElement(self, self.global_field.zero, precision)
+
+    def named_constants(self, node: Node) -> Node:
+        """Return a tree in which each number that is written up to an O(…) is ``O(v, πⁿ)``, v its digits.
+
+        Only ``v + O(x)`` and ``O(x)`` with exact v write a number. Two of the same digits are the same; but
+        ``v + O(x)`` with digits 0 alone is ``O(πⁿ, πⁿ)``, and O(x) is ``O(0, πⁿ)``. What is computed from
+        numbers, as in ``2*(v + O(x))``, stays as it is.
+        """
+        return _NamedConstants(self).tree(node)
+
+    def spelled_constants(self, node: Node) -> Node:
+        """Return a tree with ``v + O(x)``, or ``O(x)`` where v is 0, for each ``O(v, x)``."""
+        below = [self.spelled_constants(x) for x in children(node)]
+        match node:
+            case Call("O", (v, _)):
+                rest = Call("O", (below[1],))
+                return rest if v == Number(0) else Binary("+", below[0], rest)
+        return rebuild(node, below) if below else node
 
     def _sqrt_here(self, x: LocalElement) -> LocalElement:
         y = self.sqrt(x)
@@ -200,12 +231,16 @@ class LocalField(Completion[LocalElement]):
             f"{self.big_o(x.precision + 1)} at least"
         )
 
+    def is_known(self, x: LocalElement) -> bool:
+        """Tell whether x is one element, without an O(…)."""
+        return x.is_exact
+
     def vanishes(self, x: LocalElement) -> bool:
         """Tell whether x is 0 as far as its digits are known."""
         return not x.has_value
 
     def inverse(self, x: LocalElement) -> LocalElement:
-        """Return 1/x. Raises :class:`NotInvertibleError` for 0 and for O(πⁿ)."""
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0, :class:`UndecidedError` for O(πⁿ)."""
         return x.inverse()
 
     def is_square(self, x: LocalElement) -> bool:
@@ -277,6 +312,61 @@ class LocalField(Completion[LocalElement]):
             pi = parentheses(pi, style)
         inside = "1" if n == 0 else power_text(pi, n, style)
         return rf"O\left({inside}\right)" if style == "latex" else f"O({inside})"
+
+
+class _NamedConstants:
+    """Puts ``O(v, πⁿ)`` for numbers with unknown digits into one tree, whose nodes may be shared."""
+
+    def __init__(self, field: LocalField) -> None:
+        self.field = field
+        functions: dict[str, Callable[..., LocalElement]]
+        functions = {"/": field.divide, "**": field.power, **field.functions()}
+        self.reader = Reader(field, field.names(), functions, field.name, field.parse_limit)
+        self.named: dict[
+            int, tuple[Node, Node]
+        ] = {}  # the nodes are kept, so that no id is used twice
+
+    def tree(self, node: Node) -> Node:
+        """Return the tree with these names."""
+        if id(node) not in self.named:
+            below = children(node)
+            made = self.number(node) or (
+                rebuild(node, list(map(self.tree, below))) if below else node
+            )
+            self.named[id(node)] = node, made
+        return self.named[id(node)][1]
+
+    def number(self, node: Node) -> Node | None:
+        """Return the name of the number that a node writes up to an O(…), None where it writes none."""
+        match node:
+            case (
+                Call("O", (v, x))
+                | Binary("+", v, Call("O", (x,)))
+                | Binary("+", Call("O", (x,)), v)
+            ):
+                pass
+            case Call("O", (x,)):
+                v = Number(0)
+            case _:
+                return None
+        value, rest = self.value(v), self.value(Call("O", (x,)))
+        if value is None or rest is None or not value.is_exact or rest.precision is None:
+            return None
+        known = LocalElement(self.field, value.value, rest.precision)
+        (above,) = children(parse(self.field.big_o(rest.precision)))
+        digits = parse(self.field.global_field.text(known.value))
+        # 5 + O(5) may stand in 5 + O(5) − O(5), where O(5) would cancel: it is not the number O(5)
+        return Call("O", (digits if known.has_value or not value.has_value else above, above))
+
+    def value(self, node: Node) -> LocalElement | None:
+        """Return the value of a term, None where it is no element of the field."""
+        if weight(node) > self.field.parse_limit:
+            return None
+        try:
+            value: LocalElement = self.reader.evaluate(node)
+        except HFieldError:
+            return None
+        return value
 
 
 TRIES = 5_000

@@ -122,8 +122,8 @@ def zero_divisors(setting: Setting) -> tuple[Coordinates, ...]:
 
     field = setting.field
     assert field is not None
-    c = Constants(*(constant(field, text) for text in setting.constants))
     try:
+        c = Constants(*(constant(field, text) for text in setting.constants))
         found = zero_norm(field, c).element
     except UndecidedError:
         return ()

@@ -66,7 +66,7 @@ def solve_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Assi
         for narrower in (*narrowed(clause, quaternions), clause, *on_axes(clause)):
             try:
                 found = solve(problem.within(SHORT), x, narrower)
-            except UndecidedError:  # a root that is known to some digits only
+            except HFieldError:  # such as a root that is known to some digits only
                 continue
             if found is not None and test(found):
                 return found

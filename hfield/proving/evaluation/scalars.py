@@ -13,7 +13,7 @@ from functools import lru_cache
 from operator import and_, mul, or_, xor
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias
 
-from hfield.errors import NotInvertibleError
+from hfield.errors import NotInvertibleError, UndecidedError
 from hfield.product import Arithmetic, Constants, Scalar, multiply, norm
 from hfield.rings.base import Ring
 from hfield.rings.rational import fmpq
@@ -121,6 +121,20 @@ class Decided(Scalars[S, T, T]):
         return self.times(self.integer(value.numerator), x), defined
 
 
+def some_nonzero(ring: Ring, elements: Iterable[Scalar]) -> bool:
+    """Tell whether some element is not 0. Raises UndecidedError where none is known not to be, but may be."""
+    doubt: UndecidedError | None = None
+    for x in elements:
+        try:
+            if not ring.is_zero(x):
+                return True
+        except UndecidedError as error:  # another element may tell
+            doubt = doubt or error
+    if doubt is not None:
+        raise doubt
+    return False
+
+
 class RingScalars(Decided[Scalar, bool]):
     """Elements of a ring: a statement becomes true or false."""
 
@@ -146,11 +160,11 @@ class RingScalars(Decided[Scalar, bool]):
 
     def equal(self, differences: Iterable[Scalar], defined: bool) -> bool:
         """Compare exactly, in the ring."""
-        return all(map(self.ring.is_zero, differences))
+        return not self.unequal(differences, defined)
 
     def unequal(self, differences: Iterable[Scalar], defined: bool) -> bool:
-        """Compare exactly, in the ring."""
-        return not all(map(self.ring.is_zero, differences))
+        """Compare exactly, in the ring. Raises UndecidedError where no difference is known not to be 0."""
+        return some_nonzero(self.ring, differences)
 
 
 class PrimeScalars(Decided["Rational", bool]):

@@ -24,7 +24,7 @@ from hfield.proving.existence.linear_systems import Row, System
 from hfield.proving.existence.witnesses import decide_closed
 from hfield.proving.methods import universal
 from hfield.proving.polynomials.normal_form import branches
-from hfield.proving.polynomials.vanishing import value_at
+from hfield.proving.polynomials.vanishing import known, value_at
 from hfield.proving.problem import Problem, constants_in
 from hfield.proving.statements.language import Sort
 from hfield.proving.statements.printing import to_text
@@ -60,7 +60,7 @@ def by_places(problem: Problem) -> Decision:
         count += 1
         if count > MAX_PLACES:
             break
-        if not meant(place) or (none_at is not None and not none_at(place)):
+        if not meant(place) or (none_at is not None and known(none_at, place) is False):
             continue
         looked += 1
         values = witness_texts(field, place)

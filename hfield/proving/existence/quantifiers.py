@@ -3,16 +3,17 @@
 Existence is proved by terms, once for all or case by case, and refuted where no case applies.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from hfield.certificates.glossary import FLOATS, WITNESS
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind, is_complete
 from hfield.fields.names import ring
+from hfield.proving.attempts import Attempts, Method
 from hfield.proving.counterexamples.candidates import prime_search, ring_search, true_place
 from hfield.proving.decision import FIELD, FIELDS, PROVED, REFUTED, VACUOUS, Decision, undecided
-from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars
+from hfield.proving.evaluation.scalars import PrimeScalars, RingScalars, constant
 from hfield.proving.evaluation.searcher import Searcher, read_back
 from hfield.proving.existence.isolation import isolated, isolated_alone
 from hfield.proving.existence.linear_systems import Case, linear_cases
@@ -53,14 +54,19 @@ def decide(problem: Problem) -> Decision:
     if not field.is_exact:
         tried = (f"{field.name} is inexact, so nothing is proved there to exist, or not to",)
         return undecided(*tried, method=FLOATS)
-    return _for_all_exists(problem) if problem.statement.given else decide_closed(problem)
+    known = (field.is_known(constant(field, text)) for text in problem.statement.constants)
+    is_closed = not problem.statement.given and all(
+        known
+    )  # digits that are not known are given, too
+    return decide_closed(problem) if is_closed else _for_all_exists(problem)
 
 
 def _over_all_fields(problem: Problem) -> Decision:
     """Decide over all fields: terms that serve everywhere, or a field where there is none."""
-    decision, place = _by_algebra(problem)
+    attempts = Attempts()
+    decision, place = _by_algebra(problem, attempts)
     if decision is None and place is None:
-        decision = by_zero_or_not(problem.share(1 / 3))
+        decision = attempts.answer(by_zero_or_not, problem.share(1 / 3))
     if decision is not None:
         return decision
     unproved = None  # refuted somewhere, but without evidence: another field may have some
@@ -82,35 +88,48 @@ def _at_fields(problem: Problem, place: Place | None) -> Iterator[tuple[Decision
     """Decide over one field after the other, first at a place that linear algebra has found."""
     if place is not None:
         name = place["F"][0]
-        yield refuted_at(problem.over(ring(name)), place), name
+        yield Attempts().answer(refuted_at, problem.over(ring(name)), place), name
     for there in all_fields.fields_tried(problem):
         if problem.is_late:
             break
-        yield decide(there.share(0.2, least=0.1)), there.ring.name
+        yield Attempts().answer(decide, there.share(0.2, least=0.1)), there.ring.name
 
 
-def _by_algebra(problem: Problem) -> tuple[Decision | None, Place | None]:
+def _by_algebra(problem: Problem, attempts: Attempts) -> tuple[Decision | None, Place | None]:
     """Prove by terms and cases, or return a place where linear algebra finds that there is none."""
-    decision = by_isolating(problem) or by_terms(problem.share(1 / 3))
+    terms: Iterable[Method] = (
+        lambda: by_isolating(problem),
+        lambda: by_terms(problem.share(1 / 3)),
+    )
+    decision = attempts.first(terms)
     if decision is not None:
         return decision, None
     if problem.field is not None and not problem.field.is_field:
         return None, None
-    return by_linear_algebra(problem)
+    return attempts.answer(by_linear_algebra, problem) or (None, None)
 
 
 def _for_all_exists(problem: Problem) -> Decision:
-    decision, place = _by_algebra(problem)
-    if decision is None and place is not None:
-        decision = refuted_at(problem, place)
-    if decision is None:
-        decision = by_roots(problem)
-    if decision is None:
-        found = at_zero(problem)
-        decision = None if found is None else by_terms(problem, [found])
-    if decision is None and problem.ring.is_field:
-        decision = by_zero_or_not(problem.share(1 / 4))
-    return by_places(problem) if decision is None else decision
+    attempts = Attempts()
+    decision, place = _by_algebra(problem, attempts)
+    return attempts.decide(_at_places(problem, place)) if decision is None else decision
+
+
+def _at_places(problem: Problem, place: Place | None) -> Iterator[Method]:
+    """Run through the methods that look at places, first at one that linear algebra has found."""
+    if place is not None:
+        yield lambda: refuted_at(problem, place)
+    yield lambda: by_roots(problem)
+    yield lambda: _by_what_serves_at_zero(problem)
+    if problem.ring.is_field:
+        yield lambda: by_zero_or_not(problem.share(1 / 4))
+    yield lambda: by_places(problem)
+
+
+def _by_what_serves_at_zero(problem: Problem) -> Decision | None:
+    """Prove by the terms that serve where all that is given is 0."""
+    found = at_zero(problem)
+    return None if found is None else by_terms(problem, [found])
 
 
 MAX_ISOLATED = 40

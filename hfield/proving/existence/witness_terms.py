@@ -5,7 +5,7 @@ from dataclasses import replace
 from itertools import islice, product
 
 from hfield.certificates.glossary import WITNESS
-from hfield.errors import TooLargeError
+from hfield.errors import HFieldError
 from hfield.evidence import Evidence, Kind
 from hfield.proving.counterexamples.candidates import true_place
 from hfield.proving.decision import FIELD, FIELDS, PROVED, Decision
@@ -36,7 +36,7 @@ def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None)
             if true_place(instance.about(Not(instance.statement.node)), 30) is not None:
                 continue
             decision = universal.decide(instance.within(1.0))
-        except TooLargeError:
+        except HFieldError:
             continue
         if decision.verdict == PROVED:
             named_terms = dict(zip(statement.exists, terms, strict=True))

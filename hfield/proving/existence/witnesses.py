@@ -5,7 +5,9 @@ In ℝ, ℂ and H(ℝ) roots exist by a theorem, for all values given, though no
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from hfield.certificates.glossary import (
@@ -19,11 +21,12 @@ from hfield.certificates.glossary import (
 )
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
+from hfield.proving.attempts import Attempts
 from hfield.proving.counterexamples.candidates import shown, true_place, witness_texts
 from hfield.proving.decision import FIELD, PROVED, REFUTED, Decision
 from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.evaluation.searcher import Assignment, Searcher, lifted
-from hfield.proving.existence.closed_equations import closed_solutions
+from hfield.proving.existence.closed_equations import Solutions, closed_solutions
 from hfield.proving.existence.linear_systems import linear_cases
 from hfield.proving.methods import universal
 from hfield.proving.polynomials.expansion import Symbolic
@@ -44,26 +47,30 @@ FEW = 400
 
 def decide_closed(problem: Problem) -> Decision:
     """Decide over one ring whether there are values for all unknowns that make the statement true."""
-    somewhere = problem.about(problem.matrix)
-    found = true_place(somewhere, FEW)
-    if found is None:
-        found = _solved(somewhere)
+    attempts, somewhere = Attempts(), problem.about(problem.matrix)
+    for search in (partial(true_place, somewhere, FEW), partial(_solved, somewhere)):
+        found = attempts.answer(search)
+        if found is not None:
+            return _witnessed(problem, found)
+    solutions = attempts.answer(closed_solutions, somewhere) or Solutions()
+    found = attempts.answer(_true_at, somewhere, solutions.places)
     if found is not None:
         return _witnessed(problem, found)
-    solutions = closed_solutions(somewhere)
-    test = Searcher(somewhere, RingScalars(problem.ring), True).test
-    for place in solutions.places:
-        if test(place):
-            return _witnessed(problem, place)
     if problem.statement.exists:
-        decision = by_roots(problem)
+        decision = attempts.answer(by_roots, problem)
         if decision is not None:
             return decision
-    decision = _by_contrary(problem)
+    decision = attempts.decide([lambda: _by_contrary(problem)])
     if decision.verdict not in (PROVED, REFUTED) and solutions.none:
         steps = (say("none-solving", R=problem.ring.name),)
         return Decision(REFUTED, LINEAR_ALGEBRA, steps=steps)
     return decision
+
+
+def _true_at(problem: Problem, places: Iterable[Assignment]) -> Assignment | None:
+    """Return the first of some places at which the statement is true."""
+    test = Searcher(problem, RingScalars(problem.ring), True).test
+    return next(filter(test, places), None)
 
 
 def _by_contrary(problem: Problem) -> Decision:

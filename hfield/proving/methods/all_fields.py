@@ -7,6 +7,7 @@ from hfield.certificates.glossary import IDENTITY
 from hfield.errors import TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
+from hfield.proving.attempts import Attempts
 from hfield.proving.counterexamples.candidates import prime_search
 from hfield.proving.decision import FIELDS, PROVED, REFUTED, Decision, undecided
 from hfield.proving.definedness import algebra_exists
@@ -39,18 +40,16 @@ FEW = 150
 
 def decide(problem: Problem) -> Decision:
     """Decide over all fields; a counterexample over any of them refutes."""
-    try:
-        x: Expanded | None = expand(problem)
-    except TooLargeError:
-        x = None
+    attempts = Attempts()
+    x = attempts.answer(expand, problem)
     if x is not None:
         if not x.clauses:
             return _identity(problem.statement, x)
         if all(c.zeros for c in x.clauses) and not _quickly(problem):
-            proof = _proof(problem)
+            proof = attempts.answer(_proof, problem)
             if proof is not None:
                 return proof
-    found = counterexample(problem)
+    found = attempts.answer(counterexample, problem)
     if found is not None:
         return found if x is None else _with_exceptions(problem, found)
     why = "it is too large to expand" if x is None else "ideal membership of the conclusion"

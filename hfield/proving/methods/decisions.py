@@ -111,6 +111,13 @@ def _is_identity(node: Node, said: bool, infinite: bool) -> bool:
     return False
 
 
+def refuted_at(
+    problem: Problem, found: Assignment | None, x: Expanded | None = None
+) -> Decision | None:
+    """Return the refutation by the values found, None where none were."""
+    return None if found is None else refuted(problem, found, x)
+
+
 def refuted(problem: Problem, found: Assignment, x: Expanded | None = None) -> Decision:
     """Return the refutation by the values found.
 

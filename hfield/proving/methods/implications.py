@@ -27,7 +27,7 @@ from hfield.proving.polynomials.starting_relations import (
     quaternions_of,
     relations_of,
 )
-from hfield.proving.polynomials.vanishing import is_nonzero_constant, vanishes
+from hfield.proving.polynomials.vanishing import is_nonzero_constant, known, vanishes
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import Statement
 from hfield.proving.steps import say
@@ -199,16 +199,16 @@ class _Attempt:
         self.relations = relations_of(x, field)
 
     def is_zero(self, p: flint.fmpz_mpoly) -> bool:
-        """Tell whether a polynomial is 0 over the fields that are meant."""
+        """Tell whether a polynomial is known to be 0 over the fields that are meant."""
         if self.field is not None:
-            return vanishes(p, self.x, self.field)
+            return known(vanishes, p, self.x, self.field) is True
         n = self.characteristic
         return bool(p == 0 or (n and int(p.content()) % n == 0))
 
     def is_nonzero_number(self, p: flint.fmpz_mpoly) -> bool:
-        """Tell whether a polynomial is a number that is not 0 in them."""
+        """Tell whether a polynomial is a number that is known not to be 0 in them."""
         if self.field is not None:
-            return is_nonzero_constant(p, self.x, self.field)
+            return known(is_nonzero_constant, p, self.x, self.field) is True
         return bool(
             p.is_constant() and not self.is_zero(p) and (self.characteristic or p in (1, -1))
         )

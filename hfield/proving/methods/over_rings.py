@@ -7,14 +7,16 @@ those of the domain, as long as nothing is divided by: over the field there is m
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from itertools import product
 from math import gcd
 
 from hfield.certificates.glossary import EXHAUSTION
-from hfield.errors import HFieldError, TooLargeError, UndecidedError
+from hfield.errors import HFieldError, UndecidedError
 from hfield.evidence import Evidence, Kind
+from hfield.proving.attempts import Attempts
 from hfield.proving.counterexamples.refuting import FEW, look
-from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision, undecided
+from hfield.proving.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.proving.evaluation.all_cases import FEW_CASES, coordinates
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
@@ -39,36 +41,32 @@ MAX_UNITS = 4
 
 
 def decide(problem: Problem) -> Decision:
-    """Decide over a ring that is no field."""
+    """Decide over a ring that is no field, by the first method that answers."""
     field, statement = problem.ring, problem.statement
-    found = look(problem, FEW)
+    attempts, tried = Attempts(), [f"{FEW} small places over {field.name}"]
+    found = attempts.answer(look, problem, FEW)
     if found is not None:
         return refuted(problem, found)
-    tried = [f"{FEW} small places over {field.name}"]
-    try:
-        x = expand(problem)
-    except TooLargeError as error:
-        x = None
-        tried.append(str(error))
+    x = attempts.answer(expand, problem)
     divided = any(map(divides_in, (*statement.hypotheses, statement.conclusion)))
     if x is not None and not divided:
-        proved = _proved(problem, x)
+        proved = attempts.first([partial(_proved, problem, x)])
         if proved is not None:
             return proved
         tried.append("ideal membership of the conclusion")
     if field.order is not None:
         decision = exhaust(problem, x)
         if decision.verdict == UNDECIDED and x is not None and not divided:
-            decision = _modulo(problem, x) or decision
+            decision = attempts.decide([partial(_modulo, problem, x), lambda: decision])
         return decision
     if divided:
-        proved = _proved_with_numerals(problem)
+        proved = attempts.first([partial(_proved_with_numerals, problem)])
         if proved is not None:
             return proved
         tried.append(
             f"where something divides, what holds over fields says nothing of {field.name}"
         )
-    return _at_units(problem) or undecided(*tried)
+    return attempts.decide([partial(_at_units, problem)], *tried)
 
 
 def _at_units(problem: Problem) -> Decision | None:

@@ -122,9 +122,9 @@ class Budget:
 
     def spend(self, work: int) -> None:
         """Charge ``work`` products of terms. Raises TooLargeError when it exceeds what is left."""
-        self.left -= work
-        if self.left < 0:
+        if work > self.left:
             raise TooLargeError("expanding would take too many terms")
+        self.left -= work
 
 
 class Polynomials(Scalars[Term, Conditions, Formula]):

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from hfield.errors import TooLargeError
 from hfield.product import norm
 from hfield.proving.polynomials.expansion import Expanded, Symbolic
 from hfield.proving.polynomials.field_rules import relation
-from hfield.proving.polynomials.vanishing import collected, factored, vanishes
+from hfield.proving.polynomials.vanishing import collected, factored, known, vanishes
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import BASIS, RESULT, Sort
 from hfield.proving.statements.trees import walk
@@ -51,7 +52,7 @@ def nonzero_constants_of(
     for f in polynomials if free else ():
         for coefficient in collected(f, range(x.unknowns)).values():
             for g, _ in factored(coefficient)[1]:
-                if any(g.degrees()[n] for n in free) and not vanishes(g, x, field):
+                if any(g.degrees()[n] for n in free) and known(vanishes, g, x, field) is False:
                     found.setdefault(str(g), g)
     return tuple(sorted(found.values(), key=len)[:MAX_NONZERO])
 
@@ -70,7 +71,10 @@ def quaternions_of(
             node = Binary("-", node.left, node.right)
         if not isinstance(node, Name | Binary | Power | Call) or is_scalar(node, statement.sorts):
             continue
-        q, _ = world.term(node)
+        try:
+            q, _ = world.term(node)
+        except TooLargeError:  # smaller ones may do
+            continue
         if not isinstance(q, tuple) or len(found) >= MAX_QUATERNIONS:
             continue
         if sum(map(len, q)) > MAX_QUATERNION_TERMS:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, ParamSpec
 
+from hfield.errors import UndecidedError
 from hfield.factorisation import factor
 from hfield.product import Scalar
-from hfield.proving.evaluation.scalars import constant
+from hfield.proving.evaluation.scalars import constant, some_nonzero
 from hfield.proving.polynomials.expansion import Expanded
 from hfield.rings.base import Ring
 from hfield.rings.powers import power
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
 
 Monomial = tuple[int, ...]
+P = ParamSpec("P")
 
 
 def content(polynomial: flint.fmpz_mpoly) -> int:
@@ -26,14 +28,25 @@ def content(polynomial: flint.fmpz_mpoly) -> int:
     return int(polynomial.content()) if polynomial != 0 else 0
 
 
+def known(question: Callable[P, bool], *args: P.args, **kwargs: P.kwargs) -> bool | None:
+    """Return the answer to a question, None where it is not decided."""
+    try:
+        return question(*args, **kwargs)
+    except UndecidedError:
+        return None
+
+
 def vanishes(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
-    """Tell whether all coefficients are 0 in the ring, constants of the field put in."""
+    """Tell whether all coefficients are 0 in the ring, constants of the field put in.
+
+    Raises :class:`UndecidedError` where no coefficient is known not to be 0, but may be.
+    """
     if polynomial == 0:
         return True
     p = field.characteristic
     if p and content(polynomial) % p == 0:
         return True
-    return x.has_constants and not coefficients(polynomial, x, field)
+    return x.has_constants and not some_nonzero(field, _collected(polynomial, x, field).values())
 
 
 def is_nonzero_constant(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
@@ -53,7 +66,7 @@ def vanishes_as_function(polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring)
         return True
     if field.order is None or max(polynomial.degrees(), default=0) < field.order:
         return False
-    return not coefficients(polynomial, x, field, field.order)
+    return not some_nonzero(field, _collected(polynomial, x, field, field.order).values())
 
 
 def coefficients(
@@ -61,8 +74,17 @@ def coefficients(
 ) -> Mapping[Monomial, Scalar]:
     """Return the nonzero coefficients in the ring, by the exponents of the unknowns.
 
-    With ``order`` q the exponents are reduced by ``x^q = x``.
+    With ``order`` q the exponents are reduced by ``x^q = x``. Raises :class:`UndecidedError` where a
+    coefficient may be 0.
     """
+    found = _collected(polynomial, x, field, order)
+    return {m: c for m, c in found.items() if not field.is_zero(c)}
+
+
+def _collected(
+    polynomial: flint.fmpz_mpoly, x: Expanded, field: Ring, order: int | None = None
+) -> Mapping[Monomial, Scalar]:
+    """Return all coefficients, some of which may be 0."""
     out: dict[Monomial, Any] = defaultdict(lambda: field.zero)
     for exponents, coefficient in polynomial.terms():
         monomial = exponents[: x.unknowns]
@@ -73,7 +95,7 @@ def coefficients(
             if n:
                 value = value * power(field.one, constant(field, text), n)
         out[monomial] = out[monomial] + value
-    return {m: c for m, c in out.items() if not field.is_zero(c)}
+    return out
 
 
 def collected(f: flint.fmpz_mpoly, variables: Iterable[int]) -> dict[Monomial, flint.fmpz_mpoly]:

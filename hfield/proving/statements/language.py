@@ -11,7 +11,7 @@ from enum import Enum
 from functools import cached_property, lru_cache
 from typing import NoReturn
 
-from hfield.errors import CoercionError, HFieldError, NotationError
+from hfield.errors import CoercionError, HFieldError, NotationError, UndecidedError
 from hfield.proving.statements.matrices import ENTRIES, expanded
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import taken_apart, tree_depth
@@ -161,9 +161,11 @@ def generators(field: Ring) -> frozenset[str]:
 
 @lru_cache(maxsize=4096)
 def is_constant_of(field: Ring, text: str) -> bool:
-    """Tell whether the field reads ``text`` as one of its elements."""
+    """Tell whether the field reads ``text`` as one of its elements, perhaps not known which."""
     try:
         field(text)
+    except UndecidedError:
+        return True
     except (HFieldError, CoercionError):
         return False
     return True
@@ -181,7 +183,7 @@ class _Analysis:
 
     def run(self, written: Node, constants: tuple[str, ...]) -> Statement:
         taken = () if self.field is None else generators(self.field)
-        node = expanded(written, taken, self.text)
+        node = self.named(expanded(written, taken, self.text))
         hypotheses, conclusion = taken_apart(node)
         exists: list[str] = []
         for h in hypotheses:
@@ -197,7 +199,7 @@ class _Analysis:
             if name not in self.unknowns:
                 self.unknowns[name] = self.unknown_sort(name) or Sort.SCALAR
         for constant in constants:
-            self.term(_parse(constant))
+            self.term(self.named(_parse(constant)))
         return Statement(
             text=self.text.strip(),
             node=node,
@@ -210,6 +212,10 @@ class _Analysis:
             divides=self.divides,
             compares_unequal=self.unequal,
         )
+
+    def named(self, node: Node) -> Node:
+        """Return a tree in which a number that the field knows in part is written in one way."""
+        return node if self.field is None else self.field.named_constants(node)
 
     def check_bound(self, name: str, node: Node, given: set[str], exists: list[str]) -> None:
         if self.unknown_sort(name) is None:

@@ -5,7 +5,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
-from hfield.errors import CoercionError, HFieldError, NotationError, NotInvertibleError
+from hfield.errors import (
+    CoercionError,
+    HFieldError,
+    NotationError,
+    NotInvertibleError,
+    UndecidedError,
+)
 from hfield.fields.names import ring
 from hfield.notation import split_algebra
 from hfield.proving.evaluation.evaluator import Evaluator
@@ -24,6 +30,8 @@ MAX_CONSTANT_WEIGHT = 2_000
 @dataclass(frozen=True)
 class Setting:
     """A field, or None for all fields at once, and the texts of ``(a, t, b)``.
+
+    In these a number that the field knows in part is one call (:meth:`Ring.named_constants`).
 
     ``letters`` are the names in the constants that are no generators of the field: they are scalar
     unknowns. ``names`` are the names and roots in the constants that the field reads.
@@ -47,7 +55,7 @@ class Setting:
     @property
     def algebra(self) -> str:
         """The algebra as text, such as ``(-1,-1|QQ)``, with F for a field that is not named."""
-        a, t, b = self.constants
+        a, t, b = (_spelled(text, self.field) for text in self.constants)
         field = UNNAMED if self.field is None else self.field.name
         if t == "0":
             return f"({a},{b}|{field})"
@@ -99,23 +107,42 @@ def _read(field: Ring | None, algebra: str) -> Setting:
     return Setting(field, (texts[0], texts[1], texts[2]), tuple(letters))
 
 
+def _spelled(text: str, field: Ring | None) -> str:
+    """Return the text of a constant as people write it."""
+    if field is None:
+        return text
+    node = parse(text)
+    spelled = field.spelled_constants(node)
+    return text if spelled == node else "".join(to_text(spelled).split()).replace("**", "^")
+
+
 def _plain(text: str, field: Ring | None) -> str:
-    """Return the text of a constant without blanks, in the field's own spelling where it reads it."""
-    if field is not None and not _letters(text, field):
-        try:
-            value = field(text)
-        except (CoercionError, NotInvertibleError) as error:
-            if _is_undefined(text, field):
-                return "".join(
-                    text.split()
-                )  # there is no such algebra: that is for the verdict to say
-            raise NotationError(f"the structure constant {text!r}: {error}") from error
-        return (
-            "-1"
-            if field.equal(value, field(-1)) and field.characteristic != 2
-            else field.text(value)
-        )
-    return "".join(text.split())
+    """Return the text of a constant without blanks, in the field's own spelling where it reads it.
+
+    What is computed from numbers that are known in part is not computed; nor is what is not decided, or not
+    defined: those are for the verdict to say.
+    """
+    written = "".join(text.split())
+    if field is None:
+        return written
+    node = parse(text)
+    named = field.named_constants(node)
+    if named != node:
+        return to_text(named)
+    if _letters(text, field):
+        return written
+    try:
+        value = field(text)
+        if not field.is_known(value):
+            return written
+        is_minus_one = field.characteristic != 2 and field.equal(value, field(-1))
+        return "-1" if is_minus_one else field.text(value)
+    except UndecidedError:
+        return written
+    except (CoercionError, NotInvertibleError) as error:
+        if _is_undefined(text, field):
+            return written
+        raise NotationError(f"the structure constant {text!r}: {error}") from error
 
 
 def _is_undefined(text: str, field: Ring) -> bool:
