@@ -45,6 +45,7 @@ from .rings import RR as RR
 from .rings import ZZ as ZZ
 from .rings import Ring as Ring
 from .rings import Zmod as Zmod
+from .rings import check_ring as check_ring
 from .structure import four_squares as four_squares
 from .structure import hilbert_symbol as hilbert_symbol
 from .structure import places as places

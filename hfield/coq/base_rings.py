@@ -55,7 +55,7 @@ def base_ring_of(field: Ring) -> BaseRing:
         return INTEGERS
     n = field.characteristic
     if n and field.order == n and n.bit_length() <= MAX_RESIDUE_BITS:
-        return residues(n, field.is_field)
+        return residues(n, bool(field.is_field))
     raise NotCoveredError(f"the field {field.name}: Coq has ZZ, QQ, GF(p) and ZZ/n here")
 
 

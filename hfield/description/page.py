@@ -141,7 +141,7 @@ def _division(d: Description) -> str:
     if d.division:
         return f"yes: {reason}" if reason else "yes"
     if not d.algebra.ring.is_field:
-        return f"no: {d.algebra.ring.name} is not a field, and its scalars need inverses"
+        return f"no: {d.algebra.ring.no_field}, and its scalars need inverses"
     if d.splitting is None and "splitting" in d.undecided:
         return "no"
     return f"no: {reason}" if reason else "no: it has zero divisors"

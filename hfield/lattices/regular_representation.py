@@ -21,6 +21,7 @@ from hfield.fields.rationals.places import INFINITE
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.lattices.hermite import integral
 from hfield.product import Constants, conjugate, multiply, trace
+from hfield.rings.integers import QQ
 from hfield.rings.rational import fmpq
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import discriminant
@@ -155,7 +156,7 @@ def regular(algebra: Parent) -> Regular:
 
 
 def _checked(algebra: Parent) -> Regular:
-    if algebra.ring.name != "QQ":
+    if algebra.ring != QQ:
         raise RingError(
             "this belongs to lattices, orders and ideals in algebras over QQ (over other number fields: "
             f"A.lattice, A.order, A.eichler_order), and {algebra} is over {algebra.ring}"

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from hfield.atomic import whole_file
 from hfield.evidence import why_rejected
+from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
 from hfield.proving.decision import Decision
 
@@ -23,7 +24,8 @@ def certificate(
     if proposition is None or decision is None:
         return None
     named = None if field in (UNIVERSAL, NO_FIELD) else field
-    data = decision.certificate(proposition.statement, f"(-1,-1|{named or 'F'})", named)
+    over = None if named is None else ring(named)
+    data = decision.certificate(proposition.statement, f"(-1,-1|{named or 'F'})", over)
     return None if data is None or why_rejected(data) else data
 
 

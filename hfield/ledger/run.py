@@ -105,4 +105,4 @@ def as_expected(rows: Sequence[Row]) -> bool:
 def _is_field(name: str) -> bool:
     from hfield.fields.names import ring
 
-    return name not in (UNIVERSAL, NO_FIELD) and ring(name).is_field
+    return name not in (UNIVERSAL, NO_FIELD) and bool(ring(name).is_field)

@@ -17,6 +17,7 @@ from hfield.certificates.glossary import (
 from hfield.errors import UndecidedError
 from hfield.evidence import Evidence, Kind, certificate
 from hfield.fields.names import ring
+from hfield.rings.base import Ring
 
 # The verdicts and scopes, which those who decide take from here.
 __all__ = [
@@ -84,9 +85,15 @@ class Decision:
             object.__setattr__(self, "scope", Scope(self.scope))
 
     def certificate(
-        self, statement: str, algebra: str, field: str | None
+        self, statement: str, algebra: str, field: Ring | None
     ) -> dict[str, object] | None:
-        """Return this as a certificate ``hfield-cert/2``, unchecked; None without verdict or evidence."""
+        """Return this as a certificate ``hfield-cert/2``, unchecked; None without verdict or evidence.
+
+        Nor is there one over a ring that has no data, such as one of one's own.
+        """
+        data, name = (None, None) if field is None else (field.data, field.name)
+        if field is not None and data is None:
+            return None
         if self.evidence is None or self.verdict not in CERTIFIED:
             return None
         from hfield.certificates.vocabulary.logic import names_of_rings
@@ -94,9 +101,8 @@ class Decision:
         evidence, named = self.evidence, [ring(n).data for n in names_of_rings(statement)]
         if named:
             evidence = Evidence(Kind.RINGS, rings=named, evidence=evidence)
-        data = None if field is None else ring(field).data
         judged = (self.verdict, self.method, self.assumes, evidence)
-        return certificate(statement, algebra, field, data, *judged)
+        return certificate(statement, algebra, name, data, *judged)
 
     def __bool__(self) -> bool:
         """Proved (or vacuous) is true, refuted is false. Raises UndecidedError for the others."""

@@ -77,6 +77,8 @@ class Answer:
         """Why there is no certificate, in a line; None where there is one."""
         if self._evidence is None:
             decided = self.verdict in (PROVED, REFUTED, VACUOUS)
+            if decided and self.setting.field is not None and self.setting.field.data is None:
+                return f"the checker does not know the ring {self.field}"
             return (
                 "no evidence is made for this way to prove it"
                 if decided
@@ -90,7 +92,7 @@ class Answer:
         d = self.decision
         if not is_complete(d.evidence):
             return None
-        return d.certificate(self.text, self.setting.algebra, self.field)
+        return d.certificate(self.text, self.setting.algebra, self.setting.field)
 
     @property
     def text(self) -> str:
@@ -201,6 +203,8 @@ def prove(
         )
     hypotheses = tuple(map(plain, [given] if isinstance(given, str) else given))
     where = None if algebra is None else str(algebra)
+    if field is None and algebra is not None and not isinstance(algebra, str):
+        field = algebra.ring  # which may be one of one's own, that no name is read as
     question = read_question(plain(statement), field, hypotheses, where, timeout)
     problem = question.problem
     return Answer(problem.statement, problem.setting, answer(question))

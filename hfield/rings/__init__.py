@@ -7,12 +7,27 @@ imports neither sympy nor galois nor numpy; a ring imports them when it first ne
 from typing import Any
 
 from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.checking import RingReport, check_ring
 from hfield.rings.closed_fields.algebraic import CC, RR
 from hfield.rings.field_specs import GF
 from hfield.rings.floats import RDF
 from hfield.rings.integers import QQ, ZZ, Zmod
 
-__all__ = ["CC", "GF", "INFINITY", "QQ", "RDF", "RR", "ZZ", "Known", "Ring", "Zmod", "ring"]
+__all__ = [
+    "CC",
+    "GF",
+    "INFINITY",
+    "QQ",
+    "RDF",
+    "RR",
+    "ZZ",
+    "Known",
+    "Ring",
+    "RingReport",
+    "Zmod",
+    "check_ring",
+    "ring",
+]
 
 
 def __getattr__(name: str) -> Any:

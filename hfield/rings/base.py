@@ -85,15 +85,16 @@ class WithIntegers(Protocol):
 class Core(ABC, Generic[E]):
     """A commutative ring with 1, as far as the arithmetic of its elements goes.
 
-    ``name`` is the text that :func:`hfield.ring` reads back; two rings are equal when their names
-    are. ``order`` is None for an infinite ring, ``gen_name`` the text of the generator, if any.
+    ``name`` is the text that :func:`hfield.ring` reads back; rings of one class are equal when their names
+    are. ``order`` is None for an infinite ring, ``is_field`` where that is not known, ``gen_name`` is the
+    text of the generator, if any.
     """
 
     name: str
     characteristic: int
     order: int | None = None
     is_exact: bool = True
-    is_field: bool = False
+    is_field: bool | None = None
     gen_name: str | None = None
 
     @abstractmethod
@@ -119,15 +120,32 @@ class Core(ABC, Generic[E]):
         return self.is_zero(x - y)
 
     def inverse(self, x: E) -> E:
-        """Return 1/x, or raise :class:`NotInvertibleError`."""
-        if self.is_zero(x - self.one):
+        """Return 1/x: by default that of 1 and −1, and what Python's ``/`` gives, if the ring has it.
+
+        Raises :class:`NotInvertibleError` where there is none, :class:`UndecidedError` where it is not known.
+        """
+        if self.is_zero(x):
+            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
+        if self.is_zero(x - self.one) or self.is_zero(x + self.one):
             return x
-        if self.is_zero(x + self.one):
-            return x
-        raise NotInvertibleError(f"{self.text(x)} is not known to be invertible in {self.name}")
+        found = self._quotient(x)
+        if found is None:
+            raise UndecidedError(
+                f"whether {self.text(x)} has an inverse in {self.name} is not known: the ring has no method "
+                "inverse(x), and 1/x gives none of its elements"
+            )
+        return found
+
+    def _quotient(self, x: Any) -> E | None:
+        """Return Python's 1/x, None where it is no element of the ring, or times x is not 1."""
+        try:
+            found = self(self.one / x)
+        except (TypeError, ValueError, ArithmeticError):
+            return None
+        return found if type(found) is type(x) and self.is_zero(found * x - self.one) else None
 
     def is_unit(self, x: E) -> bool:
-        """Tell whether x has an inverse."""
+        """Tell whether x has an inverse. Raises :class:`UndecidedError` where that is not known."""
         try:
             self.inverse(x)
         except NotInvertibleError:
@@ -143,8 +161,28 @@ class Core(ABC, Generic[E]):
         return power(self.one, x if n >= 0 else self.inverse(x), abs(n))
 
     def annihilator(self, x: E) -> E | None:
-        """Return some nonzero y with x·y = 0, or None; in a domain only x = 0 has one."""
-        return self.one if self.is_zero(x) else None
+        """Return some nonzero y with x·y = 0, or None: in a domain only 0 has one, in any ring no unit.
+
+        Raises :class:`UndecidedError` where it is not known.
+        """
+        if self.is_zero(x):
+            return self.one
+        if self.is_domain or self.is_unit(x):
+            return None
+        raise UndecidedError(
+            f"whether {self.text(x)} is a zero divisor in {self.name} is not known"
+        )
+
+    @property
+    def is_domain(self) -> bool:
+        """Whether it is known that a product is 0 only where a factor is."""
+        return bool(self.is_field)
+
+    @property
+    def no_field(self) -> str:
+        """Say that this is no field, or not known to be one."""
+        known = "not a field" if self.is_field is False else "not known to be a field"
+        return f"{self.name} is {known}"
 
     def vanishes(self, x: E) -> bool:
         """Tell whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
@@ -176,7 +214,7 @@ class Core(ABC, Generic[E]):
         return self.text(x)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Ring) and self.name == other.name
+        return type(other) is type(self) and self.name == other.name
 
     def __hash__(self) -> int:
         return hash(self.name)
@@ -353,8 +391,8 @@ class WithRelatives(Core[E]):
 
     @property
     def is_domain(self) -> bool:
-        """Whether a product is 0 only where a factor is, as far as that is known."""
-        return self.is_field or self.fractions is not None
+        """Whether it is known that a product is 0 only where a factor is."""
+        return super().is_domain or self.fractions is not None
 
     @property
     def fractions(self) -> Ring | None:

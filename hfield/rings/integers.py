@@ -68,6 +68,7 @@ class Integers(_Ordered):
     """
 
     name = "ZZ"
+    is_field = False
 
     def in_words(self) -> str:
         """Say what ℤ is."""

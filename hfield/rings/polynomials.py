@@ -43,6 +43,8 @@ class PolynomialRing(Ring):
     'a^2+2*a*b+b^2'
     """
 
+    is_field = False
+
     def __init__(self, base: Ring, variables: tuple[str, ...]) -> None:
         self.base, self.variables = base, variables
         self.name = f"{base.name}[{','.join(variables)}]"

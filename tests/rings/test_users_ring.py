@@ -1,7 +1,12 @@
 """The ring that docs/rings.md builds from scratch, through the axioms and into quaternions."""
 
-from hfield import H
-from hfield.rings import ring
+from fractions import Fraction
+
+import pytest
+
+from hfield import H, check_ring, info, prove
+from hfield.errors import CoercionError, HFieldError, UndecidedError
+from hfield.rings import Ring, ring
 from tests.subcases import subcases
 
 from .axioms import CHECKS
@@ -20,3 +25,94 @@ def test_quaternions_over_it(dual_numbers):
     assert A("eps*j").is_zero_divisor()
     assert not q.is_zero_divisor()
     assert q * q.inverse() == 1
+
+
+class Mine(Ring):
+    """Fractions, of which the ring says no more than it must."""
+
+    characteristic = 0
+
+    def __init__(self, name="mine"):
+        self.name = name
+
+    def __call__(self, x):
+        return self.parse(x) if isinstance(x, str) else Fraction(x)
+
+
+class Whole(Mine):
+    """Python's integers, which do not divide."""
+
+    def __call__(self, x):
+        if isinstance(x, float):
+            raise CoercionError("no float is an integer")
+        return self.parse(x) if isinstance(x, str) else int(x)
+
+
+def test_what_a_ring_does_not_say_is_not_known():
+    A, B = H(Mine()), H(Whole())
+    assert A(1, 2, 3, 4).is_unit()
+    assert A(1, 2, 3, 4) * A(1, 2, 3, 4).inverse() == 1
+    assert not A(0, 0, 0, 0).is_unit()
+    assert B(0, 1, 0, 0).is_unit()
+    assert not A(1, 2, 3, 4).is_zero_divisor()
+    for ask in (
+        A.is_division_algebra,
+        A.is_central_simple,
+        A.zero_norm_element,
+        A.split,
+        B.is_division_algebra,
+        B(1, 2, 3, 4).is_unit,
+        B(1, 2, 3, 4).is_zero_divisor,
+        B(1, 2, 3, 4).inverse,
+    ):
+        with pytest.raises(UndecidedError, match="not known"):
+            ask()
+    about = info(A)
+    assert about.division is None
+    assert "division" in about.undecided
+
+
+@pytest.mark.parametrize("name", ["QQ", "ZZ", "GF(7)", "RR", "ZZ[a,b]"])
+def test_no_name_makes_a_ring_one_of_ours(name):
+    R = Mine(name)
+    assert ring(name) != R
+    assert ring(name) != R
+    assert Mine(name) == R
+    assert H(R) != H(ring(name))
+    found = prove("p*q == q*p", algebra=H(R))
+    assert found.verdict == "refuted"
+    assert found.certificate is None
+    assert "does not know the ring" in found.why_no_certificate
+    # it is not known to be a field, where ℚ is one
+    assert prove("norm(q) == 0 => q == 0", algebra=H(R)).verdict == "undecided"
+    with pytest.raises((HFieldError, AttributeError)):
+        H(R).maximal_order()
+
+
+def test_samples_show_what_is_wrong():
+    assert check_ring(Mine())
+    assert "not known" in str(check_ring(Whole()))
+    wrong = {
+        "characteristic": {"characteristic": 5},
+        "F.text(x)": {"text": lambda self, x, style="plain": str(x + 1)},
+        "F.key(x)": {"key": lambda self, x: x * x},
+        "F.inverse(x)": {"inverse": lambda self, x: x},
+        "F.annihilator(x)": {"annihilator": lambda self, x: x},
+        "F.elements()": {
+            "order": 2,
+            "elements": lambda self: iter([Fraction(0), Fraction(1), Fraction(2)]),
+        },
+        "1 ≠ 0": {"zero": property(lambda self: Fraction(1))},
+        "TypeError": {"random": lambda self, rng: "1"},
+    }
+    for text, changes in wrong.items():
+        report = check_ring(type("Wrong", (Mine,), changes)())
+        assert not report, text
+        assert any(text in line for line in report.failed), (text, report)
+
+
+@pytest.mark.parametrize("name", ["QQ", "GF(9)", "ZZ/6", "Qp(5)", "RDF", "GF(2)(t)"])
+def test_ours_pass(name):
+    report = check_ring(ring(name))
+    assert report
+    assert not report.unknown

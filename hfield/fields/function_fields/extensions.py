@@ -20,6 +20,7 @@ from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.several_variables.ring import RationalFunctions, listed
 from hfield.rings.base import Known, Ring, shared
 from hfield.rings.finite import ExtensionField, FiniteField, PrimeField
+from hfield.rings.integers import QQ
 from hfield.rings.operators import Element, Overfield
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, from_unicode, sum_text
@@ -203,7 +204,7 @@ class SimpleExtension(Overfield[ExtensionElement]):
 
 def rational_functions(base: Ring, names: tuple[str, ...]) -> Ring:
     """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
-    if not isinstance(base, FiniteField) and base.name != "QQ":
+    if not isinstance(base, FiniteField) and base != QQ:
         shown = shorten(f"{base}({','.join(names)})")
         example = "QQ(x) or GF(4)(t)" if len(names) == 1 else "QQ(x,y) or GF(4)(s,t)"
         raise RingError(

@@ -24,6 +24,7 @@ from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.held.numerators import Held, Numerators
 from hfield.rings.holding import Holding
+from hfield.rings.integers import QQ
 from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.residue_polynomials import polynomials_modulo
 from hfield.rings.roots import common_divisor, monic, multiplied, substituted
@@ -237,7 +238,7 @@ class FunctionField(FractionField):
 
 def _polynomials_over(base: Ring) -> Callable[[list[Coefficient]], Polynomial]:
     """Return what makes flint polynomials over the field from coefficients, low degree first."""
-    if base.name == "QQ":
+    if base == QQ:
         return flint.fmpq_poly  # type: ignore[no-any-return,unused-ignore]
     if isinstance(base, ExtensionField):
         if base not in _CONTEXTS:

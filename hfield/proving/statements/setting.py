@@ -92,7 +92,7 @@ def put_letters(setting: Setting, values: Mapping[str, Node]) -> Setting:
 @lru_cache(maxsize=256)
 def _read(field: Ring | None, algebra: str) -> Setting:
     a, t, b, inside = split_algebra(algebra)
-    if inside != UNNAMED:
+    if inside != UNNAMED and (field is None or inside != field.name):
         own = ring(inside)
         if field is not None and field != own:
             raise NotationError(

@@ -109,7 +109,7 @@ def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
     if _same(ring, c, other):
         return True
     if not ring.is_field:
-        raise UndecidedError(f"{ring.name} is not a field: isomorphism is decided over fields only")
+        raise UndecidedError(f"{ring.no_field}: isomorphism is decided over fields only")
     degenerate = [ring.is_zero(discriminant(ring, x)) for x in (c, other)]
     if any(degenerate):
         return all(degenerate) and embed_degenerate(ring, c, other) is not None

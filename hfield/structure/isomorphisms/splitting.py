@@ -87,7 +87,7 @@ def split(ring: Ring, c: Constants) -> Splitting | None:
 def division_or_splitting(ring: Ring, c: Constants) -> Splitting | ZeroNorm:
     """Return the splitting, or the reason why there is no element of norm 0; errors as :func:`split`."""
     if not ring.is_field:
-        raise UndecidedError(f"{ring.name} is not a field: splitting is decided over fields only")
+        raise UndecidedError(f"{ring.no_field}: splitting is decided over fields only")
     if ring.is_zero(discriminant(ring, c)):
         raise CoercionError(
             "a degenerate algebra, (t² + 4a)·b = 0, is not simple, hence neither split nor a division algebra"

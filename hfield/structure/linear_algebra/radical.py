@@ -18,6 +18,7 @@ from hfield.errors import UndecidedError, shorten
 from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, Scalar, multiply, norm
 from hfield.rings.base import Ring
+from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.powers import power
@@ -32,7 +33,12 @@ if TYPE_CHECKING:
 
 
 def is_central_simple(ring: Ring, c: Constants) -> bool:
-    """Tell whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field."""
+    """Tell whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field.
+
+    Raises :class:`UndecidedError` where it is not known whether the ring is a field.
+    """
+    if ring.is_field is None:
+        raise UndecidedError(f"{ring.no_field}: over a ring that is none no algebra is simple")
     return ring.is_field and not ring.is_zero(discriminant(ring, c))
 
 
@@ -44,11 +50,11 @@ def radical(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:
     rings the radical is nilpotent (they are Jacobson rings), so it is that over the field of fractions.
     Raises :class:`UndecidedError` over infinite rings of other kinds.
     """
-    if is_central_simple(ring, c):
+    if ring.is_field and is_central_simple(ring, c):
         return ()
     if not ring.is_field and ring.order is not None:
         return finite_radical(ring, c)
-    if not (ring.is_field or ring.name == "ZZ" or isinstance(ring, PolynomialRing)):
+    if not (ring.is_field or ring == ZZ or isinstance(ring, PolynomialRing)):
         raise UndecidedError(
             f"the radical over {shorten(ring.name)} is not decided: expected a field, a finite ring, ZZ or "
             "a ring of polynomials"

@@ -13,6 +13,7 @@ from typing import Any
 from hfield.errors import UndecidedError, shorten
 from hfield.product import Scalar
 from hfield.rings.base import Ring
+from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
 from hfield.rings.polynomials import PolynomialRing
 from hfield.structure.minimal_conics import dot
@@ -27,7 +28,7 @@ def relations(ring: Ring, rows: list[Row], width: int) -> list[Row]:
     if isinstance(ring, Modular):
         whole = [[int(x) for x in row] for row in rows]
         return [[ring(x) for x in v] for v in modulo(ring.modulus, whole, width)]
-    if ring.name == "ZZ":
+    if ring == ZZ:
         return _euclidean(ring, rows, width, abs)
     if isinstance(ring, PolynomialRing) and ring.base.is_field and len(ring.variables) == 1:
         return _euclidean(ring, rows, width, lambda x: x.degrees()[0])
@@ -131,7 +132,7 @@ def _euclidean(ring: Ring, rows: list[Row], width: int, size: Callable[[Any], An
 def _positive(ring: Ring, v: Row) -> Row:
     """Return v or −v, over ℤ the one whose first coordinate that is not 0 is positive."""
     lead = next(x for x in v if x != 0)
-    return [ring.zero - x for x in v] if ring.name == "ZZ" and lead < 0 else v
+    return [ring.zero - x for x in v] if ring == ZZ and lead < 0 else v
 
 
 # --- other rings ----------------------------------------------------------------------------------

@@ -73,6 +73,10 @@ def is_division(ring: Ring, c: Constants) -> bool:
         raise UndecidedError(
             f"{ring.name} is inexact, so division is not decided there: ask over RR"
         )
+    if ring.is_field is None:
+        raise UndecidedError(
+            f"{ring.no_field}: over a ring that is none there are no division algebras"
+        )
     if not ring.is_field:
         return False
     if ring.order is None and _is_degenerate(ring, c) is False:

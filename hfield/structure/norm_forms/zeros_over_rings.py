@@ -11,6 +11,7 @@ from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import Ring, shared
+from hfield.rings.integers import ZZ
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import discriminant, root_if_known
@@ -31,11 +32,11 @@ def zero_norm_integral(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
     """Answer over a ring that is not a field, by way of the fields that belong to it."""
     if ring.order is not None and ring.order == ring.characteristic:
         return _residues(ring, c, decide)
-    if ring.name == "ZZ":
+    if ring == ZZ:
         return _integers(ring, c, decide)
     if isinstance(ring, PolynomialRing):
         return _polynomials(ring, c, decide)
-    raise UndecidedError(f"zero norms over {ring.name}, which is not a field, are not decided")
+    raise UndecidedError(f"{ring.no_field}: zero norms are not decided there")
 
 
 def _residues(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:

@@ -69,7 +69,7 @@ def conjugator(ring: Ring, c: Constants, p: Coordinates, q: Coordinates) -> Conj
     there is one whenever p and q have the same minimal polynomial (Skolem and Noether).
     """
     if not ring.is_field:
-        raise UndecidedError(f"{ring.name} is not a field: conjugacy is decided over fields only")
+        raise UndecidedError(f"{ring.no_field}: conjugacy is decided over fields only")
     for name, function in (("traces", trace), ("norms", norm)):
         x, y = function(c, p), function(c, q)
         if not ring.equal(x, y):

@@ -38,7 +38,7 @@ def square_roots(ring: Ring, c: Constants, q: Coordinates) -> SquareRoots:
     does not decide square roots, or whether an element of given trace and norm exists.
     """
     if not ring.is_field:
-        raise UndecidedError(f"{ring.name} is not a field: square roots are found over fields only")
+        raise UndecidedError(f"{ring.no_field}: square roots are found over fields only")
     if not ring.is_exact:
         raise UndecidedError(f"{ring.name} is inexact: square roots are found over exact fields")
     if all(ring.is_zero(x) for x in q[1:]):
