@@ -189,9 +189,8 @@ class LocalField(Completion[LocalElement]):
         """Return the functions of the global field, ``sqrt``, and O: ``O(v, x)`` is ``v + O(x)``."""
         return {**super().functions(), "O": self._big_o, "sqrt": self._sqrt_here}
 
-    def _big_o(self, x: LocalElement, *rest: LocalElement) -> LocalElement:
-        if rest:
-            (divisor,) = rest
+    def _big_o(self, x: LocalElement, divisor: LocalElement | None = None) -> LocalElement:
+        if divisor is not None:
             return x + self._big_o(divisor)
         precision = x.least_valuation()
         return x if precision is None else LocalElement(self, self.global_field.zero, precision)
@@ -322,9 +321,7 @@ class _NamedConstants:
         functions: dict[str, Callable[..., LocalElement]]
         functions = {"/": field.divide, "**": field.power, **field.functions()}
         self.reader = Reader(field, field.names(), functions, field.name, field.parse_limit)
-        self.named: dict[
-            int, tuple[Node, Node]
-        ] = {}  # the nodes are kept, so that no id is used twice
+        self.named: dict[int, tuple[Node, Node]] = {}  # with the node, so that no id is used twice
 
     def tree(self, node: Node) -> Node:
         """Return the tree with these names."""

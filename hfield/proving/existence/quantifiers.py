@@ -54,10 +54,9 @@ def decide(problem: Problem) -> Decision:
     if not field.is_exact:
         tried = (f"{field.name} is inexact, so nothing is proved there to exist, or not to",)
         return undecided(*tried, method=FLOATS)
+    # Digits that are not known are given, too.
     known = (field.is_known(constant(field, text)) for text in problem.statement.constants)
-    is_closed = not problem.statement.given and all(
-        known
-    )  # digits that are not known are given, too
+    is_closed = not problem.statement.given and all(known)
     return decide_closed(problem) if is_closed else _for_all_exists(problem)
 
 
