@@ -12,15 +12,12 @@ import numpy as np
 
 from rotation.coordinates import factor
 from rotation.errors import RotationError
+from rotation.geodesic_median import geodesic_median
 from rotation.namespaces import Array, expect_numpy, floats, namespace, quiet, refuse_rows, spread
 from rotation.optimum import following, held
-from rotation.quaternions import canonical, inverse, normalised, product
-from rotation.vectors import from_rotvec, to_rotvec
+from rotation.quaternions import canonical, normalised
 
 _TIE = 16.0  # two eigenvalues within so many units of rounding are one
-_STEPS = 1000  # of the median's iteration, each of which shortens the way by a factor
-_NEAR = 1e-6  # a last step that is good enough: beside one of the rotations the iteration creeps
-_HERE = 1e-13  # radians within which two rotations are one
 _EPS = float(np.finfo(np.float64).eps)
 
 
@@ -62,27 +59,9 @@ def _of_all(q: Array, w: Array | None) -> Array | None:
 
 @quiet
 def _weighted(q: Array, weights: Any, axis: Any) -> Array:
-    xp = namespace(q, weights)
-    batch = tuple(q.shape[:-1])
-    axes = _axes(axis, len(batch))
-    w = xp.ones_like(q[..., 0]) if weights is None else floats(weights, "weights", xp)
-    w = spread(xp, w, batch, "weights")
-    refuse_rows(w < 0.0, "the weight", "is negative")
-    kept = [n for n in range(len(batch)) if n not in axes]
-    shape = tuple(batch[n] for n in kept)
-    count = math.prod(batch[n] for n in axes)
-    if not count:
-        raise RotationError("no rotations to average")
-    q = xp.reshape(xp.permute_dims(q, (*kept, *axes, len(batch))), (*shape, count, 4))
-    w = xp.reshape(xp.permute_dims(w, (*kept, *axes)), (*shape, count))
-    heaviest = xp.max(w, axis=-1, keepdims=True)
-    w = w / xp.where(
-        heaviest > 0.0, heaviest, xp.ones_like(heaviest)
-    )  # their sum does not overflow
-    total = xp.sum(w, axis=-1)
-    refuse_rows(total == 0.0, "the sum of the weights", "is zero")
-    weighted = q * (w / total[..., None])[..., None]
-    moment = xp.matmul(xp.matrix_transpose(weighted), q)
+    q, w = _grouped(q, weights, axis)
+    xp = namespace(q)
+    moment = _moment(q, w)
     finite = xp.all(xp.isfinite(moment), axis=(-2, -1))
     identity = xp.eye(4, dtype=moment.dtype)
     values, vectors = xp.linalg.eigh(xp.where(finite[..., None, None], held(moment), identity))
@@ -97,60 +76,55 @@ def _weighted(q: Array, weights: Any, axis: Any) -> Array:
     return following(canonical(normalised(best)), rows)
 
 
+def _grouped(q: Array, weights: Any, axis: Any) -> tuple[Array, Array]:
+    """Return quaternions (…, count, 4) and weights (…, count) with the axes to average over together.
+
+    The heaviest weight of each group is 1.
+    """
+    xp = namespace(q, weights)
+    batch = tuple(q.shape[:-1])
+    axes = _axes(axis, len(batch))
+    w = xp.ones_like(q[..., 0]) if weights is None else floats(weights, "weights", xp)
+    w = spread(xp, w, batch, "weights")
+    refuse_rows(w < 0.0, "the weight", "is negative")
+    kept = [n for n in range(len(batch)) if n not in axes]
+    shape = tuple(batch[n] for n in kept)
+    count = math.prod(batch[n] for n in axes)
+    if not count:
+        raise RotationError("no rotations to average")
+    q = xp.reshape(xp.permute_dims(q, (*kept, *axes, len(batch))), (*shape, count, 4))
+    w = xp.reshape(xp.permute_dims(w, (*kept, *axes)), (*shape, count))
+    heaviest = xp.max(w, axis=-1, keepdims=True)
+    refuse_rows(heaviest[..., 0] == 0.0, "the sum of the weights", "is zero")
+    return q, w / heaviest  # their sum does not overflow
+
+
+def _moment(q: Array, w: Array) -> Array:
+    """Return the weighted means (…, 4, 4) of ``q·qᵀ`` over groups (…, count, 4)."""
+    xp = namespace(q)
+    weighted = q * (w / xp.sum(w, axis=-1)[..., None])[..., None]
+    return xp.matmul(xp.matrix_transpose(weighted), q)
+
+
 @quiet
 def median(q: Array, weights: Any = None, axis: Any = None) -> Array:
-    """Return the geodesic median of unit quaternions (…, 4) over batch axes; see `Rotation.median`.
-
-    R. Hartley, K. Aftab and J. Trumpf, "L1 rotation averaging using the Weiszfeld algorithm", CVPR 2011; at
-    the rotations themselves the step of Y. Vardi and C.-H. Zhang, PNAS 97 (2000).
-    """
+    """Return the geodesic median of unit quaternions (…, 4) over batch axes; see `Rotation.median`."""
     expect_numpy("median", q, weights)
-    start = mean(q, weights, axis)
-    batch = q.shape[:-1]
-    axes = _axes(axis, len(batch))
-    w = np.ones(batch) if weights is None else np.broadcast_to(floats(weights, "weights"), batch)
-    kept = [n for n in range(len(batch)) if n not in axes]
-    count = math.prod(batch[n] for n in axes)
-    q = q.transpose(*kept, *axes, len(batch)).reshape(-1, count, 4)
-    w = w.transpose(*kept, *axes).reshape(-1, count)
-    rows = zip(q, w / w.max(axis=-1, keepdims=True), start.reshape(-1, 4), strict=True)
-    return np.reshape([_median(*row) for row in rows], start.shape)
+    q, w = _grouped(q, weights, axis)
+    shape = (*q.shape[:-2], 4)
+    moments = _moment(q, w).reshape(-1, 4, 4)
+    groups = zip(q.reshape(-1, *q.shape[-2:]), w.reshape(-1, w.shape[-1]), moments, strict=True)
+    return np.reshape([_median(*group) for group in groups], shape)
 
 
-def _median(q: Array, w: Array, best: Array) -> Array:
-    """The median of quaternions (n, 4), from a first guess."""
-    if not np.isfinite(best).all():
-        return best
-    for _ in range(_STEPS):
-        away = to_rotvec(product(q, inverse(best)))
-        angle = np.sqrt((away * away).sum(axis=-1))
-        apart = angle > _HERE
-        share = w[apart] / angle[apart]
-        pull = share @ away[apart]
-        force, here = np.sqrt(pull @ pull), w[~apart].sum()
-        nearest = int(np.argmin(angle))
-        if force <= max(here, 4.0 * _EPS * w.sum()):
-            return canonical(q[nearest]) if here else canonical(best)
-        step = (1.0 - here / force) * pull / share.sum()
-        best = product(from_rotvec(step), best)
-        if not here and _holds(q, w, nearest):
-            return canonical(q[nearest])
-        if step @ step <= _HERE * _HERE:
-            return canonical(best)
-    if step @ step <= _NEAR * _NEAR:
-        return canonical(best)
-    raise RotationError(
-        f"no median was found in {_STEPS} steps: the rotations spread too far; the mean may serve"
-    )
-
-
-def _holds(q: Array, w: Array, n: int) -> bool:
-    """Whether the pull of all others on rotation n is not more than its weight."""
-    away = to_rotvec(product(q, inverse(q[n])))
-    angle = np.sqrt((away * away).sum(axis=-1))
-    apart = angle > _HERE
-    pull = (w[apart] / angle[apart]) @ away[apart]
-    return bool(np.sqrt(pull @ pull) <= w[~apart].sum())
+def _median(q: Array, w: Array, moment: Array) -> Array:
+    """Return the median of quaternions (n, 4): the descent begins at their mean, or at one of several."""
+    if not np.isfinite(moment).all():
+        return np.full(4, np.nan)
+    _, vectors = np.linalg.eigh(moment)
+    counted = w > 0.0
+    start = normalised(np.ascontiguousarray(vectors[:, 3]))
+    return geodesic_median(q[counted], w[counted], start)
 
 
 @quiet

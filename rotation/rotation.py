@@ -262,7 +262,9 @@ class Rotation(Conversions):
         """Return the geodesic median, the rotation with the least sum of angles to these.
 
         A few wrong rotations among many do not move it far, as they move the mean. Where it is one of these
-        it is that exactly.
+        it is that exactly. The minimum is the global one, to 1e-7 of the heaviest weight: where one of the
+        rotations lies a quarter turn or more from the median, branch and bound compares it with all others.
+        That takes milliseconds for ten rotations spread evenly, and seconds for a thousand.
 
         Parameters
         ----------
@@ -272,8 +274,8 @@ class Rotation(Conversions):
         Raises
         ------
         RotationError
-            As for `mean`; or nothing was found in 1000 steps. Close beside one of the rotations, where the
-            sum hardly changes, the answer is only good to a last step of 1e-6.
+            No rotations, an axis that does not exist, negative weights or weights that are all zero; or
+            different rotations have the same least sum, so that none of them is the median.
         ForeignArrayError
             Arrays that are not numpy's.
 

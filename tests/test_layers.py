@@ -67,6 +67,7 @@ FLOORS = [
     {"rotation.angles"},
     {"rotation.quaternions", "rotation.matrices", "rotation.plane"},
     {"rotation.vectors", "rotation.euler"},
+    {"rotation.geodesic_median"},
     {"rotation.davenport", "rotation.groups", "rotation.averaging", "rotation.disorientation"},
     {"rotation.action", "rotation.jacobians"},
     {"rotation.kernels", "rotation.html_table"},
