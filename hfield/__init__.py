@@ -8,6 +8,8 @@
 
 import lazy_loader
 
+import hfield.locking  # noqa: F401  # a fork may come while the names below are imported
+
 __version__ = "0.3.0"
 
 # The public names are said once, in the stub beside this file, and imported on first use.

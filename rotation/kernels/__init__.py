@@ -77,7 +77,8 @@ def cumulative(q: Array) -> Array:
 
     The running product is kept in twice the precision, so errors do not add up over its length.
     """
-    from rotation.kernels import chains
+    with machine_code.lock:
+        from rotation.kernels import chains
 
     return chains.cumulative(np.ascontiguousarray(q, np.float64))
 
@@ -129,9 +130,9 @@ def _kernel(
 def _loop(
     name: tuple[Any, ...], operands: tuple[Operand, ...], writes: bool
 ) -> machine_code.Function:
-    from rotation.kernels import formulas
-
     with machine_code.lock:
+        from rotation.kernels import formulas
+
         builtins.introduce()
         found = formulas.kernel(*name)
         number = operands[0].number if name[0] == "one" else "double"
