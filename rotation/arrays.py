@@ -40,10 +40,7 @@ def real(value: object, name: str) -> Array:
         )
     if not isinstance(value, _NUMBERS):
         expect_numbers(value, name)
-    if _masked(value):
-        raise RotationError(
-            f"{name} is a masked array, whose mask would be lost; rotate its .filled(np.nan)"
-        )
+    expect_unmasked(value, name)
     try:
         array = np.asarray(value)
     except ValueError as error:
@@ -86,10 +83,19 @@ def expect_numbers(value: object, name: str) -> None:
         raise DTypeError(refusal)
 
 
-def _masked(value: object) -> bool:
-    """Tell whether an array is masked, without the import of numpy.ma that asking by its name would be."""
+def expect_unmasked(value: object, name: str) -> None:
+    """Raise `RotationError` for a masked array, or one in a list; numpy.ma is not imported for that."""
     masked = getattr(sys.modules.get("numpy.ma"), "MaskedArray", None)  # or a thread imports it now
-    return masked is not None and isinstance(value, masked)
+    if masked is not None and _contains(value, masked):
+        raise RotationError(
+            f"{name} is a masked array, whose mask would be lost; give its .filled(np.nan)"
+        )
+
+
+def _contains(value: object, kind: type) -> bool:
+    if isinstance(value, list | tuple):
+        return any(_contains(member, kind) for member in value)
+    return isinstance(value, kind)
 
 
 def components(value: object, number: int, name: str, layout: Layout) -> tuple[Array, Shape]:
@@ -150,8 +156,7 @@ def destination(
     if out is None:
         new = np.empty(shape, points.dtype)
         return new, components_last(new, layout)
-    if _masked(out):
-        raise RotationError("out is a masked array, whose mask would be wrong; give an ndarray")
+    expect_unmasked(out, "out")
     if not isinstance(out, np.ndarray):
         raise DTypeError(f"out is a {type(out).__name__}; expected a numpy array")
     if out.dtype != points.dtype:

@@ -13,7 +13,16 @@ import numpy as np
 from rotation.coordinates import factor
 from rotation.errors import RotationError
 from rotation.geodesic_median import geodesic_median
-from rotation.namespaces import Array, expect_numpy, floats, namespace, quiet, refuse_rows, spread
+from rotation.namespaces import (
+    Array,
+    expect_numpy,
+    floats,
+    is_numpy,
+    namespace,
+    quiet,
+    refuse_rows,
+    spread,
+)
 from rotation.optimum import following, held
 from rotation.quaternions import canonical, normalised
 
@@ -31,8 +40,9 @@ def mean(q: Array, weights: Any = None, axis: Any = None) -> Array:
         the largest eigenvalue is double, so that no mean is better than another.
     """
     if axis is None and type(q) is np.ndarray and q.size:
-        w = weights if weights is None else np.asarray(weights)
-        if w is None or (w.dtype == np.float64 and w.shape == q.shape[:-1]):
+        xp = namespace(q, weights)
+        w = weights if weights is None else floats(weights, "weights", xp)
+        if w is None or (is_numpy(xp) and w.shape == q.shape[:-1]):
             best = _of_all(q.reshape(-1, 4), w if w is None else w.reshape(-1))
             if best is not None:
                 return best

@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from rotation.action import by_rows
 from rotation.arrays import real
 from rotation.batch import expect_rotations
-from rotation.coordinates import length, split
+from rotation.coordinates import join, length, split, unchanging
 from rotation.errors import RotationError
 from rotation.namespaces import Array, expect_last, expect_numpy, floats, quiet, refuse_rows
 from rotation.rigid import RigidTransform, expect_transforms
@@ -54,8 +55,11 @@ def change_of_axes(source: str, target: str) -> Array:
     return np.asarray(second.T @ first)
 
 
+@quiet
 def convert_points(points: Any, source: str, target: str) -> Array:
     """Return points (…, 3) of one convention in another; see `change_of_axes`.
+
+    A row with NaN or inf in it gives NaN in that row alone.
 
     Examples
     --------
@@ -65,7 +69,10 @@ def convert_points(points: Any, source: str, target: str) -> Array:
     expect_numpy("convert_points", points)
     v = real(points, "points")
     expect_last(v, (3,), "points")
-    return np.asarray(v @ change_of_axes(source, target).T.astype(v.dtype))
+    c = split(v)
+    spoilt = unchanging(np, c)
+    image = by_rows(change_of_axes(source, target).astype(v.dtype), c)
+    return join(np, tuple(x + spoilt for x in image))
 
 
 def convert_rotation(rotation: Rotation, source: str, target: str) -> Rotation:

@@ -14,7 +14,7 @@ from typing import Any
 
 from rotation.coordinates import Coordinates, factor, join, polynomial, split, sum_of_squares
 from rotation.errors import RotationError
-from rotation.namespaces import Array, floats, namespace, refuse_rows
+from rotation.namespaces import Array, floats, namespace, quiet, refuse_rows
 from rotation.rowwise import Formula
 
 _TERMS = 12
@@ -51,8 +51,11 @@ def hat(tangent: Any) -> Array:
     return _HAT[v.shape[-1]](v)
 
 
+@quiet
 def vee(matrix: Any) -> Array:
     """Return the tangents, (…, 3) or (…, 6), of matrices (…, 3, 3) or (…, 4, 4): what `hat` undoes.
+
+    A matrix with NaN or inf in it gives NaN.
 
     Raises
     ------
@@ -76,7 +79,8 @@ def vee(matrix: Any) -> Array:
     off = xp.max(xp.abs(m - hat(tangent)), axis=(-2, -1))
     allowed = 1e-9 if xp.finfo(m.dtype).bits == 64 else 1e-4
     refuse_rows(off > allowed * largest, "the matrix", "is no tangent: hat does not make it")
-    return tangent
+    finite = xp.all(xp.isfinite(m), axis=(-2, -1))[..., None]
+    return xp.where(finite, tangent, xp.nan * tangent)
 
 
 def ad(tangent: Any) -> Array:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rotation.angles import waves
-from rotation.arrays import common_batch, components, real
+from rotation.arrays import common_batch, components, expect_unmasked, real
 from rotation.errors import RotationError
 
 Floats = NDArray[np.floating[Any]]
@@ -160,6 +160,7 @@ def to_complex(points: ArrayLike) -> Complexes:
 
 def from_complex(z: ArrayLike) -> Floats:
     """Return the points (…, 2) of complex numbers (…); complex64 gives float32."""
+    expect_unmasked(z, "z")
     a = np.asarray(z)
     if a.dtype not in (np.complex64, np.complex128):
         a = real(z, "z")

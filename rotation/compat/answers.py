@@ -11,6 +11,7 @@ import numpy as np
 
 from rotation import groups
 from rotation.averaging import mean
+from rotation.compat import checks
 from rotation.errors import RotationError
 from rotation.matrices import from_matrix as to_quaternion
 from rotation.namespaces import quiet
@@ -91,7 +92,7 @@ def aligned(
 
     Return the quaternion, the root of the sum that remains, and the sensitivity if asked for.
     """
-    u, v = (np.asarray(x, dtype=np.float64) for x in (a, b))
+    u, v = (checks.doubles(x, "vectors") for x in (a, b))
     for name, x in (("a", u), ("b", v)):
         if not x.ndim or x.shape[-1] != 3:
             raise RotationError(
@@ -107,7 +108,7 @@ def aligned(
         )
     u, v = np.atleast_2d(u), np.atleast_2d(v)
     number = len(u)
-    w = np.ones(number) if weights is None else np.asarray(weights, dtype=np.float64)
+    w = np.ones(number) if weights is None else checks.doubles(weights, "weights")
     if w.ndim != 1:
         raise RotationError(f"Expected `weights` to be 1 dimensional, got shape {w.shape}.")
     if number > 1 and len(w) != number:

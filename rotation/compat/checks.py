@@ -6,11 +6,18 @@ from typing import Any
 import numpy as np
 
 from rotation import hints
+from rotation.arrays import expect_unmasked
 from rotation.errors import DTypeError, RotationError
 from rotation.namespaces import expect_numpy, number
 from rotation.rotation import Rotation
 
 Array = Any
+
+
+def doubles(value: Any, name: str) -> Array:
+    """Return an array of float64, with numpy's own errors, but of no masked array."""
+    expect_unmasked(value, name)
+    return np.asarray(value, dtype=np.float64)
 
 
 def quaternions(value: Any) -> Array | None:
@@ -55,7 +62,7 @@ def refuse_factor(value: object, other: object) -> None:
 
 def numbers(value: Any, name: str, shape: str, last: tuple[int, ...]) -> Array:
     """Return ``value`` as float64; its last axes have the lengths ``last``."""
-    array = np.asarray(value, dtype=np.float64)
+    array = doubles(value, name)
     if array.ndim < len(last) or array.shape[array.ndim - len(last) :] != last:
         raise RotationError(f"Expected `{name}` to have shape {shape}, got {array.shape}.")
     return array
@@ -85,7 +92,7 @@ def weighted(weights: Any, shape: tuple[int, ...]) -> Array | None:
     """Return weights that broadcast to ``shape`` and are not negative."""
     if weights is None:
         return None
-    w = np.asarray(weights, dtype=np.float64)
+    w = doubles(weights, "weights")
     try:
         fits = np.broadcast_shapes(w.shape, shape) == shape
     except ValueError:

@@ -29,7 +29,7 @@ class Slerp:
     @quiet
     def __init__(self, times: Any, rotations: Rotation) -> None:
         rotations = _keyframes(rotations, "`rotations` must be a `Rotation` instance.")
-        t = np.asarray(times, dtype=np.float64)
+        t = checks.doubles(times, "times")
         if t.ndim != 1:
             raise RotationError(
                 f"Expected times to be specified in a 1 dimensional array, got {t.ndim} dimensions."
@@ -45,7 +45,7 @@ class Slerp:
 
     def __call__(self, times: Any) -> Rotation:
         """Return the rotations at ``times``."""
-        t = np.asarray(times, dtype=np.float64)
+        t = checks.doubles(times, "times")
         if t.ndim > 1:
             raise RotationError("`times` must be at most 1-dimensional.")
         if not np.all((t >= self.times[0]) & (t <= self.times[-1])):
@@ -61,7 +61,7 @@ class RotationSpline:
 
     def __init__(self, times: Any, rotations: Rotation) -> None:
         rotations = _keyframes(rotations, FEW)
-        self.times = np.asarray(times, dtype=np.float64)
+        self.times = checks.doubles(times, "times")
         self.rotations = rotations
         self._curve = spline.RotationSpline(self.times, rotations._ours)
 
@@ -70,7 +70,7 @@ class RotationSpline:
         """Return rotations, angular rates or angular accelerations at ``times``; outside, the ends go on."""
         if order not in (0, 1, 2):
             raise RotationError("`order` must be 0, 1 or 2.")
-        t = np.asarray(times, dtype=np.float64)
+        t = checks.doubles(times, "times")
         if t.ndim > 1:
             raise RotationError("`times` must be at most 1-dimensional.")
         found = self._curve.extended(t, order)

@@ -211,7 +211,7 @@ class Rotation(Assignable):
 
     def apply(self, vectors: Any, inverse: bool = False) -> Array:
         """Rotate vectors."""
-        v = np.asarray(vectors, dtype=np.float64)
+        v = checks.doubles(vectors, "vectors")
         if not v.ndim or v.shape[-1] != 3:
             raise RotationError(f"Expected input of shape (..., 3), got {v.shape}.")
         checks.common(v.shape[:-1], self.shape)
@@ -303,7 +303,7 @@ class Rotation(Assignable):
 
 def _angles(angles: Any, number: int) -> Array:
     """Return angles with the last axis of ``number``; about one axis also a number."""
-    a = np.asarray(angles, dtype=np.float64)
+    a = checks.doubles(angles, "angles")
     if number == 1 and a.ndim == 0:
         a = a[..., None]
     if not a.ndim or a.shape[-1] != number:
@@ -318,7 +318,7 @@ def _davenport_axes(axes: Any, order: str) -> Array:
     if order not in ("e", "extrinsic", "i", "intrinsic"):
         raise RotationError("order should be 'e'/'extrinsic' or 'i'/'intrinsic'")
     try:
-        return davenport.checked_axes(np.asarray(axes, dtype=np.float64), order)[0]
+        return davenport.checked_axes(checks.doubles(axes, "axes"), order)[0]
     except RotationError as error:
         if "perpendicular" in str(error):
             raise RotationError(f"Consecutive axes must be orthogonal: {error}") from None

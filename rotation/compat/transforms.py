@@ -169,7 +169,7 @@ class RigidTransform(Assignable):
     @quiet
     def apply(self, vector: Any, inverse: bool = False) -> Array:
         """Move vectors."""
-        v = np.asarray(vector, dtype=np.float64)
+        v = checks.doubles(vector, "vector")
         if not v.ndim or v.shape[-1] != 3:
             raise RotationError(f"Expected vector to have shape (..., 3), got {v.shape}.")
         checks.common(v.shape[:-1], self.shape, "operands could not be broadcast together")
