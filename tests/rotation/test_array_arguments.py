@@ -52,6 +52,7 @@ V, W, A, S, Q = (RNG.standard_normal(s) for s in ((N, 3), (N, 3), N, (N, 6), (N,
 T, WEIGHTS, TIMES = RNG.random(N), RNG.random(N) + 0.5, np.arange(N) + 0.5
 R = Rotation(Q)
 M = RigidTransform.from_components(V, R)
+BELIEF = Uncertain(M[0], np.eye(6))
 CURVES: dict[str, Callable[[Any, Any], Any]] = {
     "Slerp": Slerp,
     "Squad": Squad,
@@ -97,6 +98,14 @@ BY_ROWS: list[tuple[str, Callable[..., Any], tuple[np.ndarray, ...]]] = [
     ("Rotation.from_axis_angle", lambda *a: Rotation.from_axis_angle(*a).as_quat(), (V, A)),
     ("Rotation.from_euler", lambda a: Rotation.from_euler("ZYX", a).as_quat(), (V,)),
     ("Rotation.from_mrp", lambda v: Rotation.from_mrp(v).as_quat(), (V,)),
+    ("Rotation.from_6d", lambda v: Rotation.from_6d(v).as_quat(), (S,)),
+    (
+        "Rotation.from_davenport",
+        lambda b, a: Rotation.from_davenport(b, "intrinsic", a).as_quat(),
+        (BASIS, V),
+    ),
+    ("Rotation.as_davenport", lambda b: R.as_davenport(b, "intrinsic"), (BASIS,)),
+    ("Rotation.between", lambda *a: Rotation.between(*a).as_quat(), (V, W)),
     ("Rotation.apply", R.apply, (V,)),
     ("Rotation.__pow__", lambda t: (R**t).as_quat(), (A,)),
     ("Rotation.plus", lambda v: R.plus(v).as_quat(), (V,)),
@@ -121,6 +130,18 @@ BY_ROWS: list[tuple[str, Callable[..., Any], tuple[np.ndarray, ...]]] = [
         lambda d: RigidTransform.from_dual_quat(d).as_matrix(),
         (M.as_dual_quat(),),
     ),
+    (
+        "RigidTransform.from_components",
+        lambda v: RigidTransform.from_components(v, R).as_matrix(),
+        (V,),
+    ),
+    (
+        "RigidTransform.from_screw",
+        lambda *a: RigidTransform.from_screw(*a).as_matrix(),
+        (V, W, A, T),
+    ),
+    ("RigidTransform.exp", lambda v: RigidTransform.exp(v).as_matrix(), (S,)),
+    ("Uncertain.interpolate", lambda t: BELIEF.interpolate(BELIEF, t).covariance, (T,)),
     ("RigidTransform.apply", M.apply, (V,)),
     ("RigidTransform.__pow__", lambda t: (M**t).as_matrix(), (A,)),
     ("RigidTransform.plus", lambda v: M.plus(v).as_matrix(), (S,)),
@@ -133,6 +154,7 @@ TOGETHER: list[tuple[str, Callable[..., Any], tuple[np.ndarray, ...]]] = [
     ("Rotation.median", lambda w: R.median(w).as_quat(), (WEIGHTS,)),
     ("RigidTransform.mean", lambda w: M.mean(w).as_matrix(), (WEIGHTS,)),
     ("Rotation.align_vectors", lambda *a: Rotation.align_vectors(*a)[0].as_quat(), (V, W, WEIGHTS)),
+    ("RigidTransform.align", lambda *a: RigidTransform.align(*a)[0].as_matrix(), (V, W, WEIGHTS)),
     ("align_points", lambda *a: align_points(*a)[1], (V, W, WEIGHTS)),
     ("align_similarity", lambda *a: align_similarity(*a).translation, (V, W, WEIGHTS)),
     ("angular_velocity", lambda t: angular_velocity(R, t), (TIMES,)),
@@ -142,6 +164,11 @@ TOGETHER: list[tuple[str, Callable[..., Any], tuple[np.ndarray, ...]]] = [
     ("Uncertain", lambda p: Uncertain(M, p).covariance, (np.eye(6) + np.zeros((N, 6, 6)),)),
 ]
 CALLS = [*BY_ROWS, *TOGETHER]
+# what the parameters of methods that are arrays of numbers are called
+ARRAYS = {
+    "a", "angle", "angles", "axes", "dual_quat", "exp_coords", "matrix", "mrp", "numbers", "points", "quat",
+    "rotvec", "source", "t", "tangent", "target", "translation", "weights",
+}  # fmt: skip
 # without arrays of numbers among their arguments
 WITHOUT = {
     "Screw", "Similarity", "align", "change_of_axes", "convert_rotation", "convert_transform", "exact_group",
@@ -174,6 +201,16 @@ def test_every_public_function_is_called_here() -> None:
         )
     }
     assert public == called | WITHOUT
+
+
+@pytest.mark.parametrize("kind", [Rotation, RigidTransform, Uncertain])
+def test_every_method_with_an_array_argument_is_called_here(kind: type) -> None:
+    called = {name for name, _, _ in CALLS}
+    for name in {n for base in kind.__mro__ for n in vars(base) if not n.startswith("_")}:
+        method = inspect.getattr_static(kind, name)
+        method = getattr(method, "__func__", method)
+        if inspect.isfunction(method) and set(inspect.signature(method).parameters) & ARRAYS:
+            assert f"{kind.__name__}.{name}" in called
 
 
 @pytest.mark.parametrize(("function", "arrays", "n"), variants(CALLS))
