@@ -4,7 +4,8 @@ import ast
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -140,7 +141,7 @@ def unlocked(tree: ast.AST) -> Iterator[tuple[str, ast.AST]]:
     yield from walk(tree, "")
 
 
-def called(nodes: Iterator[ast.AST]) -> set[str]:
+def called(nodes: Iterable[ast.AST]) -> set[str]:
     """Return the names of the functions that are called."""
     calls = (node.func for node in nodes if isinstance(node, ast.Call))
     return {function.id for function in calls if isinstance(function, ast.Name)}
@@ -148,9 +149,15 @@ def called(nodes: Iterator[ast.AST]) -> set[str]:
 
 def imports_outside_the_lock(source: str) -> set[str]:
     """Return the functions that import without the lock; a helper may, if its callers hold the lock."""
-    found = list(unlocked(ast.parse(source)))
-    imports = {f for f, node in found if f and isinstance(node, ast.Import | ast.ImportFrom)}
-    bodies = {f: called(node for own, node in found if own == f) for f, _ in found}
+    found = defaultdict[str, list[ast.AST]](list)
+    for function, node in unlocked(ast.parse(source)):
+        found[function].append(node)
+    imports = {
+        f
+        for f, nodes in found.items()
+        if f and any(isinstance(node, ast.Import | ast.ImportFrom) for node in nodes)
+    }
+    bodies = {f: called(nodes) for f, nodes in found.items()}
     while callers := {f for f, names in bodies.items() if names & imports} - imports:
         imports |= callers
     return imports - called(ast.walk(ast.parse(source)))
