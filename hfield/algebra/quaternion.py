@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol
 
 from hfield import product, structure
@@ -21,6 +22,7 @@ from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.coefficients import Coefficients
 from hfield.rings.holding import Batch, Holding
+from hfield.structure.single_elements import analysis
 
 if TYPE_CHECKING:
     import numpy as np
@@ -30,6 +32,15 @@ if TYPE_CHECKING:
 
 
 _blank: Any = object.__new__
+# The methods that numpy's functions call, and those of operators whose left operand is an array of numpy.
+_UFUNCS = {
+    "absolute": "__abs__", "exp": "exp", "log": "log", "sqrt": "sqrt", "conjugate": "conjugate",
+    "negative": "__neg__", "positive": "__pos__",
+}  # fmt: skip
+_REFLECTED = {
+    "add": "__radd__", "subtract": "__rsub__", "multiply": "__rmul__", "divide": "__rtruediv__",
+    "equal": "__eq__", "not_equal": "__ne__",
+}  # fmt: skip
 
 
 class Parent(Protocol):
@@ -50,6 +61,8 @@ class Parent(Protocol):
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
     def count(self, kind: str = ..., *, norm: Any = ..., square: Any = ...) -> int: ...  # noqa: D102
     def latex(self) -> str: ...  # noqa: D102
+    def polynomials(self, name: str = ...) -> Any: ...  # noqa: D102
+    def to_matrix(self, q: Quaternion) -> Any: ...  # noqa: D102
 
 
 class Quaternion(Hinted):
@@ -70,7 +83,6 @@ class Quaternion(Hinted):
     # No __setattr__ or __delattr__ of its own: they would make every new element slower.
     __slots__ = ("_algebra", "_held", "_how")
     elsewhere = ELEMENT
-    __array_ufunc__ = None  # or numpy would distribute ``array * q`` over the array's entries
 
     _algebra: Parent
     _how: Holding
@@ -228,11 +240,26 @@ class Quaternion(Hinted):
     def __rtruediv__(self, other: object) -> Quaternion:
         return self._operand(other, "divide") * self.inverse()
 
-    def __pow__(self, n: int) -> Quaternion:
+    def __pow__(self, n: float | Fraction) -> Quaternion:
+        if isinstance(n, (float, Fraction)):
+            return self._real_power(n)
         if not isinstance(n, int):
-            raise CoercionError(f"the exponent {n!r} is not an int; only integer powers exist")
+            raise CoercionError(f"the exponent {n!r} is not a number")
         base = self if n >= 0 else self.inverse()
         return self._alike(self._how.power(base._held, abs(n)))
+
+    def _real_power(self, n: float | Fraction) -> Quaternion:
+        """Return the principal power; over exact rings the exponent is a multiple of 1/2."""
+        if not self.ring.is_exact:
+            found = analysis.power(self.ring, self.algebra.constants, self.coordinates, n)
+            return self._new(*found)
+        twice = 2 * Fraction(n)
+        if twice.denominator != 1:
+            raise CoercionError(
+                f"the exponent {n!r} is no multiple of 1/2: over {self.ring} all n-th roots are q.roots(n)"
+            )
+        base = self if twice.numerator % 2 == 0 else self.sqrt()
+        return base ** (twice.numerator // (1 if base is not self else 2))
 
     def __xor__(self, other: object) -> NoReturn:
         raise CoercionError("powers are written q**2; to Python q^2 + 1 would be q^(2 + 1)")
@@ -269,6 +296,18 @@ class Quaternion(Hinted):
         return not self.is_zero()
 
     # --- what the algebra knows of it ----------------------------------------------------------
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+        """Let numpy's ``abs``, ``exp``, ``log`` and ``sqrt`` act, and ``array * q`` be a product of ours.
+
+        Without it numpy would distribute ``array * q`` over the entries of the array.
+        """
+        if method == "__call__" and not options:
+            if len(inputs) == 1 and ufunc.__name__ in _UFUNCS:
+                return getattr(self, _UFUNCS[ufunc.__name__])()
+            if len(inputs) == 2 and inputs[1] is self and ufunc.__name__ in _REFLECTED:
+                return getattr(self, _REFLECTED[ufunc.__name__])(inputs[0])
+        return NotImplemented
 
     def conjugate(self) -> Quaternion:
         """Return the standard involution; ``w − x·i − y·j − z·k`` when t = 0 (Definition 3)."""
@@ -329,15 +368,143 @@ class Quaternion(Hinted):
         w, x, y, z = self.coordinates
         return self._new(w - w, x, y, z)
 
-    def matrix(self) -> tuple[tuple[Any, ...], ...]:
-        """Return the 4 × 4 matrix of ``p ↦ q·p``: column n holds the coordinates of q·(basis n)."""
-        columns = [(self * b).coordinates for b in self.algebra.basis]
-        return tuple(zip(*columns, strict=True))
+    @property
+    def vector(self) -> tuple[Any, Any, Any]:
+        """The coordinates of i, j, k: three elements (or arrays) of the base ring."""
+        _, x, y, z = self.coordinates
+        return x, y, z
+
+    def dot(self, other: object) -> Any:
+        """Return the scalar product of the vector parts, the negative of the scalar part of their product.
+
+        In Hamilton's algebra it is ``x₁x₂ + y₁y₂ + z₁z₂`` (thesis 1.4.2).
+
+        >>> from hfield import H
+        >>> A = H("QQ")
+        >>> p, q = A(0, 1, 2, 3), A(0, 4, 5, 6)
+        >>> p.dot(q), p.cross(q), p * q == p.cross(q) - p.dot(q)
+        (32, −3i + 6j − 3k, True)
+        """
+        return -(self.vector_part * self._operand(other, "multiply").vector_part).scalar_part
+
+    def cross(self, other: object) -> Quaternion:
+        """Return the vector product of the vector parts, the vector part of their product (thesis 1.4.2)."""
+        return (self.vector_part * self._operand(other, "multiply").vector_part).vector_part
+
+    def matrix(
+        self, side: str = "left", over: Ring | str | None = None
+    ) -> tuple[tuple[Any, ...], ...]:
+        """Return the 4 × 4 matrix of ``p ↦ q·p``: column n holds the coordinates of q·(basis n).
+
+        With ``side="right"`` it is that of ``p ↦ p·q``. With ``over``, a field that contains the base ring
+        and splits the algebra, it is the 2 × 2 matrix of q there (thesis 1.4.3); :class:`CoercionError`
+        says so where the algebra stays a division algebra.
+
+        >>> from hfield import H
+        >>> H("QQ")(1, 2, 3, 4).matrix(over="QQ(I)")
+        ((1+2*I, -3-4*I), (3-4*I, 1-2*I))
+        """
+        if over is not None:
+            q = self.change_ring(over)
+            found: tuple[tuple[Any, ...], ...] = q.algebra.to_matrix(q)
+            return found
+        if side not in ("left", "right"):
+            raise CoercionError(f"side={side!r}: expected 'left' or 'right'")
+        images = (self * b if side == "left" else b * self for b in self.algebra.basis)
+        return tuple(zip(*(image.coordinates for image in images), strict=True))
 
     def change_ring(self, ring: Ring | str) -> Quaternion:
         """Return q in the algebra with the same constants over ``ring``, which must contain them."""
         A = self.algebra.change_ring(ring)
         return A(*map(embedding(self.ring, A.ring), self.coordinates))
+
+    # --- modulus, exponential, roots -----------------------------------------------------------
+
+    def __abs__(self) -> Any:
+        """Return the modulus ``√N(q)``, the nonnegative root (thesis 1.3.1); of an array elementwise.
+
+        Raises :class:`NoSolutionError` where the base ring has no such root, and :class:`RingError` over
+        rings without an ordering.
+        """
+        if self.is_batch and self.ring.is_exact:
+            return self.ring.array([abs(q) for q in self.reshape(-1)]).reshape(self.shape)
+        return analysis.modulus(self.ring, self.algebra.constants, self.coordinates)
+
+    def unit(self) -> Quaternion:
+        """Return ``q/|q|``. Raises :class:`NotInvertibleError` where the norm is 0."""
+        return self.__truediv__(abs(self))
+
+    def polar(self) -> Polar:
+        """Return the modulus r, the axis n and the angle θ with ``q = r·(cos θ + n·sin θ)``, ``n² = −1``.
+
+        The angle is in [0, π], in radians; :meth:`QuaternionAlgebra.from_polar` is the inverse. It is
+        computed over RDF, of arrays too, and over RR where the angle is a rational multiple of π (thesis
+        1.4.4). Raises :class:`NoSolutionError` where the part of trace 0 has no negative square.
+
+        >>> from hfield import H
+        >>> H("RR")(1, 1, 1, 1).polar()
+        Polar(modulus=2, axis=(1/3·√3)i + (1/3·√3)j + (1/3·√3)k, angle=1/3*pi)
+        """
+        r, n, theta = analysis.polar(self.ring, self.algebra.constants, self.coordinates)
+        return Polar(r, self._new(*n), theta)
+
+    def exp(self) -> Quaternion:
+        """Return the sum of ``qⁿ/n!``: over RDF, of arrays too, and exactly over RR.
+
+        Raises :class:`RingError` over other rings.
+
+        >>> from hfield import H
+        >>> H("RR").parse("pi/3*k").exp()
+        1/2 + (1/2·√3)k
+        """
+        return self._new(*analysis.exp(self.ring, self.algebra.constants, self.coordinates))
+
+    def log(self) -> Quaternion:
+        """Return the principal logarithm, ``log|q| + n·θ`` with θ in [0, π), over the rings of :meth:`exp`.
+
+        Raises :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
+
+        >>> from hfield import H
+        >>> H("RDF")(0, 0, 0, 1).log().coordinates[3]
+        1.5707963267948966
+        """
+        return self._new(*analysis.log(self.ring, self.algebra.constants, self.coordinates))
+
+    def sqrt(self) -> Quaternion:
+        """Return the square root of positive trace, or 0 for 0; :meth:`square_roots` has all.
+
+        Raises :class:`NoSolutionError` where there is none.
+
+        >>> from hfield import H
+        >>> H("QQ").parse("2*i").sqrt(), H("RR").parse("i") ** 0.5
+        (1 + i, 1/2·√2 + (1/2·√2)i)
+        """
+        if self.is_batch and self.ring.is_exact:
+            raise CoercionError("roots of arrays are computed over RDF: q.change_ring('RDF')")
+        return self._new(*analysis.sqrt(self.ring, self.algebra.constants, self.coordinates))
+
+    def roots(self, n: int) -> Any:
+        """Return all x with ``xⁿ = q``, as the :class:`Roots` of a polynomial.
+
+        Of an array over RDF: an array of shape ``(n, *shape)`` of the roots on each entry's own axis. Raises
+        :class:`CoercionError` unless n is a positive int.
+
+        >>> from hfield import H
+        >>> H("RR").parse("-1").roots(2).spheres      # all q of trace 0 and norm 1
+        ((0, 1),)
+        """
+        if isinstance(n, bool) or not isinstance(n, int) or n < 1:
+            raise CoercionError(f"{n!r} is not the degree of a root: expected a positive int")
+        if not self.is_batch:
+            return self.algebra.polynomials("x")([-self, *[0] * (n - 1), 1]).roots()
+        if self.ring.is_exact:
+            raise CoercionError("roots of arrays are computed over RDF: q.change_ring('RDF')")
+        import numpy as np
+
+        r, axis, angle = self.polar()
+        turned = (angle + 2 * np.pi * np.arange(n).reshape(-1, *[1] * len(self.shape))) / n
+        length = r ** (1 / n)
+        return axis * (length * np.sin(turned)) + length * np.cos(turned)
 
     # --- units and zero divisors ---------------------------------------------------------------
 
@@ -515,11 +682,6 @@ class Quaternion(Hinted):
         how = self._array("product")
         return self._one_or_many(how, how.ordered_product(self._held, axis))
 
-    def dot(self, other: object, axis: int | None = None) -> Quaternion:
-        """Return the sum of the products with the entries of another array, along an axis or of all."""
-        self._array("dot product")
-        return (self * other).sum(axis)
-
     def reshape(self, *shape: int | tuple[int, ...]) -> Quaternion:
         """Return the same entries in another shape, as numpy does it. Raises :class:`CoercionError`."""
         how = self._array("shape")
@@ -566,7 +728,12 @@ class Quaternion(Hinted):
         return self.text("unicode")
 
     def __format__(self, spec: str) -> str:
-        return format(str(self), spec)
+        return self.text(spec) if spec in ("plain", "unicode", "latex") else format(str(self), spec)
+
+    def __float__(self) -> float:
+        if self.is_batch or not self.vector_part.is_zero():
+            raise TypeError(f"{shorten(self)} is not a scalar: float(q) is for multiples of 1")
+        return float(self.scalar_part)
 
     def _repr_latex_(self) -> str | None:
         return None if self.is_batch else f"${self.text('latex')}$"  # an array has its repr
@@ -583,6 +750,14 @@ class Quaternion(Hinted):
             return type(self), (self.algebra, coordinates)
         rows = tuple([state(x) for x in c.ravel().tolist()] for c in coordinates)
         return _from_states, (type(self), self.algebra, self.shape, rows)
+
+
+class Polar(NamedTuple):
+    """``q = modulus·(cos(angle) + axis·sin(angle))``, ``axis² = −1``, the angle in [0, π] in radians."""
+
+    modulus: Any
+    axis: Quaternion
+    angle: Any
 
 
 class Conjugacy(NamedTuple):

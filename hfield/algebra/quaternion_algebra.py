@@ -28,6 +28,7 @@ from hfield.rings.base import Ring, WithIntegers
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.integers import QQ
 from hfield.structure.global_field import field_named_by, global_field, known_field, no_flag
+from hfield.structure.single_elements import analysis
 from hfield.syntax.other_systems import written
 
 if TYPE_CHECKING:
@@ -461,6 +462,29 @@ class QuaternionAlgebra(Hinted):
                 f"{self._split_or_not.reason}"
             )
         return answer
+
+    def from_polar(self, modulus: object, axis: object, angle: object) -> Quaternion:
+        """Return ``modulus·(cos(angle) + axis·sin(angle))``, the angle in radians (thesis 1.4.4).
+
+        The axis is an element with square −1, or its three coordinates; over RDF all may be arrays. Raises
+        :class:`CoercionError` for another axis, and :class:`RingError` over rings without cosines.
+
+        >>> A = H("RR")
+        >>> A.from_polar(2, (0, 0, 1), "pi/6")
+        √3 + k
+        """
+        if isinstance(axis, (tuple, list)) and len(axis) == 3:
+            axis = self(0, *axis)
+        n = self.scalar(0) + axis
+        off = n * n + 1
+        fits = off.is_zero() if self.ring.is_exact else abs(off) < 1e-9
+        if not (fits.all() if n.is_batch else fits):
+            raise CoercionError(
+                f"the square of the axis {shorten(n)} is not −1: divide it by its modulus"
+            )
+        cos, sin = analysis.cosine_and_sine(self.ring, angle)
+        q: Quaternion = (n * sin + cos) * modulus
+        return q
 
     def to_matrix(self, q: object) -> Any:
         """Return the 2 × 2 matrix of q under :meth:`split`. Raises CoercionError if there is none."""
