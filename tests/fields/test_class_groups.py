@@ -116,3 +116,46 @@ def test_fields_with_few_small_primes() -> None:
         K = ring(f"QQ(sqrt({d}))")
         assert K.class_group().order == 1
         assert isclose(float(K.unit_group().regulator.mid()), log(unit))
+
+
+BY_CYCLES = [
+    602,
+    623,
+    902,
+    987,
+    1022,
+    1055,
+    1298,
+    1487,
+    79,
+    17,
+    9_997,
+    100_010,
+    -1,
+    -3,
+    -5,
+    -23,
+    -9_995,
+    -10_006,
+]
+
+
+@pytest.mark.parametrize("d", BY_CYCLES)
+def test_quadratic_fields_by_reduced_ideals(d: int) -> None:
+    """Groups and regulators are PARI's; an ideal is its factors; a power of it is principal."""
+    pari = pytest.importorskip("cypari").pari
+    K = ring(f"QQ(sqrt({d}))")
+    C, D = K.class_group(), int(K.discriminant())
+    assert C.invariants == tuple(sorted(map(int, pari(f"quadclassunit({D})")[1])))
+    if d > 0:
+        wanted = float(pari(f"quadregulator({D})"))
+        assert isclose(float(K.unit_group().regulator.mid()), wanted, rel_tol=1e-9)
+    for P in (P for p in (2, 3, 5, 7) for P in K.primes_above(p)):
+        x, exponents = C.factors(K.ideal(P))
+        found = K.ideal(C._field.s.frame.outside(x))
+        for k, e in zip(C.evidence["S"], exponents, strict=True):
+            listed = [Q for p, _ in C.evidence["primes"] for Q in K.primes_above(p)]
+            found = found * K.ideal(listed[k]) ** e
+        assert found == K.ideal(P)
+        a = K.ideal(P) ** C.order
+        assert K.ideal(a.is_principal().generator) == a

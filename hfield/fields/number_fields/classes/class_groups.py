@@ -159,6 +159,10 @@ class _Field:
     def class_of(self, a: Ideal) -> tuple[FieldElement, list[int]]:
         """Return (x, e): a is x times the product of the primes in S with exponents e."""
         s = self.s
+        if s.reduced_ideals is not None:
+            located = s.reduced_ideals.class_of(a)
+            assert located is not None, "the primes in S generate the class group"
+            return located
         inverse = a.inverse()
         for turn in range(400):
             helper = inverse

@@ -23,6 +23,7 @@ import flint
 
 from hfield.errors import TooLargeError, UndecidedError, shorten
 from hfield.factorisation import remove
+from hfield.fields.number_fields.classes.reduced_ideals import ReducedIdeals
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import Ideal, Integers, integers
 from hfield.fields.number_fields.integers import left_kernel
@@ -76,7 +77,11 @@ class SUnits:
         self.generators: list[FieldElement] = []
         self.rows: list[list[int]] = []
         self.saturated: dict[int, list[tuple[int, int]]] = {}
-        self._collect()
+        self.reduced_ideals: ReducedIdeals | None = None
+        if self.n == 2:
+            self._enumerate()
+        else:
+            self._collect()
         self._saturate()
 
     def _least_bound(self) -> int:
@@ -211,6 +216,16 @@ class SUnits:
                     yield self.reduced(x, found)
 
     # --- the group ---------------------------------------------------------------------------------
+
+    def _enumerate(self) -> None:
+        """Take all relations from the reduced ideals of a quadratic field."""
+        ideals = [self.frame.prime(self.base[k]) for k in self.primes]
+        self.reduced_ideals = found = ReducedIdeals(self.frame, ideals)
+        width = len(ideals)
+        pairs = [(x, row + [0] * (width - len(row))) for x, row in found.relations]
+        if (unit := found.unit) is not None:
+            pairs.append((unit, [0] * width))
+        self.generators, self.rows = [x for x, _ in pairs], [row for _, row in pairs]
 
     def _collect(self) -> None:
         """Find elements that span a subgroup of finite, and small, index."""
