@@ -33,7 +33,7 @@ from hfield.fields.number_fields.quadratic.places import QuadraticPlace
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
 from hfield.rings.base import of_fields
-from hfield.syntax.brackets import split
+from hfield.syntax.brackets import is_balanced, split
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.classes.class_groups import Principality
@@ -135,8 +135,7 @@ def ideal(ring: NumberField | QuadraticField, *generators: object) -> Ideal:
         if isinstance(one, Ideal) and one.ring == ring:
             return one
         if isinstance(one, str):
-            m = re.fullmatch(r"\s*ideal\((.*)\)\s*", one)
-            things = [text for text in split(m[1] if m else one, ",") if text.strip()]
+            things = _generators(one)
         elif isinstance(one, Iterable) and not isinstance(one, Ideal):
             things = list(one)
     rows: list[flint.fmpq] = []
@@ -148,6 +147,13 @@ def ideal(ring: NumberField | QuadraticField, *generators: object) -> Ideal:
         if rows
         else frame.ideal(flint.fmpq_mat(n, n))
     )
+
+
+def _generators(text: str) -> list[str]:
+    """Return the texts of the generators in "ideal(a, b)", "(a, b)", as primes are written, or "a, b"."""
+    m = re.fullmatch(r"\s*ideal\((.*)\)\s*", text) or re.fullmatch(r"\s*\((.*,.*)\)\s*", text)
+    inside = m[1] if m and is_balanced(m[1]) else text
+    return [part for part in split(inside, ",") if part.strip()]
 
 
 def _rows(frame: Integers, x: Any) -> list[flint.fmpq]:

@@ -99,7 +99,9 @@ class PrimeIdeal:
         return self.f == self.field.degree
 
     def __str__(self) -> str:
-        return str(self.p) if self.is_inert else f"({self.p}, {self.field.text(self.pi)})"
+        return (
+            str(self.p) if self.is_inert else f"({self.p}, {self.field.text(self.generators[1])})"
+        )
 
     __repr__ = __str__
 

@@ -3,8 +3,8 @@
 The ideal (a, b) is ℤ·a + ℤ·(b + √D)/2, with a > 0 and b² ≡ D mod 4a. A class has one reduced ideal where
 D < 0, and a cycle of them where D > 0; the step to the next ideal multiplies by (−b + √D)/(2a), and once
 around the principal cycle the product of the steps is a fundamental unit. The classes that some primes
-generate are enumerated, so that relations are found without a search (H. Cohen, *A Course in Computational Algebraic
-Number Theory*, sections 5.4 to 5.8).
+generate are enumerated, so that relations are found without a search (H. Cohen, *A Course in
+Computational Algebraic Number Theory*, sections 5.4 to 5.8).
 """
 
 from __future__ import annotations
@@ -135,7 +135,7 @@ class ReducedIdeals:
 
     def _step(self, form: Form) -> FieldElement:
         a, b = form
-        return (self._root - b) / (2 * a)
+        return FieldElement(self.field, (self._root.poly - b) / (2 * a))
 
     def _next(self, form: Form) -> Form:
         """Return an ideal times :meth:`_step`."""

@@ -23,8 +23,9 @@ class QuadraticPlace:
     """A place of a field ℚ(√d): the prime p it lies over (0 for an infinite place) and where √d goes.
 
     ``root`` is the image of √d modulo p (modulo 4 for p = 2) where p splits, ±1 at the two real
-    places, and None where there is one place above p. The text (``"7"``, ``"(7, sqrt(2)-3)"``,
-    ``"inf+"``, ``"inf-"``, ``"inf"``) reads back with :func:`place_of_quadratic`.
+    places, and None where there is one place above p. The text (``"5"`` for an inert prime,
+    ``"(7, sqrt(2)-3)"``, ``"(2, sqrt(2))"``, ``"inf+"``, ``"inf-"``, ``"inf"``) is read back by
+    :func:`place_of_quadratic`; a finite one also as that ideal by ``ideal`` of the field.
     """
 
     field: QuadraticField
@@ -33,9 +34,17 @@ class QuadraticPlace:
 
     def __str__(self) -> str:
         if self.prime:
-            gen = self.field.gen_name
-            return str(self.prime) if self.root is None else f"({self.prime}, {gen}-{self.root})"
+            if self.f == 2:
+                return str(self.prime)
+            if self.root is not None and self.prime > 2:
+                return self._by_root
+            return f"({self.prime}, {self.field.text(self.generators[1])})"
         return {None: "inf", 1: "inf+", -1: "inf-"}[self.root]
+
+    @property
+    def _by_root(self) -> str:
+        """The text of a split prime by the image of √d; above 2 it names the place, not the ideal."""
+        return f"({self.prime}, {self.field.gen_name}-{self.root})"
 
     def __repr__(self) -> str:
         return str(self)
@@ -195,10 +204,11 @@ def place_of_quadratic(field: QuadraticField, place: object) -> QuadraticPlace:
     if p == 0 or is_prime(p):
         above = places_above(field, p)
         for v in above:
-            if str(v).replace(" ", "") == text:
+            names = [str(v), str(p) if len(above) == 1 else v._by_root]
+            if text in (name.replace(" ", "") for name in names):
                 return v
-        names = ", ".join(f'"{v}"' for v in above)
-        raise RingError(f"{place!r} names no single place of {field}: above it lie {names}")
+        listed = ", ".join(f'"{v}"' for v in above)
+        raise RingError(f"{place!r} names no single place of {field}: above it lie {listed}")
     raise RingError(
         f'{place!r} is not a place of {field}: expected "inf", a prime, or the text of a place'
     )
