@@ -159,7 +159,7 @@ ORDER = LATTICE | {
     "type_set": "class_set().types",
     "ternary_quadratic_form": "ternary_form(), or ternary_theta_series(n) of the trace-0 part of ℤ + 2O",
     "maximal_order": "maximal_overorder()",
-    "is_conjugate": "is_isomorphic(other)",
+    "is_conjugate": "isomorphism(other)",
     "embed": "embeddings(discriminant)",
     "eichler_invariant": "eichler_symbol(p)",
     "right_ideal_classes": "class_set()",
@@ -175,6 +175,15 @@ ORDER = LATTICE | {
     "eichler_order": "algebra.eichler_order(level)",
 }
 """Sage, Magma: orders."""
+
+ONLY_OVER_Z = {"quadratic_form", "ternary_quadratic_form"}
+"""Names whose hint asks for a Gram matrix over ℤ, or for a ternary theta series."""
+
+
+def over_fields(hints: Mapping[str, str]) -> dict[str, str]:
+    """Return the hints that hold for lattices over the integers of a number field, too."""
+    return {name: hint for name, hint in hints.items() if name not in ONLY_OVER_Z}
+
 
 FIELD = {
     "class_number": "class_group().order",

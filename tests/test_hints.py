@@ -5,7 +5,17 @@ import re
 import pytest
 
 from hfield import QuaternionAlgebra, ring
-from hfield.hints import ALGEBRA, CLASSES, ELEMENT, FIELD, GROUP, IDEAL, LATTICE, ORDER
+from hfield.hints import (
+    ALGEBRA,
+    CLASSES,
+    ELEMENT,
+    FIELD,
+    GROUP,
+    IDEAL,
+    LATTICE,
+    ORDER,
+    Elsewhere,
+)
 
 A = QuaternionAlgebra("QQ", -1, -11)
 order = A.maximal_order()
@@ -35,6 +45,47 @@ def test_every_hint_is_given_and_names_what_there_is(thing, hints):
         called = set(re.findall(r"([a-z_]+)(?=\()", hint)) - {"len", "list"} - FUNCTIONS
         for one in called:
             assert any(hasattr(other, one) for other, _ in HINTED), (name, hint)
+
+
+BASES = {
+    "definite over ℚ": ("QQ", -1, -11),
+    "indefinite over ℚ": ("QQ", -1, 3),
+    "definite over ℚ(√5)": ("QQ(sqrt(5))", -1, -1),
+    "a Fuchsian group over ℚ(√3)": ("QQ(sqrt(3))", -1, "sqrt(3)"),
+    "definite over a cubic field": ("QQ[s]/(s^3-3*s-1)", -1, -1),
+    "over a field with a complex place": ("QQ[s]/(s^3-2)", "s", 3),
+}
+
+
+@pytest.mark.parametrize("base", BASES.values(), ids=list(BASES))
+def test_hints_name_what_there_is_over_every_base(base):
+    """Each name that a hint writes as a call, or after a dot, is an attribute of something over that base."""
+    algebra = QuaternionAlgebra(*base)
+    maximal = algebra.maximal_order()
+    things = [algebra, algebra.basis[1], maximal, maximal.left_ideal([2]), algebra.ring]
+    things.append(algebra.lattice([1, "i", "j", "k"]))
+    over_q = algebra.ring.name == "QQ"
+    if not over_q:
+        things += [algebra.ring.unit_group(), algebra.ring.class_group()]
+    # class sets are of definite orders; hints mention what those have
+    definite = A if over_q else QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    things.append(definite.maximal_order().class_set())
+    for thing in things:
+        inherited = (vars(cls) for cls in type(thing).__mro__)
+        hints = {name: x.hint for own in inherited for name, x in own.items() if is_hint(x)}
+        for name, hint in hints.items():
+            own = re.match(r"[a-z_]+(?=\(\)|\([a-z]+\)$|$)", hint)
+            if own and own[0] not in BUILT_IN:
+                assert hasattr(thing, own[0]), (type(thing), name, hint)
+            for one in set(re.findall(r"[a-z_]+(?=\()|(?<=[a-z)]\.)[a-z_]+", hint)) - BUILT_IN:
+                assert any(hasattr(other, one) for other in things), (type(thing), name, hint)
+
+
+BUILT_IN = {"len", "list", "hilbert_symbol"}
+
+
+def is_hint(x):
+    return isinstance(x, Elsewhere)
 
 
 def test_what_is_to_be_written_for_functions_of_magma_and_pari_runs():

@@ -22,7 +22,7 @@ from hfield.errors import IndefiniteError, LatticeError, TooLargeError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.fields.number_fields.ideals import Ideal
 from hfield.fuchsian.group import NormOneGroup
-from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
+from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted, over_fields
 from hfield.lattices.checked_arguments import checked_side, listed, natural
 from hfield.lattices.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.lattices.eigensystems import WithForms
@@ -84,7 +84,7 @@ class IntegersLattice(Hinted):
     (True, ideal(324), True, True)
     """
 
-    elsewhere = LATTICE
+    elsewhere = over_fields(LATTICE)
     multiplied_by_elements = True  # so that ``q * L`` is asked of L
 
     def __init__(self, frame: Frame, rows: flint.fmpq_mat) -> None:
@@ -337,7 +337,7 @@ class IntegersOrder(IntegersLattice, WithStableClasses, Certified):
     (True, 5)
     """
 
-    elsewhere = ORDER
+    elsewhere = over_fields(ORDER) | {"ternary_quadratic_form": "ternary_form()"}
 
     # --- what it is as a ring ----------------------------------------------------------------------
 
@@ -702,7 +702,7 @@ class IntegersIdeal(IntegersLattice, Certified):
     (ideal(3), True, True, 'left')
     """
 
-    elsewhere = IDEAL
+    elsewhere = over_fields(IDEAL)
 
     def __init__(
         self, frame: Frame, rows: flint.fmpq_mat, side: str, order: IntegersOrder | None = None
@@ -878,6 +878,10 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
 
     def __iter__(self) -> Iterator[IntegersIdeal]:
         return (self[n] for n in range(len(self)))
+
+    def left_ideals(self) -> Iterator[IntegersIdeal]:
+        """Yield representatives of the left ideal classes, the conjugates of the right ones."""
+        return (I.conjugate() for I in self)
 
     def index(self, ideal: IntegersIdeal) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
