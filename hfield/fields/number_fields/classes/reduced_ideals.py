@@ -50,11 +50,11 @@ class ReducedIdeals:
 
     @property
     def unit(self) -> FieldElement | None:
-        """A fundamental unit of a real field; None for an imaginary one."""
+        """The fundamental unit > 1 of a real field; None for an imaginary one."""
         if self.D < 0:
             return None
         start = self._first[0][0]
-        return self._product([self._step(form) for form in self._cycle(start)])
+        return self._product([self._step(form) for form in self._cycle(start)]).inverse()
 
     def class_of(self, a: Ideal) -> tuple[FieldElement, list[int]] | None:
         """Return (x, e) with a = x·∏Pᵉ, or None where the primes do not generate the class of a."""
