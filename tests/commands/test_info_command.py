@@ -16,7 +16,7 @@ from tests.commands.running import page, run
         ("(0,1|GF(3))", ["radical spanned by i, k (dimension 2)", "confirmed by going through all 81"]),
         ("[1,2|GF(5))", ["isomorphic to (0,2|GF(5)), with 4 + 2i for i", "zero norm N(4 + 2i) = 0"]),
         ("[1,2|QQ)", ["isomorphic to (5,2|QQ), with −1 + 2i for i", "infinitely many units"]),
-        ("(-1,-1|QQ(sqrt(-7)))", ["(2, sqrt(-7)-1), (2, sqrt(-7)-3)", "level 4, because"]),
+        ("(-1,-1|QQ(sqrt(-7)))", ["(2, -1/2+1/2*sqrt(-7)), (2, -3/2+1/2*sqrt(-7))", "level 4, because"]),
         ("(x,x+1|QQ(x))", ["ramified at x+1, inf", "division algebra yes"]),
         ("H(GF(9))", ["norm 0 801 q^3+q^2-q", "modulus x^2+2*x+2 (Conway)", "Hamilton's quaternions"]),
         ("(-1,-1|GF(2))", ["commutative yes", "centre spanned by e, i, j, k (dimension 4)"]),
