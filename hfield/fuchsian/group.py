@@ -38,6 +38,8 @@ MOST_FAR = 1e9
 """No centre is farther from 0."""
 LARGE = 200
 """For groups with more area, in units of 2π, only one is tried."""
+MAX_TRACE = 100_000
+"""Traces of hyperbolic elements are listed up to here."""
 
 
 def signature_of(
@@ -271,7 +273,7 @@ class NormOneGroup(Certified, Hinted):
         """Return the traces t, 2 < t ≤ most, of hyperbolic elements, up to the sign.
 
         A closed geodesic of the quotient that belongs to one has the length 2·arccosh(t/2). Raises
-        :class:`LatticeError` for all but Eichler orders over ℤ.
+        :class:`LatticeError` for all but Eichler orders over ℤ, :class:`TooLargeError` for a large ``most``.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra.from_ramification("QQ", [2, 11]).eichler_order(3).norm_one_group()
@@ -280,6 +282,10 @@ class NormOneGroup(Certified, Hinted):
         """
         if not isinstance(self.order, RationalOrder) or not is_eichler(self.order.order):
             raise LatticeError("traces and the systole are known here for Eichler orders over ZZ")
+        if most > MAX_TRACE:
+            raise TooLargeError(
+                f"the traces up to {shorten(most)} would be gone through, and at most {MAX_TRACE} are"
+            )
         value = self.order.order
         return tuple(t for t in range(3, most + 1) if area.is_hyperbolic_trace(value, t))
 

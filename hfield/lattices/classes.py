@@ -84,6 +84,19 @@ MOST_CLASSES = 200_000
 """More classes than this are counted by formula and not enumerated."""
 
 
+MAX_NEIGHBOURS = 500_000
+"""So many ideals of prime norm are listed at most, some ten thousand a second."""
+
+
+def _expect_few_neighbours(count: int, p: int) -> None:
+    """Raise :class:`TooLargeError` before a list of neighbours that is too long is begun."""
+    if count > MAX_NEIGHBOURS:
+        raise TooLargeError(
+            f"{count} ideals of norm {p} times that of a class would be listed, and at most "
+            f"{MAX_NEIGHBOURS} are; expected a smaller prime"
+        )
+
+
 class Classes(Certified):
     """The classes as values: their lattices, units and neighbours."""
 
@@ -236,11 +249,12 @@ class Classes(Certified):
     def neighbours(self, p: int) -> list[Counter[int]]:
         """Return for each class how many right ideals of relative norm p in it belong to which class.
 
-        Raises :class:`LatticeError` for what is no prime.
+        Raises :class:`LatticeError` for what is no prime, :class:`TooLargeError` where there are too many.
         """
         p = prime(p)
         if p not in self.rows:
             if self.ring.discriminant % p:
+                _expect_few_neighbours(len(self) * (p + 1), p)
                 self.rows[p] = [
                     self.neighbours_of(n, p) for n in along(range(len(self)), len(self), "rows")
                 ]
@@ -255,6 +269,7 @@ class Classes(Certified):
         >>> QuaternionAlgebra(11).maximal_order().class_set().neighbours_of(0, 2)
         Counter({1: 2, 0: 1})
         """
+        _expect_few_neighbours(p + 1, p)
         return Counter(self._keys[key] for key, _ in self._neighbours(self._lattices[n], p))
 
     def power_neighbours(self, p: int, e: int) -> list[Counter[int]]:

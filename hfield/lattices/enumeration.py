@@ -9,7 +9,7 @@ long the entries (Fincke and Pohst, *Math. Comp.* 44, 1985; Bareiss, 1968).
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import exp, isqrt, log, pi
+from math import exp, gamma, isqrt, log, pi
 
 Vector = tuple[int, ...]
 Gram = Sequence[Sequence[int]]
@@ -111,7 +111,7 @@ def volume(gram: Gram, bound: int, dimension: int) -> float:
     """Return about how many integer points the ellipsoid has, or its projection to the last coordinates."""
     minors, _ = bareiss(gram)
     n = len(minors) - 1
-    ball = (2.0, pi, 4 * pi / 3, pi * pi / 2)[dimension - 1]
+    ball: float = pi ** (dimension / 2) / gamma(dimension / 2 + 1)
     # logarithms, as the numbers may be too long for a float
     size = dimension * log(max(bound, 1)) - log(minors[n]) + log(minors[n - dimension])
     return ball * exp(min(size / 2, 700.0))

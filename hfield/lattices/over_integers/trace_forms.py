@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import IndefiniteError, TooLargeError, shorten
-from hfield.lattices.enumeration import least_vectors, short_vectors, vectors_of_length
-from hfield.lattices.short_elements import MANY
+from hfield.lattices.enumeration import least_vectors, short_vectors, vectors_of_length, volume
+from hfield.lattices.short_elements import MANY, expect_affordable
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
@@ -86,6 +86,8 @@ def all_of_norm(frame: Frame, rows: flint.fmpq_mat, norm: FieldElement) -> list[
         return [frame.quaternion(zero)]
     if not _positive(frame.field, norm):
         return []
+    gram, _, den = forms.reduced(rows, norm.inverse())
+    expect_affordable(volume(gram, 2 * frame.n * den, frame.size - 1), "elements as short as")
     found = []
     for row in forms.elements_of_norm(rows, norm):
         found += [row.entries(), (-row).entries()]
@@ -100,6 +102,11 @@ def theta_series(frame: Frame, rows: flint.fmpq_mat, bound: int) -> dict[FieldEl
     Raises :class:`TooLargeError` for more than two million elements.
     """
     gram, basis, den = trace_forms(frame).reduced(rows, frame.field.one)
+    if (estimate := volume(gram, 2 * bound * den, frame.size)) > 8 * MANY:
+        raise TooLargeError(
+            f"about {estimate:.0e} elements have norms of trace at most {bound}, and at most {2 * MANY} are "
+            "counted; expected a smaller bound"
+        )
     forms = [(basis * form * basis.transpose()).numer_denom() for form in frame.gram]
     entries = [[list(map(int, row)) for row in form.tolist()] for form, _ in forms]
     counts = Counter({(0,) * len(forms): 1})
