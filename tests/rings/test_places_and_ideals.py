@@ -159,7 +159,7 @@ def test_infinite_places_of_quadratic_fields(d: int) -> None:
         place_of_quadratic(QuadraticField(-7), "2")
     assert str(caught.value) == (
         "'2' names no single place of QQ(sqrt(-7)): above it lie "
-        '"(2, sqrt(-7)-1)", "(2, sqrt(-7)-3)"'
+        '"(2, -1/2+1/2*sqrt(-7))", "(2, -3/2+1/2*sqrt(-7))"'
     )
     with pytest.raises(HFieldError) as caught:
         place_of_quadratic(QuadraticField(2), "4")

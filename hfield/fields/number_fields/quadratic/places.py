@@ -37,14 +37,18 @@ class QuadraticPlace:
             if self.f == 2:
                 return str(self.prime)
             if self.root is not None and self.prime > 2:
-                return self._by_root
+                return self.short_name
             return f"({self.prime}, {self.field.text(self.generators[1])})"
         return {None: "inf", 1: "inf+", -1: "inf-"}[self.root]
 
     @property
-    def _by_root(self) -> str:
-        """The text of a split prime by the image of √d; above 2 it names the place, not the ideal."""
-        return f"({self.prime}, {self.field.gen_name}-{self.root})"
+    def short_name(self) -> str:
+        """The text of a finite place in names of completions: p, or with the image of √d where p splits.
+
+        Above 2 it names the place only: √d − root generates another ideal there.
+        """
+        gen = self.field.gen_name
+        return str(self.prime) if self.root is None else f"({self.prime}, {gen}-{self.root})"
 
     def __repr__(self) -> str:
         return str(self)
@@ -204,7 +208,7 @@ def place_of_quadratic(field: QuadraticField, place: object) -> QuadraticPlace:
     if p == 0 or is_prime(p):
         above = places_above(field, p)
         for v in above:
-            names = [str(v), str(p) if len(above) == 1 else v._by_root]
+            names = (str(v), v.short_name) if p else (str(v),)
             if text in (name.replace(" ", "") for name in names):
                 return v
         listed = ", ".join(f'"{v}"' for v in above)
