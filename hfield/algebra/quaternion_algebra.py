@@ -604,7 +604,7 @@ class QuaternionAlgebra(Hinted):
 
         >>> found = QuaternionAlgebra("QQ(sqrt(3))", -1, "1 + sqrt(3)").corestriction()
         >>> found.algebra, found.above
-        ((-1,-2|QQ), {2: (2,), 'inf': (inf-,)})
+        ((-1,-2|QQ), {2: ((2, 1+sqrt(3)),), 'inf': (inf-,)})
         """
         from hfield.algebra.brauer import corestriction
 

@@ -180,7 +180,7 @@ class Ideal:
     >>> from hfield import ring
     >>> K = ring("QQ(sqrt(-5))"); a = K.ideal([2, 1 + K.gen])
     >>> a, a * a, a**-1, a.norm(), a.factorisation()
-    (ideal(2, 1+sqrt(-5)), ideal(2), ideal(1, 1/2+1/2*sqrt(-5)), 2, ((2, 1),))
+    (ideal(2, 1+sqrt(-5)), ideal(2), ideal(1, 1/2+1/2*sqrt(-5)), 2, (((2, 1+sqrt(-5)), 1),))
     >>> 1 + K.gen in a, 1 in a, a + 3 == K.ideal(1), a & 3 == 3 * a
     (True, False, True, True)
     """

@@ -112,7 +112,7 @@ class QuadraticPlace:
         if self.f == 2:
             return p, p
         if self.root is None:
-            return p, root + self.d if self.prime == 2 else root
+            return p, root + self.d % 2 if self.prime == 2 else root
         shifted = root - self.root
         return p, shifted * Fraction(1, 2) if self.prime == 2 else shifted
 
