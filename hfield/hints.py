@@ -70,7 +70,6 @@ ELEMENT = {
     "is_constant": "vector_part.is_zero()",
     "list": "coordinates",
     "vector": "vector_part",
-    "sqrt": "square_roots()",
 }
 """Sage, GAP, Magma, numpy-quaternion."""
 
