@@ -7,7 +7,6 @@ from concurrent.futures import Executor
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from math import ceil, degrees
 from pathlib import Path
 from threading import local
 from typing import TYPE_CHECKING
@@ -28,20 +27,23 @@ if TYPE_CHECKING:
 
 FINE = 5000
 """At how many instants, at least, the apex's path is followed."""
-FRAMED = 5
-"""A look is framed for a tilt that is a multiple of this, in degrees."""
+FRAMED = 500
+"""At so many instants a motion is looked at to decide how close a picture may be."""
 UNSEEN = 0.1
 """How many pixels the line of the trace may stray from the apex's path."""
 
 Progress = Callable[[int, int], None]
 
 
-def framed(look: Look, motion: Motion) -> Look:
-    """Return the look, as close as the greatest tilt and the way of a motion allow."""
-    steepest = degrees(float(motion.tilts.max()))
-    x, y, _ = motion.tips(motion.times).T
-    room = (x.min(), x.max(), y.min(), y.max())
-    return replace(look, tilt=min(180, FRAMED * ceil(steepest / FRAMED)), room=room)
+def framed(look: Look, model: Model, motion: Motion) -> Look:
+    """Return the look, as close as all places of a top in motion allow."""
+    from anim.picture.projection import outermost, swept
+    from rotation.matrices import to_matrix
+
+    times = np.linspace(0.0, motion.clip.seconds, FRAMED)
+    attitudes = np.asarray(to_matrix(motion.at(times)))
+    places = outermost(swept(model, attitudes, motion.tips(times)))
+    return replace(look, reach=tuple(map(tuple, places.tolist())))
 
 
 @dataclass(frozen=True, eq=False)

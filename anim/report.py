@@ -84,7 +84,7 @@ def _still(top: Top) -> str:
     from rotation.figures.backend import import_matplotlib
 
     import_matplotlib()
-    look = framed(replace(FILM_LOOK, size=SIZE), top.motion)
+    look = framed(replace(FILM_LOOK, size=SIZE), top.model, top.motion)
     file = BytesIO()
     Image.fromarray(draw(Scene(top.model, top.motion, look).task(STILL))).save(file, "PNG")
     return b64encode(file.getvalue()).decode()

@@ -50,7 +50,7 @@ class Top:
         from anim.picture.look import FILM_LOOK
         from anim.rendering import Scene, framed, render
 
-        chosen = framed(FILM_LOOK, self.motion) if look is None else look
+        chosen = framed(FILM_LOOK, self.model, self.motion) if look is None else look
         film = Film(chosen.size, self.motion.frames, self.motion.fps)
         render(Scene(self.model, self.motion, chosen), Path(path), film, force=force)
 

@@ -164,7 +164,7 @@ def _picture(group: _ArgumentGroup) -> None:
         type=int,
         default=18,
         metavar="N",
-        help="quality of mp4, from 0 (best) to 51 (default: 18)",
+        help="quality of mp4 and webp, from 0 (best) to 51 (default: 18)",
     )
     group.add_argument(
         "--preset",

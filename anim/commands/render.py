@@ -91,7 +91,9 @@ def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
 def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
     from anim.rendering import Scene, framed
 
-    return Scene(model, motion, framed(look, motion), args.motion_blur, captions=args.captions)
+    return Scene(
+        model, motion, framed(look, model, motion), args.motion_blur, captions=args.captions
+    )
 
 
 def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:

@@ -22,7 +22,7 @@ Samples = Callable[[], Sequence[Frame]]
 class Film:
     """The size (width, height) in pixels, the number of frames, and how they are to be encoded.
 
-    ``crf`` (0 best to 51) and ``preset`` are x264's; the other formats have no such choice. Raises
+    ``crf`` (0 best to 51) is x264's and decides WebP's quality too; ``preset`` is x264's. Raises
     :class:`AnimationError` for another ``crf``.
 
     >>> Film((640, 480), frames=100, fps=50.0).crf

@@ -9,22 +9,34 @@ from anim.picture.look import RGB, Look
 from anim.picture.merge import HIDDEN, Rim, outlines
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, reached
-from anim.picture.room import direction
+from anim.picture.room import direction, room
 from anim.picture.solid import pieces
 
 Floats = NDArray[np.float64]
 
 SHADE: RGB = (0, 0, 0)
 SHADE_OPACITY = 0.2
+CONTACT_REACHES = 3.0
+"""After so many times its reach, the darkness of a contact is less than a level of 8 bits."""
+SUNK = 0.1
+"""How deep in the ground, in the model's unit, a point may be whose surroundings throw a shadow."""
 
 
 def places(model: Model, look: Look) -> Floats:
     """Return points (k, 3) spread over all places of the top, and of its shadow if the look has one."""
-    top = reached(model, look.tilt, look.room)
+    top = reached(model, look)
     if not look.shadow:
         return top
-    above = top[top[:, 2] >= 0]
-    return np.concatenate([top, above @ _fall(direction(look.camera))[:3, :3].T])
+    above, light = top[top[:, 2] >= -SUNK], direction(look.camera)
+    thrown = above @ _fall(light)[:3, :3].T
+    # The edge of a shadow is the wider the farther the light comes from what throws it.
+    shadow = room()["shadow"]
+    edge = shadow["sharp"] + shadow["soft"] * above[:, 2] / light[2]
+    # What nearly touches the ground darkens it besides, up to here.
+    edge = np.maximum(edge, CONTACT_REACHES * shadow["reach"] - above[:, 2])
+    around = np.linspace(0, 2 * np.pi, 8, endpoint=False)
+    ways = np.column_stack([np.cos(around), np.sin(around), np.zeros(len(around))]) / light[2]
+    return np.concatenate([top, *(thrown + edge[:, None] * way for way in ways)])
 
 
 def _fall(light: Floats) -> Floats:

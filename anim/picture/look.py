@@ -11,10 +11,7 @@ from anim.picture.styles import STYLES
 from rotation.figures.backend import import_matplotlib
 
 RGB = tuple[int, int, int]
-Room = tuple[float, float, float, float]
-
-STILL: Room = (0.0, 0.0, 0.0, 0.0)
-"""Where a tip is that stays at the origin: its least and greatest x, its least and greatest y."""
+Point = tuple[float, float, float]
 
 NEAREST = 6.0
 """A camera nearer to its target than this could be inside the turning top."""
@@ -88,9 +85,9 @@ class Look:
     ``size`` is (width, height) in pixels, ``style`` a name in :data:`~anim.picture.styles.STYLES`.
     ``background`` is a colour that matplotlib knows ("white", "#f5f2ea") or None for the style's own;
     ``colours`` replaces the model's two. ``trace`` draws the path of the apex, ``shadow`` the shadow on the
-    ground. ``quality`` is 1 (jagged edges) to 4 (smooth from 2 on). ``tilt``
-    is the greatest angle in degrees between the axis and the vertical at which the whole top stays in frame,
-    while its tip goes about in ``room``: least and greatest x, least and greatest y.
+    ground. ``quality`` is 1 (jagged edges) to 4 (smooth from 2 on). The picture shows
+    all of ``reach``, points of the scene in the model's unit, or without them the whole top on the origin
+    wherever it leans, up to ``tilt`` degrees from the vertical.
     Raises :class:`~anim.errors.AnimationError`.
 
     >>> Look(size=(1920, 1080), style="shaded", shadow=True).style
@@ -106,7 +103,7 @@ class Look:
     shadow: bool = False
     quality: int = 2
     tilt: float = 90.0
-    room: Room = STILL
+    reach: tuple[Point, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", _size(self.size))
@@ -122,10 +119,10 @@ class Look:
         if tilt > 180:
             raise AnimationError(f"tilt is {tilt:g}; expected 0 to 180 degrees")
         object.__setattr__(self, "tilt", tilt)
-        west, east, south, north = (real("room", side) for side in self.room)
-        if west > east or south > north:
-            raise AnimationError(f"room is {self.room}; expected least and greatest x, then y")
-        object.__setattr__(self, "room", (west, east, south, north))
+        reach = tuple(tuple(real("reach", x) for x in point) for point in self.reach)
+        if any(len(point) != 3 for point in reach):
+            raise AnimationError("reach has a point without three coordinates; expected (x, y, z)")
+        object.__setattr__(self, "reach", reach)
 
 
 def colour(name: str, value: Any) -> RGB:

@@ -30,7 +30,7 @@ class Painter:
         self.view, background = style.scene(model, look)
         paper = style.paper_of(look)
         self.trace = trace_of(paper)
-        self.mesh = Mesh.of(model, self.view.magnification(reached(model, look.tilt, look.room)))
+        self.mesh = Mesh.of(model, self.view.magnification(reached(model, look)))
         self.light = direction(look.camera)
         self.body = style.body(self.mesh, _colours(model, look), self.light, look)
         self.shadow = style.shadow(self.mesh, self.light, self.view, look)

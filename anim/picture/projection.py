@@ -15,12 +15,14 @@ from numpy.typing import NDArray
 
 from anim.errors import AnimationError
 from anim.model import Model
-from anim.picture.look import STILL, Camera, Room
+from anim.picture.look import Camera, Look
 
 Floats = NDArray[np.float64]
 
 MARGIN = 0.03
 """The share of the picture left free at each edge."""
+DIRECTIONS = 400
+"""In so many directions points are compared that a picture has to show."""
 LEAST_MARGIN = 2.0
 """How many pixels are left free in a small picture, where the lines are wide for it."""
 
@@ -99,11 +101,19 @@ def fitting(
     return scale, whole / 2 - scale * (low + high) / 2
 
 
-def reached(model: Model, tilt: float, room: Room = STILL) -> Floats:
-    """Return points (k, 3) spread over all places of the top that leans up to ``tilt`` degrees.
+def reached(model: Model, look: Look) -> Floats:
+    """Return points (k, 3) spread over all places of the top that stay in the picture."""
+    if look.reach:
+        return np.array(look.reach)
+    around = np.linspace(0, 2 * np.pi, 36, endpoint=False)
+    turns = [_about_z(turn) for turn in around[::2]]
+    leans = [_about_y(lean) for lean in np.radians(np.linspace(0, look.tilt, 10))]
+    attitudes = np.array([turn @ lean for lean in leans for turn in turns])
+    return swept(model, attitudes, np.zeros((len(attitudes), 3)))
 
-    Its tip goes about in ``room``, least and greatest x and y.
-    """
+
+def swept(model: Model, attitudes: Floats, tips: Floats) -> Floats:
+    """Return points (k, 3) on the rims of the top in attitudes (n, 3, 3), its tip at ``tips`` (n, 3)."""
     around = np.linspace(0, 2 * np.pi, 36, endpoint=False)
     circle = np.column_stack([np.cos(around), np.sin(around)])
     rims = [
@@ -111,11 +121,21 @@ def reached(model: Model, tilt: float, room: Room = STILL) -> Floats:
         for r, z in model.profile
     ]
     body = np.concatenate(rims)
-    turns = [_about_z(turn).T for turn in around[::2]]
-    leans = [body @ _about_y(lean).T for lean in np.radians(np.linspace(0, tilt, 10))]
-    here = np.concatenate([leaning @ turn for leaning in leans for turn in turns])
-    corners = {(x, y, 0.0) for x in room[:2] for y in room[2:]}
-    return np.concatenate([here + corner for corner in sorted(corners)])
+    return np.asarray((body @ attitudes.swapaxes(1, 2) + tips[:, None]).reshape(-1, 3))
+
+
+def outermost(points: Floats) -> Floats:
+    """Return the points (k, 3) among ``points`` that lie farthest in some of many directions.
+
+    What a picture has to show of them it has to show of these, up to a four-hundredth of their extent.
+    """
+    # Fibonacci's directions are even on the sphere.
+    height = (np.arange(DIRECTIONS) + 0.5) / DIRECTIONS * 2 - 1
+    turn = np.arange(DIRECTIONS) * np.pi * (3 - np.sqrt(5))
+    out = np.sqrt(1 - height**2)
+    directions = np.column_stack([out * np.cos(turn), out * np.sin(turn), height])
+    farthest = {int(np.argmax(points @ direction)) for direction in directions}
+    return np.asarray(points[sorted(farthest)])
 
 
 def frame(camera: Camera) -> Floats:

@@ -32,7 +32,8 @@ def on_the_edge(mask):
 
 
 def scene_of(motion, look):
-    return Scene(Model(ring=60), motion, framed(look, motion))
+    model = Model(ring=60)
+    return Scene(model, motion, framed(look, model, motion))
 
 
 def empty_room(scene):

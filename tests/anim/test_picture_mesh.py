@@ -59,7 +59,7 @@ def test_a_million_points_cost_what_the_picture_can_show():
 def test_the_magnification_is_how_many_pixels_a_short_way_makes(flat, elevation, distance, zoom):
     look = Look((64, 48), camera=Camera(10, elevation, distance, zoom, not flat))
     view = painter(Model(3), look).view
-    points = reached(Model(3), 90)
+    points = reached(Model(3), Look(tilt=90))
     steps = 1e-6 * np.random.default_rng(1).normal(size=points.shape)
     moved = np.linalg.norm(view.project(points + steps) - view.project(points), axis=1)
     most = (moved / np.linalg.norm(steps, axis=1)).max()

@@ -40,7 +40,7 @@ def about_z(angle):
 @given(cameras)
 @settings(max_examples=30)
 def test_eye_is_where_the_camera_stands(camera):
-    eye = view(camera, SIZE, reached(MODEL, 90)).eye
+    eye = view(camera, SIZE, reached(MODEL, Look(tilt=90))).eye
     towards = frame(camera)[2]
     if camera.perspective:
         np.testing.assert_allclose(
@@ -56,7 +56,7 @@ def test_leaning_top_stays_in_frame(camera, tilt, seed):
     rng = np.random.default_rng(seed)
     turns = rng.uniform(-np.pi, np.pi, 2)
     rotation = about_z(turns[0]) @ about_y(np.radians(tilt) * rng.uniform()) @ about_z(turns[1])
-    seen = view(camera, SIZE, reached(MODEL, tilt)).project(MODEL.points @ rotation.T)
+    seen = view(camera, SIZE, reached(MODEL, Look(tilt=tilt))).project(MODEL.points @ rotation.T)
     assert (seen > 0).all()
     assert (seen < SIZE).all()
 
@@ -65,7 +65,7 @@ def test_leaning_top_stays_in_frame(camera, tilt, seed):
 @settings(max_examples=30)
 def test_turning_the_top_or_the_view_is_the_same(camera, seed):
     rotation = random_rotation(np.random.default_rng(seed))
-    seen = view(camera, SIZE, reached(MODEL, 90))
+    seen = view(camera, SIZE, reached(MODEL, Look(tilt=90)))
     turned = seen.moved(rotation, np.zeros(3))
     points = MODEL.points
     np.testing.assert_allclose(turned.project(points), seen.project(points @ rotation.T), atol=1e-8)
@@ -76,7 +76,7 @@ def test_turning_the_top_or_the_view_is_the_same(camera, seed):
 @given(cameras, seeds)
 @settings(max_examples=30)
 def test_faces_turned_to_the_eye_turn_counterclockwise(camera, seed):
-    seen = view(camera, SIZE, reached(MODEL, 180)).moved(
+    seen = view(camera, SIZE, reached(MODEL, Look(tilt=180))).moved(
         random_rotation(np.random.default_rng(seed)), np.zeros(3)
     )
     x, y = seen.project(MODEL.points).T
@@ -92,7 +92,7 @@ def test_faces_turned_to_the_eye_turn_counterclockwise(camera, seed):
 @given(cameras, seeds)
 @settings(max_examples=30)
 def test_what_lies_towards_the_eye_is_seen_at_one_place(camera, seed):
-    seen = view(camera, SIZE, reached(MODEL, 90))
+    seen = view(camera, SIZE, reached(MODEL, Look(tilt=90)))
     point = np.random.default_rng(seed).uniform(-1, 1, 3)
     towards = seen.eye[:3] - point * seen.eye[3]
     nearer = point + 0.1 * towards / np.linalg.norm(towards)

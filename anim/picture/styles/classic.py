@@ -44,7 +44,7 @@ def axes_and_view(model: Model, look: Look, paper: RGB) -> tuple[View, Pixels]:
     axes = Axes3D(figure, rect=(0, 0, 1, 1))
     figure.add_axes(axes)
     axes.patch.set_visible(False)
-    _set_up(axes, look, reached(model, look.tilt, look.room))
+    _set_up(axes, look, reached(model, look))
     _fit(axes, look, places(model, look))
     canvas.draw()
     return view_of(axes), np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
