@@ -206,7 +206,7 @@ def render(
     """
     from anim.output.palette import sampled
     from anim.output.writing import open_film
-    from rotation.figures.backend import import_matplotlib
+    from hfield.plotting import import_matplotlib
 
     if jobs > 1:
         import_matplotlib()  # here first, so that other processes know where its folder is

@@ -81,7 +81,7 @@ def _still(top: Top) -> str:
     """Draw one frame, which stands for the top where nothing can move; PNG in base 64."""
     from PIL import Image
 
-    from rotation.figures.backend import import_matplotlib
+    from hfield.plotting import import_matplotlib
 
     import_matplotlib()
     look = framed(replace(FILM_LOOK, size=SIZE), top.model, top.motion)

@@ -23,6 +23,7 @@ FLOORS = [
     {
         "hfield.executors",
         "hfield.atomic",
+        "hfield.plotting",
         "hfield.primality",
         "hfield.progress",
         "hfield.straight_line",

@@ -140,7 +140,7 @@ def _picture(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     (motion,) = motions_of(args, model, clip)
     scene = _scene(args, model, motion, look)
     picture = contact_sheet(scene, numbers) if args.sheet else draw(scene.task(numbers[0]))
-    with file_place(path) as part:
+    with file_place(path, args.force) as part:
         save_png(picture, part)
     return _report(args, motion, path, look.size, numbers)
 
@@ -175,7 +175,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
         background=paper,
         simulation=simulated(args, model, motions[0]),
     )
-    write_text(path, text)
+    write_text(path, text, args.force)
     return _report(args, motions[0], path, None)
 
 
@@ -190,7 +190,7 @@ def _seeing(args: Namespace, path: Path) -> int:
             f"--quaternions makes a page: expected a name such as s3.html, not {path.name!r}"
         )
     refuse_early(path, args.force)
-    write_text(path, seeing())
+    write_text(path, seeing(), args.force)
     with open_output(None) as out:
         if args.format == "json":
             out.write_json({"schema": "hfield-render-figures/1", "files": [str(path)]})
@@ -206,7 +206,7 @@ def _figures(args: Namespace, folder: Path) -> int:
     there = next((name for name in NAMES if (folder / name).exists()), None)
     if there and not args.force:
         raise UsageError(f"{str(folder / there)!r} exists; --force replaces it")
-    paths = figures(folder)
+    paths = figures(folder, args.force)
     with open_output(None) as out:
         if args.format == "json":
             out.write_json({"schema": "hfield-render-figures/1", "files": [str(p) for p in paths]})

@@ -50,29 +50,34 @@ def _is_frame(path: Path) -> bool:
 
 
 @contextmanager
-def file_place(path: Path) -> Iterator[Path]:
+def file_place(path: Path, force: bool) -> Iterator[Path]:
     """Yield a hidden name beside ``path``; what is written there takes its place in the end.
 
-    What a run that was killed left there is removed first. Raises :class:`AnimationError`.
+    A file that has appeared there meanwhile is replaced with ``force`` only. What a run that was killed left
+    there is removed first. Raises :class:`AnimationError`.
     """
     with _in_one_line(path):
         sweep(_target(path))
-        with whole_file(path) as part:
+        with whole_file(path, force) as part:
             yield part
 
 
 @contextmanager
-def folder_place(path: Path) -> Iterator[Path]:
-    """Yield a hidden new folder beside ``path``; it takes the place of an empty one, or of old frames."""
+def folder_place(path: Path, force: bool) -> Iterator[Path]:
+    """Yield a hidden new folder beside ``path``; it takes the place of an empty one.
+
+    With ``force`` it takes the place of old frames too. Raises :class:`AnimationError`.
+    """
     with _in_one_line(path):
         sweep(_target(path))
-        with whole_folder(path) as part:
+        with whole_folder(path, force) as part:
             yield part
+            refuse_early(path, force)  # what has appeared there meanwhile
 
 
-def write_text(path: Path, text: str) -> None:
+def write_text(path: Path, text: str, force: bool) -> None:
     """Write a text, whole or not at all. Raises :class:`AnimationError` when the disk does not take it."""
-    with file_place(path) as part:
+    with file_place(path, force) as part:
         part.write_text(text, encoding="utf-8")
 
 
@@ -83,6 +88,8 @@ def _in_one_line(path: Path) -> Iterator[None]:
         yield
     except OSError as error:
         reason = error.strerror or str(error)
+        if isinstance(error, FileExistsError):
+            reason += "; --force replaces it"
         raise AnimationError(f"{shorten(path)!r} could not be written: {reason}") from None
 
 

@@ -70,8 +70,8 @@ def open_film(
     if form is None:
         from anim.output.pictures import open_folder
 
-        with folder_place(path) as part, open_folder(part, film) as write:
+        with folder_place(path, force) as part, open_folder(part, film) as write:
             yield write
         return
-    with file_place(path) as part, form.open(part, film, samples) as write:
+    with file_place(path, force) as part, form.open(part, film, samples) as write:
         yield write

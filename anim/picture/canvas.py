@@ -11,7 +11,7 @@ import numpy as np
 
 from anim.picture.look import RGB
 from anim.picture.surface import Box, Floats, Pixels, Surface
-from rotation.figures.backend import import_matplotlib
+from hfield.plotting import import_matplotlib
 
 
 class Canvas(Surface):

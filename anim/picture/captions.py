@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.checks import one_of
-from rotation.figures.backend import import_matplotlib
+from hfield.plotting import import_matplotlib
 
 if TYPE_CHECKING:
     from PIL.ImageFont import FreeTypeFont

@@ -8,7 +8,7 @@ from typing import Any
 from anim.checks import one_of, real, whole
 from anim.errors import AnimationError
 from anim.picture.styles import STYLES
-from rotation.figures.backend import import_matplotlib
+from hfield.plotting import import_matplotlib
 
 RGB = tuple[int, int, int]
 Point = tuple[float, float, float]

@@ -40,12 +40,12 @@ SPREAD = 0.5
 """The thesis's r in figure 3.2: the horizontal part of the unit vectors that the top is turned about."""
 
 
-def figures(directory: str | Path) -> list[Path]:
+def figures(directory: str | Path, force: bool = True) -> list[Path]:
     """Write the figures as PNG files of 640 × 480 pixels and return their paths.
 
     points and skeleton (P₁ green, P₂ red; 10 points a ring), coloured, the same turned about z and then
     also about a second axis, figure-3.1 (1000 points a ring) and figure-3.2 (four turns by π/2 about axes
-    leaning by 30°, in one picture of twice the size). Raises
+    leaning by 30°, in one picture of twice the size). ``force`` replaces files of these names. Raises
     :class:`~hfield.commands.output.OutputError` where the directory cannot be written, and
     :class:`~anim.errors.AnimationError` where the disk is full.
     """
@@ -65,7 +65,7 @@ def figures(directory: str | Path) -> list[Path]:
     paths = [folder / name for name in NAMES]
     for path, picture in zip(paths, pictures, strict=True):
         try:
-            write_whole(path, _png(picture))
+            write_whole(path, _png(picture), force)
         except OSError as error:
             raise AnimationError(f"{str(path)!r} could not be written: {error.strerror}") from None
     return paths

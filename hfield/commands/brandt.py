@@ -6,8 +6,10 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from math import cos, pi, sin
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from hfield.atomic import whole_file
 from hfield.commands.answers import Answer, answer_one
 from hfield.commands.orders import (
     SECONDS_A_CLASS,
@@ -65,8 +67,7 @@ def run(args: Namespace) -> int:
 def _answer(args: Namespace) -> Answer:
     from hfield.primality import is_prime
 
-    if args.plot:
-        try_picture(args.plot)
+    replace = bool(args.plot) and try_picture(args.plot)
     A = algebra_of(args.algebra)
     over_integers = A.over_integers
     n = level_of(args.prime, A) if over_integers else _index(args.prime)
@@ -79,7 +80,7 @@ def _answer(args: Namespace) -> Answer:
     Waiting.at("computing the matrix")
     matrix = [] if sparse else C.brandt_matrix(n)
     if args.plot:
-        _plot(matrix, args.plot)
+        _plot(matrix, args.plot, replace)
 
     def characteristic() -> list[int]:
         Waiting.at("computing its characteristic polynomial")
@@ -170,7 +171,7 @@ def polynomial(coefficients: list[int]) -> str:
     return text or "0"
 
 
-def _plot(matrix: list[list[int]], path: str) -> None:
+def _plot(matrix: list[list[int]], path: str, replace: bool) -> None:
     """Draw the vertices on a circle, edges as wide as they are many, loops as rings."""
     import matplotlib as mpl
 
@@ -196,7 +197,8 @@ def _plot(matrix: list[list[int]], path: str) -> None:
     axes.set_ylim(-1.35, 1.35)
     axes.axis("off")
     try:
-        figure.savefig(path)
+        with whole_file(Path(path), replace) as part:
+            figure.savefig(part)
     except (OSError, ValueError) as error:
         raise OutputError(
             f"cannot draw to {shorten(path)!r}: {error}; try a file .svg, .png or .pdf"

@@ -195,10 +195,11 @@ def _lay_out(data: Mapping[str, object], ensure_ascii: bool = False) -> str:
     return "{\n" + ",\n".join(f" {dump(key)}: {dump(value)}" for key, value in data.items()) + "\n}"
 
 
-def try_picture(path: str, *more: str) -> None:
+def try_picture(path: str, *more: str) -> bool:
     """Raise :class:`OutputError` where nothing could be drawn, before what takes long is computed.
 
-    ``more`` are suffixes that are written besides those of pictures.
+    ``more`` are suffixes that are written besides those of pictures. Return whether there is a file of this
+    name already: one that appears later is not to be replaced.
     """
     suffixes = (".svg", ".png", ".pdf", *more)
     if Path(path).suffix.lower() not in suffixes:
@@ -207,6 +208,7 @@ def try_picture(path: str, *more: str) -> None:
         )
     if not (folder := Path(path).absolute().parent).is_dir():
         raise OutputError(f"cannot draw to {shorten(path)!r}: there is no folder {shorten(folder)}")
+    return Path(path).exists()
 
 
 def note(text: str) -> None:

@@ -43,8 +43,10 @@ def try_chart(path: str) -> Path:
     return target
 
 
-def write_chart(results: Sequence[Result], settings: Settings, path: Path) -> None:
-    """Draw the results and write them to ``path``, whole or not at all."""
+def write_chart(
+    results: Sequence[Result], settings: Settings, path: Path, replace: bool | None = None
+) -> None:
+    """Draw the results and write them to ``path``, whole or not at all, as :func:`write_whole` does."""
     groups = [
         sorted((r for r in group if r.samples), key=lambda r: -r.best)
         for _, group in groupby(results, key=lambda r: r.test)
@@ -56,7 +58,7 @@ def write_chart(results: Sequence[Result], settings: Settings, path: Path) -> No
     height = sum(0.27 * len(group) + 0.75 for group in groups) + 0.4
     content = picture(draw, (7.6, height), path.suffix[1:].lower())
     with writing(repr(shorten(path))):
-        write_whole(path, content)
+        write_whole(path, content, replace)
 
 
 def _draw(figure: Figure, groups: Sequence[Sequence[Result]], settings: Settings) -> None:

@@ -65,6 +65,7 @@ def run(args: Namespace) -> int:
         seconds,
     )
     chart = None if args.plot is None else try_chart(args.plot)
+    replace = chart is not None and chart.exists()
     tests = [test for test in TESTS if args.test in (None, test.name[0])]
     with open_output(args.output) as out:
         results = []
@@ -76,7 +77,7 @@ def run(args: Namespace) -> int:
         else:
             out.write(table(results, settings))
     if chart is not None:
-        write_chart(results, settings, chart)
+        write_chart(results, settings, chart, replace)
     bad = [result for result in results if result.status in ("wrong", "failed")]
     for result in bad:
         note(f"{result.test.name}, {result.way.name}: {result.status}, {result.reason}")

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from hfield.atomic import whole_file
 from hfield.commands.output import writing
 from hfield.errors import shorten
-from rotation.figures.backend import import_matplotlib
+from hfield.plotting import import_matplotlib
 from rotation.figures.drawing import STYLE, Drawing
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ def _writing(directory: Path) -> AbstractContextManager[None]:
     return writing(f"to {shorten(directory)!r}", "directory")
 
 
-def write_whole(path: Path, content: bytes) -> None:
-    """Write a file that is there whole or not at all. Raises OSError."""
-    with whole_file(path) as part:
+def write_whole(path: Path, content: bytes, replace: bool | None = None) -> None:
+    """Write a file that is there whole or not at all, as :func:`whole_file` has it. Raises OSError."""
+    with whole_file(path, replace) as part:
         part.write_bytes(content)

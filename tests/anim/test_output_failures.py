@@ -197,7 +197,7 @@ def test_leftovers_of_a_dead_run_are_swept_away_even_with_our_own_number(tmp_pat
     alive, strange = f".top.{os.getppid()}.part.gif", ".top.mine.part.gif"
     (tmp_path / alive).touch()
     (tmp_path / strange).touch()
-    with file_place(tmp_path / "top.gif") as part:
+    with file_place(tmp_path / "top.gif", False) as part:
         part.touch()
     assert sorted(os.listdir(tmp_path)) == sorted([alive, strange, "top.gif"])
 

@@ -18,7 +18,7 @@ from anim.picture.mesh import Mesh
 from anim.picture.projection import View, fitting, reached
 from anim.picture.style import Style
 from anim.picture.styles.flat import FlatBody
-from rotation.figures.backend import import_matplotlib
+from hfield.plotting import import_matplotlib
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
