@@ -48,12 +48,11 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Compute the domain, draw it, and print what it is."""
     center = None if args.center is None else _complex(args.center)
-    if args.output is not None:
-        try_picture(args.output, ".html")
+    replace = args.output is not None and try_picture(args.output, ".html")
     A = algebra_of(args.algebra)
     domain = A.eichler_order(level_of(args.level, A)).norm_one_group().domain(center)
     if args.output is not None:
-        domain.draw(args.output, dark=args.dark)
+        domain.draw(args.output, dark=args.dark, replace=replace)
     args.output = None  # what is printed goes to the terminal
     # a centre of one's own has a domain of its own, which says less than the group
     claim = domain.group if center is None else domain

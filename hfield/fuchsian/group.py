@@ -125,20 +125,28 @@ class Domain(Certified):
 
         return dirichlet.area_of(list(self.partners), list(self.cycles))
 
-    def draw(self, path: object, *, dark: bool = False, depth: int | None = None) -> None:
+    def draw(
+        self,
+        path: object,
+        *,
+        dark: bool = False,
+        depth: int | None = None,
+        replace: bool | None = None,
+    ) -> None:
         """Draw the domain and its images, those under words of up to ``depth`` sides, to .svg, .png or .pdf.
 
         Sides of a pair have one colour; elliptic points and the centre are marked. To a file .html, a page on
-        which the centre is dragged. Raises :class:`hfield.errors.LatticeError` where the file
+        which the centre is dragged. ``replace`` says whether a file of that name may be replaced; None: if
+        it is there before the drawing begins. Raises :class:`hfield.errors.LatticeError` where the file
         cannot be written.
         """
         if str(path).endswith(".html"):
             from hfield.fuchsian.page import write
 
-            return write(self, path)
+            return write(self, path, replace)
         from hfield.fuchsian.picture import draw
 
-        draw(self, path, dark=dark, depth=depth)
+        draw(self, path, dark=dark, depth=depth, replace=replace)
 
     def _repr_svg_(self) -> str:
         """What a notebook shows."""

@@ -53,10 +53,10 @@ def _data(domain: Domain) -> dict[str, Any]:
     }
 
 
-def write(domain: Domain, path: object) -> None:
+def write(domain: Domain, path: object, replace: bool | None = None) -> None:
     """Write the page. Raises :class:`LatticeError` where the file cannot be written."""
     try:
-        with whole_file(Path(str(path))) as part:
+        with whole_file(Path(str(path)), replace) as part:
             part.write_text(page(domain), encoding="utf-8")
     except OSError as error:
         raise LatticeError(f"cannot write {shorten(path)!r}: {error}") from error

@@ -106,6 +106,15 @@ function domain(units) {  // after Voight: reduce what bounds nothing, cut off w
   return shape;
 }
 
+function begun(shape, start) {  // the same domain, its sides counted from another one on
+  const count = shape.units.length;
+  for (const name of ["units", "dual", "corners", "angles", "partners"]) {
+    shape[name] = shape[name].slice(start).concat(shape[name].slice(0, start));
+  }
+  shape.partners = shape.partners.map((p) => (p < 0 ? p : (p - start + count) % count));
+  return shape;
+}
+
 function orders(shape) {  // the order of the rotations about each vertex
   const count = shape.units.length, found = new Array(count).fill(1);
   for (let start = 0; start < count; start++) {
@@ -124,7 +133,7 @@ function orders(shape) {  // the order of the rotations about each vertex
 const BASE = GROUP.units.map(([p, q, r, s]) => [[p, q], [r, s]]);
 const canvas = document.getElementById("plane"), pen = canvas.getContext("2d");
 let center = [0, 0], shape, halfPlane = false, dragging = false, dark = matchMedia("(prefers-color-scheme: dark)").matches;
-const SMALL = 0.012;
+const SMALL = 0.012, MOST = 5000, MOST_DRAGGED = 6000;
 
 function recompute() {
   const there = to(center), back = inverse(there);
@@ -134,6 +143,10 @@ function recompute() {
   shape = domain(known.map(seen));
   if (!right()) shape = domain(BASE.flatMap((g) => [g, ...BASE.map((h) => times(g, h))]).map(seen));
   shape.right = right();
+  // The sides are counted as in the other pictures, so that colours are the same.
+  const [x, y] = act(seen(BASE[0]), [0, 0]);
+  const start = shape.units.findIndex((g) => { const z = act(g, [0, 0]); return abs2([z[0] - x, z[1] - y]) < 1e-10; });
+  if (start > 0) begun(shape, start);
   shape.world = shape.units.map((g) => times(there, times(g, back)));
   shape.there = there;
   shape.orders = orders(shape);
@@ -170,24 +183,30 @@ function path(points, close) {
 }
 function hues(partners) {  // one for a pair, neighbours far apart on the circle of colours
   const firsts = partners.map((p, n) => Math.min(n, p < 0 ? n : p)), ranks = [...new Set(firsts)];
-  return firsts.map((n) => (209 + 137.5 * ranks.indexOf(n)) % 360);
+  return firsts.map((n) => (208.8 + 137.50776 * ranks.indexOf(n)) % 360);
 }
 function shade(h, length) {
   if (!length) return `hsl(${h} 72% ${dark ? 62 : 45}%)`;
   return dark ? `hsl(${h} 42% ${Math.max(18, 44 - 7 * length)}%)` : `hsl(${h} 55% ${Math.min(93, 70 + 5.5 * length)}%)`;
 }
 
+// Where a motion moves 0, on the hyperboloid: images of 0 are nowhere nearer to one another there than at 0.
+// Steps of a thousandth tell them apart; the shift keeps simple numbers away from where rounding jumps.
+function key([a, b]) {
+  const p = mul(a, b), step = (x) => Math.floor(2000 * x + 0.37);
+  return `${step(p[0])},${step(p[1])}`;
+}
 function tiles() {
-  const found = [], seen = new Set(["0,0"]), queue = [[shape.there, -1, 0]];
-  const outline = shape.corners.map(poincare), most = Math.max(300, (dragging ? 6000 : 24000) / outline.length);
+  const back = inverse(shape.there), found = [], seen = new Set([key(times(back, shape.there))]);
+  const queue = [[shape.there, -1, 0]], outline = shape.corners.map(poincare);
+  const most = dragging ? Math.max(300, MOST_DRAGGED / outline.length) : MOST;
   for (let at = 0; at < queue.length && found.length < most; at++) {
     const [motion, first, length] = queue[at];
     shape.units.forEach((g, n) => {
       if (found.length >= most) return;
-      const image = times(motion, g), z = act(times(inverse(shape.there), image), [0, 0]);
-      const key = `${z[0].toFixed(5)},${z[1].toFixed(5)}`;
-      if (seen.has(key)) return;
-      seen.add(key);
+      const image = times(motion, g), name = key(times(back, image));
+      if (seen.has(name)) return;
+      seen.add(name);
       const points = outline.map((p) => act(image, p)), xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
       const size = Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
       if (size < SMALL) return;

@@ -1,0 +1,92 @@
+"""The images of a Dirichlet domain that tile the disc: which there are, decided exactly; where, in floats."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hfield.fuchsian.search import Sight
+
+if TYPE_CHECKING:
+    from hfield.fuchsian.group import Domain
+
+SMALLEST = 0.012
+"""Images of a smaller diameter in the unit disc are left out."""
+MOST_TILES = 5000
+"""So many images are drawn at most; a few hundred are larger than the smallest."""
+
+
+@dataclass(frozen=True)
+class Tile:
+    """The image of the domain under a unit g, and what its colour comes from."""
+
+    row: tuple[int, ...]
+    """The coordinates of g with respect to the basis of the order; of g and −g those that begin positive."""
+    a: complex
+    b: complex
+    """g moves z of the disc to (a·z + b)/(conj(b)·z + conj(a))."""
+    first: int
+    """The first side of a shortest word for g."""
+    length: int
+    """How many sides such a word has."""
+    size: float
+    """The greater of width and height in the unit disc."""
+
+
+def move(a: complex, b: complex, points: Any) -> Any:
+    """Return the images of complex numbers of the disc."""
+    return (a * points + b) / (np.conj(b) * points + np.conj(a))
+
+
+def tessellation(domain: Domain, depth: int | None = None) -> list[Tile]:
+    """Return the images of a domain that can be seen, except itself, by the length of their words.
+
+    They are those larger than SMALLEST that are reached across the sides of such images, up to words of
+    ``depth`` sides. Images are the same where their units are, up to sign, in coordinates that are integers.
+    """
+    plane, units = domain.polygon.plane, domain.polygon.units
+    sight, order = Sight(plane), plane.order
+    rows = order.rows(units)
+    # Whole numbers of Python: the coordinates of far images do not overflow.
+    right = np.einsum("nj,ijk->nik", np.array(rows, object), sight.products.astype(object))
+    steps = list(zip(*(x.tolist() for x in sight.motions(np.array(rows, float))), strict=True))
+    corners = np.array(domain.vertices)
+    (one,) = order.rows([order.algebra(1)])
+    seen = {_up_to_sign(one)}
+    found: list[Tile] = []
+    queue = deque([Tile(_up_to_sign(one), 1, 0, -1, 0, 2.0)])
+    while queue and len(found) < MOST_TILES:
+        tile = queue.popleft()
+        if depth is not None and tile.length >= depth:
+            break
+        images = np.array(tile.row, object) @ right
+        for n, image in enumerate(images.tolist()):
+            key = _up_to_sign(image)
+            if key in seen:
+                continue
+            seen.add(key)
+            a, b = _times((tile.a, tile.b), steps[n])
+            points = move(a, b, corners)
+            size = float(max(np.ptp(points.real), np.ptp(points.imag)))
+            if size >= SMALLEST and len(found) < MOST_TILES:
+                first = n if tile.length == 0 else tile.first
+                found.append(Tile(key, a, b, first, tile.length + 1, size))
+                queue.append(found[-1])
+    return found
+
+
+def _up_to_sign(row: list[int]) -> tuple[int, ...]:
+    """Return a row or its negative, the one whose first entry that is not 0 is positive."""
+    lead = next(x for x in row if x)
+    return tuple(row) if lead > 0 else tuple(-x for x in row)
+
+
+def _times(g: tuple[complex, complex], h: tuple[complex, complex]) -> tuple[complex, complex]:
+    """Return the motion g after h, of determinant 1 again."""
+    (a, b), (c, d) = g, h
+    p, q = a * c + b * d.conjugate(), a * d + b * c.conjugate()
+    size = abs(abs(p) ** 2 - abs(q) ** 2) ** 0.5
+    return p / size, q / size
