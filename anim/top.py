@@ -41,18 +41,39 @@ class Top:
         shows = [Show.of(self.motion)]
         return page(self.model, shows, self.motion.fps, curves=curves, simulation=live)
 
-    def save(self, path: str | Path, look: Look | None = None, force: bool = False) -> None:
-        """Write a film, in the format of the suffix; without ``look`` shaded, with trace and shadow.
+    def save(
+        self, path: str | Path, look: Look | None = None, force: bool = False, frame: int = 0
+    ) -> None:
+        """Write a film, a web page (.html) or one picture (.png), by the suffix, as ``hfield render`` does.
 
-        Raises :class:`~anim.errors.AnimationError`.
+        A name without suffix is a folder of pictures. Films and pictures are without ``look`` shaded, with
+        trace and shadow; a page has its own. ``frame``, counted from 0, is the one of a picture. Raises
+        :class:`~anim.errors.AnimationError`.
         """
-        from anim.output import Film
+        from anim.checks import whole
+        from anim.output import Film, check
+        from anim.output.destination import file_place, write_text
+        from anim.output.pictures import save_png
+        from anim.output.writing import Kind, kind_of
         from anim.picture.look import FILM_LOOK
-        from anim.rendering import Scene, framed, render
+        from anim.rendering import Scene, draw, framed, render
 
+        place = Path(path)
+        kind = kind_of(place)
+        if kind is Kind.PAGE:
+            check(place, None, force)
+            return write_text(place, self.page(), force)
         chosen = framed(FILM_LOOK, self.model, self.motion) if look is None else look
-        film = Film(chosen.size, self.motion.frames, self.motion.fps)
-        render(Scene(self.model, self.motion, chosen), Path(path), film, force=force)
+        scene = Scene(self.model, self.motion, chosen)
+        if kind is Kind.PICTURE:
+            number = whole("frame", frame, 0, self.motion.frames - 1)
+            check(place, None, force)
+            with file_place(place, force) as part:
+                save_png(draw(scene.task(number)), part)
+            return None
+        return render(
+            scene, place, Film(chosen.size, self.motion.frames, self.motion.fps), force=force
+        )
 
     def show(self) -> None:
         """Display the top in a notebook; elsewhere it is written as a page and opened in the browser."""

@@ -1,5 +1,6 @@
 """Files and folders are there whole or not at all, and nothing that appeared meanwhile is lost."""
 
+# ruff: noqa: PT012
 import errno
 import os
 import signal
@@ -57,7 +58,7 @@ def test_where_nothing_was_written_nothing_appears(tmp_path, replace) -> None:
 def test_a_folder_that_is_filled_meanwhile_stays(tmp_path) -> None:
     path = tmp_path / "a"
     path.mkdir()
-    with pytest.raises(OSError), whole_folder(path, False) as part:
+    with pytest.raises(OSError, match="not empty"), whole_folder(path, False) as part:
         (part / "ours").touch()
         (path / "precious").touch()
     assert os.listdir(path) == ["precious"]

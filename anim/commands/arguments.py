@@ -45,7 +45,7 @@ def declare(parser: ArgumentParser) -> None:
         help="draw the pictures of sections 3.3 and 3.4 into the folder FILE",
     )
     kind.add_argument(
-        "--frame", type=int, metavar="N", help="draw one frame as a .png, counted from 0"
+        "--frame", type=int, metavar="N", help="draw one frame as a .png, counted from 0 (default: 0)"
     )
     parser.add_argument(
         "--preview",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from argparse import Namespace
 from dataclasses import replace
 from math import pi, radians
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from anim.commands.arguments import MODELS
@@ -62,12 +63,12 @@ def motions_of(args: Namespace, model: Model, film: Clip) -> list[Motion]:
 
     Flags of the thesis's motion, or of the heavy top, choose the model where none is named.
     """
-    from anim.output.writing import PAGE
+    from anim.output.writing import Kind, kind_of
     from anim.pipelines import PIPELINES, kinematic
 
     read = any(getattr(args, name) != usual for name, usual in READING.items())
     heavy = any(getattr(args, name) is not None for name in PHYSICS_ONLY + FREE_ONLY)
-    page = args.output.lower().endswith(PAGE)
+    page = kind_of(Path(args.output)) is Kind.PAGE
     chosen = args.model or ("quaternions" if read and not heavy else MODELS[0])
     if args.model is None and page and not heavy:
         return [kinematic(name, film, _reading(args)) for name in PIPELINES]

@@ -25,7 +25,7 @@ SUMMARY = "draw the spinning top: a film, pictures or a web page"
 HEADING = "Rotation and film"
 HELP = (
     f"Draw the spinning top. The suffix of -o FILE decides the kind of output: .{' .'.join(FORMATS)} gives a "
-    "film, .html an interactive web page, no suffix a folder of pictures; with --sheet, a "
+    "film, .html an interactive web page, .png one frame, no suffix a folder of pictures; with --sheet, a "
     ".png shows ten frames. By default a heavy top stands free on the ground: it precesses, "
     "nods, falls and rolls out. --model chooses another motion."
 )
@@ -56,18 +56,15 @@ def run(args: Namespace) -> int:
     if args.quaternions:
         return _seeing(args, path)
     from anim.commands.choices import clip_of, model_of
-    from anim.output.writing import PAGE
+    from anim.output.writing import Kind, kind_of
 
     model, clip = model_of(args), clip_of(args)
-    if args.sheet or args.frame is not None or _is_one_picture(path, clip):
+    kind = kind_of(path)
+    if args.sheet or args.frame is not None or kind is Kind.PICTURE:
         return _picture(args, model, clip, path)
-    if path.suffix.lower() == PAGE:
+    if kind is Kind.PAGE:
         return _page(args, model, clip, path)
     return _film(args, model, clip, path)
-
-
-def _is_one_picture(path: Path, clip: Clip) -> bool:
-    return clip.frames == 1 and path.suffix.lower() == ".png"
 
 
 def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
@@ -127,10 +124,11 @@ def _picture(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     from anim.commands.choices import look_of, motions_of, numbers_of
     from anim.output.destination import file_place, refuse_early
     from anim.output.pictures import save_png
+    from anim.output.writing import Kind, kind_of
     from anim.rendering import contact_sheet, draw
 
     kind, size = ("sheet", SHEET_SIZE) if args.sheet else ("frame", FILM_SIZE)
-    if path.suffix.lower() != ".png":
+    if kind_of(path) is not Kind.PICTURE:
         raise UsageError(
             f"--{kind} makes one picture: expected a name such as {kind}.png, not {path.name!r}"
         )
@@ -182,10 +180,10 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
 def _seeing(args: Namespace, path: Path) -> int:
     """Write the page Seeing quaternions."""
     from anim.output.destination import refuse_early, write_text
-    from anim.output.writing import PAGE
+    from anim.output.writing import Kind, kind_of
     from anim.viewer import seeing
 
-    if path.suffix.lower() != PAGE:
+    if kind_of(path) is not Kind.PAGE:
         raise UsageError(
             f"--quaternions makes a page: expected a name such as s3.html, not {path.name!r}"
         )

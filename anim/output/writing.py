@@ -1,57 +1,70 @@
-"""Films written by suffix: which format it is, what would fail in the end, and the file in its place."""
+"""What is written by suffix: its kind and format, what would fail in the end, the file in its place."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
+from enum import Enum
 from pathlib import Path
 
 from anim.errors import AnimationError
 from anim.output.destination import file_place, folder_place, refuse_early
-from anim.output.format import Film, Format, Samples, Write
+from anim.output.format import Film, Samples, Write
 from anim.output.formats import FORMATS
 from hfield.errors import shorten
 
-PAGE = ".html"  # no film: the page draws for itself
+
+class Kind(Enum):
+    """What a name stands for."""
+
+    FILM = "film"
+    PAGE = "page"
+    PICTURE = "picture"
+    FOLDER = "folder of pictures"
 
 
-def format_of(path: Path) -> Format | None:
-    """Return the format of a film by its suffix; None for a page or a folder of pictures."""
-    return FORMATS.get(path.suffix.lower()[1:])
+SUFFIXES = {f".{name}": Kind.FILM for name in FORMATS} | {
+    ".html": Kind.PAGE,
+    ".png": Kind.PICTURE,
+}
+"""What is made by the suffix of a name; one without suffix, or of a folder that exists, is a folder."""
 
 
-def _suffixes() -> tuple[str, ...]:
-    return (*(f".{name}" for name in FORMATS), PAGE)
-
-
-def is_folder(path: Path) -> bool:
-    """Tell whether a name stands for a folder of pictures: it has no suffix, or exists as a folder."""
-    if path.name in _suffixes():
+def kind_of(path: Path) -> Kind:
+    """Return what a name stands for. Raises :class:`AnimationError` for an unknown suffix."""
+    if path.name in SUFFIXES:
         raise AnimationError(f"{path.name!r} is a suffix without a name; try top{path.name}")
-    if path.suffix.lower() in _suffixes():
-        return False
-    return not path.suffix or os.path.isdir(path)
+    kind = SUFFIXES.get(path.suffix.lower())
+    if kind is not None:
+        if os.path.isdir(path):
+            raise AnimationError(f"{shorten(path)!r} is a folder; choose another name")
+        return kind
+    if path.suffix and not os.path.isdir(path):
+        raise AnimationError(
+            f"{shorten(path.name)!r}: nothing can be written as {path.suffix.lower()!r}; expected "
+            f"{', '.join(SUFFIXES)}, or a name without suffix for a folder of pictures"
+        )
+    return Kind.FOLDER
 
 
 def check(path: Path, film: Film | None, force: bool = False) -> None:
-    """Refuse at once what would fail in the end; ``film`` is None for a page of HTML.
+    """Refuse at once what would fail in the end; ``film`` is None for a page or one picture.
 
-    Raises :class:`AnimationError` for an unknown suffix, a size or pace that the format cannot have, a
-    file that exists (without ``force``), a folder that is missing or cannot be written, and without ffmpeg.
+    Raises :class:`AnimationError` for an unknown suffix or one of no film, a size or pace that the format
+    cannot have, a file that exists (without ``force``), a folder that is missing or cannot be written, and
+    without ffmpeg.
     """
-    suffix, suffixes = path.suffix.lower(), _suffixes()
-    if suffix in suffixes and os.path.isdir(path):
-        raise AnimationError(f"{shorten(path)!r} is a folder; choose another name")
-    if not is_folder(path) and suffix not in suffixes:
-        hint = "; --frame N makes a .png of one frame, --sheet of ten" if suffix == ".png" else ""
-        raise AnimationError(
-            f"{shorten(path.name)!r}: no film can be written as {suffix!r}; expected {', '.join(suffixes)}, "
-            f"or a name without suffix for a folder of pictures{hint}"
-        )
-    form = format_of(path)
-    if film is not None and form is not None:
-        form.check(film)
+    kind, suffix = kind_of(path), path.suffix.lower()
+    if film is not None:
+        if kind in (Kind.PAGE, Kind.PICTURE):
+            hint = "; --frame N makes a .png of one frame, --sheet of ten"
+            raise AnimationError(
+                f"{shorten(path.name)!r} is the name of a {kind.value}: no film can be written as "
+                f"{suffix!r}{hint if kind is Kind.PICTURE else ''}"
+            )
+        if kind is Kind.FILM:
+            FORMATS[suffix[1:]].check(film)
     refuse_early(path, force)
 
 
@@ -66,12 +79,12 @@ def open_film(
     does, and when the encoder fails or has lost a frame.
     """
     check(path, film, force)
-    form = format_of(path)
-    if form is None:
+    if kind_of(path) is Kind.FOLDER:
         from anim.output.pictures import open_folder
 
         with folder_place(path, force) as part, open_folder(part, film) as write:
             yield write
         return
+    form = FORMATS[path.suffix.lower()[1:]]
     with file_place(path, force) as part, form.open(part, film, samples) as write:
         yield write

@@ -169,7 +169,7 @@ def test_a_seed_turns_the_top_to_another_side(capsys, tmp_path: Path) -> None:
         (("-o", "t.png", "--frame", "500"), "expected a number from 0 to 499"),
         (("-o", "t.png", "--frame", "-1"), "--frame is -1"),
         (("-o", "t.mp4", "--frame", "1"), "expected a name such as frame.png"),
-        (("-o", "t.png"), "--frame N makes a .png of one frame"),
+        (("-o", "t.jpg"), "nothing can be written as '.jpg'"),
         (("-o", "t.mp4", "--frames", "-5"), "frames is -5"),
         (("-o", "t.mp4", "--size", "101x100"), "try --size 102x100"),
         (("-o", "t.mp4", "--size", "0x0"), "the width is 0"),

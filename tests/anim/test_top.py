@@ -2,6 +2,7 @@
 
 import sys
 import webbrowser
+from dataclasses import replace
 from html import unescape
 from pathlib import Path
 from types import ModuleType
@@ -11,9 +12,13 @@ import pytest
 from anim.errors import AnimationError
 from anim.film import clip
 from anim.model import Model
+from anim.output.writing import SUFFIXES
 from anim.picture import Look
+from anim.picture.look import FILM_LOOK
 from anim.pipelines import kinematic
+from anim.rendering import framed
 from anim.top import Top
+from hfield.cli import main
 
 SMALL = Model(ring=30)
 
@@ -51,6 +56,27 @@ def test_save(tmp_path: Path) -> None:
     assert (tmp_path / "top.gif").stat().st_size > 100
     with pytest.raises(AnimationError, match="--force"):
         top.save(tmp_path / "top.gif")
+
+
+@pytest.mark.parametrize("suffix", [*SUFFIXES, "", ".jpg"])
+def test_python_and_the_command_make_the_same_of_a_name(tmp_path: Path, suffix: str) -> None:
+    top = Top(kinematic("matrix", clip(frames=2)), SMALL)
+    ours, theirs = tmp_path / f"ours{suffix}", tmp_path / f"theirs{suffix}"
+    words = ["--model", "matrix", "--frames", "2", "--points", "30", "--size", "32x24"]
+    status = main(["render", *words, "-o", str(theirs)])
+    if suffix == ".jpg":
+        assert status == 2
+        with pytest.raises(AnimationError, match="nothing can be written as"):
+            top.save(ours)
+        return
+    assert status == 0
+    top.save(ours, framed(replace(FILM_LOOK, size=(32, 24)), SMALL, top.motion))
+    if suffix == ".html":
+        assert "<!doctype html>" in ours.read_text("utf-8").lower()
+    elif suffix:
+        assert ours.read_bytes() == theirs.read_bytes()
+    else:
+        assert len(list(ours.iterdir())) == len(list(theirs.iterdir())) == 2
 
 
 def test_unknown_pipeline() -> None:
