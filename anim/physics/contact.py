@@ -8,7 +8,7 @@ the mass. A state (14,) is the attitude q, ω in the body's axes, the centre of 
 space, and the energy that was lost so far. Steps are Kutta's classical ones of fourth order.
 """
 
-from math import sqrt
+from math import ceil, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +19,10 @@ from anim.compiling import called, kernel
 Floats = NDArray[np.float64]
 
 SIZE = 14
+STIFF = 0.05
+"""A step times the rate of friction, at most: what is longer is done in parts."""
+AROUND, FINER = 30, 32
+"""So many steps before and after a contact begins or ends the steps are so much finer."""
 HEIGHT, LOST = 9, 13
 """Where in a state the height of the centre of mass is, and the energy lost, over the mass."""
 
@@ -51,8 +55,12 @@ class Ground(NamedTuple):
 
 
 @called
-def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> None:
-    """Write into ``out`` how the state ``y`` changes; ``edges`` (k, 3) are radius, height, rounding."""
+def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> float:
+    """Write into ``out`` how the state ``y`` changes; ``edges`` (k, 3) are radius, height, rounding.
+
+    Return about how fast friction takes slip and turning away, in s⁻¹: its force over the slip, times what
+    a force at the contact changes there, 1/m + s²/I at most.
+    """
     i1, i3, gravity, tumbling, spinning, stiffness, damping, friction, creep, rolling = ground
     a, b, c, d = y[0], y[1], y[2], y[3]
     w1, w2, w3 = y[4], y[5], y[6]
@@ -64,7 +72,7 @@ def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> None:
     v2 = r12 * y[10] + r22 * y[11] + g2 * y[12]
     v3 = r13 * y[10] + r23 * y[11] + g3 * y[12]
     side = sqrt(g1 * g1 + g2 * g2)
-    f1 = f2 = f3 = t1 = t2 = t3 = 0.0
+    f1 = f2 = f3 = t1 = t2 = t3 = stiff = 0.0
     lost = tumbling * i1 * (w1 * w1 + w2 * w2) + spinning * i3 * w3 * w3
     for k in range(len(edges)):
         radius, height, rounding = edges[k, 0], edges[k, 1], edges[k, 2]
@@ -91,6 +99,8 @@ def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> None:
         t2 += s3 * n1 - s1 * n3 - stay * w2
         t3 += s1 * n2 - s2 * n1 - stay * w3
         lost += (press - elastic) * sinking + grip * slip + stay * turning
+        out_of_line = s1 * s1 + s2 * s2
+        stiff += grip * (1 + (out_of_line + s3 * s3) / i1 + out_of_line / i3) + stay / min(i1, i3)
     out[0] = -(b * w1 + c * w2 + d * w3) / 2
     out[1] = (a * w1 + c * w3 - d * w2) / 2
     out[2] = (a * w2 + d * w1 - b * w3) / 2
@@ -103,19 +113,47 @@ def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> None:
     out[11] = r21 * f1 + r22 * f2 + r23 * f3
     out[12] = g1 * f1 + g2 * f2 + g3 * f3 - gravity
     out[LOST] = lost
+    return stiff
+
+
+@called
+def changes_contact(y: Floats, h: float, edges: Floats) -> bool:
+    """Tell whether one of the ``edges`` begins or ends to touch the ground within AROUND times ``h``."""
+    g1, g2 = 2 * (y[1] * y[3] - y[0] * y[2]), 2 * (y[2] * y[3] + y[0] * y[1])
+    g3, side = 1 - 2 * (y[1] * y[1] + y[2] * y[2]), sqrt(g1 * g1 + g2 * g2)
+    rising = g1 * y[5] - g2 * y[4]  # of g3
+    for k in range(len(edges)):
+        radius, height, rounding = edges[k, 0], edges[k, 1], edges[k, 2]
+        if radius > 0 and side < 1e-9:
+            continue
+        gap = y[HEIGHT] + height * g3 - radius * side - rounding
+        outwards = radius * g3 / side if radius > 0 else 0.0
+        if abs(gap) < AROUND * h * abs(y[12] + (height + outwards) * rising):
+            return True
+    return False
 
 
 @called
 def advance(y: Floats, h: float, room: Floats, edges: Floats, ground: Ground) -> None:
-    """Take the state ``y`` (14,) on by ``h`` seconds, in place; ``room`` (6, 14) is overwritten."""
-    slope(y, room[0], edges, ground)
-    for k in range(1, 4):
-        part = h if k == 3 else h / 2
+    """Take the state ``y`` (14,) on by ``h`` seconds, in place; ``room`` (6, 14) is overwritten.
+
+    Where friction is stiff it is done in parts, each no longer than STIFF over its rate; in FINER parts or
+    more where a contact begins or ends, as the ground's force is not smooth there.
+    """
+    parts = max(1, ceil(h * slope(y, room[0], edges, ground) / STIFF))
+    if changes_contact(y, h, edges):
+        parts = max(parts, FINER)
+    step = h / parts
+    for part in range(parts):
+        if part > 0:
+            slope(y, room[0], edges, ground)
+        for k in range(1, 4):
+            share = step if k == 3 else step / 2
+            for n in range(SIZE):
+                room[4, n] = y[n] + share * room[k - 1, n]
+            slope(room[4], room[k], edges, ground)
         for n in range(SIZE):
-            room[4, n] = y[n] + part * room[k - 1, n]
-        slope(room[4], room[k], edges, ground)
-    for n in range(SIZE):
-        y[n] += h / 6 * (room[0, n] + 2 * room[1, n] + 2 * room[2, n] + room[3, n])
+            y[n] += step / 6 * (room[0, n] + 2 * room[1, n] + 2 * room[2, n] + room[3, n])
     size = sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] + y[3] * y[3])
     for n in range(4):
         y[n] /= size

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from anim.checks import real
 from anim.errors import AnimationError
 from anim.physics.inertia import Body
-from anim.physics.launch import EVERY, Launch, Stepped, attitude_of
+from anim.physics.launch import EVERY, MOST_STEPS, Launch, Stepped, attitude_of
 from rotation.matrices import to_matrix
 
 if TYPE_CHECKING:
@@ -71,6 +71,8 @@ class FreeTop(Stepped):
     contact: Contact = Contact()
 
     def __post_init__(self) -> None:
+        from anim.physics.contact import STIFF
+
         if not self.body.outline:
             raise AnimationError(
                 "a free top needs the outline of its body: expected Body.turned(…)"
@@ -80,6 +82,12 @@ class FreeTop(Stepped):
         if lowest - ball * (cos(tilt) - 1) < 0 or tilt > np.pi / 2:
             raise AnimationError(f"tilt is {tilt:.4g} rad; the rim is in the ground there")
         self.refuse_long()
+        if not self.steps * self.longest_step * self.friction_rate <= STIFF * MOST_STEPS:
+            raise AnimationError(
+                f"friction of {self.contact.friction:g} is too stiff for a body this thin: "
+                f"{self.seconds:g} s would take more than {MOST_STEPS:.0e} steps; choose less friction, a thicker body or a "
+                "shorter film"
+            )
         arm = self.contact.rolling * self.pull * self.longest_step
         if ball > 100 * self.body.height or arm * self.body.mass > self.body.axial:
             raise AnimationError(
@@ -137,6 +145,17 @@ class FreeTop(Stepped):
         turning = hypot(self.spin, launch.precession * sin(launch.tilt))
         rates = (turning, 1 / launch.spin_decay, 1 / launch.tilt_decay, 1e-9)
         return min(STEP * sqrt(self.body.height / self.pull), TURN / max(rates))
+
+    @property
+    def friction_rate(self) -> float:
+        """About how fast, in s⁻¹, friction under the weight takes slip away: μg/ε·(1 + ms²/I) at most."""
+        i1, i3 = self.central / self.body.mass, self.body.axial / self.body.mass
+        radius, height, rounding = self.edges.T
+        out = (radius + rounding) ** 2
+        loose = float(np.max(1 + (out + height**2) / i1 + out / i3))
+        return (
+            self.contact.friction * self.pull * loose / (CREEP * sqrt(self.pull * self.body.height))
+        )
 
     @property
     def edges(self) -> Floats:

@@ -1,6 +1,6 @@
 // The top that is free on the ground: the forces and the steps of anim/physics/contact, in the same order.
 // A state is { q, w, y }: y the fourteen numbers of Python's, q and w the first seven of them.
-const STANDARD = 9.80665, SINK = 1 / 400, CREEP = 0.025, FREE_STEP = 1e-3, TURN = 0.02;
+const STANDARD = 9.80665, SINK = 1 / 400, CREEP = 0.025, FREE_STEP = 1e-3, TURN = 0.02, STIFF = 0.05, AROUND = 30, FINER = 32;
 
 // The lowest corners of an outline in m, those that can touch: [radius, height above the centre of mass, rounding].
 const edgesOf = (body, outline, ball) => [[0, ball - body.height, ball], ...outline.slice(1).map(([r, z]) => [r, z - body.height, 0])];
@@ -20,7 +20,7 @@ function slopeOf(y, out, edges, g) {
   const g1 = 2 * (b * d - a * c), g2 = 2 * (c * d + a * b), g3 = a * a - b * b - c * c + d * d;
   const v1 = r11 * y[10] + r21 * y[11] + g1 * y[12], v2 = r12 * y[10] + r22 * y[11] + g2 * y[12], v3 = r13 * y[10] + r23 * y[11] + g3 * y[12];
   const side = Math.sqrt(g1 * g1 + g2 * g2);
-  let f1 = 0, f2 = 0, f3 = 0, t1 = 0, t2 = 0, t3 = 0, lost = g.tumbling * i1 * (w1 * w1 + w2 * w2) + g.spinning * i3 * w3 * w3;
+  let f1 = 0, f2 = 0, f3 = 0, t1 = 0, t2 = 0, t3 = 0, stiff = 0, lost = g.tumbling * i1 * (w1 * w1 + w2 * w2) + g.spinning * i3 * w3 * w3;
   for (const [radius, height, rounding] of edges) {
     if (radius > 0 && side < 1e-9) continue;
     const away = radius > 0 ? radius / side : 0, s1 = -(away + rounding) * g1, s2 = -(away + rounding) * g2, s3 = height - rounding * g3;
@@ -38,6 +38,8 @@ function slopeOf(y, out, edges, g) {
     t2 += s3 * n1 - s1 * n3 - stay * w2;
     t3 += s1 * n2 - s2 * n1 - stay * w3;
     lost += (press - elastic) * sinking + grip * slip + stay * turning;
+    const outOfLine = s1 * s1 + s2 * s2;
+    stiff += grip * (1 + (outOfLine + s3 * s3) / i1 + outOfLine / i3) + stay / Math.min(i1, i3);
   }
   out[0] = -(b * w1 + c * w2 + d * w3) / 2;
   out[1] = (a * w1 + c * w3 - d * w2) / 2;
@@ -51,21 +53,38 @@ function slopeOf(y, out, edges, g) {
   out[11] = r21 * f1 + r22 * f2 + r23 * f3;
   out[12] = g1 * f1 + g2 * f2 + g3 * f3 - g.gravity;
   out[13] = lost;
+  return stiff;
+}
+
+// Whether something begins or ends to touch the ground soon.
+function changesContact(y, h, edges) {
+  const g1 = 2 * (y[1] * y[3] - y[0] * y[2]), g2 = 2 * (y[2] * y[3] + y[0] * y[1]);
+  const g3 = 1 - 2 * (y[1] * y[1] + y[2] * y[2]), side = Math.sqrt(g1 * g1 + g2 * g2), rising = g1 * y[5] - g2 * y[4];
+  return edges.some(([radius, height, rounding]) => {
+    if (radius > 0 && side < 1e-9) return false;
+    const gap = y[9] + height * g3 - radius * side - rounding, outwards = radius > 0 ? (radius * g3) / side : 0;
+    return Math.abs(gap) < AROUND * h * Math.abs(y[12] + (height + outwards) * rising);
+  });
 }
 
 const ROOM = Array.from({ length: 5 }, () => new Float64Array(14));
 const free = (y) => ({ q: [...y.slice(0, 4)], w: [...y.slice(4, 7)], y });
 
-// One step of Kutta's fourth order.
+// One step of Kutta's fourth order, in parts where friction is stiff or a contact changes.
 function stepOnGround(state, h, edges, ground) {
   const y = Float64Array.from(state.y);
-  slopeOf(y, ROOM[0], edges, ground);
-  for (let k = 1; k < 4; k++) {
-    const part = k === 3 ? h : h / 2;
-    for (let n = 0; n < 14; n++) ROOM[4][n] = y[n] + part * ROOM[k - 1][n];
-    slopeOf(ROOM[4], ROOM[k], edges, ground);
+  let parts = Math.max(1, Math.ceil((h * slopeOf(y, ROOM[0], edges, ground)) / STIFF));
+  if (changesContact(y, h, edges)) parts = Math.max(parts, FINER);
+  const step = h / parts;
+  for (let part = 0; part < parts; part++) {
+    if (part) slopeOf(y, ROOM[0], edges, ground);
+    for (let k = 1; k < 4; k++) {
+      const share = k === 3 ? step : step / 2;
+      for (let n = 0; n < 14; n++) ROOM[4][n] = y[n] + share * ROOM[k - 1][n];
+      slopeOf(ROOM[4], ROOM[k], edges, ground);
+    }
+    for (let n = 0; n < 14; n++) y[n] += (step / 6) * (ROOM[0][n] + 2 * ROOM[1][n] + 2 * ROOM[2][n] + ROOM[3][n]);
   }
-  for (let n = 0; n < 14; n++) y[n] += (h / 6) * (ROOM[0][n] + 2 * ROOM[1][n] + 2 * ROOM[2][n] + ROOM[3][n]);
   const size = Math.sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] + y[3] * y[3]);
   for (let n = 0; n < 4; n++) y[n] /= size;
   return free(y);

@@ -121,6 +121,33 @@ def test_energy_is_kept_or_accounted_for(launch, contact):
         assert abs(energies + losses - energies[0]).max() < 1e-8 * energies[0]
 
 
+# Stiff friction, of bodies that it turns easily, in falls on the rim: reported were drifts of 6 % to 92 %.
+STICK = Body.turned(((0.0, 0.0), (0.01, 0.01), (0.01, 0.99), (0.0, 1.0)), scale=1.0)
+STIFF = [
+    *((BODY, 0.1, Contact(0.04, friction)) for friction in (0.3, 0.5, 1.0, 2.0, 5.0)),
+    *((BODY, 30.0, Contact(0.06, friction, 0.01)) for friction in (2.0, 5.0)),
+    *(
+        (STICK, 0.1, Contact(ball, friction))
+        for ball in (0.04, 0.005)
+        for friction in (0.05, 0.3, 1.0, 5.0)
+    ),
+]
+
+
+@pytest.mark.parametrize(("body", "spin", "contact"), STIFF)
+def test_energy_is_accounted_for_where_friction_is_stiff(body, spin, contact):
+    top = FreeTop(body, Launch(spin=spin, tilt=0.05), 1.5, contact)
+    states = top.states(np.linspace(0, 1.5, 60))
+    energies = top.energies(states) + top.losses(states)
+    assert np.abs(energies / energies[0] - 1).max() < 1e-8
+
+
+def test_friction_that_is_too_stiff_is_refused():
+    hair = Body.turned(((0.0, 0.0), (1e-4, 1e-4), (1e-4, 1.0), (0.0, 1.0)), scale=1.0)
+    with pytest.raises(AnimationError, match="too stiff"):
+        FreeTop(hair, Launch(spin=0.1), 10.0, Contact(0.04, 1.0))
+
+
 def test_without_damping_of_any_kind_nothing_is_lost():
     top = FreeTop(BODY, SLIDING[3][0], 5.0, SLIDING[3][1])
     ground = top.ground._replace(damping=0.0)
@@ -131,14 +158,15 @@ def test_without_damping_of_any_kind_nothing_is_lost():
 
 
 def test_the_step_is_of_fourth_order():
-    top = FreeTop(BODY, *[AIRLESS, 0.5, Contact(0.05, 0.3)])
+    # Steps so short that none is done in parts.
+    top = FreeTop(BODY, *[AIRLESS, 0.5, Contact(0.05, 0.05)])
 
     def end(steps):
         arguments = top.start, 0.5 / steps, steps, steps, top.edges, top.ground
         return kept(follow_compiled, *arguments)[0][-1]
 
-    best = end(32_000)
-    errors = [np.linalg.norm(end(n) - best) for n in (1000, 2000)]
+    best = end(64_000)
+    errors = [np.linalg.norm(end(n) - best) for n in (4000, 8000)]
     assert 12 < errors[0] / errors[1] < 20
 
 
