@@ -19,7 +19,8 @@ from anim.errors import AnimationError
 from anim.model import APEX_HEIGHT, Model
 from anim.motion import Motion
 from anim.picture import Look, painter
-from anim.picture.captions import WORDS, caption, write
+from anim.picture.captions import WIDEST, WORDS, caption, captioned, strip
+from anim.picture.styles import STYLES
 from hfield.executors import InProcess, ordered
 
 if TYPE_CHECKING:
@@ -73,6 +74,7 @@ class Scene:
         whole("the steps of the blur", self.steps, 2, 64)
         if self.captions is not None:
             one_of("captions", self.captions, WORDS)
+            strip(self.look.size, self.captions, self.motion.name)  # refuses what is too small
 
     def task(self, number: int) -> Task:
         """Return what it takes to draw one frame; small, so that it travels to another process."""
@@ -88,9 +90,30 @@ class Scene:
             self.captions,
             self._told[number][1] * float(np.ptp(instants)) if self.blur else 0.0,
         )
-        said = caption(words, motion.name, *self._told[number]) if words else ()
+        said = (
+            (caption(words, motion.name, *self._told[number]), self._widest) if words else ((), ())
+        )
         trail = self._trail(number)
-        return Task(self.model, self.look, matrices, trail, motion.tips(instants), said, spin)
+        places = motion.tips(instants)
+        return Task(self.model, self._scene_look, matrices, trail, places, *said, self._strip, spin)
+
+    @cached_property
+    def _widest(self) -> tuple[str, ...]:
+        """The captions of a frame in which they take the most room."""
+        return caption(self.captions or "en", self.motion.name, *WIDEST)
+
+    @cached_property
+    def _strip(self) -> int:
+        """How high the strip for the captions is, in pixels."""
+        return strip(self.look.size, self.captions, self.motion.name) if self.captions else 0
+
+    @cached_property
+    def _scene_look(self) -> Look:
+        """The look of what is below the captions."""
+        if self.captions is None:
+            return self.look
+        width, height = self.look.size
+        return replace(self.look, size=(width, height - self._strip))
 
     @cached_property
     def _told(self) -> list[tuple[float, float]]:
@@ -127,7 +150,7 @@ class Scene:
         turned = np.asarray(to_matrix(self.motion.at(places * clip.interval)))
         path = APEX_HEIGHT * turned[:, :, 2] + self.motion.tips(places * clip.interval)
         # The top is about two units wide at least, and no wider than the picture.
-        pixel = 2 / (max(self.look.size) * self.look.camera.zoom)
+        pixel = 2 / (max(self._scene_look.size) * self.look.camera.zoom)
         kept = thinned(path, pixel * UNSEEN)
         return places[kept], path[kept]
 
@@ -136,7 +159,8 @@ class Scene:
 class Task:
     """One frame: attitudes (steps, 3, 3) and places (steps, 3) of the tip to draw and average.
 
-    ``trail`` is the apex's path so far, (k, 3); ``said`` the lines to be written over the picture.
+    ``trail`` is the apex's path so far, (k, 3); ``said`` the lines to be written above the picture,
+    in a strip of so many pixels; ``widest`` lines that take the most room.
     """
 
     model: Model
@@ -145,6 +169,8 @@ class Task:
     trail: NDArray[np.float64] | None
     places: NDArray[np.float64]
     said: tuple[str, ...] = ()
+    widest: tuple[str, ...] = ()
+    strip: int = 0
     spin: float = 0.0
     """How far the top turns about its own axis from the first to the last attitude, in radians."""
 
@@ -157,7 +183,8 @@ def draw(task: Task) -> Frame:
     else:
         picture = brush.expose(task.matrices, task.trail, task.places, task.spin)
     if task.said:
-        write(picture, task.said)
+        paper = STYLES[task.look.style].paper_of(task.look)
+        return captioned(picture, task.said, task.widest, task.strip, paper)
     return picture
 
 

@@ -85,8 +85,8 @@ class FreeTop(Stepped):
         if not self.steps * self.longest_step * self.friction_rate <= STIFF * MOST_STEPS:
             raise AnimationError(
                 f"friction of {self.contact.friction:g} is too stiff for a body this thin: "
-                f"{self.seconds:g} s would take more than {MOST_STEPS:.0e} steps; choose less friction, a thicker body or a "
-                "shorter film"
+                f"{self.seconds:g} s would take more than {MOST_STEPS:.0e} steps; choose less friction, "
+                "a thicker body or a shorter film"
             )
         arm = self.contact.rolling * self.pull * self.longest_step
         if ball > 100 * self.body.height or arm * self.body.mass > self.body.axial:

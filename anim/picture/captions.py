@@ -1,4 +1,4 @@
-"""Words in the corner of a frame: what moves the top, how far it leans, how fast it spins."""
+"""Words in a strip above a frame: what moves the top, how far it leans, how fast it spins."""
 
 from functools import lru_cache
 from pathlib import Path
@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.checks import one_of
+from anim.errors import AnimationError
+from anim.picture.look import RGB
 from hfield.plotting import import_matplotlib
 
 if TYPE_CHECKING:
@@ -26,6 +28,11 @@ FORMULAS = {
 WORDS = {"en": ("tilt", "spin", "."), "pl": ("pochylenie", "wirowanie", ",")}
 LETTERS, LEAST = 26, 9
 """The letters' height as a part of the picture's shorter side, and the least in pixels."""
+STEP = 1.45
+"""From one line to the next, in heights of letters."""
+WIDEST = (180.0, -888.8)
+"""A tilt and a spin that take as much room as any."""
+GAP = "     "
 
 
 def caption(language: str, motion: str, tilt: float, spin: float) -> tuple[str, ...]:
@@ -40,21 +47,62 @@ def caption(language: str, motion: str, tilt: float, spin: float) -> tuple[str, 
     return (FORMULAS[motion], *said) if motion in FORMULAS else said
 
 
-def write(picture: Pixels, lines: tuple[str, ...]) -> None:
-    """Write lines into the upper left corner of a picture (height, width, 3), in place."""
+def strip(size: tuple[int, int], language: str, motion: str) -> int:
+    """Return how high a strip for the captions is at the top of a picture of ``size`` (width, height).
+
+    Raises :class:`~anim.errors.AnimationError` where they take more than half of a picture.
+    """
+    letters = _letters(size)
+    rows = _rows(size, caption(language, motion, *WIDEST))
+    height = round((STEP * len(rows) + 0.5) * letters)
+    longest = max(_font(letters).getlength(row) for row in rows)
+    if 2 * height > size[1] or longest + 2 * letters > size[0]:
+        raise AnimationError(
+            f"captions are too large for a picture of {size[0]}x{size[1]}; try 160x120"
+        )
+    return height
+
+
+def captioned(
+    picture: Pixels, said: tuple[str, ...], widest: tuple[str, ...], height: int, paper: RGB
+) -> Pixels:
+    """Return a picture (height, width, 3) below a strip of ``paper`` with what is said.
+
+    The lines are laid out as those of ``widest`` are, so that they stay where they are from frame to frame.
+    """
     from PIL import Image, ImageDraw
 
-    height, width = picture.shape[:2]
-    letters = max(LEAST, min(height, width) // LETTERS)
-    font, edge, step = _font(letters), letters, round(1.45 * letters)
-    tall = min(height, 2 * edge + step * len(lines))
-    corner = picture[:tall, : round(min(width, 26 * letters))]
-    ink = (30, 32, 36) if corner.mean() > 128 else (222, 224, 228)
-    image = Image.fromarray(np.ascontiguousarray(corner))
+    width = picture.shape[1]
+    size = width, picture.shape[0] + height
+    letters, ink = _letters(size), (30, 32, 36) if sum(paper) > 3 * 128 else (222, 224, 228)
+    image = Image.new("RGB", (width, height), paper)
     brush = ImageDraw.Draw(image)
-    for n, line in enumerate(lines):
-        brush.text((edge, edge + n * step), line, fill=ink, font=font)
-    corner[:] = np.asarray(image)
+    for n, row in enumerate(_rows(size, widest, said)):
+        brush.text((letters, (0.35 + n * STEP) * letters), row, fill=ink, font=_font(letters))
+    return np.vstack([np.asarray(image), picture])
+
+
+def _letters(size: tuple[int, int]) -> int:
+    return max(LEAST, min(size) // LETTERS)
+
+
+def _rows(
+    size: tuple[int, int], widest: tuple[str, ...], said: tuple[str, ...] | None = None
+) -> list[str]:
+    """Return lines as rows, as few as fit: all in one, or each alone, a formula in parts at its comma."""
+    letters = _letters(size)
+    room, font = size[0] - 2 * letters, _font(letters)
+    shown = widest if said is None else said
+    if font.getlength(GAP.join(widest)) <= room:
+        return [GAP.join(shown)]
+    rows, (first, *rest) = [], widest
+    pairs = zip((first, GAP.join(rest)), (shown[0], GAP.join(shown[1:])), strict=True)
+    for wide, line in pairs:
+        if font.getlength(wide) <= room:
+            rows.append(line)
+        else:
+            rows += [part.strip() for part in line.replace(GAP, ",   ").split(",   ")]
+    return rows
 
 
 @lru_cache(maxsize=4)
