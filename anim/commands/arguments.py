@@ -162,14 +162,12 @@ def _picture(group: _ArgumentGroup) -> None:
     group.add_argument(
         "--crf",
         type=int,
-        default=18,
         metavar="N",
         help="quality of mp4 and webp, from 0 (best) to 51 (default: 18)",
     )
     group.add_argument(
         "--preset",
         choices=PRESETS,
-        default="medium",
         metavar="P",
         help="effort of the x264 encoder (default: medium)",
     )

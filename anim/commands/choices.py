@@ -23,6 +23,8 @@ PHYSICS_ONLY = (
     *("spin_rate", "tilt", "precession", "gravity", "mass", "density", "scale"),
     *("spin_decay", "tilt_decay"),
 )
+ENCODING = {"crf": (".mp4", ".webp"), "preset": (".mp4",)}
+"""Options of the encoding, and the suffixes of the formats that have them."""
 FREE_ONLY = ("tip_radius", "friction", "rolling")
 READING = {"spin": "absolute", "order": "spin-first", "angle": "quarter", "euler": "zyx"}
 
@@ -93,6 +95,17 @@ def simulated(args: Namespace, model: Model, motion: Motion) -> HeavyTop | FreeT
         return None
     launch, contact = STORY
     return FreeTop(Body.turned(model.profile), launch, motion.clip.seconds, contact)
+
+
+def encoding_of(args: Namespace, path: Path) -> dict[str, Any]:
+    """Return the options of the encoding. Raises :class:`UsageError` where the format does not have them."""
+    given = {name: getattr(args, name) for name in ENCODING if getattr(args, name) is not None}
+    for name in given:
+        if path.suffix.lower() not in ENCODING[name]:
+            raise UsageError(
+                f"--{name} belongs to {' and '.join(ENCODING[name])}, not to {path.name}"
+            )
+    return given
 
 
 def camera_of(args: Namespace) -> Camera:

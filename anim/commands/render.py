@@ -55,11 +55,12 @@ def run(args: Namespace) -> int:
         return _figures(args, path)
     if args.quaternions:
         return _seeing(args, path)
-    from anim.commands.choices import clip_of, model_of
+    from anim.commands.choices import clip_of, encoding_of, model_of
     from anim.output.writing import Kind, kind_of
 
     model, clip = model_of(args), clip_of(args)
     kind = kind_of(path)
+    encoding_of(args, path)  # refuses at once what the format has not
     if args.sheet or args.frame is not None or kind is Kind.PICTURE:
         return _picture(args, model, clip, path)
     if kind is Kind.PAGE:
@@ -69,11 +70,11 @@ def run(args: Namespace) -> int:
 
 def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     from anim.bands import apparent_spin
-    from anim.commands.choices import look_of, motions_of
+    from anim.commands.choices import encoding_of, look_of, motions_of
     from anim.output import Film, check
 
     look = look_of(args, FILM_SIZE)
-    film = Film(look.size, clip.frames, clip.fps, args.crf, args.preset)
+    film = Film(look.size, clip.frames, clip.fps, **encoding_of(args, path))
     check(path, film, args.force)
     (motion,) = motions_of(args, model, clip)
     scene = _scene(args, model, motion, look)

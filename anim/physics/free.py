@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import cos, hypot, inf, sin, sqrt
+from math import cos, degrees, hypot, inf, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -80,19 +80,19 @@ class FreeTop(Stepped):
         tilt, ball = self.launch.tilt, self.contact.radius
         lowest = min(z * cos(tilt) - r * sin(tilt) for r, z in self.body.outline[1:])
         if lowest - ball * (cos(tilt) - 1) < 0 or tilt > np.pi / 2:
-            raise AnimationError(f"tilt is {tilt:.4g} rad; the rim is in the ground there")
+            raise AnimationError(f"tilt is {degrees(tilt):.4g}°; the rim is in the ground there")
         self.refuse_long()
-        if not self.steps * self.longest_step * self.friction_rate <= STIFF * MOST_STEPS:
-            raise AnimationError(
-                f"friction of {self.contact.friction:g} is too stiff for a body this thin: "
-                f"{self.seconds:g} s would take more than {MOST_STEPS:.0e} steps; choose less friction, "
-                "a thicker body or a shorter film"
-            )
         arm = self.contact.rolling * self.pull * self.longest_step
         if ball > 100 * self.body.height or arm * self.body.mass > self.body.axial:
             raise AnimationError(
                 f"a tip of {ball:g} m with a rolling arm of {self.contact.rolling:g} m is out of all "
                 f"proportion to a top whose centre is at {self.body.height:.3g} m"
+            )
+        if not self.steps * self.longest_step * self.friction_rate <= STIFF * MOST_STEPS:
+            raise AnimationError(
+                f"friction of {self.contact.friction:g} is too stiff for a body this thin: "
+                f"{self.seconds:g} s would take more than {MOST_STEPS:.0e} steps; choose less friction, "
+                "a thicker body or a shorter film"
             )
 
     @property

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import cos, inf, sin, sqrt
+from math import cos, degrees, inf, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -41,8 +41,8 @@ class HeavyTop(Stepped):
     def __post_init__(self) -> None:
         if self.launch.tilt > self.body.reach:
             raise AnimationError(
-                f"tilt is {self.launch.tilt:.4g} rad; the rim is on the ground "
-                f"at {self.body.reach:.4g} rad"
+                f"tilt is {degrees(self.launch.tilt):.4g}°; the rim is on the ground "
+                f"at {degrees(self.body.reach):.4g}°"
             )
         self.refuse_long()
 

@@ -92,9 +92,9 @@ def _path(lines: Sequence[Floats]) -> Any:
     """Return one path of Agg's through all the lines, a new start for each."""
     from matplotlib.path import Path
 
-    if len(lines) == 1:
-        return Path(lines[0])
     points = np.concatenate(lines)
     codes = np.full(len(points), Path.LINETO, dtype=Path.code_type)
     codes[np.cumsum([0, *map(len, lines[:-1])])] = Path.MOVETO
-    return Path(points, codes)
+    path = Path(points, codes)
+    path.should_simplify = False  # whatever a user's settings say
+    return path

@@ -22,6 +22,7 @@ from hfield.commands.output import OutputError, gone_on, try_picture
 from hfield.commands.parser import UsageError, add_factors, add_format, add_output, given_factors
 from hfield.commands.status import Waiting
 from hfield.errors import shorten
+from hfield.plotting import default_settings
 
 if TYPE_CHECKING:
     from hfield.lattices.lattice import ClassSet
@@ -171,16 +172,16 @@ def polynomial(coefficients: list[int]) -> str:
     return text or "0"
 
 
+@default_settings()
 def _plot(matrix: list[list[int]], path: str, replace: bool) -> None:
     """Draw the vertices on a circle, edges as wide as they are many, loops as rings."""
-    import matplotlib as mpl
-
-    mpl.use("Agg")
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     h = len(matrix)
     points = [(cos(2 * pi * k / h), sin(2 * pi * k / h)) for k in range(h)]
     figure = Figure(figsize=(6, 6))
+    FigureCanvasAgg(figure)
     axes: Any = figure.add_axes((0, 0, 1, 1))
     for i, (x, y) in enumerate(points):
         for j in range(i + 1, h):

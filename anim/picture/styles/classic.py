@@ -18,7 +18,7 @@ from anim.picture.mesh import Mesh
 from anim.picture.projection import View, fitting, reached
 from anim.picture.style import Style
 from anim.picture.styles.flat import FlatBody
-from hfield.plotting import import_matplotlib
+from hfield.plotting import default_settings
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
@@ -30,9 +30,9 @@ SMALLEST_LETTERED = 160
 """Pictures with a shorter side than this have no letters, which nobody could read."""
 
 
+@default_settings()
 def axes_and_view(model: Model, look: Look, paper: RGB) -> tuple[View, Pixels]:
     """Return the projection of matplotlib's axes and a picture (height, width, 3) of the empty axes."""
-    import_matplotlib()
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     from mpl_toolkits.mplot3d import Axes3D
