@@ -45,7 +45,10 @@ def declare(parser: ArgumentParser) -> None:
         help="draw the pictures of sections 3.3 and 3.4 into the folder FILE",
     )
     kind.add_argument(
-        "--frame", type=int, metavar="N", help="draw one frame as a .png, counted from 0 (default: 0)"
+        "--frame",
+        type=int,
+        metavar="N",
+        help="draw one frame as a .png, counted from 0 (default: 0)",
     )
     parser.add_argument(
         "--preview",
@@ -146,7 +149,7 @@ def _picture(group: _ArgumentGroup) -> None:
         nargs="?",
         const="en",
         choices=("en", "pl"),
-        help="write formula, tilt and spin into a corner, in English or Polish",
+        help="write formula, tilt and spin above the picture, in English or Polish",
     )
     group.add_argument("--dark", action="store_true", help="dark background with a pool of light")
     group.add_argument(
@@ -169,7 +172,7 @@ def _picture(group: _ArgumentGroup) -> None:
         "--preset",
         choices=PRESETS,
         metavar="P",
-        help="effort of the x264 encoder (default: medium)",
+        help="effort of the x264 encoder, for mp4 (default: medium)",
     )
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.model import Model
+from anim.model import APEX_HEIGHT, Model
 from anim.picture.light import places
 from anim.picture.look import RGB, Look
 from anim.picture.mesh import Mesh
@@ -55,7 +55,8 @@ def _set_up(axes: Any, look: Look, there: Floats) -> None:
     from matplotlib.ticker import MaxNLocator
 
     camera = look.camera
-    reach, tall = float(np.abs(there[:, :2]).max()), float(there[:, 2].max())
+    reach = float(np.abs(there[:, :2]).max())
+    tall = max(APEX_HEIGHT, float(there[:, 2].max()))
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), zlim=(0, tall), autoscale_on=False)
     axes.set_box_aspect((2 * reach, 2 * reach, tall))
     axes.view_init(elev=camera.elevation, azim=camera.azimuth)
@@ -68,7 +69,7 @@ def _set_up(axes: Any, look: Look, there: Floats) -> None:
     size = min(look.size) / LETTERS * 72 / DPI
     for name, axis in (("x", axes.xaxis), ("y", axes.yaxis), ("z", axes.zaxis)):
         axis.set_tick_params(labelsize=size, pad=size / 6)
-        axis.set_major_locator(MaxNLocator(5, steps=[1, 2, 5, 10]))  # more numbers would touch
+        axis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))  # more numbers would touch
         if min(look.size) < SMALLEST_LETTERED:
             axis.set_ticklabels([])
         else:
@@ -81,7 +82,7 @@ def _fit(axes: Any, look: Look, there: Floats) -> None:
     (west, east), (south, north), (ground, top) = axes.get_xlim(), axes.get_ylim(), axes.get_zlim()
     box = [(x, y, z) for x in (west, east) for y in (south, north) for z in (ground, top)]
     seen = view_of(axes).project(np.concatenate([there, np.array(box)]))
-    margin = 0.02 if min(look.size) < SMALLEST_LETTERED else 0.02 + 2.2 / LETTERS
+    margin = 0.02 if min(look.size) < SMALLEST_LETTERED else 0.02 + 3.2 / LETTERS
     scale, shift = fitting(seen, look.size, margin, look.camera.zoom)
     size = np.array(look.size)
     # The axes take the largest square inside their rectangle.
