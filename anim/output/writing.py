@@ -24,18 +24,17 @@ class Kind(Enum):
     FOLDER = "folder of pictures"
 
 
-SUFFIXES = {f".{name}": Kind.FILM for name in FORMATS} | {
-    ".html": Kind.PAGE,
-    ".png": Kind.PICTURE,
-}
-"""What is made by the suffix of a name; one without suffix, or of a folder that exists, is a folder."""
+def suffixes() -> dict[str, Kind]:
+    """Return what each suffix of a name stands for; a name without one is a folder."""
+    films = {f".{name}": Kind.FILM for name in FORMATS}
+    return films | {".html": Kind.PAGE, ".png": Kind.PICTURE}
 
 
 def kind_of(path: Path) -> Kind:
     """Return what a name stands for. Raises :class:`AnimationError` for an unknown suffix."""
-    if path.name in SUFFIXES:
+    if path.name in suffixes():
         raise AnimationError(f"{path.name!r} is a suffix without a name; try top{path.name}")
-    kind = SUFFIXES.get(path.suffix.lower())
+    kind = suffixes().get(path.suffix.lower())
     if kind is not None:
         if os.path.isdir(path):
             raise AnimationError(f"{shorten(path)!r} is a folder; choose another name")
@@ -43,7 +42,7 @@ def kind_of(path: Path) -> Kind:
     if path.suffix and not os.path.isdir(path):
         raise AnimationError(
             f"{shorten(path.name)!r}: nothing can be written as {path.suffix.lower()!r}; expected "
-            f"{', '.join(SUFFIXES)}, or a name without suffix for a folder of pictures"
+            f"{', '.join(suffixes())}, or a name without suffix for a folder of pictures"
         )
     return Kind.FOLDER
 

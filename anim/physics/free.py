@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 STANDARD = 9.80665
-STEP, SINK, CREEP = 1e-3, 1 / 400, 0.025
+STEP, SINK, CREEP = 8e-4, 1 / 400, 0.025
 """A step over √(l/g), how deep the weight presses the tip in over l, the creep over √(gl)."""
 TURN = 0.02
 """The step times the spin, at most."""

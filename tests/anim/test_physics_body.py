@@ -106,7 +106,7 @@ def test_what_is_no_launch_is_refused(values):
 
 def test_absurd_launches_are_refused_before_any_work():
     body = Body.turned(Model().profile)
-    with pytest.raises(AnimationError, match=r"the rim is on the ground at 0\.7854 rad"):
+    with pytest.raises(AnimationError, match=r"the rim is on the ground at 45°"):
         HeavyTop(body, Launch(tilt=0.8), 10)
     with pytest.raises(AnimationError, match="steps"):
         HeavyTop(body, Launch(spin=1e9), 10)

@@ -12,7 +12,7 @@ import pytest
 from anim.errors import AnimationError
 from anim.film import clip
 from anim.model import Model
-from anim.output.writing import SUFFIXES
+from anim.output.writing import suffixes
 from anim.picture import Look
 from anim.picture.look import FILM_LOOK
 from anim.pipelines import kinematic
@@ -58,7 +58,7 @@ def test_save(tmp_path: Path) -> None:
         top.save(tmp_path / "top.gif")
 
 
-@pytest.mark.parametrize("suffix", [*SUFFIXES, "", ".jpg"])
+@pytest.mark.parametrize("suffix", [*suffixes(), "", ".jpg"])
 def test_python_and_the_command_make_the_same_of_a_name(tmp_path: Path, suffix: str) -> None:
     top = Top(kinematic("matrix", clip(frames=2)), SMALL)
     ours, theirs = tmp_path / f"ours{suffix}", tmp_path / f"theirs{suffix}"
