@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from hfield import Quaternion, QuaternionAlgebra, ring
 from hfield.errors import NotInvertibleError
 from tests.rings.axioms import CHECKS
+from tests.subcases import subcases
 from tests.thorough import cases
 
 RINGS = (
@@ -91,7 +92,7 @@ def _fails(invert: Callable[[], object]) -> bool:
 
 
 @pytest.mark.parametrize("name", RINGS)
-@pytest.mark.parametrize("check", CHECKS, ids=lambda f: f.__name__.removeprefix("check_"))
+@subcases("check", CHECKS)
 def test_rings(name: str, check: Callable[..., None]) -> None:
     check(ring(name))
 

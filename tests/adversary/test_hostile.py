@@ -61,10 +61,11 @@ def rejection(name: str) -> str:
     return ""
 
 
-@pytest.mark.parametrize("name", HOSTILE)
-def test_only_for_what_it_says(name: str) -> None:
-    said = rejection(name)
-    assert not said or is_meant(name, said), said
+@pytest.mark.parametrize("part", range(8))
+def test_only_for_what_it_says(part: int) -> None:
+    for name in list(HOSTILE)[part::8]:
+        said = rejection(name)
+        assert not said or is_meant(name, said), (name, said)
 
 
 def test_every_kind_of_evidence_is_there() -> None:

@@ -45,6 +45,7 @@ from rotation import (
     swing_twist,
     vee,
 )
+from tests.subcases import subcases
 
 RNG = np.random.default_rng(7)
 N = 5
@@ -177,11 +178,7 @@ WITHOUT = {
 
 
 def variants(calls: Any) -> list[Any]:
-    return [
-        pytest.param(function, arrays, n, id=f"{name}-{n}")
-        for name, function, arrays in calls
-        for n in range(len(arrays))
-    ]
+    return [(function, arrays, n) for _, function, arrays in calls for n in range(len(arrays))]
 
 
 def call(function: Callable[..., Any], arrays: tuple[Any, ...], n: int, array: Any) -> Any:
@@ -213,7 +210,7 @@ def test_every_method_with_an_array_argument_is_called_here(kind: type) -> None:
             assert f"{kind.__name__}.{name}" in called
 
 
-@pytest.mark.parametrize(("function", "arrays", "n"), variants(CALLS))
+@subcases(("function", "arrays", "n"), variants(CALLS))
 def test_masks_are_refused(function: Any, arrays: Any, n: int) -> None:
     mask = np.zeros(arrays[n].shape, bool)
     mask[1] = True
@@ -221,7 +218,7 @@ def test_masks_are_refused(function: Any, arrays: Any, n: int) -> None:
         call(function, arrays, n, np.ma.array(arrays[n], mask=mask))
 
 
-@pytest.mark.parametrize(("function", "arrays", "n"), variants(CALLS))
+@subcases(("function", "arrays", "n"), variants(CALLS))
 def test_bytes_and_strides_make_no_difference(function: Any, arrays: Any, n: int) -> None:
     expected = call(function, arrays, n, arrays[n])
     swapped = arrays[n].astype(arrays[n].dtype.newbyteorder())
@@ -231,8 +228,8 @@ def test_bytes_and_strides_make_no_difference(function: Any, arrays: Any, n: int
         np.testing.assert_array_equal(call(function, arrays, n, other), expected)
 
 
-@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-@pytest.mark.parametrize(("function", "arrays", "n"), variants(BY_ROWS))
+@subcases("bad", [np.nan, np.inf, -np.inf])
+@subcases(("function", "arrays", "n"), variants(BY_ROWS))
 def test_a_row_that_is_not_finite_gives_no_finite_row_or_an_error(
     function: Any, arrays: Any, n: int, bad: float
 ) -> None:
@@ -250,8 +247,8 @@ def test_a_row_that_is_not_finite_gives_no_finite_row_or_an_error(
         assert not np.isfinite(found[2]).all()
 
 
-@pytest.mark.parametrize("bad", [np.nan, np.inf])
-@pytest.mark.parametrize(("function", "arrays", "n"), variants(TOGETHER))
+@subcases("bad", [np.nan, np.inf])
+@subcases(("function", "arrays", "n"), variants(TOGETHER))
 def test_numbers_that_are_not_finite_give_no_warning(
     function: Any, arrays: Any, n: int, bad: float
 ) -> None:
