@@ -25,7 +25,7 @@ TYPED = [
     ("info '(-1,-1|QQ[x]/(x^2-1))'", "(x-1)*(x+1)"),
     ("count QQ", "such as GF(9) or ZZ/6"),
     ("brandt 100003 --plot g.xyz", "ends in .svg, .png, .pdf"),
-    ("brandt 100003 --plot /nonexistent/g.svg", "there is no folder /nonexistent"),
+    ("brandt 100003 --plot missing/g.svg", "there is no folder"),
     ("domain 6 -o x.bmp", ".pdf, .html"),
     ("domain 6 --center i", "such as 0.1+2j"),
     ("upgrade nofile.json", "cannot read 'nofile.json': No such file or directory"),
@@ -35,7 +35,8 @@ TYPED = [
 
 
 @pytest.mark.parametrize(("line", "said"), TYPED, ids=[line for line, _ in TYPED])
-def test_a_line_that_is_typed(capsys, line, said):
+def test_a_line_that_is_typed(capsys, tmp_path, monkeypatch, line, said):
+    monkeypatch.chdir(tmp_path)
     status, out, err = run(capsys, *shlex.split(line))
     assert (status, out) == (2, "")
     assert said in " ".join(err.split())

@@ -135,10 +135,11 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["survey", "2..1000", "--levels", "1..1000000"], "are more than 1000000 pairs"),
         (["survey", "2..x"], "2..100"),
         (["survey", "2..9", "-o", "rows.txt"], "ends in .jsonl or .parquet"),
-        (["survey", "2..9", "-o", "/nonexistent/folder/x.jsonl"], "cannot write"),
+        (["survey", "2..9", "-o", "missing/x.jsonl"], "cannot write"),
     ],
 )
-def test_bad_input(capsys, words, hint):
+def test_bad_input(capsys, tmp_path, monkeypatch, words, hint):
+    monkeypatch.chdir(tmp_path)
     status, out, err = run(capsys, *words)
     assert (status, out) == (2, ""), err
     assert hint in err
