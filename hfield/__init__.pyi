@@ -49,5 +49,6 @@ from .rings import check_ring as check_ring
 from .structure import four_squares as four_squares
 from .structure import hilbert_symbol as hilbert_symbol
 from .structure import places as places
+from .symbols import to_sympy as to_sympy
 
 __version__: str

@@ -95,7 +95,8 @@ def element_text(F: Ring, q: Sequence[Scalar], style: str = "plain", unit: str =
             terms.append(text)
         else:
             factor = _factor(text, style)
-            dot = "·" if style == "unicode" and factor[-1:].isalpha() else times
+            joined = factor[-1:].isalpha() or re.search(r"(?:cos|sin)\([^()]*\)$", factor)
+            dot = "·" if style == "unicode" and joined else times
             terms.append(f"{factor}{dot}{letter}")
     out = terms[0] if terms else "0"
     for term in terms[1:]:
@@ -111,7 +112,8 @@ def _is_atom(text: str) -> bool:
 
 def _factor(text: str, style: str) -> str:
     body = text[1:] if text.startswith(("-", "−")) else text
-    if _is_atom(body) and (style == "latex" or "/" not in body or body.replace("/", "").isdigit()):
+    divided = any(char == "/" for _, char in outside(body))
+    if _is_atom(body) and (style == "latex" or not divided or body.replace("/", "").isdigit()):
         return text
     return rf"\left({text}\right)" if style == "latex" else f"({text})"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from code import InteractiveConsole
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import hfield
@@ -26,13 +26,22 @@ def export_session(answers: Iterable[Answer]) -> str:
     return export_session(answers).text
 
 
-def namespace(A: QuaternionAlgebra) -> dict[str, object]:
-    """Return the names of a session: the public ones, ``A``, ``F``, its generators, ``e i j k``."""
+def with_symbols(A: QuaternionAlgebra, symbols: Sequence[str]) -> QuaternionAlgebra:
+    """Return the algebra over the rational functions in these variables; itself if there are none."""
+    return A.change_ring(f"{A.ring.name}({','.join(symbols)})") if symbols else A
+
+
+def namespace(A: QuaternionAlgebra, symbols: Sequence[str] = ()) -> dict[str, object]:
+    """Return the names of a session: the public ones, ``A``, ``F``, its generators, symbols, ``e i j k``."""
     from fractions import Fraction
 
     names = {name: getattr(hfield, name) for name in dir(hfield)}
     names |= {"Fraction": Fraction, "export_session": export_session}
     names |= {name: x for name, x in A.ring.names().items() if name not in names}
+    if symbols:
+        import sympy
+
+        names |= {name: sympy.Symbol(name) for name in symbols}
     return {**names, "A": A, "F": A.ring, **dict(zip(BASIS, A.basis, strict=True))}
 
 
@@ -53,9 +62,9 @@ F(1)/2 or Fraction(1, 2) is a half; Python's own 1/2 is a float and does not mix
 """
 
 
-def start(A: QuaternionAlgebra) -> int:
+def start(A: QuaternionAlgebra, symbols: Sequence[str] = ()) -> int:
     """Run a session and return its exit status; text piped in is run without prompts."""
-    names = namespace(A)
+    names = namespace(A, symbols)
     if not sys.stdin.isatty():
         return _run_piped(names)
     app = _ipython()

@@ -36,9 +36,8 @@ def exact_matrix(q: Any) -> tuple[tuple[Any, ...], ...]:
     (-2/3, 2/15, 11/15)
     """
     _expect_hamilton(q)
-    algebra, back = q.algebra, q.inverse()
-    columns = [(q * unit * back).coordinates[1:] for unit in algebra.basis[1:]]
-    return tuple(zip(*columns, strict=True))
+    matrix: tuple[tuple[Any, ...], ...] = q.rotation_matrix()
+    return matrix
 
 
 def exact_group(group: str) -> tuple[Any, ...]:
@@ -88,7 +87,8 @@ def from_exact(quaternions: Any) -> Rotation:
     Parameters
     ----------
     quaternions : Quaternion, or a list of them
-        Of Hamilton's algebra over ℚ, a real quadratic field (its generator the positive root) or RR.
+        Of Hamilton's algebra over ℚ, a real number field (its generator the root that its name suggests) or
+        RR. Over functions give values to the variables first: ``q.subs(t="pi/3")``.
 
     Raises
     ------
@@ -103,12 +103,30 @@ def from_exact(quaternions: Any) -> Rotation:
     >>> from_exact(exact_group("I")).shape
     (60,)
     """
+    return Rotation(exact_coordinates(quaternions))
+
+
+def exact_coordinates(quaternions: Any) -> np.ndarray:
+    """Return the coordinates of a quaternion, or of a list of them, each rounded once: (4,) or (n, 4).
+
+    Raises
+    ------
+    RotationError
+        They are none of Hamilton's algebra over real numbers.
+
+    Examples
+    --------
+    >>> from hfield import H
+    >>> exact_coordinates(H("QQ")(1, "1/2", 0, 0))
+    array([1. , 0.5, 0. , 0. ])
+    """
     single = not isinstance(quaternions, list | tuple)
     rows = []
     for q in [quaternions] if single else quaternions:
         _expect_hamilton(q)
         rows.append([_rounded(x) for x in q.coordinates])
-    return Rotation(np.reshape(rows, (-1, 4))[0] if single else np.reshape(rows, (-1, 4)))
+    found = np.reshape(rows, (-1, 4))
+    return found[0] if single else found
 
 
 def _expect_hamilton(q: Any) -> None:
@@ -121,9 +139,15 @@ def _expect_hamilton(q: Any) -> None:
 
 def _rounded(x: Any) -> float:
     try:
-        ball = ring("RR")(x).ball(_BITS)
+        field = getattr(x, "field", None)
+        value = getattr(field, "value_near", None)
+        ball = ring("RR")(x).ball(_BITS) if value is None else value(x, _BITS)
     except (HFieldError, AttributeError) as error:
+        variables = getattr(field, "variable_names", ())
         raise RotationError(
-            f"{x} is no number of ℚ, of a real quadratic field or a sum of square roots: it is not rounded"
+            f"{x} is no real algebraic number, so it is not rounded"
+            + (f"; give values to {', '.join(variables)} first, by subs" if variables else "")
         ) from error
+    if not ball.imag.contains(0):
+        raise RotationError(f"{x} is not a real number: it is not rounded")
     return float(ball.real.mid())

@@ -1,6 +1,7 @@
 """`Rotation`: one rotation of space or a whole array of them, immutable, on any array library."""
 
 from collections.abc import Sequence
+from importlib import import_module
 from typing import Any, Self
 
 import numpy as np
@@ -60,6 +61,20 @@ class Rotation(Conversions):
         q = np.zeros((*sampling.as_shape(shape), 4), dtype and precision(dtype))
         q[..., 0] = 1.0
         return cls._of(q)
+
+    @classmethod
+    def from_exact(cls, quaternions: Any) -> Self:
+        """Return the rotations of exact quaternions of hfield, as :func:`rotation.from_exact` does.
+
+        Examples
+        --------
+        >>> from hfield import H
+        >>> q = H("QQ(cos(t/2),sin(t/2))").euler("Z", ["t"])
+        >>> Rotation.from_exact(q.subs(t="pi/3")).as_rotvec(degrees=True).round(9)
+        array([ 0.,  0., 60.])
+        """
+        quat = import_module("rotation.exact").exact_coordinates(quaternions)
+        return cls.from_quat(quat)
 
     @classmethod
     def random(

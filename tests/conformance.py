@@ -35,6 +35,10 @@ RINGS = (
     "GF(2)((t))", "GF(9)((t))", "GF(3)(t)_(t^2+1)", "GF(4)(t)_inf",
     "QQ(x,y)", "GF(5)(s,t)", "GF(4)(s,t)", "GF(2)(x,y,z)", "GF(100000000000000000039)(x,y)",
     "GF(3)(t)[u]/(u^2+2*t^3+t)", "QQ(x)[u]/(u^3-x)", "QQ(x,y)[z]/(z^2-x-y)", "GF(9)(t)[u]/(u^2-t)",
+    "QQ(sqrt(2))(x)", "QQ(zeta5)(x,y)", "QQ[s]/(s^3-2)(x)", "QQ(sqrt(2),I)[x,y]", "QQ(I)[x]",
+    "QQ(cos(t),sin(t))", "QQ(x,cos(t/2),sin(t/2))", "QQ(cos(t),sin(t),cos(u),sin(u))",
+    "GF(7)(cos(t),sin(t))", "QQ(I)(cos(t),sin(t))",
+    "QQ[x]/(x^2)", "ZZ[I]", "ZZ[x]/(x^2-5)", "QQ[x]/(x^3-x)", "GF(5)[x]/(x^2)",
     "ZZ[a,b,c]", "QQ[x,y]", "GF(5)[x,y]", "QQ[x]", "GF(2)[x,y]", "GF(100000000000000000039)[x,y]",
     "ZZ[a_1,b2,alpha,w,z]",
 )  # fmt: skip

@@ -17,6 +17,7 @@ FLOORS = [
         "hfield.certificates",
         "hfield.hints",
         "hfield.handed_on",
+        "hfield.sympy_printing",
         "hfield.locking",
     },
     {"hfield.syntax", "hfield.evidence"},
@@ -35,7 +36,7 @@ FLOORS = [
     {"hfield.structure"},
     {"hfield.fields"},
     {"hfield.notation", "hfield.algebra.embedding", "hfield.latex"},
-    {"hfield.presenting"},
+    {"hfield.presenting", "hfield.symbols"},
     {"hfield.algebra.quaternion"},  # lattices stand on the element, and the algebra makes lattices
     {
         "hfield.functions",

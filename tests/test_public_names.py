@@ -19,7 +19,7 @@ NAMES = {
         NumberField Order QQ Quaternion QuaternionAlgebra RDF RR Rejected Ring RingError SelectionError
         TooLargeError UndecidedError UnfactoredError UnknownClaimError ZZ Zmod check check_ring conj
         conjugator errors explain four_squares hilbert_symbol info inv norm places prove ring
-        ternary_form trace verify
+        ternary_form to_sympy trace verify
     """,
     "rotation": """
         BSpline DTypeError ForeignArrayError R2 R_x R_y R_z RigidTransform Rotation RotationError

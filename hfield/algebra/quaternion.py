@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol
 
@@ -23,9 +23,12 @@ from hfield.rings.base import Ring
 from hfield.rings.coefficients import Coefficients
 from hfield.rings.holding import Batch, Holding
 from hfield.structure.single_elements import analysis
+from hfield.symbols import element_to_sympy, values_given, variable_name
+from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
     import numpy as np
+    import sympy
 
     from hfield.rings.arrays import Index
     from hfield.structure.single_elements.square_roots import SquareRoots as Found
@@ -59,13 +62,18 @@ class Parent(Protocol):
     def scalar(self, x: object) -> Quaternion: ...  # noqa: D102
     def from_array(self, values: object) -> Quaternion: ...  # noqa: D102
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
+    def _common(self, other: Parent) -> Parent | None: ...
+    def _include(self, q: Quaternion) -> Quaternion: ...
+    def _substituted(
+        self, values: Mapping[str, object]
+    ) -> tuple[Parent, Callable[[Scalar], Any]]: ...
     def count(self, kind: str = ..., *, norm: Any = ..., square: Any = ...) -> int: ...  # noqa: D102
     def latex(self) -> str: ...  # noqa: D102
     def polynomials(self, name: str = ...) -> Any: ...  # noqa: D102
     def to_matrix(self, q: Quaternion) -> Any: ...  # noqa: D102
 
 
-class Quaternion(Hinted):
+class Quaternion(Hinted, PrintedBySympy):
     """An immutable element of a quaternion algebra: ``w·e + x·i + y·j + z·k``.
 
     Elements are made by calling their algebra. The four coordinates are elements of the base ring,
@@ -83,6 +91,7 @@ class Quaternion(Hinted):
     # No __setattr__ or __delattr__ of its own: they would make every new element slower.
     __slots__ = ("_algebra", "_held", "_how")
     elsewhere = ELEMENT
+    _op_priority = 20.0  # for x * q with an x of sympy, to which q is no quaternion of its own
 
     _algebra: Parent
     _how: Holding
@@ -150,21 +159,30 @@ class Quaternion(Hinted):
                 f"cannot {operation} a quaternion and a text; read it first: A({other!r})"
             )
         q = other if isinstance(other, Quaternion) else self.algebra.scalar(other)
-        if q.algebra is not self.algebra and q.algebra != self.algebra:
+        if (
+            q.algebra is not self.algebra
+            and q.algebra != self.algebra
+            and self.algebra._common(q.algebra) is None
+        ):
             raise MixedParentsError(
                 f"cannot {operation} an element of {self.algebra} and one of {q.algebra}: different "
                 f"algebras never mix; if one ring contains the other, use q.change_ring(L) first"
             )
         return q
 
-    def _join(self, other: object, operation: str) -> tuple[Holding, Any, Any]:
-        """Bring the other operand into this algebra, both to one kind (single or array), and hold both."""
-        q = self._operand(other, operation)
-        if self._how.is_batch == q._how.is_batch:
-            return self._how, self._held, q._held
-        batch = self._algebra.array_holding
-        p, q = (x._held if x.is_batch else batch.lift(x.coordinates) for x in (self, q))
-        return batch, p, q
+    def _join(self, other: object, operation: str) -> tuple[Parent, Holding, Any, Any]:
+        """Bring both operands into one algebra and to one kind (single or array), and hold both."""
+        p, q = self, self._operand(other, operation)
+        if p._algebra is not q._algebra and p._algebra != q._algebra:
+            common = p._algebra._common(q._algebra)
+            assert common is not None, "_operand has seen that there is one"
+            p, q = common._include(p), common._include(q)
+        A = p._algebra
+        if p._how.is_batch == q._how.is_batch:
+            return A, p._how, p._held, q._held
+        batch = A.array_holding
+        left, right = (x._held if x.is_batch else batch.lift(x.coordinates) for x in (p, q))
+        return A, batch, left, right
 
     # --- arithmetic ----------------------------------------------------------------------------
     # Two elements that are held alike, which is nearly always so, skip every question and every call.
@@ -180,8 +198,8 @@ class Quaternion(Hinted):
             return result
         if hasattr(other, "added_to_elements"):  # a polynomial: it adds
             return NotImplemented
-        how, p, q = self._join(other, "add")
-        return held_by(self._algebra, how, how.sum(p, q))
+        A, how, p, q = self._join(other, "add")
+        return held_by(A, how, how.sum(p, q))
 
     __radd__ = __add__
 
@@ -191,12 +209,12 @@ class Quaternion(Hinted):
             return held_by(self._algebra, how, how.difference(self._held, other._held))
         if hasattr(other, "added_to_elements"):
             return NotImplemented
-        how, p, q = self._join(other, "subtract")
-        return held_by(self._algebra, how, how.difference(p, q))
+        A, how, p, q = self._join(other, "subtract")
+        return held_by(A, how, how.difference(p, q))
 
     def __rsub__(self, other: object) -> Quaternion:
-        how, p, q = self._join(other, "subtract")
-        return held_by(self._algebra, how, how.difference(q, p))
+        A, how, p, q = self._join(other, "subtract")
+        return held_by(A, how, how.difference(q, p))
 
     def __neg__(self) -> Quaternion:
         how = self._how
@@ -218,15 +236,15 @@ class Quaternion(Hinted):
             return NotImplemented
         if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
             return held_by(self._algebra, how, how.scaled(self._held, self._algebra.ring(other)))
-        how, p, q = self._join(other, "multiply")
-        return held_by(self._algebra, how, how.product(p, q))
+        A, how, p, q = self._join(other, "multiply")
+        return held_by(A, how, how.product(p, q))
 
     def __rmul__(self, other: object) -> Quaternion:
         how = self._how
         if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
             return held_by(self._algebra, how, how.scaled(self._held, self._algebra.ring(other)))
-        how, p, q = self._join(other, "multiply")
-        return held_by(self._algebra, how, how.product(q, p))
+        A, how, p, q = self._join(other, "multiply")
+        return held_by(A, how, how.product(q, p))
 
     def __truediv__(self, other: object) -> Quaternion:
         """Return ``self · other⁻¹``."""
@@ -277,9 +295,9 @@ class Quaternion(Hinted):
                 other = self.algebra.scalar(other)
             except (CoercionError, NotInvertibleError):
                 return NotImplemented
-        if other.algebra != self.algebra:
+        if other.algebra != self.algebra and self.algebra._common(other.algebra) is None:
             return False
-        how, p, q = self._join(other, "compare")
+        _, how, p, q = self._join(other, "compare")
         return how.equal(p, q)
 
     def __hash__(self) -> int:
@@ -412,6 +430,95 @@ class Quaternion(Hinted):
             raise CoercionError(f"side={side!r}: expected 'left' or 'right'")
         images = (self * b if side == "left" else b * self for b in self.algebra.basis)
         return tuple(zip(*(image.coordinates for image in images), strict=True))
+
+    def rotation_matrix(self) -> tuple[tuple[Any, ...], ...]:
+        """Return the 3 × 3 matrix of ``v ↦ q·v·q⁻¹`` on i, j, k, for i² = a and j² = b: columns are images.
+
+        It is exact. M satisfies MᵀGM = G for the diagonal matrix G of −a, −b, ab, and det M = 1. Raises
+        :class:`NotInvertibleError` unless q is a unit, :class:`CoercionError` for i² = a + t·i with t ≠ 0,
+        where the elements without scalar part are not mapped to such.
+
+        >>> from hfield import H
+        >>> H("QQ(t)")("1 + t*k").rotation_matrix()[0]
+        ((-t^2+1)/(t^2+1), (-2*t)/(t^2+1), 0)
+        """
+        if not self.ring.is_zero(self.algebra.constants.t):
+            raise CoercionError(
+                f"in {self.algebra} i has the trace t ≠ 0, and i, j, k span no space that q·v·q⁻¹ keeps"
+            )
+        inverse = self.inverse()
+        columns = [(self * b * inverse).coordinates[1:] for b in self.algebra.basis[1:]]
+        return tuple(zip(*columns, strict=True))
+
+    # --- variables -----------------------------------------------------------------------------
+
+    def subs(self, values: Mapping[Any, object] | None = None, /, **named: object) -> Quaternion:
+        """Return q with values put in for variables, all at once, in the structure constants too.
+
+        Variables are symbols of sympy or names; values whatever the ring reads. If every variable has a value
+        the result lies over the ring of constants, or over RR or CC where a value is algebraic; else over the
+        same ring. Raises :class:`CoercionError` for other names and values, and :class:`NotInvertibleError`,
+        a ZeroDivisionError, at a pole.
+
+        >>> from hfield import H
+        >>> q = H("QQ(a,b)")("a + i/b")
+        >>> q.subs(a=1, b="1/2"), q.subs(a="b", b="a"), q.subs(a=1, b=2).algebra
+        (1 + 2i, b + 1/a·i, (-1,-1|QQ))
+        """
+        algebra, value = self.algebra._substituted(values_given(values, named))
+        return self._mapped(algebra, value)
+
+    def diff(self, variable: object) -> Quaternion:
+        """Return the derivative of the coordinates by a variable, a symbol of sympy or a name.
+
+        Raises :class:`CoercionError` for what is no variable of the ring, and where a structure constant
+        depends on it: then this is no derivation.
+
+        >>> from hfield import H
+        >>> H("QQ(t)")("t^2 + i/t").diff("t")
+        2·t + (-1/t^2)i
+        """
+        name, ring = variable_name(variable), self.ring
+        if any(not ring.is_zero(ring.derivative(c, name)) for c in self.algebra.constants):
+            raise CoercionError(
+                f"the structure constants of {self.algebra} depend on {name}, so the derivatives of "
+                "coordinates are no derivation"
+            )
+        return self._mapped(self.algebra, lambda x: ring.derivative(x, name))
+
+    @property
+    def free_symbols(self) -> set[sympy.Symbol]:
+        """The variables that occur in the coordinates, as symbols of sympy.
+
+        >>> from hfield import H
+        >>> H("QQ(x,y)")("x + 2*i").free_symbols
+        {x}
+        """
+        import sympy
+
+        ring, coordinates = self.ring, self.coordinates
+        scalars = (x for c in coordinates for x in c.ravel()) if self.is_batch else coordinates
+        names = {name for x in scalars for name in ring.variables_in(ring.scalar(x))}
+        return set(map(sympy.Symbol, names))
+
+    def _mapped(self, algebra: Parent, change: Callable[[Scalar], Any]) -> Quaternion:
+        """Return the element of an algebra whose coordinates are those of this one, changed."""
+        if not self.is_batch:
+            return algebra(*map(change, self.coordinates))
+        scalar = self.ring.scalar
+        rows = ([change(scalar(x)) for x in c.ravel()] for c in self.coordinates)
+        return algebra(*rows).reshape(self.shape)
+
+    def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> Any:
+        """Return q as :func:`hfield.to_sympy` does, with symbols by name; an array as nested tuples."""
+        import sympy
+
+        if self.shape:
+            return sympy.Tuple(*(q._in_sympy(symbols) for q in self))
+        return element_to_sympy(self.ring, self.algebra.constants, self.coordinates, symbols)
+
+    def _sympy_(self) -> Any:
+        return self._in_sympy({})
 
     def change_ring(self, ring: Ring | str) -> Quaternion:
         """Return q in the algebra with the same constants over ``ring``, which must contain them."""
@@ -734,6 +841,12 @@ class Quaternion(Hinted):
         if self.is_batch or not self.vector_part.is_zero():
             raise TypeError(f"{shorten(self)} is not a scalar: float(q) is for multiples of 1")
         return float(self.scalar_part)
+
+    def _latex(self, printer: Any) -> str:
+        if not self.shape:
+            return self.text("latex")
+        entries = r", \ ".join(q._latex(printer) for q in self)
+        return rf"\left[ {entries}\right]"
 
     def _repr_latex_(self) -> str | None:
         return None if self.is_batch else f"${self.text('latex')}$"  # an array has its repr

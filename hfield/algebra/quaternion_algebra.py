@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import notation, structure, syntax
 from hfield.algebra.embedding import embedding
-from hfield.algebra.quaternion import Quaternion, held_by, is_many
+from hfield.algebra.quaternion import Parent, Quaternion, held_by, is_many
 from hfield.errors import (
     CoercionError,
     HFieldError,
@@ -20,15 +20,27 @@ from hfield.errors import (
     shorten,
 )
 from hfield.factorisation import Factors, factorise, known_primes
+from hfield.fields.adjoining import adjoin_variables
+from hfield.fields.names import RingName
 from hfield.fields.names import ring as read_ring
 from hfield.hints import ALGEBRA, Hinted
 from hfield.notation import BASIS
-from hfield.product import Constants
+from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring, WithIntegers
+from hfield.rings.expressions import check_symbols, is_of_sympy
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.integers import QQ
 from hfield.structure.global_field import field_named_by, global_field, known_field, no_flag
 from hfield.structure.single_elements import analysis
+from hfield.symbols import (
+    as_list,
+    coordinates_in,
+    is_hamilton,
+    is_quaternion,
+    substitution,
+    values_given,
+)
+from hfield.sympy_printing import PrintedBySympy
 from hfield.syntax.other_systems import written
 
 if TYPE_CHECKING:
@@ -61,7 +73,7 @@ class Opposite(NamedTuple):
     isomorphism: Isomorphism
 
 
-class QuaternionAlgebra(Hinted):
+class QuaternionAlgebra(Hinted, PrintedBySympy):
     """The quaternion algebra ``(a,b|R)``, with t = 1 the Artin–Schreier algebra ``[a,b|R)``.
 
     ``ring`` is a base ring or its text; ``a, b, t`` are whatever the ring can read. Without a ring a and b
@@ -82,12 +94,16 @@ class QuaternionAlgebra(Hinted):
     elsewhere = ALGEBRA
 
     def __init__(
-        self, ring: Ring | str | object, a: object = None, b: object = None, t: object = 0
+        self, ring: RingName | object, a: object = None, b: object = None, t: object = 0
     ) -> None:
         if b is None:
             ring, a, b, t = _constants(ring, a, t)
-        self.ring = F = ring if isinstance(ring, Ring) else read_ring(ring)  # type: ignore[arg-type]
+        self.ring = F = ring if isinstance(ring, Ring) else read_ring(ring)
         self.constants = Constants(F(a), F(t), F(b))
+        self._base: QuaternionAlgebra | None = None  # of an algebra with unknowns, the one without
+        self._names: tuple[str, ...] = ()
+        self._unknowns: dict[str, Quaternion] = {}
+        self._with_unknowns: dict[tuple[str, ...], QuaternionAlgebra] = {}
 
     @classmethod
     def from_text(cls, text: str) -> QuaternionAlgebra:
@@ -97,7 +113,7 @@ class QuaternionAlgebra(Hinted):
 
     @classmethod
     def from_ramification(
-        cls, ring: Ring | str, primes: Iterable[object], infinite: bool | None = None
+        cls, ring: RingName, primes: Iterable[object], infinite: bool | None = None
     ) -> QuaternionAlgebra:
         """Return an algebra over ℚ or a number field that ramifies exactly at these places.
 
@@ -149,6 +165,8 @@ class QuaternionAlgebra(Hinted):
             (x,) = coordinates
             if isinstance(x, Quaternion):
                 if x.algebra != self:
+                    if self._common(x.algebra) == self:
+                        return self._include(x)
                     raise MixedParentsError(
                         f"{shorten(x)} is an element of {x.algebra}, not of {self}; "
                         "if the rings allow it, use q.change_ring(L)"
@@ -158,13 +176,26 @@ class QuaternionAlgebra(Hinted):
                 return self.parse(x)
             if isinstance(x, (tuple, list)) and len(x) == 4:
                 return self._element(tuple(x))
+            if (found := coordinates_in(x)) is not None:
+                return self._of_sympy(x, found)
             return self.scalar(x)
         raise CoercionError(
             f"an element of {self} takes 4 coordinates (or one scalar or text), "
             f"{len(coordinates)} were given"
         )
 
+    def _of_sympy(self, x: object, coordinates: tuple[object, ...]) -> Quaternion:
+        if is_quaternion(x) and not is_hamilton(*self._here()):
+            raise CoercionError(
+                f"a quaternion of sympy has i² = j² = −1, and {self} other products: give four coordinates, "
+                f"A(q.a, q.b, q.c, q.d), if these are meant"
+            )
+        return self._element(coordinates)
+
     def _element(self, values: tuple[object, ...]) -> Quaternion:
+        if any(map(is_of_sympy, values)):
+            values = tuple(map(as_list, values))
+        check_symbols(values)
         how: Holding = self.array_holding if any(map(is_many, values)) else self.holding
         return held_by(self, how, how.read(values))
 
@@ -201,6 +232,8 @@ class QuaternionAlgebra(Hinted):
 
     def _lift(self, name: str, function: Any) -> Any:
         """Let a function of the ring, such as sqrt, act on scalar multiples of e."""
+        if isinstance(function, syntax.OfTrees):
+            return function.then(self.scalar)
 
         def lifted(*arguments: Quaternion) -> Quaternion:
             for q in arguments:
@@ -311,7 +344,7 @@ class QuaternionAlgebra(Hinted):
         """Return the products of the basis, row times column, in the order e, i, j, k (Table 1.1)."""
         return tuple(tuple(p * q for q in self.basis) for p in self.basis)
 
-    def change_ring(self, ring: Ring | str) -> QuaternionAlgebra:
+    def change_ring(self, ring: RingName) -> QuaternionAlgebra:
         """Return the algebra with the same constants over another ring, which must contain them.
 
         Raises :class:`CoercionError` where the base ring does not map into the other one.
@@ -322,6 +355,127 @@ class QuaternionAlgebra(Hinted):
         L = read_ring(ring)
         a, t, b = map(embedding(self.ring, L), self.constants)
         return QuaternionAlgebra(L, a, b, t)
+
+    def euler(self, sequence: str, angles: Iterable[object]) -> Quaternion:
+        """Return the product of the rotations about i, j, k by Euler angles, in Hamilton's algebra.
+
+        ``sequence`` has the letters XYZ (intrinsic: each about an axis already turned) or xyz (extrinsic),
+        and there are as many angles: symbols, texts such as ``"2*t + pi/2"``, multiples of π. The ring has
+        cosines and sines of their halves. The matrix is ``.rotation_matrix()``.
+
+        Raises :class:`CoercionError` for what is no such sequence, and where the ring has no such cosines.
+
+        >>> A = H("QQ(cos(t/2),sin(t/2))")
+        >>> A.euler("Z", ["t"]), A.euler("ZX", ["pi", "t"])
+        (cos(t/2) + sin(t/2)*k, cos(t/2)*k + sin(t/2)*j)
+        """
+        found = list(angles)
+        case = sequence in (sequence.upper(), sequence.lower())
+        if (
+            not sequence
+            or not case
+            or {*sequence.lower()} - {*"xyz"}
+            or len(found) != len(sequence)
+        ):
+            raise CoercionError(
+                f"expected letters such as 'ZYX' or 'zyx' and one angle for each, not {shorten(sequence)!r} "
+                f"and {len(found)} angles"
+            )
+        if not is_hamilton(*self._here()):
+            raise CoercionError(
+                f"Euler angles are of rotations, in Hamilton's algebra; this is {self}"
+            )
+        turns = []
+        for letter, angle in zip(sequence.lower(), found, strict=True):
+            cosine, sine = self.ring.cosine_and_sine_of(angle, 2)
+            turns.append(self.scalar(cosine) + self.basis[1 + "xyz".index(letter)] * sine)
+        return self.product(turns if sequence.isupper() else turns[::-1])
+
+    # --- variables -----------------------------------------------------------------------------
+
+    def _substituted(
+        self, values: Mapping[str, object]
+    ) -> tuple[QuaternionAlgebra, Callable[[Scalar], Any]]:
+        """Return the algebra whose constants have values put in for variables, and the map of scalars."""
+        ring, value = substitution(self.ring, values)
+        a, t, b = map(value, self.constants)
+        return QuaternionAlgebra(ring, a, b, t), value
+
+    def subs(
+        self, values: Mapping[Any, object] | None = None, /, **named: object
+    ) -> QuaternionAlgebra:
+        """Return the algebra with values put in for variables of its constants, as :meth:`Quaternion.subs`.
+
+        >>> QuaternionAlgebra("QQ(a,b)", "a", "b").subs(a=-1, b=-3)
+        (-1,-3|QQ)
+        """
+        return self._substituted(values_given(values, named))[0]
+
+    def unknowns(self, names: str) -> Quaternion | tuple[Quaternion, ...]:
+        """Return quaternions with unknown coordinates p0 … p3: as many as names, and for one name itself.
+
+        They lie in the algebra over the polynomials, over this ring, in the coordinates of all names that
+        were given to this algebra so far. Elements of this algebra, and unknowns of earlier calls, enter it
+        by themselves. One name gives one element. Over fields of functions the coordinates are variables of
+        the field. Raises :class:`RingError` for what is no name, and over rings without such polynomials.
+
+        >>> A = H("QQ"); e, i, j, k = A.basis
+        >>> p, q = A.unknowns("p q")
+        >>> (p*q).norm() == p.norm()*q.norm(), i*p*i - j*q == i*(p*i) - j*q, p*q == q*p
+        (True, True, False)
+        """
+        asked = tuple(names.replace(",", " ").split()) if isinstance(names, str) else ()
+        if not asked or len({*asked}) < len(asked):
+            raise RingError(
+                f"{shorten(repr(names))}: expected different names of unknowns, as in unknowns('p q')"
+            )
+        base = self._base or self
+        fresh = [name for name in asked if name not in base._unknowns]
+        if fresh:
+            base._join_unknowns(fresh)
+        found = tuple(base._unknowns[name] for name in asked)
+        return found if len(found) > 1 else found[0]
+
+    def _join_unknowns(self, fresh: Iterable[str]) -> None:
+        joined = self._with_unknowns_named((*self._unknowns, *fresh))
+        known = joined.ring.names()
+        for name in fresh:
+            self._unknowns[name] = joined(*(known[f"{name}{n}"] for n in range(4)))
+
+    def _with_unknowns_named(self, names: tuple[str, ...]) -> QuaternionAlgebra:
+        """Return the algebra in which quaternions of these names have unknown coordinates."""
+        if names not in self._with_unknowns:
+            variables = tuple(f"{name}{n}" for name in names for n in range(4))
+            ring = adjoin_variables(self.ring, variables)
+            a, t, b = map(self._into(ring), self.constants)
+            found = QuaternionAlgebra(ring, a, b, t)
+            found._base, found._names = self, names
+            self._with_unknowns[names] = found
+        return self._with_unknowns[names]
+
+    def _into(self, ring: Ring) -> Callable[[Scalar], Any]:
+        """Return the map of scalars into a ring that has more variables."""
+        if not self.ring.variables:
+            return ring
+        return self.ring.evaluation(ring, ring.names(), embedding)
+
+    def _common(self, other: Parent) -> QuaternionAlgebra | None:
+        """Return the algebra of unknowns that contains both, where they are of one algebra, or None."""
+        if not isinstance(other, QuaternionAlgebra) or (self._base is None and other._base is None):
+            return None
+        base = self._base or self
+        if base != (other._base or other):
+            return None
+        names = tuple(dict.fromkeys((*self._names, *other._names)))
+        if names in (self._names, other._names):
+            return self if names == self._names else other
+        return base._with_unknowns_named(names)
+
+    def _include(self, q: Quaternion) -> Quaternion:
+        """Return an element of the algebra without these unknowns, or with fewer, as one of this."""
+        A = q.algebra
+        assert isinstance(A, QuaternionAlgebra), "there is a common algebra"
+        return q if self == A else self(*map(A._into(self.ring), q.coordinates))
 
     def explain_product(self) -> None:
         """Print the function that multiplies two elements: the one formula with these constants put in.
@@ -897,6 +1051,8 @@ class QuaternionAlgebra(Hinted):
         return f"${self.latex()}\\qquad {self.table_text('latex')}$"
 
     def __reduce__(self) -> tuple[object, ...]:
+        if self._base is not None:
+            return QuaternionAlgebra._with_unknowns_named, (self._base, self._names)
         a, t, b = map(self.ring.state, self.constants)
         return QuaternionAlgebra, (self.ring, a, b, t)
 
@@ -935,7 +1091,7 @@ def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, o
     )
 
 
-def H(ring: Ring | str) -> QuaternionAlgebra:
+def H(ring: RingName) -> QuaternionAlgebra:
     """Return Hamilton's algebra over ``ring``: ``i² = j² = −1``, Table 1.1 of the thesis.
 
     >>> H("GF(7)").zero_norm_element().norm()
@@ -944,7 +1100,7 @@ def H(ring: Ring | str) -> QuaternionAlgebra:
     return QuaternionAlgebra(ring, -1, -1)
 
 
-def ternary_form(coefficients: Iterable[object], ring: Ring | str = "QQ") -> TernaryForm:
+def ternary_form(coefficients: Iterable[object], ring: RingName = "QQ") -> TernaryForm:
     """Return the form ``a·x² + b·y² + c·z² + r·yz + s·xz + t·xy`` with the coefficients [a, b, c, r, s, t].
 
     They are integers, or those of a number field; ``order()`` of a form is its even Clifford algebra, and

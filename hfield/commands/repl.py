@@ -14,16 +14,23 @@ HELP = (
 EXAMPLES = (
     "hfield repl --field GF9",
     "echo 'print(i*j)' | hfield repl",
+    "echo 'print((a + b*i).norm())' | hfield repl --symbols 'a b'",
 )
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_algebra(parser, first=True)
+    parser.add_argument(
+        "--symbols",
+        metavar="NAMES",
+        help='symbols of sympy at hand, such as "a b t"; the field becomes that of the functions in them',
+    )
 
 
 def run(args: Namespace) -> int:
     """Run the session."""
-    from hfield.repl import start
+    from hfield.repl import start, with_symbols
 
-    return start(algebra_of(args))
+    names = args.symbols.replace(",", " ").split() if args.symbols else []
+    return start(with_symbols(algebra_of(args), names), names)

@@ -8,14 +8,16 @@ import re
 from difflib import get_close_matches
 from functools import lru_cache
 from importlib import import_module
+from typing import TypeAlias
 
 from hfield.certificates.glossary import GREEK
 from hfield.errors import NotationError, RingError, shorten
-from hfield.fields.number_fields.texts import NUMBER
+from hfield.fields.foreign_rings import name_of_foreign_ring
+from hfield.fields.number_fields.texts import NUMBER, ReducibleError
 from hfield.rings.base import Ring, shared
 from hfield.rings.printing import from_unicode
 from hfield.rings.variables import variables
-from hfield.syntax.brackets import is_balanced, outside
+from hfield.syntax.brackets import is_balanced, last_group, outside, split
 
 KNOWN = (
     "QQ", "ZZ", "RR", "CC", "RDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
@@ -44,23 +46,30 @@ _REAL = re.compile(r"QQ?\(zeta_?(\d+|\(\d+\))\)\+")
 _SPELLED = re.compile(r"QQ?\(((?:(?:sqrt|cbrt|root)\(|zeta[_(]?\d|I[,)]).*)\)")
 _SUM = re.compile(rf"QQ?\(([^,]*(?:{NUMBER})[^,]*)\)")
 
+RingName: TypeAlias = object  # a Ring, a text, a domain of sympy, a field class of galois
 Groups = list[tuple[str, str]]  # what stands in each pair of brackets, with the bracket that opens
 
 
-def ring(spec: Ring | str) -> Ring:
-    """Return the ring that a text names; a ring is returned as it is.
+def ring(spec: RingName) -> Ring:
+    """Return the ring that a text, a domain of sympy or a field of galois names; a ring as it is.
 
-    Raises :class:`RingError` for anything else.
+    Raises :class:`RingError` for anything else, and for domains of floats.
 
     >>> ring("GF(2^8)")
     GF(256)
+    >>> import sympy
+    >>> ring(sympy.QQ.frac_field(*sympy.symbols("a b"))), ring(sympy.QQ.algebraic_field(sympy.sqrt(2)))
+    (QQ(a,b), QQ(sqrt(2)))
     """
     if isinstance(spec, Ring):
         return spec
     if not isinstance(spec, str):
-        raise RingError(
-            f"{shorten(repr(spec))} is not the name of a ring; expected a text such as 'GF(9)'"
-        )
+        name = name_of_foreign_ring(spec)
+        if name is None:
+            raise RingError(
+                f"{shorten(repr(spec))} is not the name of a ring; expected a text such as 'GF(9)'"
+            )
+        return _ring("".join(name.split()))
     if apart := re.search(r"\d\s+\d|[(\[].*[^\W\d_]\s+[^\W\d_]", spec):
         raise RingError(f"{shorten(apart[0])!r} has a blank inside a number or a word")
     return _ring("".join(spec.split()))
@@ -102,6 +111,12 @@ def build(text: str) -> Ring:
         bare = bare and place[1:-1] not in base.names()
         return shared(base.completion, place[1:-1] if bare else place)
     if re.match(r"QQ?[(\[]", s):
+        above, opening, inner = last_group(s)
+        constants = _number_field(above) if above else None
+        if constants is not None:
+            return (
+                _polynomials(constants, inner) if opening == "[" else _extension(constants, inner)
+            )
         number_field = _number_field(s)
         if number_field is not None:
             return number_field
@@ -127,7 +142,12 @@ def _number_field(s: str) -> Ring | None:
     if m := _QUOTIENT.fullmatch(s):
         from hfield.fields.number_fields.ring import NumberField
 
-        return shared(NumberField, m[2], m[1])
+        try:
+            return shared(NumberField, m[2], m[1])
+        except ReducibleError:
+            if m[1] not in _variables_of(m[2]):
+                raise
+            return _quotient(build("QQ"), m[1], m[2])
     if _REAL.fullmatch(s) or any(
         (m := form.fullmatch(s)) and is_balanced(m[1]) and not _is_quadratic(m[1])
         for form in (_SPELLED, _SUM)
@@ -208,7 +228,7 @@ def _fractions(inner: str) -> Ring:
         raise RingError(
             f"Frac({shorten(inner)}): expected a ring of polynomials, as in Frac(QQ[pi])"
         )
-    from hfield.fields.function_fields.extensions import rational_functions
+    from hfield.fields.function_fields.rational_functions import rational_functions
 
     names = variables(shorten(inner), rest[0][1], base)
     return rational_functions(base.fractions or base, names)
@@ -217,9 +237,17 @@ def _fractions(inner: str) -> Ring:
 def _quotient(base: Ring, variable: str, polynomial: str) -> Ring:
     """Return ``base[u]/(f)``."""
     from hfield.fields.function_fields.extensions import build as build_extension
+    from hfield.fields.quotient_rings import build as build_quotient
 
     (name,) = variables(f"{base}[{shorten(variable)}]", variable, base, adjoined=False)
+    if base in (build("ZZ"), build("QQ")) or (base.is_field and base.order == base.characteristic):
+        return build_quotient(base, name, polynomial)
     return build_extension(base, name, polynomial)
+
+
+def _variables_of(text: str) -> set[str]:
+    """Return the names in a text."""
+    return set(re.findall(r"[^\W\d]\w*", text))
 
 
 def _p_adic(groups: Groups) -> Ring:
@@ -264,8 +292,12 @@ def _extension(base: Ring, inner: str) -> Ring:
         from hfield.fields.number_fields.quadratic.ring import build as build_quadratic
 
         return build_quadratic((m[1] or m[2]) if m else "-1")
-    from hfield.fields.function_fields.extensions import rational_functions
+    from hfield.fields.function_fields.rational_functions import rational_functions
 
+    if re.search(r"(?:^|,)(?:cos|sin)\(", inner):
+        from hfield.fields.circles.ring import read_circles
+
+        return read_circles(base, split(inner, ","))
     if inner.startswith("(") and inner.endswith(")"):  # Laurent series
         names = variables(f"{base}({shorten(inner)})", inner[1:-1], base, adjoined=True)
         return shared(rational_functions(base, names).completion, names[0])
@@ -274,9 +306,13 @@ def _extension(base: Ring, inner: str) -> Ring:
 
 
 def _polynomials(base: Ring, inner: str) -> Ring:
-    from hfield.rings.polynomials import build as build_polynomials
+    from hfield.fields.adjoining import polynomials
 
     what = f"{base}[{shorten(inner)}]"
+    if inner == "I" and base.name == "ZZ":
+        from hfield.fields.quotient_rings import build as build_quotient
+
+        return build_quotient(base, "I", "I^2+1")
     names = variables(what, inner, base, adjoined=False)
     number = next((name for name in names if re.fullmatch(NUMBER, name)), None)
     if number:
@@ -284,7 +320,7 @@ def _polynomials(base: Ring, inner: str) -> Ring:
             f"{what}: {number} is a number, not the name of a variable such as x; the field that it "
             f"generates is QQ({number})"
         )
-    return build_polynomials(base, names)
+    return polynomials(base, names)
 
 
 def _unknown(s: str) -> RingError:

@@ -57,13 +57,14 @@ from hfield.lattices.ternary_forms import TernaryForm
 from hfield.lattices.z_lattice import ZLattice, rows_json
 from hfield.lattices.z_order import ZOrder
 from hfield.rings.whole_numbers import fraction
+from hfield.sympy_printing import PrintedBySympy
 
 UNIT_GROUPS = {2: "C2", 4: "C4", 6: "C6", 8: "Q8", 12: "Dic3", 24: "SL(2,3)"}
 """Which group the units are, by their number, in a definite algebra over ℚ (Voight, section 11.5)."""
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
 
-class Lattice(Hinted):
+class Lattice(Hinted, PrintedBySympy):
     """The integer combinations of four independent elements of an algebra over ℚ.
 
     It is kept in its Hermite normal form over (1, i, j, k), so equal lattices are equal, and hash

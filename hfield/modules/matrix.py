@@ -6,7 +6,7 @@ F. Zhang, "Quaternions and matrices of quaternions", Linear Algebra Appl. 251 (1
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -31,8 +31,12 @@ from hfield.modules.elimination import (
     vector,
 )
 from hfield.structure.linear_algebra.kernels import kernel
+from hfield.symbols import as_list, is_quaternion
+from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.modules.decompositions import SVD, Polar, Schur
     from hfield.modules.hermitian import DiagonalForm, Signature
     from hfield.rings.base import Ring
@@ -48,7 +52,7 @@ class EchelonForm(NamedTuple):
     pivots: tuple[int, ...]
 
 
-class Matrix:
+class Matrix(PrintedBySympy):
     """A matrix over a quaternion algebra: ``A.matrix([[q11, q12], [q21, q22]])``. Immutable.
 
     ``M @ N`` is the product; ``M * q`` and ``q * M`` multiply each entry by a quaternion on that side.
@@ -72,7 +76,7 @@ class Matrix:
     def __init__(
         self, algebra: Parent, rows: Iterable[Iterable[object]] | Matrix | Quaternion
     ) -> None:
-        given: Any = rows.rows if isinstance(rows, Matrix) else rows
+        given: Any = rows.rows if isinstance(rows, Matrix) else as_list(rows)
         if isinstance(given, Quaternion) and len(given.shape) > 1:
             m, n = given.shape[-2:]
             given = [[given[..., r, s] for s in range(n)] for r in range(m)]
@@ -501,6 +505,18 @@ class Matrix:
             return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
         rows = (", ".join(q.text(style) for q in row) for row in self.rows)
         return f"[{', '.join(f'[{row}]' for row in rows)}]"
+
+    def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> Any:
+        """Return the matrix of sympy, or an array of shape (m, n, 4), as :func:`hfield.to_sympy` does."""
+        import sympy
+
+        rows = [[q._in_sympy(symbols) for q in row] for row in self.rows]
+        if is_quaternion(rows[0][0]):
+            return sympy.ImmutableMatrix(rows)
+        return sympy.Array([[list(q) for q in row] for row in rows])
+
+    def _sympy_(self) -> Any:
+        return self._in_sympy({})
 
     def __str__(self) -> str:
         return self.text()

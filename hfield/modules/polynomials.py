@@ -8,10 +8,10 @@ a + b·q = 0 is linear.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import (
@@ -33,10 +33,17 @@ from hfield.modules.roots import (
 )
 from hfield.modules.singular_polynomials import other_root
 from hfield.modules.vocabulary import vocabulary
+from hfield.rings.expressions import coefficients_in, is_of_sympy
 from hfield.rings.roots import common_divisor, quadratic_divisors
+from hfield.rings.to_sympy import polynomial_in, symbol
 from hfield.structure import is_division, radical
 from hfield.structure.linear_algebra.echelon import null_space, solution
+from hfield.symbols import coordinates_in, is_quaternion, of_coordinates
+from hfield.sympy_printing import PrintedBySympy
 from hfield.syntax import Reader, plain_element
+
+if TYPE_CHECKING:
+    import sympy
 
 MOST_DEGREE = 1000
 MOST_FAILED = 3_000
@@ -54,6 +61,8 @@ class Polynomials:
         """Return the polynomial with these coefficients, low degree first, or of this text."""
         if isinstance(coefficients, str):
             return self.parse(coefficients)
+        if is_of_sympy(coefficients):
+            return self._of_sympy(coefficients)
         if not isinstance(coefficients, Iterable):
             raise CoercionError(
                 "a polynomial takes a list of coefficients, low degree first, or a text such as 'x^2 + i', "
@@ -63,6 +72,16 @@ class Polynomials:
         while found and not found[-1]:
             found.pop()
         return Polynomial(self, tuple(found))
+
+    def _of_sympy(self, x: object) -> Polynomial:
+        """Return the polynomial whose coordinates are polynomials of sympy in the variable."""
+        given = coordinates_in(x) or (x, 0, 0, 0)
+        rows = [coefficients_in(c, self.variable) for c in given]
+        size = max(map(len, rows))
+        columns = zip(*([*row, *[0] * (size - len(row))] for row in rows), strict=True)
+        if is_quaternion(x):  # by the algebra, which knows whether it has such
+            return self([self.algebra(type(x)(*column)) for column in columns])
+        return self([self.algebra(*column) for column in columns])
 
     def parse(self, text: str) -> Polynomial:
         """Read a polynomial such as ``x^2 + i*x + 1``. Raises :class:`NotationError`.
@@ -97,7 +116,7 @@ class NoFactors:
 
 
 @dataclass(frozen=True, eq=False)
-class Polynomial:
+class Polynomial(PrintedBySympy):
     """``coefficients[0] + coefficients[1]·x + …``, x central, the last coefficient not 0.
 
     >>> from hfield import H
@@ -270,6 +289,16 @@ class Polynomial:
                 term = power if term == "1" else f"{term}{dot}{power}"
             out = out + sign + term if out else sign.strip().replace("+", "") + term
         return out or "0"
+
+    def _in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> Any:
+        """Return an element with polynomials as coordinates, as :func:`hfield.to_sympy` does."""
+        A, x = self.parent.algebra, symbol(self.parent.variable, symbols)
+        columns = [[A.ring.to_sympy(c, symbols) for c in q.coordinates] for q in self.coefficients]
+        rows = [polynomial_in(x, (column[n] for column in columns)) for n in range(4)]
+        return of_coordinates(A.ring, A.constants, rows)
+
+    def _sympy_(self) -> Any:
+        return self._in_sympy({})
 
     def __str__(self) -> str:
         return self.text()

@@ -7,6 +7,7 @@ from typing import Any
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import CoercionError, shorten
+from hfield.syntax import OfTrees
 
 Names = dict[str, Any]
 Functions = dict[str, Callable[..., Any]]
@@ -22,6 +23,9 @@ def vocabulary(
     F = algebra.ring
 
     def lifted(f: Callable[..., Any]) -> Callable[..., Any]:
+        if isinstance(f, OfTrees):
+            return f.then(lambda x: wrap(algebra.scalar(x)))
+
         def apply(*arguments: Any) -> Any:
             elements = [constant(x) for x in arguments]
             for q in elements:

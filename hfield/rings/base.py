@@ -9,7 +9,7 @@ say "not known" rather than guess. ``docs/rings.md`` builds one from scratch.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache
@@ -34,6 +34,7 @@ from hfield.rings.printing import from_unicode, number_text
 
 if TYPE_CHECKING:
     import numpy as np
+    import sympy
     from typing_extensions import TypeVar
 
     E = TypeVar("E", bound=Scalar, default=Any)  # ``Ring`` alone: of elements that nobody checks
@@ -271,6 +272,44 @@ class Named(Core[E]):
                 f"has no inverse there, for the characteristic is {shorten(self.characteristic)}"
             ) from None
 
+    def generators(self) -> dict[str, E]:
+        """Return what symbols of sympy mean, by name: the generators, without names of numbers."""
+        return self.names()
+
+    def generator_of(self, polynomial: Sequence[Fraction]) -> sympy.Expr | None:
+        """Return the generator in sympy if this, low degree first, is its minimal polynomial, or None."""
+        return None
+
+    def foreign(self, x: object) -> E:
+        """Return the element that an object of sympy is. Raises :class:`CoercionError`, also for all else."""
+        from hfield.rings.expressions import is_of_sympy, read_foreign
+
+        if not is_of_sympy(x):
+            raise self.refuse(x)
+        value: E = read_foreign(self, x)  # type: ignore[arg-type]  # all rings are of the class Ring
+        return value
+
+    def closed_form(self, x: sympy.Expr) -> E:
+        """Return the element that a number of sympy is, such as sqrt(2), which is not written as a rational.
+
+        Raises :class:`CoercionError` where the ring does not hold it.
+        """
+        from hfield.rings.expressions import closed_form
+
+        value: E = closed_form(self, x)  # type: ignore[arg-type]  # as above
+        return value
+
+    def function_of_symbols(self, x: sympy.Expr, read: Callable[[sympy.Expr], E]) -> E | None:
+        """Return a function of symbols, such as cos(t), as an element, or None where the ring has none."""
+        return None
+
+    def to_sympy(self, x: E, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return x as an expression in symbols of the generators' names, the given ones where there are.
+
+        Raises :class:`CoercionError` where sympy has no such numbers.
+        """
+        raise CoercionError(f"sympy has no expressions for the elements of {shorten(self.name)}")
+
     def refuse(self, x: object, hint: str = "") -> CoercionError:
         """Return the error for a value that is not an element of this ring."""
         called, mend = describe(x, self.name, self.is_exact, self.characteristic)
@@ -468,6 +507,62 @@ class WithArrays(Core[E]):
         return element
 
 
+class WithVariables(Core[E]):
+    """What a ring with variables does with them: values put in, derivatives."""
+
+    variables: tuple[str, ...] = ()
+
+    @property
+    def variable_names(self) -> tuple[str, ...]:
+        """The variables for which values may be put in, and by which there are derivatives."""
+        return self.variables
+
+    @property
+    def values_ring(self) -> Ring | None:
+        """The ring in which elements lie when every variable has a value there; None without variables."""
+        return None
+
+    def images_of(self, values: Mapping[str, object], target: Ring) -> dict[str, Any]:
+        """Return what the variables become in the target for values of some of them; the rest stay.
+
+        Raises :class:`CoercionError` for what the target does not read.
+        """
+        own = {name: x for name, x in target.generators().items() if name in self.variable_names}
+        return own | {name: target(x) for name, x in values.items()}
+
+    def evaluation(
+        self,
+        target: Ring,
+        images: Mapping[str, Any],
+        below: Callable[[Ring, Ring], Callable[[Any], Any]],
+    ) -> Callable[[E], Any]:
+        """Return the homomorphism into a ring that maps the variables to these images.
+
+        ``below`` returns the map of a ring of constants into another one. The homomorphism raises
+        :class:`NotInvertibleError` at poles.
+        """
+        raise CoercionError(f"{self} has no variables")
+
+    def cosine_and_sine_of(self, angle: object, parts: int = 1) -> tuple[E, E]:
+        """Return cosine and sine of an angle, such as ``"2*t + pi/3"``, that is divided into equal parts.
+
+        Raises :class:`CoercionError` where the ring does not have them.
+        """
+        pair: tuple[E, E] = of_fields("circles.angles.cosine_and_sine_of")(self, angle, parts)
+        return pair
+
+    def derivative(self, x: E, variable: str) -> E:
+        """Return the derivative of x by a variable. Raises :class:`CoercionError` for what is none."""
+        shown = ", ".join(self.variable_names) or "none"
+        raise CoercionError(
+            f"{shorten(variable)} is not a variable of {self}; its variables: {shown}"
+        )
+
+    def variables_in(self, x: E) -> set[str]:
+        """Return the variables that occur in x."""
+        return set()
+
+
 class WithPlaces(Core[E]):
     """What a field with places says of them, and who knows their theory."""
 
@@ -511,7 +606,15 @@ class WithPlaces(Core[E]):
         return completed
 
 
-class Ring(Named[E], Enumerated[E], WithSquares[E], WithRelatives[E], WithArrays[E], WithPlaces[E]):
+class Ring(
+    Named[E],
+    Enumerated[E],
+    WithSquares[E],
+    WithRelatives[E],
+    WithVariables[E],
+    WithArrays[E],
+    WithPlaces[E],
+):
     """A commutative ring with 1: all that is asked of one, with answers that say "not known".
 
     A class of rings gives ``name``, ``characteristic``, ``__call__``, and what else it knows.

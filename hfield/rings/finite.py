@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from random import Random
@@ -26,6 +26,7 @@ from hfield.rings.roots import of_flint
 if TYPE_CHECKING:
     import galois
     import numpy as np
+    import sympy
 
     from hfield.rings.arrays import Objects
     from hfield.rings.flint_types import Coefficient
@@ -185,10 +186,20 @@ class ExtensionField(FiniteField):
             return self.parse(x)
         number = rational(x)
         if number is None:
-            raise self.refuse(x)
+            return self.foreign(x)
         if isinstance(number, Fraction):
             return self.ratio(number)
         return self.context(number % self.characteristic)
+
+    def closed_form(self, x: sympy.Expr) -> flint.fq_default:
+        """Refuse roots and other numbers, of which there may be several or none."""
+        raise self.refuse(x, f"expected rational numbers and the generator {NAME}")
+
+    def to_sympy(self, x: flint.fq_default, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return the polynomial in x with coefficients from 0 to p − 1."""
+        from hfield.rings.to_sympy import polynomial_in, symbol
+
+        return polynomial_in(symbol(NAME, symbols), map(int, x.to_list()))
 
     def is_zero(self, x: flint.fq_default) -> bool:
         """Tell whether x is 0."""

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from random import Random
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.rings.base import Known
+from hfield.rings.expressions import is_of_sympy
 from hfield.rings.printing import number_text
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
     import numpy as np
+    import sympy
 
 
 _FUNCTIONS: dict[str, Callable[..., float]] = {
@@ -71,7 +73,27 @@ class Floats(ValueRing):
             "longdouble",
         ):
             return self._finite(float(x))
+        if is_of_sympy(x):
+            value: float = self.foreign(x)
+            return value
         raise self.refuse(x, "expected a real number or its text")
+
+    def closed_form(self, x: sympy.Expr) -> float:
+        """Return the nearest float to a real number of sympy."""
+        value = x.evalf(20)
+        if not value.is_Float and not value.is_Rational:
+            raise self.refuse(x, "expected a real number")
+        return self._finite(float(value))
+
+    def generators(self) -> dict[str, float]:
+        """Return nothing: π is a number."""
+        return {}
+
+    def to_sympy(self, x: float, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return the same float."""
+        import sympy
+
+        return sympy.Float(float(x))
 
     def _finite(self, x: float) -> float:
         if not math.isfinite(x):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from random import Random
 from typing import TYPE_CHECKING, Any
@@ -22,6 +22,7 @@ from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
     import numpy as np
+    import sympy
 
 
 _ORDERED = "squares are not negative in the usual ordering, so no sum of squares is −1"
@@ -55,6 +56,14 @@ class _Ordered(ValueRing):
         """ℤ or ℚ, by their names."""
         return {"kind": "rationals" if self.is_field else "integers"}
 
+    def to_sympy(
+        self, x: flint.fmpz | flint.fmpq, symbols: Mapping[str, sympy.Symbol]
+    ) -> sympy.Expr:
+        """Return the number as sympy has it."""
+        import sympy
+
+        return sympy.Rational(int(x.numerator), int(x.denominator))
+
     def text(self, x: int | flint.fmpz | flint.fmpq, style: str = "plain") -> str:
         """Write x, such as ``-1/2``."""
         return number_text(x, style)
@@ -83,7 +92,7 @@ class Integers(_Ordered):
             return self.parse(x)
         number = rational(x)
         if number is None:
-            raise self.refuse(x)
+            return self.foreign(x)
         if isinstance(number, Fraction):
             raise CoercionError(f"{shorten(number_text(number))} is not an integer; QQ has it")
         return flint.fmpz(number)
@@ -177,7 +186,7 @@ class Rationals(_Ordered):
             return self.parse(x)
         number = rational(x)
         if number is None:
-            raise self.refuse(x)
+            return self.foreign(x)
         return fmpq(number)
 
     def array_holding(self, constants: Constants) -> Batch:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import gcd
 from random import Random
@@ -24,6 +24,8 @@ from hfield.rings.roots import of_flint, residue_roots
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.rings.flint_types import Coefficient
 
 
@@ -63,10 +65,22 @@ class Modular(ValueRing):
             return self.parse(x)
         number = rational(x)
         if number is None:
-            raise self.refuse(x)
+            return self.foreign(x)
         if isinstance(number, Fraction):
             return self.ratio(number)
         return self.residue(number)
+
+    def closed_form(self, x: sympy.Expr) -> flint.nmod | flint.fmpz_mod:
+        """Refuse roots and other numbers, of which there may be several or none."""
+        raise self.refuse(x, "of numbers only rational ones are read here")
+
+    def to_sympy(
+        self, x: flint.nmod | flint.fmpz_mod, symbols: Mapping[str, sympy.Symbol]
+    ) -> sympy.Expr:
+        """Return the representative from 0 to n − 1."""
+        import sympy
+
+        return sympy.Integer(int(x))
 
     def _modulus_of(self, x: Coefficient) -> int:
         """Return the modulus of a residue; flint's fmpz_mod tells its own only through −1."""

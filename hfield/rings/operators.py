@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from hfield.errors import CoercionError
 from hfield.rings.base import E, Ring
+from hfield.rings.expressions import is_of_sympy
 from hfield.rings.rational import rational, unwrap
+from hfield.sympy_printing import PrintedBySympy
+
+if TYPE_CHECKING:
+    import sympy
 
 
-class Element:
+class Element(PrintedBySympy):
     """An immutable element of ``field``, which mixes with elements of the same field and with numbers.
 
     A class of elements gives :meth:`plus`, ``-x``, :meth:`times` and :meth:`same`.
@@ -41,6 +46,10 @@ class Element:
     def _repr_latex_(self) -> str:
         """Show the element in a notebook."""
         return f"${self.field.text(self, 'latex')}$"
+
+    def _sympy_(self) -> sympy.Expr:
+        found: sympy.Expr = self.field.to_sympy(self, {})
+        return found
 
     def coerced(self, other: object) -> Self | None:
         """Return ``other`` as an element of the same field, None if it cannot mix in.
@@ -128,6 +137,8 @@ class Overfield(Ring[E]):
             return x  # type: ignore[return-value]  # a field has elements of one class
         if isinstance(x, str):
             return self.parse(x)
+        if is_of_sympy(x):
+            return self.foreign(x)
         try:
             return self.from_below(x)
         except CoercionError:

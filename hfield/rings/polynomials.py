@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable, Mapping
 from fractions import Fraction
 from math import comb
 from random import Random
@@ -20,6 +20,7 @@ from hfield.errors import (
 )
 from hfield.primality import WORD
 from hfield.rings.base import INFINITY, Known, Ring, of_fields, shared
+from hfield.rings.expressions import is_of_sympy
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
 from hfield.rings.powers import polynomial_power
@@ -27,6 +28,8 @@ from hfield.rings.printing import blackboard, from_unicode, number_text, sum_tex
 from hfield.rings.rational import rational, unwrap
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.rings.flint_types import Coefficient, SparsePolynomial
 
 
@@ -113,6 +116,8 @@ class PolynomialRing(Ring):
             raise self.refuse(x)
         if isinstance(x, str):
             return self.parse(x)
+        if is_of_sympy(x):
+            return self.foreign(x)
         number = rational(x)
         if isinstance(number, Fraction) and self.base is ZZ:
             raise CoercionError(
@@ -230,6 +235,66 @@ class PolynomialRing(Ring):
             c = self.constant(self.base.random(rng))
             out += c * self.context.from_dict({exponents: 1})
         return out
+
+    @property
+    def values_ring(self) -> Ring:
+        """The ring of coefficients."""
+        return self.base
+
+    def evaluation(
+        self,
+        target: Ring,
+        images: Mapping[str, Any],
+        below: Callable[[Ring, Ring], Callable[[Any], Any]],
+    ) -> Callable[[SparsePolynomial], Any]:
+        """Return the homomorphism that maps the variables to these images."""
+        coefficient = below(self.base, target)
+        gens = [images[name] for name in self.variables]
+        powers: dict[tuple[int, int], Any] = {}
+
+        def power(n: int, exponent: int) -> Any:
+            if (n, exponent) not in powers:
+                powers[n, exponent] = target.power(gens[n], exponent)
+            return powers[n, exponent]
+
+        def value(x: SparsePolynomial) -> Any:
+            total = target.zero
+            for exponents, c in x.terms():
+                term = coefficient(self.base(int(c) if self.characteristic else c))
+                for n, exponent in enumerate(exponents):
+                    if exponent:
+                        term = term * power(n, int(exponent))
+                total = total + term
+            return total
+
+        return value
+
+    def derivative(self, x: SparsePolynomial, variable: str) -> SparsePolynomial:
+        """Return the partial derivative."""
+        if variable not in self.variables:
+            return super().derivative(x, variable)
+        return x.derivative(self.variables.index(variable))
+
+    def variables_in(self, x: SparsePolynomial) -> set[str]:
+        """Return the variables of positive degree."""
+        return {name for name, n in zip(self.variables, x.degrees(), strict=True) if n > 0}
+
+    def to_sympy(self, x: SparsePolynomial, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return the polynomial as an expression, multiplied out."""
+        import sympy
+
+        from hfield.rings.to_sympy import symbol
+
+        gens = [symbol(name, symbols) for name in self.variables]
+        return sympy.Add(
+            *(
+                sympy.Mul(
+                    self.base.to_sympy(self.base(int(c) if self.characteristic else c), symbols),
+                    *(g**n for g, n in zip(gens, exponents, strict=True)),
+                )
+                for exponents, c in x.terms()
+            )
+        )
 
     def text(self, x: SparsePolynomial, style: str = "plain") -> str:
         """Write x, such as ``a^2+2*a*b+b^2``."""

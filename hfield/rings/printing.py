@@ -106,7 +106,7 @@ def quotient_text(numerator: str, denominator: str, style: str) -> str:
     if style == "latex":
         return rf"\frac{{{numerator}}}{{{denominator}}}"
     top = parentheses(numerator, style) if is_sum(numerator) or "/" in numerator else numerator
-    simple = denominator.replace("^", "").isalnum() and not denominator[0].isdigit()
+    simple = re.fullmatch(r"[^\W\d_][\w^]*|(?:cos|sin)\([\w/]*\)(?:\^\d+)?", denominator)
     bottom = denominator if simple or denominator.isdigit() else parentheses(denominator, style)
     return f"{top}/{bottom}"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numbers
+from decimal import Decimal
 from fractions import Fraction
 from typing import TYPE_CHECKING, TypeGuard
 
@@ -18,9 +19,9 @@ if TYPE_CHECKING:
 def rational(x: object) -> int | Fraction | None:
     """Return x as an int or a Fraction if it is an exact rational number; None for all else.
 
-    Known are the numbers of Python, numpy, gmpy2, sympy and flint. An element of a finite field is
-    none of them, though numpy would convert a galois scalar to its integer label: a label is not a
-    multiple of 1. Neither is a float, which stands for a rational by accident of rounding.
+    Known are the numbers of Python (``Decimal`` is one), numpy, gmpy2, sympy and flint. An element of a
+    finite field is none of them, though numpy would convert a galois scalar to its integer label: a label
+    is not a multiple of 1. Neither is a float, which stands for a rational by accident of rounding.
     """
     if isinstance(x, int):  # a bool counts as 0 or 1
         return int(x)
@@ -28,6 +29,8 @@ def rational(x: object) -> int | Fraction | None:
         return int(x)
     if isinstance(x, flint.fmpq):
         return reduced(Fraction(int(x.p), int(x.q)))
+    if isinstance(x, Decimal):
+        return reduced(Fraction(x)) if x.is_finite() else None
     if isinstance(x, numbers.Rational):
         return reduced(Fraction(int(x.numerator), int(x.denominator)))
     if is_plain_array(x) and x.ndim == 0:

@@ -30,7 +30,7 @@ from hfield.syntax.building import (
     unequal,
     vector,
 )
-from hfield.syntax.reader import MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, Reader, parse, weight
+from hfield.syntax.reader import MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, OfTrees, Reader, parse, weight
 from hfield.syntax.spelling import plain, plain_element
 from hfield.syntax.tree import (
     Binary,
@@ -66,6 +66,7 @@ __all__ = [
     "Node",
     "Not",
     "Number",
+    "OfTrees",
     "Operand",
     "Power",
     "Reader",

@@ -50,3 +50,22 @@ def is_balanced(text: str) -> bool:
         return all(True for _ in outside(text))
     except NotationError:
         return False
+
+
+def last_group(text: str) -> tuple[str, str, str]:
+    """Split a text that ends with a pair of brackets: what stands before, the opening one, what is inside.
+
+    Three empty texts where it ends otherwise.
+
+    >>> last_group("QQ[s]/(s^3-2)(x)")
+    ('QQ[s]/(s^3-2)', '(', 'x')
+    """
+    opening = {")": "(", "]": "["}.get(text[-1:])
+    depth = 0
+    for n in range(len(text) - 1, -1, -1):
+        depth += (text[n] in ")]") - (text[n] in "([")
+        if opening is None or depth < 0:
+            break
+        if not depth:
+            return (text[:n], opening, text[n + 1 : -1]) if text[n] == opening else ("", "", "")
+    return "", "", ""

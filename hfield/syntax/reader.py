@@ -3,6 +3,8 @@
 Text to syntax tree, by precedence climbing; bounded in length, depth, height and digits.
 """
 
+from __future__ import annotations
+
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -26,6 +28,21 @@ from hfield.syntax.tree import (
     Number,
     Power,
 )
+
+
+class OfTrees:
+    """A function that reads its arguments itself, as syntax trees: the cosine, of an angle."""
+
+    def __init__(self, call: Callable[..., Any]) -> None:
+        self.call = call
+
+    def __call__(self, *trees: Node) -> Any:
+        """Return the value for arguments as trees."""
+        return self.call(*trees)
+
+    def then(self, change: Callable[[Any], Any]) -> OfTrees:
+        """Return the function whose values are changed, say from a scalar into an element."""
+        return OfTrees(lambda *trees: change(self.call(*trees)))
 
 
 @dataclass(frozen=True)
@@ -96,6 +113,8 @@ class Reader:
                         text,
                         node.position,
                     )
+                if isinstance(self.functions[function], OfTrees):
+                    return self.functions[function](*arguments)
                 values = [self.evaluate(x, text) for x in arguments]
                 try:
                     return self.functions[function](*values)

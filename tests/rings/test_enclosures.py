@@ -15,7 +15,7 @@ from hfield.rings import ring
 from hfield.rings.balls import fingerprint, precision
 from hfield.rings.closed_fields.evaluate import evaluate, is_known
 from hfield.rings.closed_fields.heights import bounds
-from hfield.rings.closed_fields.radicals import surd_of, sympy_of
+from hfield.rings.closed_fields.radicals import surd_of
 from hfield.rings.closed_fields.surds import (
     Surd,
     as_surd,
@@ -23,6 +23,7 @@ from hfield.rings.closed_fields.surds import (
     principal,
     root_near,
     sqrt_rational,
+    sympy_of,
 )
 from tests.subcases import subcases
 

@@ -4,6 +4,7 @@ import json
 
 from hfield.certificates.rejection import a_text, keyed, reject, shown
 from hfield.certificates.scalars import (
+    circles,
     completions,
     finite,
     functions,
@@ -24,6 +25,7 @@ KINDS: dict[str, Kind] = {
     **quadratic.KINDS,
     **number_fields.KINDS,
     **functions.KINDS,
+    **circles.KINDS,
     **polynomials.KINDS,
     **completions.KINDS,
 }

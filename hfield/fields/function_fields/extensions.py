@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from random import Random
 from typing import TYPE_CHECKING, Any
 
@@ -17,16 +17,17 @@ from hfield.errors import (
 )
 from hfield.fields.function_fields.quotients import Quotient
 from hfield.fields.function_fields.ring import FunctionField
-from hfield.fields.several_variables.ring import RationalFunctions, listed
+from hfield.fields.several_variables.ring import RationalFunctions
 from hfield.rings.base import Known, Ring, shared
-from hfield.rings.finite import ExtensionField, FiniteField, PrimeField
-from hfield.rings.integers import QQ
 from hfield.rings.operators import Element, Overfield
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, from_unicode, sum_text
 from hfield.rings.roots import divided, multiplied, stripped
+from hfield.rings.to_sympy import polynomial_in, symbol
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.fields.function_fields.quotients import Quotient
 
 
@@ -192,6 +193,76 @@ class SimpleExtension(Overfield[ExtensionElement]):
         """Return a random element; the same for the same seed."""
         return ExtensionElement(self, [self.base.random(rng) for _ in range(self.degree)])
 
+    @property
+    def variables(self) -> tuple[str, ...]:  # type: ignore[override]
+        """The variables below, and u unless it is a constant."""
+        own = (str(self.gen_name),) if self._modulus_variables else ()
+        return (*self.base.variables, *own)
+
+    @property
+    def _modulus_variables(self) -> set[str]:
+        """The variables below on which u depends."""
+        return set().union(*map(self.base.variables_in, self.modulus_coefficients))
+
+    @property
+    def values_ring(self) -> Ring | None:
+        """The ring of constants of the field below, where u is none."""
+        return self.base.values_ring if self._modulus_variables else None
+
+    def evaluation(
+        self,
+        target: Ring,
+        images: Mapping[str, Any],
+        below: Callable[[Ring, Ring], Callable[[Any], Any]],
+    ) -> Callable[[ExtensionElement], Any]:
+        """Return the homomorphism that maps the variables, and u, to these images."""
+        coefficient = self.base.evaluation(target, images, below)
+        root = images.get(str(self.gen_name))
+        if root is None:
+            root = target.generators().get(str(self.gen_name))
+        modulus = [*map(coefficient, self.modulus_coefficients)]
+        if root is None or not target.is_zero(_horner(target, modulus, root)):
+            raise CoercionError(
+                f"{self.gen_name} in {shorten(self.name)} is a root of a polynomial over {self.base}: "
+                "give it a value, too, that is a root where the others have theirs"
+            )
+        return lambda x: _horner(target, [*map(coefficient, x.coefficients)], root)
+
+    def derivative(self, x: ExtensionElement, variable: str) -> ExtensionElement:
+        """Return the derivative that extends the one below: u′ = −∂f(u)/f′(u)."""
+        if variable not in self.base.variables:
+            return super().derivative(x, variable)
+        d = self.base.derivative
+        outer = self.reduced([d(c, variable) for c in x.coefficients])
+        moved = self.reduced([d(c, variable) for c in self.modulus_coefficients])
+        if self.is_zero(moved):
+            return outer
+        inner, slope = (
+            self.reduced([self.base(n) * c for n, c in enumerate(f) if n])
+            for f in (x.coefficients, self.modulus_coefficients)
+        )
+        if self.is_zero(slope):
+            raise CoercionError(
+                f"{self} has no derivative by {variable}: it is inseparable over {self.base}"
+            )
+        return outer - inner * moved * self.inverse(slope)
+
+    def variables_in(self, x: ExtensionElement) -> set[str]:
+        """Return the variables in the coefficients, and u where it occurs and is no constant."""
+        found = set().union(*map(self.base.variables_in, x.coefficients))
+        alone = all(map(self.base.is_zero, x.coefficients[1:]))
+        return found if alone else found | ({str(self.gen_name)} & {*self.variables})
+
+    def generators(self) -> dict[str, ExtensionElement]:
+        """Return the generators of the field below, and u."""
+        below = {name: self._constant(x) for name, x in self.base.generators().items()}
+        return {**below, str(self.gen_name): self.gen}
+
+    def to_sympy(self, x: ExtensionElement, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return the element as a polynomial in u."""
+        below = (self.base.to_sympy(c, symbols) for c in x.coefficients)
+        return polynomial_in(symbol(str(self.gen_name), symbols), below)
+
     def text(self, x: ExtensionElement, style: str = "plain") -> str:
         """Write x as a polynomial in u."""
         terms = (
@@ -202,31 +273,12 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return sum_text(reversed(list(terms)), style)
 
 
-def rational_functions(base: Ring, names: tuple[str, ...]) -> Ring:
-    """Return the field of rational functions. Raises :class:`RingError` for what is not offered."""
-    if not isinstance(base, FiniteField) and base != QQ:
-        shown = shorten(f"{base}({','.join(names)})")
-        example = "QQ(x) or GF(4)(t)" if len(names) == 1 else "QQ(x,y) or GF(4)(s,t)"
-        raise RingError(
-            f"{shown}: rational functions are over QQ or a finite field, as in {example}"
-        )
-    if len(names) == 1:
-        return shared(FunctionField, base, names[0])
-    if isinstance(base, ExtensionField):
-        return over_extended_constants(base, names)
-    return shared(RationalFunctions, build_polynomials(base, names))
-
-
-def over_extended_constants(
-    constants: ExtensionField, variables: tuple[str, ...]
-) -> SimpleExtension:
-    """Return GF(pⁿ)(s, t, …), as the extension of GF(p)(s, t, …) by the generator of GF(pⁿ)."""
-    polynomials = build_polynomials(shared(PrimeField, constants.characteristic), variables)
-    base = shared(RationalFunctions, polynomials)
-    name = f"{constants.name}({','.join(variables)})"
-    words = f"rational functions in {listed(variables)} over {constants.name}"
-    modulus = tuple(base(c) for c in constants.coefficients)
-    return shared(SimpleExtension, name, words, base, constants.gen_name, modulus)
+def _horner(target: Ring, coefficients: Sequence[Any], x: Any) -> Any:
+    """Return Σ cₙ·xⁿ, for coefficients from low to high."""
+    total = target.zero
+    for c in reversed(coefficients):
+        total = total * x + c
+    return total
 
 
 def build(base: Ring, variable: str, text: str) -> SimpleExtension:
@@ -236,7 +288,7 @@ def build(base: Ring, variable: str, text: str) -> SimpleExtension:
         raise RingError(
             f"{what}: extensions are taken of fields such as QQ(x), GF(3)(t) and QQ(x,y)"
         )
-    f = _read(base, variable, text, what)
+    f = read_polynomial(base, variable, text, what)
     if not 2 <= len(f) - 1 <= MAX_DEGREE:
         raise RingError(
             f"{what}: expected a polynomial in {variable} of a degree from 2 to {MAX_DEGREE}"
@@ -251,8 +303,8 @@ def build(base: Ring, variable: str, text: str) -> SimpleExtension:
     return shared(SimpleExtension, name, words, base, variable, tuple(f))
 
 
-def _read(base: Ring, variable: str, text: str, what: str) -> list[Quotient]:
-    """Read a polynomial in the variable over F, low degree first."""
+def read_polynomial(base: Ring, variable: str, text: str, what: str) -> list[Quotient]:
+    """Read a polynomial in the variable over a ring, low degree first. Raises :class:`RingError`."""
     free = SimpleExtension(what, "", base, variable, [base.zero] * (MAX_DEGREE + 1) + [base.one])
 
     def divided(x: ExtensionElement, y: ExtensionElement) -> ExtensionElement:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import prod
 from typing import TYPE_CHECKING, Any
 
 from hfield.certificates.glossary import reads_like_a_constant
-from hfield.errors import NotInvertibleError
+from hfield.errors import NotInvertibleError, shorten
 from hfield.rings.base import INFINITY, Known
 from hfield.rings.operators import Element, Overfield
 from hfield.rings.powers import polynomial_power
@@ -162,6 +162,52 @@ class FractionField(Overfield[Quotient]):
             if len(found) > 1:
                 out.append(monic(self, found))
         return out
+
+    @property
+    def values_ring(self) -> Ring:
+        """The field of constants."""
+        return self.base
+
+    @abstractmethod
+    def polynomial_evaluation(
+        self,
+        target: Ring,
+        images: Mapping[str, Any],
+        below: Callable[[Ring, Ring], Callable[[Any], Any]],
+    ) -> Callable[[Any], Any]:
+        """Return :meth:`evaluation` for numerators and denominators."""
+
+    def evaluation(
+        self,
+        target: Ring,
+        images: Mapping[str, Any],
+        below: Callable[[Ring, Ring], Callable[[Any], Any]],
+    ) -> Callable[[Quotient], Any]:
+        """Return the homomorphism that maps the variables to these images, where there is no pole."""
+        polynomial = self.polynomial_evaluation(target, images, below)
+
+        def value(x: Quotient) -> Any:
+            if self.is_one(x.den):
+                return polynomial(x.num)
+            denominator = polynomial(x.den)
+            if target.is_zero(denominator):
+                raise NotInvertibleError(
+                    f"{shorten(self.text(x))} has a pole there: its denominator is 0"
+                )
+            return target.divide(polynomial(x.num), denominator)
+
+        return value
+
+    @abstractmethod
+    def partial(self, poly: Any, variable: str) -> Any:
+        """Return the derivative of a numerator or denominator by a variable."""
+
+    def derivative(self, x: Quotient, variable: str) -> Quotient:
+        """Return the partial derivative, by the quotient rule."""
+        if variable not in self.variables:
+            return super().derivative(x, variable)
+        num, den = (self.partial(p, variable) for p in (x.num, x.den))
+        return self.quotient(num * x.den - x.num * den, x.den * x.den)
 
     @property
     def level(self) -> Known:

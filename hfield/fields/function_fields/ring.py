@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import atexit
 import gc
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from itertools import count
 from random import Random
 from typing import TYPE_CHECKING, Any
@@ -28,9 +28,12 @@ from hfield.rings.integers import QQ
 from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.residue_polynomials import polynomials_modulo
 from hfield.rings.roots import common_divisor, monic, multiplied, substituted
+from hfield.rings.to_sympy import polynomial_in, symbol
 from hfield.straight_line import named
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.rings.flint_types import Coefficient, Polynomial
 
 
@@ -89,8 +92,11 @@ class FunctionField(FractionField):
 
     def names(self) -> dict[str, Quotient]:
         """The variable and the generator of the base field."""
-        lifted = {name: self.constant(x) for name, x in self.base.names().items()}
-        return {**lifted, self.gen_name or "": self._gen}
+        return {**self.base_names(), self.gen_name or "": self._gen}
+
+    def base_names(self) -> dict[str, Quotient]:
+        """Return the names of the base field, as constants."""
+        return {name: self.constant(x) for name, x in self.base.names().items()}
 
     def constant(self, c: Coefficient) -> Quotient:
         """Return the constant function of an element of the base field."""
@@ -172,6 +178,10 @@ class FunctionField(FractionField):
         """Turn a number or an element of the base field into a constant. Raises :class:`CoercionError`."""
         return self.constant(self.base(x))
 
+    def closed_form(self, x: sympy.Expr) -> Quotient:
+        """Return a number as a constant."""
+        return self.constant(self.base.closed_form(x))
+
     def key(self, x: Quotient) -> Hashable:
         """Return the coefficients of numerator and denominator."""
         return tuple(
@@ -222,6 +232,41 @@ class FunctionField(FractionField):
         from hfield.fields.function_fields.places import all_places
 
         return all_places(self)
+
+    def polynomial_evaluation(
+        self,
+        target: Ring,
+        images: Mapping[str, Any],
+        below: Callable[[Ring, Ring], Callable[[Any], Any]],
+    ) -> Callable[[Polynomial], Any]:
+        """Return the map of polynomials, by Horner's rule."""
+        constant, point = below(self.base, target), images[self.gen_name or ""]
+
+        def value(poly: Polynomial) -> Any:
+            total = target.zero
+            for c in reversed(poly.coeffs()):
+                total = total * point + constant(self.base_element(c))
+            return total
+
+        return value
+
+    def partial(self, poly: Polynomial, variable: str) -> Polynomial:
+        """Return the derivative of a polynomial."""
+        return poly.derivative()
+
+    def variables_in(self, x: Quotient) -> set[str]:
+        """Return the variable, unless x is constant."""
+        return set() if self.as_constant(x) is not None else {*self.variables}
+
+    def to_sympy(self, x: Quotient, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return the fraction as an expression, numerator and denominator multiplied out."""
+        gen = symbol(self.gen_name or "", symbols)
+
+        def expression(poly: Polynomial) -> sympy.Expr:
+            coefficients = map(self.base_element, poly.coeffs())
+            return polynomial_in(gen, (self.base.to_sympy(c, symbols) for c in coefficients))
+
+        return expression(x.num) / expression(x.den)
 
     def text(self, x: Quotient, style: str = "plain") -> str:
         """Write x, such as ``(x+1)/(x^2+2)``."""

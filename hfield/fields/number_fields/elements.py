@@ -7,12 +7,15 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.rings.rational import rational
+from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.fields.number_fields.ring import NumberField
 
 
-class FieldElement:
+class FieldElement(PrintedBySympy):
     """An element of a :class:`NumberField`: ``poly`` is flint's polynomial in s of least degree.
 
     It is not to be changed: equal elements have equal polynomials, and hash alike.
@@ -113,6 +116,9 @@ class FieldElement:
 
     def _repr_latex_(self) -> str:
         return f"${self.field.text(self, 'latex')}$"
+
+    def _sympy_(self) -> sympy.Expr:
+        return self.field.to_sympy(self, {})
 
     # --- what it is ----------------------------------------------------------------------------
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import cached_property
 from random import Random
 from typing import TYPE_CHECKING, Any
@@ -23,6 +24,8 @@ from hfield.rings.roots import irreducible_factors
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.fields.number_fields.places import ComplexPlace, Place, RealPlace
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 
@@ -134,8 +137,51 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
             return self.parse(x)
         number = rational(x)
         if number is None:
-            raise self.refuse(x)
+            return self.foreign(x)
         return FieldElement(self, flint.fmpq_poly([fmpq(number)]))
+
+    def generator_of(self, polynomial: Sequence[Fraction]) -> sympy.Expr | None:
+        """Return the generator in sympy if this, low degree first, is its minimal polynomial, or None."""
+        same = [fmpq(c) for c in polynomial] == list(self.polynomial.coeffs())
+        return self.to_sympy(self.gen, {}) if same else None
+
+    def modulus_over_rationals(self) -> list[flint.fmpq]:
+        """Return the monic minimal polynomial of the generator, low degree first."""
+        return list(self.polynomial.coeffs())
+
+    def coefficients_of(self, x: FieldElement) -> list[flint.fmpq]:
+        """Return the coefficients of x at the powers of the generator."""
+        return coefficients(x)
+
+    def of_coefficients(self, values: Sequence[flint.fmpq]) -> FieldElement:
+        """Return the element with these coefficients at the powers of the generator."""
+        return FieldElement(self, flint.fmpq_poly(list(values)))
+
+    def monomials(self) -> tuple[list[list[flint.fmpq]], list[tuple[int, ...]]]:
+        """Return the powers of the generator by the monomials of texts, and the exponents of these."""
+        rows = [[flint.fmpq(m == n) for m in range(self.degree)] for n in range(self.degree)]
+        return rows, [(n,) for n in range(self.degree)]
+
+    def number_texts(self, style: str) -> list[str]:
+        """Return the texts of the numbers whose powers are these monomials."""
+        return [str(self.gen_name)]
+
+    def value_near(self, x: FieldElement, bits: int) -> flint.acb:
+        """Return the complex value of x that its name suggests, as a ball of so many bits."""
+        return self.embed(x, digits=max(bits * 3 // 10, 15))
+
+    def closed_form(self, x: sympy.Expr) -> FieldElement:
+        """Return the element whose value is a number of sympy, found among the roots of its polynomial."""
+        from hfield.fields.number_fields.closed_forms import element_of
+
+        return element_of(self, x)
+
+    def to_sympy(self, x: FieldElement, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return the element as a polynomial in the root."""
+        from hfield.rings.to_sympy import polynomial_in, symbol
+
+        gen = symbol(str(self.gen_name), symbols)
+        return polynomial_in(gen, (QQ.to_sympy(c, symbols) for c in coefficients(x)))
 
     def embed_from(self, source: Ring) -> Callable[[Any], FieldElement] | None:
         """Return the map of a number field into this one, by a root of its polynomial.

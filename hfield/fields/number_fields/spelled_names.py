@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -32,6 +32,9 @@ from hfield.rings.integers import QQ
 from hfield.rings.printing import number_text, rational_json, sum_text
 from hfield.rings.rational import rational
 from hfield.syntax.brackets import is_balanced, split
+
+if TYPE_CHECKING:
+    import sympy
 
 _POLYNOMIAL = "for another one write its polynomial, as in QQ[s]/(s^4-2*s^2-1)"
 
@@ -174,6 +177,53 @@ class SpelledField(NumberField):
             f"root({shorten(x)},{shorten(n)}) is not known to lie in {shorten(self.name)}"
         )
 
+    def generators(self) -> dict[str, FieldElement]:
+        """Return nothing: zeta5 and I are numbers."""
+        return {}
+
+    def monomials(self) -> tuple[list[list[flint.fmpq]], list[tuple[int, ...]]]:
+        """Return the powers of θ by products of powers of the numbers in the name, and their exponents."""
+        change, exponents = self._monomials
+        n = self.degree
+        return [[change[k, m] for m in range(n)] for k in range(n)], exponents
+
+    def number_texts(self, style: str) -> list[str]:
+        """Return the texts of the numbers in the name."""
+        return [_in_style(n.text, style) for n in self._numbers]
+
+    def value_near(self, x: FieldElement, bits: int) -> flint.acb:
+        """Return the complex value of x where the numbers in the name have theirs."""
+        with precision(bits + 16):
+            generator, value = self._value(bits), flint.acb(0)
+            for c in reversed(x.poly.coeffs()):
+                value = value * generator + flint.acb(c)
+        return value
+
+    def to_sympy(self, x: FieldElement, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return x in products of powers of the numbers in the name, as sympy has these."""
+        import sympy
+
+        numbers = [_number_of_sympy(n) for n in self._numbers]
+        return sympy.Add(
+            *(
+                sympy.Mul(
+                    QQ.to_sympy(c, symbols),
+                    *(y**n for y, n in zip(numbers, powers, strict=True)),
+                )
+                for c, powers in self._terms(x)
+            )
+        )
+
+    def _terms(self, x: FieldElement) -> Iterator[tuple[flint.fmpq, tuple[int, ...]]]:
+        """Run through the coefficients of x that are not 0, with the exponents of the numbers."""
+        change, exponents = self._monomials
+        row = flint.fmpq_mat(1, self.degree, coefficients(x))
+        return (
+            (c, powers)
+            for c, powers in zip((row * change).entries(), exponents, strict=True)
+            if c != 0
+        )
+
     @cached_property
     def _monomials(self) -> tuple[flint.fmpq_mat, list[tuple[int, ...]]]:
         """Return the matrix from powers of θ to products of powers of the numbers, and their exponents."""
@@ -188,17 +238,13 @@ class SpelledField(NumberField):
 
     def text(self, x: FieldElement, style: str = "plain") -> str:
         """Write x in products of powers of the numbers in the name."""
-        change, exponents = self._monomials
-        row = flint.fmpq_mat(1, self.degree, coefficients(x))
-        shown = [_in_style(n.text, style) for n in self._numbers]
-        terms = zip((row * change).entries(), exponents, strict=True)
+        shown = self.number_texts(style)
         return sum_text(
             (
                 (number_text(c, style), [*zip(shown, powers, strict=True)])
                 for c, powers in sorted(
-                    terms, key=lambda term: (sum(term[1]), [-n for n in term[1]])
+                    self._terms(x), key=lambda term: (sum(term[1]), [-n for n in term[1]])
                 )
-                if c != 0
             ),
             style,
         )
@@ -315,6 +361,19 @@ def read_number(field: str, text: str) -> Number:
         raise RingError(f"{shorten(field)}: {shorten(text)} is rational; leave it out")
     name = f"root({shown},{n})" if n > 2 else "I" if radicand == -1 else f"sqrt({shown})"
     return Number(name, polynomial, _precise(root), (radicand, n))
+
+
+def _number_of_sympy(number: Number) -> sympy.Expr:
+    """Return a number in the name of a field as sympy has it."""
+    import sympy
+
+    if number.radicand is not None:
+        radicand, n = number.radicand
+        value = sympy.Rational(int(radicand.p), int(radicand.q))
+        return -sympy.root(-value, n) if value < 0 and n % 2 else sympy.root(value, n)
+    n = int(re.sub(r"\D", "", number.text))
+    turn = sympy.exp(2 * sympy.pi * sympy.I / n)
+    return turn if number.text.startswith("zeta") else 2 * sympy.cos(2 * sympy.pi / n)
 
 
 def _check_conductor(field: str, n: int) -> None:

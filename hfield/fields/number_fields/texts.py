@@ -23,6 +23,10 @@ def power_sum(coefficients: list[flint.fmpq], name: str, style: str = "plain") -
     return sum_text(reversed(terms), style)
 
 
+class ReducibleError(RingError):
+    """A reducible polynomial, where a number field is asked for."""
+
+
 def irreducible(polynomial: flint.fmpq_poly | str, name: str) -> flint.fmpq_poly:
     """Return an irreducible polynomial over ℚ, made monic, from its text or as flint's.
 
@@ -46,7 +50,7 @@ def irreducible(polynomial: flint.fmpq_poly | str, name: str) -> flint.fmpq_poly
             + (f"^{e}" if e > 1 else "")
             for g, e in factors
         )
-        raise RingError(
+        raise ReducibleError(
             f"{what}: the polynomial is reducible, {shorten(parts)} up to a constant, so it makes no field; "
             "take one of its factors"
         )

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, UndecidedError
 from hfield.fields.function_fields.artin_schreier import artin_schreier
-from hfield.fields.function_fields.extensions import rational_functions
+from hfield.fields.function_fields.rational_functions import rational_functions
 from hfield.fields.function_fields.residues import multiplicity
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.rationals.symbols import ramified_places_q

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable, Mapping
 from random import Random
 from typing import TYPE_CHECKING, Any
 
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
-from hfield.rings.base import Known, shared
+from hfield.rings.base import Known, Ring, shared
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.printing import blackboard, quotient_text
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.rings.flint_types import SparsePolynomial
 
 
@@ -65,6 +67,12 @@ class RationalFunctions(FractionField):
         """Return x itself, of which leading terms are asked."""
         return [x]
 
+    def as_constant(self, x: Quotient) -> Any:
+        """Return the element of k that x is, or None."""
+        if not (x.num.is_constant() and x.den.is_constant()):
+            return None
+        return self.polynomials.constant_part(x.num)
+
     def names(self) -> dict[str, Quotient]:
         """The variables."""
         gens = self.polynomials.names()
@@ -109,6 +117,32 @@ class RationalFunctions(FractionField):
         """Return a random fraction of polynomials of few terms; the same for the same seed."""
         num, den = self.polynomials.random(rng), self.polynomials.random(rng)
         return self.quotient(num, den if den != 0 else self._one)
+
+    def polynomial_evaluation(
+        self,
+        target: Ring,
+        images: Mapping[str, Any],
+        below: Callable[[Ring, Ring], Callable[[Any], Any]],
+    ) -> Callable[[SparsePolynomial], Any]:
+        """Return the map of polynomials."""
+        return self.polynomials.evaluation(target, images, below)
+
+    def partial(self, poly: SparsePolynomial, variable: str) -> SparsePolynomial:
+        """Return the derivative of a polynomial."""
+        return self.polynomials.derivative(poly, variable)
+
+    def closed_form(self, x: sympy.Expr) -> Quotient:
+        """Return a number as a constant."""
+        return Quotient(self, self.polynomials.constant(self.base.closed_form(x)), self._one)
+
+    def variables_in(self, x: Quotient) -> set[str]:
+        """Return the variables of numerator and denominator."""
+        return self.polynomials.variables_in(x.num) | self.polynomials.variables_in(x.den)
+
+    def to_sympy(self, x: Quotient, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return the fraction as an expression, numerator and denominator multiplied out."""
+        num, den = (self.polynomials.to_sympy(p, symbols) for p in (x.num, x.den))
+        return num / den
 
     def text(self, x: Quotient, style: str = "plain") -> str:
         """Write x, such as ``(x+y)/(x^2+2)``."""

@@ -43,6 +43,7 @@ from hfield.lattices.over_integers.local_orders import Local, Rows
 from hfield.lattices.over_integers.quadratic_orders import IntegersEmbeddings
 from hfield.lattices.over_integers.trace_forms import all_of_norm, theta_series, trace_forms
 from hfield.lattices.ternary_forms import TernaryForm, form_of
+from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -72,7 +73,7 @@ class Because:
         return str(self.holds)
 
 
-class IntegersLattice(Hinted):
+class IntegersLattice(Hinted, PrintedBySympy):
     """A lattice over the integers of a number field, of full rank; ``rows`` are a basis over ℤ.
 
     >>> from hfield import QuaternionAlgebra

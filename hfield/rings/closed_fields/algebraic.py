@@ -7,7 +7,7 @@ Sums of square roots are :class:`Surd` numbers; all else (roots of higher degree
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from random import Random
 from typing import TYPE_CHECKING, Any
@@ -26,6 +26,8 @@ from hfield.rings.roots import irreducible_factors
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.rings.closed_fields.closed_forms import Closed
 
 
@@ -110,20 +112,39 @@ class AlgebraicNumbers(ValueRing):
         number = rational(x)
         if number is not None:
             return from_rational(number)
-        kind = type(x).__module__
-        if kind.startswith("hfield.rings.closed_fields.") or kind.partition(".")[0] == "sympy":
+        if type(x).__module__.startswith("hfield.rings.closed_fields."):
             from hfield.rings.closed_fields import closed_forms as closed
 
             if x is closed.PI:
                 return x
-            value = x if isinstance(x, closed.Closed) else closed.from_sympy(x)
-            if isinstance(value, Surd):
-                return self(value)
-            if value is not None and (not self.is_real or value.is_real()):
+            if isinstance(x, closed.Closed):
+                if self.is_real and not x.is_real():
+                    raise self.refuse(x, "it is not real; CC has it")
                 # A transcendental number is let in when it can be told from 0.
-                return from_rational(0) if value.bounds is None and value.is_zero() else value
-            raise self.refuse(x, "it is not real; CC has it" if value is not None else "")
-        raise self.refuse(x)
+                return from_rational(0) if x.bounds is None and x.is_zero() else x
+        value: Surd | Closed = self.foreign(x)
+        return value
+
+    def generators(self) -> dict[str, Surd | Closed]:
+        """Return nothing: all names are names of numbers."""
+        return {}
+
+    def closed_form(self, x: sympy.Expr) -> Surd | Closed:
+        """Return the number that a sympy expression without symbols is."""
+        from hfield.rings.closed_fields.closed_forms import from_sympy
+
+        value = from_sympy(x)
+        if value is None:
+            raise self.refuse(x)
+        return self(value)
+
+    def to_sympy(self, x: Surd | Closed, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return the number as sympy has it."""
+        from hfield.rings.closed_fields.closed_forms import to_sympy
+
+        found = to_sympy(x)
+        assert found is not None, "x is a number"
+        return found
 
     def is_zero(self, x: Surd | Closed) -> bool:
         """Tell whether x is 0. Raises :class:`UndecidedError` for some transcendental numbers."""

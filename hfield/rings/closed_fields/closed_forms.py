@@ -12,9 +12,9 @@ import flint
 
 from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
 from hfield.rings.balls import MAX_BITS, fingerprint, precision
-from hfield.rings.closed_fields.radicals import FUNCTIONS, check_size, surd_of, sympy_of, times
+from hfield.rings.closed_fields.radicals import FUNCTIONS, check_size, surd_of, times
 from hfield.rings.closed_fields.radicands import is_long
-from hfield.rings.closed_fields.surds import ONE, Surd, as_surd, from_rational
+from hfield.rings.closed_fields.surds import ONE, Surd, as_surd, from_rational, sympy_of
 
 if TYPE_CHECKING:
     import sympy
@@ -212,6 +212,9 @@ class Closed:
 
     def __repr__(self) -> str:
         return self.text()
+
+    def _sympy_(self) -> sympy.Expr:
+        return self.expr
 
 
 def _pi() -> sympy.Expr:

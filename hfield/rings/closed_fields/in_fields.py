@@ -17,8 +17,7 @@ import flint
 from hfield.rings.balls import Enclosure, fingerprint, precision
 from hfield.rings.closed_fields.closed_forms import Closed, number
 from hfield.rings.closed_fields.polynomial_roots import Root, read
-from hfield.rings.closed_fields.radicals import sympy_of
-from hfield.rings.closed_fields.surds import Surd, as_surd, from_rational, sqrt_rational
+from hfield.rings.closed_fields.surds import Surd, as_surd, from_rational, sqrt_rational, sympy_of
 from hfield.rings.isolated_roots import isolated_roots
 
 if TYPE_CHECKING:

@@ -58,11 +58,3 @@ def surd_of(expr: sympy.Expr) -> Surd | None:
             return None
         out = out + part if expr.is_Add else out * part
     return out
-
-
-def sympy_of(x: Surd) -> sympy.Expr:
-    """Return a surd as a sympy expression."""
-    import sympy
-
-    terms = (sympy.Rational(int(c.p), int(c.q)) * sympy.sqrt(n) for n, c in x.terms.items())
-    return sympy.Add(*terms)

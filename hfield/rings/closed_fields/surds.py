@@ -9,7 +9,7 @@ QQ(sqrt(d)), QQ(I) and most numbers that anyone types into RR or CC lie in these
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -18,13 +18,17 @@ from hfield.rings.balls import fingerprint, precision
 from hfield.rings.closed_fields.radicands import independent, is_long, odd, product, ratio, reduced
 from hfield.rings.printing import Factor, number_text, sum_text
 from hfield.rings.rational import fmpq, rational
+from hfield.sympy_printing import PrintedBySympy
+
+if TYPE_CHECKING:
+    import sympy
 
 MAX_TERMS = 1024
 
 _ZERO = flint.fmpq(0)
 
 
-class Surd:
+class Surd(PrintedBySympy):
     """An immutable number ``Σ cₙ·√n`` over integers n; ``√−n`` is ``i·√n`` for n > 0.
 
     ``terms`` maps n to the rational cₙ ≠ 0. The √n are the principal roots. No product of two of the n
@@ -233,6 +237,9 @@ class Surd:
     def _repr_latex_(self) -> str:
         return f"${self.text('latex')}$"
 
+    def _sympy_(self) -> sympy.Expr:
+        return sympy_of(self)
+
 
 ONE = Surd({1: flint.fmpq(1)})
 
@@ -243,6 +250,14 @@ def as_surd(x: object) -> Surd | None:
         return x
     number = rational(x)
     return None if number is None else from_rational(number)
+
+
+def sympy_of(x: Surd) -> sympy.Expr:
+    """Return a surd as a sympy expression."""
+    import sympy
+
+    terms = (sympy.Rational(int(c.p), int(c.q)) * sympy.sqrt(n) for n, c in x.terms.items())
+    return sympy.Add(*terms)
 
 
 def from_rational(x: int | Fraction) -> Surd:

@@ -191,7 +191,7 @@ def _polynomials(base: str, text: str) -> Data:
     over = _ring(base)
     variables = _variables(text, over)
     if over["kind"] == "finite field" and over["degree"] > 1:
-        refuse("polynomials are over ZZ, QQ and GF(p)")
+        refuse("polynomials are over ZZ, QQ, GF(p) and number fields")
     if any(re.fullmatch("zeta_?[0-9]+", name) for name in variables):
         refuse("the field is what one would read")
     return {"kind": "polynomials", "base": over, "variables": variables}
@@ -205,7 +205,9 @@ def _fractions(base: str, text: str) -> Data:
 
 def _functions(base: Data, variables: list[str]) -> Data:
     if base["kind"] not in ("rationals", "finite field"):
-        refuse("functions are over QQ or a finite field")
+        if "field" in base["kind"]:
+            raise Unsure("functions over a number field, without data of their own")
+        refuse("functions are over QQ, a number field or a finite field")
     if len(variables) > 1 and base.get("degree", 1) > 1:
         raise Unsure("an extension of the functions over the prime field")
     return {"kind": "rational functions", "base": base, "variables": variables}
@@ -230,6 +232,8 @@ def _number_field(variable: str, text: str) -> Data:
 
 def _extension(base: str, variable: str, text: str) -> Data:
     over = _ring(base)
+    if over["kind"] in ("integers", "rationals") or over.get("degree") == 1:
+        raise Unsure("a quotient of a polynomial ring, without data")
     if over["kind"] != "rational functions":
         refuse("extensions are of fields of functions")
     _variables(variable, over["base"])

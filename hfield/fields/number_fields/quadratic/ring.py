@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from random import Random
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +17,7 @@ from hfield.primality import is_prime
 from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.closed_fields.radicands import reduced
-from hfield.rings.closed_fields.surds import Surd, from_rational
+from hfield.rings.closed_fields.surds import Surd, from_rational, sympy_of
 from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.rational import rational, unwrap
@@ -25,8 +26,9 @@ from hfield.rings.squares import minus_one
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.fields.number_fields.quadratic.places import QuadraticPlace
-    from hfield.rings.closed_fields.closed_forms import Closed
 
 
 class QuadraticField(WithIdeals, ValueRing[Surd]):
@@ -106,12 +108,54 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
         if isinstance(x, str):
             return self.parse(x)
         number = rational(x)
-        if number is None:
-            number_or_surd = _from_sympy(x)
-            if number_or_surd is not None:
-                return self(number_or_surd)
-            raise self.refuse(x)
-        return from_rational(number)
+        return self.foreign(x) if number is None else from_rational(number)
+
+    def generators(self) -> dict[str, Surd]:
+        """Return nothing: I is a number."""
+        return {}
+
+    def generator_of(self, polynomial: Sequence[Fraction]) -> sympy.Expr | None:
+        """Return the square root of d if this is its minimal polynomial, or None."""
+        return sympy_of(self.gen) if list(polynomial) == [-self.d, 0, 1] else None
+
+    def modulus_over_rationals(self) -> list[int]:
+        """Return the minimal polynomial of √d, low degree first."""
+        return [-self.d, 0, 1]
+
+    def coefficients_of(self, x: Surd) -> list[flint.fmpq]:
+        """Return the two rational coordinates of x."""
+        return list(self.key(x))
+
+    def of_coefficients(self, values: Sequence[flint.fmpq]) -> Surd:
+        """Return the element with these coordinates."""
+        return Surd({n: c for n, c in zip((1, self.d), values, strict=True) if c})
+
+    def monomials(self) -> tuple[list[list[int]], list[tuple[int, ...]]]:
+        """Return the powers of √d, which elements are written in, by themselves, and their exponents."""
+        return [[1, 0], [0, 1]], [(0,), (1,)]
+
+    def number_texts(self, style: str) -> list[str]:
+        """Return the text of √d."""
+        return [self.text(self.gen, style)]
+
+    def closed_form(self, x: sympy.Expr) -> Surd:
+        """Return the number that a sympy expression without symbols is."""
+        from hfield.rings.closed_fields.closed_forms import from_sympy
+
+        value = from_sympy(x)
+        if isinstance(value, Surd):
+            return self(value)
+        from hfield.fields.number_fields.closed_forms import element_of
+        from hfield.fields.number_fields.quadratic import as_number_field as same
+
+        try:
+            return same.from_number_field(self, element_of(same.as_number_field(self), x))
+        except CoercionError:
+            raise self.refuse(x, f"{self.name} has only the numbers a+b*{self.gen_name}") from None
+
+    def to_sympy(self, x: Surd, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return the number as sympy has it."""
+        return sympy_of(x)
 
     def is_zero(self, x: Surd) -> bool:
         """Tell whether x is 0."""
@@ -269,15 +313,6 @@ def build(text: str) -> QuadraticField:
             f"QQ(sqrt({shorten(text)})): {shorten(d)} is a square in QQ, so this is QQ itself: write QQ"
         )
     return shared(QuadraticField, free)
-
-
-def _from_sympy(x: object) -> Surd | Closed | None:
-    """Return a number of sympy as a surd, where it is one; else None."""
-    if type(x).__module__.partition(".")[0] != "sympy":
-        return None
-    from hfield.rings.closed_fields.closed_forms import from_sympy
-
-    return from_sympy(x)
 
 
 def common_quadratic_field(*elements: object) -> Ring | None:

@@ -1,0 +1,1 @@
+"""Fields of rational functions in cosines and sines of angles."""

@@ -1,0 +1,389 @@
+"""K(cos(t), sin(t), …): rational functions on circles, one for each angle, and in further variables.
+
+The field is that of the rational functions in τ = tan(t/2): cos(t) = (1 − τ²)/(1 + τ²), sin(t) = 2τ/(1 + τ²).
+So it has their arithmetic, and equality is decided. Elements are written P/Q with P in cosines and sines, no
+sine squared, and Q in cosines alone: this is unique in lowest terms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
+from hfield.fields.circles.angles import (
+    PI,
+    Angle,
+    WithAngles,
+    angle_of,
+    angle_text,
+    cosine_and_sine_of,
+    rotated,
+)
+from hfield.fields.function_fields.extensions import ExtensionElement
+from hfield.fields.function_fields.over_number_fields import OverNumberField
+from hfield.fields.function_fields.quotients import FractionField, Quotient
+from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.several_variables.ring import RationalFunctions, listed
+from hfield.rings.base import Ring, shared
+from hfield.rings.finite import PrimeField
+from hfield.rings.integers import QQ
+from hfield.rings.polynomials import PolynomialRing
+from hfield.rings.polynomials import build as build_polynomials
+from hfield.rings.printing import blackboard, quotient_text
+from hfield.rings.to_sympy import symbol
+
+if TYPE_CHECKING:
+    import sympy
+
+    from hfield.rings.flint_types import SparsePolynomial
+
+Angles = tuple[tuple[str, int], ...]  # (t, n) for cosine and sine of t/n
+
+
+class CircleFunctions(WithAngles[Quotient], FractionField):
+    """What fields of functions on circles share, above those of the rational functions in half tangents.
+
+    >>> from hfield import ring
+    >>> F = ring("QQ(cos(t),sin(t))")
+    >>> F("cos(t)^2 + sin(t)^2"), F("sin(2*t)/(1 + cos(2*t))"), F("cos(3*t)")
+    (1, sin(t)/cos(t), 4*cos(t)^3-3*cos(t))
+    """
+
+    angles: Angles
+    plain: tuple[str, ...]  # the other variables
+
+    def name_by_angles(self, base: Ring, angles: Angles, plain: tuple[str, ...]) -> None:
+        """Note the angles and the other variables, and the name that they give the field."""
+        self.angles, self.plain = angles, plain
+        pairs = [f"{f}({angle_text(*a)})" for a in angles for f in ("cos", "sin")]
+        self.name = f"{base.name}({','.join((*plain, *pairs))})"
+        self.gen_name = pairs[0]
+        self._written = build_polynomials(base, (*plain, *pairs))
+        self._mixed = build_polynomials(base, (*self.variables, *pairs))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (build, self.base, self.angles, self.plain)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its constants, its angles, each with a number that it is divided by, and variables."""
+        angles = [list(a) for a in self.angles]
+        own = {"angles": angles, "variables": list(self.plain)}
+        return {"kind": "circle functions", "base": self.base.data, **own}
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        pairs = tuple(f"{f}({angle_text(*a)})" for a in self.angles for f in ("cos", "sin"))
+        return f"rational functions in {listed((*self.plain, *pairs))} over {blackboard(self.base.name)}"
+
+    @property
+    def gen(self) -> Quotient:
+        """The cosine of the first angle."""
+        name, parts = self.angles[0]
+        return self.cosine_and_sine({name: Fraction(1, parts)})[0]
+
+    def generators(self) -> dict[str, Quotient]:
+        """Return the other variables and the generators of the constants."""
+        below = {name: self(x) for name, x in self.base.generators().items()}
+        return below | {name: x for name, x in self.names().items() if name in self.plain}
+
+    def images_in(self, target: Ring) -> dict[str, Any]:
+        """Return nothing: cosines and sines are read by their texts."""
+        return {}
+
+    # --- cosines and sines ---------------------------------------------------------------------
+
+    def half_tangent_point(self, angle: Angle) -> tuple[Quotient, Quotient]:
+        """Return x and y with (cos, sin) of half an angle = (x, y)/r, for some r that depends on the angle.
+
+        Raises :class:`CoercionError` for an angle that is no sum of multiples of those of the field.
+        """
+        units, tangents = dict(self.angles), self.names()
+        x, y = self.one, self.zero
+        for name, c in angle.items():
+            if name == PI:
+                continue
+            count = c * units.get(name, 0)
+            if name not in units or count.denominator != 1:
+                known = ", ".join(angle_text(*a) for a in self.angles)
+                raise CoercionError(
+                    f"{c}*{shorten(name)} is no integer multiple of an angle of {self}: these are {known}"
+                )
+            tangent = tangents[_tangent_name(name, units[name])]
+            u, v = _power(self, tangent, int(abs(count)))
+            v = v if count > 0 else -v
+            x, y = x * u - y * v, x * v + y * u
+        return x, y
+
+    def cosine_and_sine(self, angle: Angle) -> tuple[Quotient, Quotient]:
+        """Return cosine and sine. Raises :class:`CoercionError`, as for π/3, whose sine is not in ℚ."""
+        x, y = self.half_tangent_point(angle)
+        below = self.inverse(x * x + y * y)
+        cosine, sine = (x * x - y * y) * below, x * y * 2 * below
+        return rotated(self, (cosine, sine), angle)
+
+    def tangent(self, angle: Angle) -> Quotient:
+        """Return the tangent, also of half the angles of the field. Raises :class:`CoercionError`."""
+        if PI in angle:
+            cosine, sine = self.cosine_and_sine(angle)
+            return sine / cosine
+        x, y = self.half_tangent_point({name: 2 * c for name, c in angle.items()})
+        return y / x
+
+    # --- written in cosines and sines ----------------------------------------------------------
+
+    def in_cosines(self, x: Quotient) -> tuple[SparsePolynomial, SparsePolynomial]:
+        """Return numerator and denominator in cosines and variables, the numerator in sines too."""
+        num, den = (self._raised(p) for p in (x.num, x.den))
+        plain = len(self.plain)
+        for n in range(len(self.angles)):
+            place = plain + n
+            mirrored = _mirrored(self._mixed, den, place)
+            if mirrored != den:
+                num, den = num * mirrored, den * mirrored
+            num, den = self._without_tangent(num, den, n)
+            common = num.gcd(den)
+            if not common.is_constant():
+                num, den = num // common, den // common
+        lead = self._mixed.constant(self._mixed.base.inverse(self._mixed.constant_part(den)))
+        num, den = num * lead, den * lead
+        return self._lowered(num), self._lowered(den)
+
+    def _raised(self, poly: Any) -> SparsePolynomial:
+        """Return a numerator or denominator as a polynomial in tangents, cosines and sines."""
+        more = (0,) * (2 * len(self.angles))
+        if hasattr(poly, "to_dict"):
+            terms = {(*m, *more): c for m, c in poly.to_dict().items()}
+        else:
+            terms = {(n, *more): c for n, c in enumerate(poly.coeffs()) if c}
+        found: SparsePolynomial = self._mixed.context.from_dict(terms)
+        return found
+
+    def _lowered(self, poly: SparsePolynomial) -> SparsePolynomial:
+        plain, skipped = len(self.plain), len(self.variables)
+        terms = {(*m[:plain], *m[skipped:]): c for m, c in poly.to_dict().items()}
+        found: SparsePolynomial = self._written.context.from_dict(terms)
+        return found
+
+    def _without_tangent(
+        self, num: SparsePolynomial, den: SparsePolynomial, n: int
+    ) -> tuple[SparsePolynomial, SparsePolynomial]:
+        """Put s/(1 + c) for the n-th tangent, (1 − c)/(1 + c) for its square; only num is odd in it."""
+        place = len(self.plain) + n
+        size = max((m[place] + 1) // 2 for p in (num, den) for m in p.to_dict())
+        names = self._mixed.variables
+        first = len(self.variables) + 2 * n
+        gens = self._mixed.names()
+        c, s, one = gens[names[first]], gens[names[first + 1]], self._mixed.one
+
+        def replaced(poly: SparsePolynomial) -> SparsePolynomial:
+            by_power: dict[int, dict[Any, Any]] = {}
+            for m, x in poly.to_dict().items():
+                by_power.setdefault(m[place], {})[(*m[:place], 0, *m[place + 1 :])] = x
+            total = self._mixed.zero
+            for exponent, terms in by_power.items():
+                k, odd = divmod(exponent, 2)
+                factor = (one - c) ** k * (one + c) ** (size - k - odd)
+                total = total + self._mixed.context.from_dict(terms) * (
+                    factor * s if odd else factor
+                )
+            return total
+
+        return replaced(num), replaced(den)
+
+    def text(self, x: Quotient, style: str = "plain") -> str:
+        """Write x, such as ``sin(t)/(cos(t)+1)``."""
+        num, den = (self._written.text(p, style) for p in self.in_cosines(x))
+        shown = quotient_text(num, den, style)
+        return (
+            shown.replace("cos(", r"\cos(").replace("sin(", r"\sin(") if style == "latex" else shown
+        )
+
+    def to_sympy(self, x: Quotient, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return x as an expression in cosines and sines."""
+        import sympy
+
+        known: dict[str, Any] = dict(symbols)
+        for name, parts in self.angles:
+            angle = symbol(name, symbols) / parts
+            for f in ("cos", "sin"):
+                known[f"{f}({angle_text(name, parts)})"] = getattr(sympy, f)(angle)
+        num, den = (self._written.to_sympy(p, known) for p in self.in_cosines(x))
+        return num / den
+
+    # --- values and derivatives ----------------------------------------------------------------
+
+    @property
+    def variable_names(self) -> tuple[str, ...]:
+        """The angles and the other variables."""
+        return (*self.plain, *(name for name, _ in self.angles))
+
+    def images_of(self, values: Mapping[str, object], target: Ring) -> dict[str, Any]:
+        """Return what cosines, sines and variables become; values of angles are angles, such as π/3."""
+        known = target.generators()
+        found = {
+            name: target(values[name]) if name in values else known.get(name) for name in self.plain
+        }
+        for name, parts in self.angles:
+            pair = cosine_and_sine_of(target, values.get(name, name), parts)
+            for f, value in zip(("cos", "sin"), pair, strict=True):
+                found[f"{f}({angle_text(name, parts)})"] = value
+        return found
+
+    def evaluation(
+        self,
+        target: Ring,
+        images: Mapping[str, Any],
+        below: Callable[[Ring, Ring], Callable[[Any], Any]],
+    ) -> Callable[[Quotient], Any]:
+        """Return the homomorphism that maps cosines, sines and variables to these images."""
+        given = {
+            v: target(v) if images.get(v) is None else images[v] for v in self._written.variables
+        }
+        polynomial = self._written.evaluation(target, given, below)
+
+        def value(x: Quotient) -> Any:
+            num, den = self.in_cosines(x)
+            denominator = polynomial(den)
+            if not target.is_zero(denominator):
+                return target.divide(polynomial(num), denominator)
+            raise NotInvertibleError(
+                f"{shorten(self.text(x))} has a pole there: its denominator is 0"
+            )
+
+        return value
+
+    def derivative(self, x: Quotient, variable: str) -> Quotient:
+        """Return the derivative by an angle, d/dt, or by another variable."""
+        if variable in self.plain:
+            return super().derivative(x, variable)
+        parts = dict(self.angles).get(variable)
+        if parts is None:
+            return Ring.derivative(self, x, variable)
+        name = _tangent_name(variable, parts)
+        tangent = self.names()[name]
+        return super().derivative(x, name) * (tangent * tangent + 1) * self(Fraction(1, 2 * parts))
+
+    def variables_in(self, x: Quotient) -> set[str]:
+        """Return the angles and variables on which x depends."""
+        found = super().variables_in(x)
+        angles = {name for name, parts in self.angles if _tangent_name(name, parts) in found}
+        return angles | (found & {*self.plain})
+
+    def random(self, rng: Random) -> Quotient:
+        """Return a random fraction of polynomials of few terms in cosines and sines."""
+        pairs = [v for a in self.angles for v in self.cosine_and_sine({a[0]: Fraction(1, a[1])})]
+        values = [*pairs, *(x for n, x in self.names().items() if n in self.plain)]
+        num, den = (
+            self(self.base.random(rng)) + rng.choice(values) * self(self.base.random(rng))
+            for _ in range(2)
+        )
+        return num if self.is_zero(den) else num / den + rng.choice(values)
+
+
+class OneCircle(CircleFunctions, FunctionField):
+    """K(cos(t), sin(t)): rational functions in tan(t/2)."""
+
+    def __init__(self, base: Ring, angles: Angles) -> None:
+        FunctionField.__init__(self, base, _tangent_name(*angles[0]))
+        self.name_by_angles(base, angles, ())
+
+    def names(self) -> dict[str, Quotient]:
+        """The tangent of half the angle, and the generator of the constants."""
+        return {**self.base_names(), self.variables[0]: self._gen}
+
+
+class SeveralCircles(CircleFunctions, RationalFunctions):
+    """K(x, …, cos(t), sin(t), …) with several angles, or variables besides."""
+
+    def __init__(self, base: Ring, angles: Angles, plain: tuple[str, ...]) -> None:
+        tangents = (_tangent_name(*a) for a in angles)
+        RationalFunctions.__init__(self, build_polynomials(base, (*plain, *tangents)))
+        self.name_by_angles(base, angles, plain)
+
+
+class CirclesOverNumberField(WithAngles[ExtensionElement], OverNumberField):
+    """K(cos(t), sin(t), …) over a number field K: ``base`` is the same over ℚ."""
+
+    base: CircleFunctions
+
+    def cosine_and_sine(self, angle: Angle) -> tuple[ExtensionElement, ExtensionElement]:
+        """Return cosine and sine; K may have those of multiples of π."""
+        rest = {name: c for name, c in angle.items() if name != PI}
+        cosine, sine = (self.reduced([x]) for x in self.base.cosine_and_sine(rest))
+        return rotated(self, (cosine, sine), angle)
+
+    def tangent(self, angle: Angle) -> ExtensionElement:
+        """Return the tangent."""
+        if PI not in angle:
+            return self.reduced([self.base.tangent(angle)])
+        cosine, sine = self.cosine_and_sine(angle)
+        return sine / cosine
+
+
+def _power(field: Any, tangent: Any, n: int) -> tuple[Any, Any]:
+    """Return real and imaginary part of (1 + τ·I)ⁿ."""
+    x, y = field.one, field.zero
+    for _ in range(n):
+        x, y = x - y * tangent, x * tangent + y
+    return x, y
+
+
+def _tangent_name(name: str, parts: int) -> str:
+    return f"tan({angle_text(name, 2 * parts)})"
+
+
+def _mirrored(ring: PolynomialRing, poly: SparsePolynomial, place: int) -> SparsePolynomial:
+    """Return a polynomial with −x for the variable x in that place."""
+    terms = {m: -c if m[place] % 2 else c for m, c in poly.to_dict().items()}
+    found: SparsePolynomial = ring.context.from_dict(terms)
+    return found
+
+
+def build(base: Ring, angles: Angles, plain: tuple[str, ...]) -> Ring:
+    """Return the field of functions on circles."""
+    if hasattr(base, "modulus_over_rationals"):
+        return shared(CirclesOverNumberField, build(QQ, angles, plain), base)
+    if len(angles) == 1 and not plain:
+        return shared(OneCircle, base, angles)
+    return shared(SeveralCircles, base, angles, plain)
+
+
+def read_circles(base: Ring, parts: Sequence[str]) -> Ring:
+    """Return K(cos(t), sin(t), …) for what stands in the brackets. Raises :class:`RingError`."""
+    from hfield.rings.variables import variables
+
+    what = f"{base}({','.join(parts)})"
+    if not (base == QQ or isinstance(base, PrimeField) or hasattr(base, "modulus_over_rationals")):
+        raise RingError(f"{shorten(what)}: circles are over QQ, a number field, or GF(p)")
+    if base.characteristic == 2:
+        raise RingError(
+            f"{shorten(what)}: circles are not parametrised by tangents in characteristic 2"
+        )
+    found: dict[tuple[str, int], set[str]] = {}
+    plain: list[str] = []
+    for part in parts:
+        function, bracket, inner = part.partition("(")
+        if not bracket:
+            plain.append(part)
+            continue
+        try:
+            angle = angle_of(inner.removesuffix(")"))
+        except HFieldError as error:
+            raise RingError(f"{shorten(what)}: {error}") from None
+        (name, c), *more = angle.items() or [("", Fraction(0))]
+        if function not in ("cos", "sin") or more or c.numerator != 1 or name == PI:
+            raise RingError(
+                f"{shorten(what)}: expected cos(t),sin(t) or cos(t/2),sin(t/2), found {part}"
+            )
+        found.setdefault((name, c.denominator), set()).add(function)
+    names = [name for name, _ in found]
+    variables(what, ",".join([*plain, *names]), base)
+    for angle_name, functions in found.items():
+        if len(functions) < 2:
+            shown = angle_text(*angle_name)
+            raise RingError(f"{shorten(what)}: expected both cos({shown}) and sin({shown})")
+    return build(base, tuple(found), tuple(plain))

@@ -1,0 +1,166 @@
+"""Elements with variables: expressions of sympy made of them, and values put in for variables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from hfield.algebra.embedding import embedding
+from hfield.errors import CoercionError, HFieldError, shorten
+from hfield.product import Constants, Scalar
+from hfield.rings.closed_fields.algebraic import CC, RR
+from hfield.rings.coefficients import Coefficients
+from hfield.rings.expressions import is_of_sympy
+from hfield.rings.to_sympy import polynomial_in, scalar_to_sympy, symbol
+
+if TYPE_CHECKING:
+    import sympy
+
+    from hfield.rings.base import Ring
+
+
+def to_sympy(x: Any, symbols: Iterable[sympy.Symbol] = ()) -> Any:
+    """Return x as an object of sympy: an expression of a scalar, a ``sympy.Quaternion`` of an element.
+
+    Elements of algebras other than (−1, −1 | F) become 4 × 1 matrices of their coordinates. A matrix becomes
+    one of sympy, or a 3-dimensional array of coordinates; a polynomial over an algebra an element with
+    polynomials as coordinates; rows of scalars a matrix; other tuples and lists those of expressions.
+    Residues are represented by 0 … n − 1. ``symbols`` are used for variables of their names, with their
+    assumptions. What comes out is read back as an equal element. Raises :class:`CoercionError` for what
+    sympy cannot express, such as p-adic numbers.
+
+    >>> from hfield import H
+    >>> A = H("QQ(a,b)")
+    >>> to_sympy(A("a + 2*b*i").inverse())
+    a/(a**2 + 4*b**2) + (-2*b/(a**2 + 4*b**2))*i + 0*j + 0*k
+    >>> A(to_sympy(A("a + i")))
+    a + i
+    """
+    given: dict[str, sympy.Symbol] = {s.name: s for s in symbols}
+    return _out(x, given)
+
+
+def _out(x: Any, symbols: Mapping[str, sympy.Symbol]) -> Any:
+    import sympy
+
+    if hasattr(x, "_in_sympy"):
+        return x._in_sympy(symbols)
+    if isinstance(x, Coefficients):
+        return polynomial_in(symbol("X", symbols), (x.ring.to_sympy(c, symbols) for c in x))
+    if hasattr(x, "tolist") and hasattr(x, "ndim"):
+        return _out(x.tolist(), symbols)
+    if isinstance(x, (tuple, list)):
+        parts = [_out(y, symbols) for y in x]
+        rows = [y for y in parts if isinstance(y, (tuple, list))]
+        if rows and len(rows) == len(parts) and len({len(row) for row in rows}) == 1:
+            return sympy.Matrix(rows) if isinstance(rows[0][0], sympy.Expr) else sympy.Array(rows)
+        return type(x)(parts)
+    return scalar_to_sympy(x, symbols)
+
+
+def element_to_sympy(
+    ring: Ring,
+    constants: Constants,
+    coordinates: Iterable[Scalar],
+    symbols: Mapping[str, sympy.Symbol],
+) -> Any:
+    """Return the element with these coordinates: a quaternion of sympy, or a 4 × 1 matrix."""
+    return of_coordinates(ring, constants, [ring.to_sympy(x, symbols) for x in coordinates])
+
+
+def of_coordinates(ring: Ring, constants: Constants, coordinates: list[sympy.Expr]) -> Any:
+    """Return a quaternion of sympy, or a 4 × 1 matrix, with these coordinates."""
+    import sympy
+
+    if is_hamilton(ring, constants):
+        return sympy.Quaternion(*coordinates, real_field=ring.level.value != 1)
+    return sympy.Matrix(4, 1, coordinates)
+
+
+def is_hamilton(ring: Ring, constants: Constants) -> bool:
+    """Tell whether the structure constants are −1 and −1, as sympy's quaternions have them."""
+    minus_one = ring(-1)
+    return (
+        ring.equal(constants.a, minus_one)
+        and ring.equal(constants.b, minus_one)
+        and ring.is_zero(constants.t)
+    )
+
+
+def coordinates_in(x: Any) -> tuple[Any, ...] | None:
+    """Return the four coordinates of a quaternion, a 4 × 1 matrix or a 4-tuple of sympy, or None."""
+    if not is_of_sympy(x):
+        return None
+    if is_quaternion(x):
+        return x.a, x.b, x.c, x.d
+    if hasattr(x, "tolist") and x.shape in ((4, 1), (1, 4), (4,)):
+        return tuple(x)
+    if type(x).__name__ == "Tuple" and len(x) == 4:
+        return tuple(x)
+    return None
+
+
+def is_quaternion(x: object) -> bool:
+    """Tell whether x is a quaternion of sympy."""
+    return is_of_sympy(x) and type(x).__name__ == "Quaternion"
+
+
+def as_list(x: Any) -> Any:
+    """Return an array or a matrix of sympy as nested lists, all else as it is."""
+    return x.tolist() if is_of_sympy(x) and hasattr(x, "tolist") else x
+
+
+def variable_name(x: Any) -> str:
+    """Return the name of a variable: a text or a symbol of sympy. Raises :class:`CoercionError`."""
+    name = x if isinstance(x, str) else getattr(x, "name", None)
+    if not isinstance(name, str):
+        raise CoercionError(
+            f"{shorten(repr(x))} is not a variable: expected a symbol of sympy, or a name such as 't'"
+        )
+    return name
+
+
+def values_given(
+    values: Mapping[Any, object] | None, named: Mapping[str, object]
+) -> dict[str, object]:
+    """Return the values of variables by their names. Raises :class:`CoercionError` for what is unclear."""
+    if values is not None and not isinstance(values, Mapping):
+        raise CoercionError(
+            f"expected values of variables, as in subs({{x: 1}}) or subs(x=1), not {shorten(repr(values))}"
+        )
+    given = [(variable_name(x), y) for x, y in (values or {}).items()]
+    given += named.items()
+    found = dict(given)
+    if len(found) < len(given):
+        twice = next(name for n, (name, _) in enumerate(given) if name in dict(given[:n]))
+        raise CoercionError(f"the variable {twice} is given two values")
+    return found
+
+
+def substitution(ring: Ring, values: Mapping[str, object]) -> tuple[Ring, Callable[[Scalar], Any]]:
+    """Return the ring in which values for variables lie, and the homomorphism into it.
+
+    It is the ring of constants where every variable has a value there, RR or CC where it has one among the
+    algebraic numbers, else the ring itself. Raises :class:`CoercionError` for what is no variable, and for
+    values that are in none of these.
+    """
+    for name in values:
+        if name not in ring.variable_names:
+            shown = ", ".join(ring.variable_names) or "none"
+            raise CoercionError(f"{name} is not a variable of {ring}; its variables: {shown}")
+    candidates: list[Ring] = [ring]
+    constants = ring.values_ring
+    if set(values) >= set(ring.variable_names) and constants is not None:
+        candidates.insert(0, constants)
+        if ring.characteristic == 0:
+            candidates += [RR, CC]
+    failures = []
+    for target in candidates:
+        try:
+            images = ring.images_of(values, target)
+            return target, ring.evaluation(target, images, embedding)
+        except ZeroDivisionError:
+            raise
+        except HFieldError as error:
+            failures.append(error)
+    raise failures[candidates.index(ring)]

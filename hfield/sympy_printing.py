@@ -1,0 +1,35 @@
+"""What sympy's printers look for: classes that write themselves in LaTeX and as text answer them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+class PrintedBySympy:
+    """A class with ``__str__``, ``__repr__`` and ``_repr_latex_``, which sympy prints by these.
+
+    >>> import sympy
+    >>> from hfield import H
+    >>> sympy.latex([H("QQ")(1, 2, 0, 0)]), sympy.sstr(H("QQ")("1/2"))
+    ('\\\\left[ 1 + 2i\\\\right]', '1/2')
+    """
+
+    __slots__ = ()
+
+    def _repr_latex_(self) -> str | None:
+        return None
+
+    def _latex(self, printer: Any) -> str:
+        found = self._repr_latex_()
+        return rf"\mathtt{{\text{{{self}}}}}" if found is None else found.strip("$")
+
+    def _sympystr(self, printer: Any) -> str:
+        return str(self)
+
+    def _sympyrepr(self, printer: Any) -> str:
+        return str(self)
+
+    def _pretty(self, printer: Any) -> Any:
+        from sympy.printing.pretty.stringpict import prettyForm
+
+        return prettyForm(repr(self))
