@@ -14,6 +14,7 @@ from hfield.algebra.maps import Division, Splitting
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
+from hfield.fields.names import RingName
 from hfield.lattices.lattice import Order
 from hfield.lattices.over_integers.lattices import IntegersOrder
 from hfield.notation import element_text
@@ -162,7 +163,7 @@ def info(A: QuaternionAlgebra | Ring | int | str, factors: Factors | None = None
         return _describe(algebra_named(A))
 
 
-def algebra_named(by: QuaternionAlgebra | Ring | int | str) -> QuaternionAlgebra:
+def algebra_named(by: QuaternionAlgebra | RingName) -> QuaternionAlgebra:
     """Return an algebra as it is, or of its text, H(F) of F or its text, or the one of a discriminant."""
     if isinstance(by, QuaternionAlgebra):
         return by
@@ -171,7 +172,7 @@ def algebra_named(by: QuaternionAlgebra | Ring | int | str) -> QuaternionAlgebra
             return QuaternionAlgebra(int(by))
         with suppress(RingError):
             return H(by)
-    return H(by) if isinstance(by, Ring) else QuaternionAlgebra(by)
+    return QuaternionAlgebra(by) if isinstance(by, (int, str)) else H(by)
 
 
 def _describe(A: QuaternionAlgebra) -> Description:

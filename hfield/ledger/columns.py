@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from hfield.fields.names import ring
+from hfield.fields.names import RingName, ring
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL
 from hfield.rings.base import Ring
 from hfield.syntax.brackets import split
@@ -20,10 +20,12 @@ def read_column(text: str) -> str:
     return word.lower() if word.lower() in (UNIVERSAL, NO_FIELD) else ring(word).name
 
 
-def split_columns(fields: Ring | str | Iterable[Ring | str]) -> list[str]:
+def split_columns(fields: RingName | Iterable[RingName]) -> list[str]:
     """Read fields, or names of theirs, also with commas between them; the same one counts once."""
-    each = [fields] if isinstance(fields, (Ring, str)) else fields
-    parts = [part for field in each for part in split(str(field), ",")]
+    several = isinstance(fields, Iterable) and not isinstance(fields, (Ring, str, type))
+    each: Iterable[RingName] = fields if several else [fields]  # type: ignore[assignment]
+    texts = (field if isinstance(field, str) else ring(field).name for field in each)
+    parts = [part for text in texts for part in split(text, ",")]
     return list(dict.fromkeys(read_column(part) for part in parts))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from hfield.errors import NotationError
+from hfield.fields.names import RingName
 from hfield.latex import words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
 from hfield.ledger.columns import split_columns
@@ -17,7 +18,6 @@ from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import Decision
 from hfield.proving.statements.printing import to_latex
 from hfield.proving.statements.trees import conjuncts
-from hfield.rings.base import Ring
 from hfield.rings.printing import latex_name
 from hfield.syntax import parse
 
@@ -67,7 +67,7 @@ class Explanation:
         return f"${self.latex()}$"
 
 
-def explain(claim: str, field: Ring | str | None = None) -> Explanation:
+def explain(claim: str, field: RingName | None = None) -> Explanation:
     """Decide a claim over one field, or its name (QQ by default), and show each step.
 
     ``claim`` is its id, its name or its number in the thesis; the number of a section stands for all its

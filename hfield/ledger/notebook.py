@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from hfield.executors import InProcess
+from hfield.fields.names import RingName
 from hfield.latex import words
 from hfield.ledger.claim import Row
 from hfield.ledger.columns import split_columns
@@ -43,7 +44,7 @@ class Report:
         return f"${self.latex()}$"
 
 
-def verify(*names: str | Iterable[str], field: Ring | str | Iterable[Ring | str] = ()) -> Report:
+def verify(*names: str | Iterable[str], field: RingName | Iterable[RingName] = ()) -> Report:
     """Decide claims of the thesis and show what came out, with the errata.
 
     ``names`` are ids, names or numbers, or lists of them (all claims without any), ``field`` is a field, its

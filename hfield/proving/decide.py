@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from hfield.certificates.glossary import LINEAR_ALGEBRA, NONE
 from hfield.errors import HFieldError
-from hfield.fields.names import ring
+from hfield.fields.names import RingName, ring
 from hfield.proving.attempts import Attempts, Method
 from hfield.proving.clock import Clock
 from hfield.proving.decision import (
@@ -55,7 +55,7 @@ class Question:
 
 def read_question(
     statement: str,
-    field: Ring | str | None = None,
+    field: RingName | None = None,
     given: Iterable[str] = (),
     algebra: str | None = None,
     timeout: float = TIMEOUT,
@@ -68,7 +68,7 @@ def read_question(
 
 def decide(
     statement: str,
-    field: Ring | str | None = None,
+    field: RingName | None = None,
     given: Iterable[str] = (),
     algebra: str | None = None,
     timeout: float = TIMEOUT,

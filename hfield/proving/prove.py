@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from hfield.errors import NotationError
 from hfield.evidence import is_complete, why_rejected
+from hfield.fields.names import RingName
 from hfield.proving.decide import TIMEOUT, answer, read_question
 from hfield.proving.decision import (
     NOT_APPLICABLE,
@@ -22,7 +23,6 @@ from hfield.proving.decision import (
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_latex, to_unicode
 from hfield.proving.statements.setting import Setting
-from hfield.rings.base import Ring
 from hfield.syntax import plain
 
 if TYPE_CHECKING:
@@ -178,14 +178,15 @@ def _value(texts: list[str]) -> str:
 
 def prove(
     statement: str,
-    field: Ring | str | None = None,
+    field: RingName | None = None,
     given: str | Iterable[str] = (),
     algebra: QuaternionAlgebra | str | None = None,
     timeout: float = TIMEOUT,
 ) -> Answer:
     """Decide a statement about quaternions and return the answer with its evidence.
 
-    ``field`` is a ring or its text; None decides for all fields at once. ``given`` is a hypothesis, or
+    ``field`` is a ring, its text, a domain of sympy or a field of galois; None decides for all fields at
+    once. ``given`` is a hypothesis, or
     several, put in front of the statement; both may have the signs in which answers are printed
     (``p·q̄ ≠ 0``). ``algebra`` is one, or a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if None),
     ``timeout`` the time in seconds. Raises :class:`NotationError` with a position for what cannot be read.

@@ -11,7 +11,19 @@ import numpy as np
 import pytest
 import sympy
 
-from hfield import CoercionError, H, QuaternionAlgebra, Ring, RingError, prove, ring, to_sympy
+from hfield import (
+    CoercionError,
+    H,
+    QuaternionAlgebra,
+    Ring,
+    RingError,
+    explain,
+    info,
+    prove,
+    ring,
+    to_sympy,
+    verify,
+)
 from tests.conformance import RINGS
 
 LOCAL = ("Qp", "_(", "((", "_inf")  # sympy has no local fields
@@ -83,6 +95,12 @@ def test_domains_that_mean_something_else() -> None:
 def test_the_prover_takes_domains() -> None:
     assert prove("norm(p*q) == norm(p)*norm(q)", field=sympy.GF(7)).verdict == "proved"
     assert prove("p*q == q*p", field=galois.GF(9)).verdict == "refuted"
+    assert explain("centre", galois.GF(9)).row.field == "GF(9)"
+    assert [row.field for row in verify("centre", field=[sympy.GF(7), "QQ"]).rows] == [
+        "GF(7)",
+        "QQ",
+    ]
+    assert info(sympy.QQ).division
 
 
 def test_elements_of_domains() -> None:

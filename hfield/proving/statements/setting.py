@@ -12,7 +12,7 @@ from hfield.errors import (
     NotInvertibleError,
     UndecidedError,
 )
-from hfield.fields.names import ring
+from hfield.fields.names import RingName, ring
 from hfield.notation import split_algebra
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
@@ -67,7 +67,7 @@ class Setting:
         return self.constants == HAMILTON
 
 
-def read_setting(field: Ring | str | None = None, algebra: str | None = None) -> Setting:
+def read_setting(field: RingName | None = None, algebra: str | None = None) -> Setting:
     """Read the field and the algebra, each given by its text.
 
     ``algebra`` may name the field itself, as in ``(-1,-3|QQ)``, or leave it open with the letter F,
