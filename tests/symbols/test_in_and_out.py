@@ -278,7 +278,7 @@ def test_sympy_is_imported_when_its_objects_are_met() -> None:
     assert done.stdout.strip() == "False"
 
 
-def test_rings_without_expressions_of_their_own(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rings_without_expressions_of_their_own() -> None:
     class Own(Ring[int]):
         name, characteristic = "own", 0
 
