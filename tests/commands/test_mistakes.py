@@ -22,7 +22,6 @@ TYPED = [
     ("prove 'p*q'", "expected a statement such as p == q"),
     ("prove 'p*q == q*p' --field 'GF(6)'", "the nearest are GF(5) and GF(7)"),
     ("info '(-1 -1|QQ)'", "has 1 structure constant, which commas separate"),
-    ("info '(-1,-1|QQ[x]/(x^2-1))'", "(x-1)*(x+1)"),
     ("count QQ", "such as GF(9) or ZZ/6"),
     ("brandt 100003 --plot g.xyz", "ends in .svg, .png, .pdf"),
     ("brandt 100003 --plot missing/g.svg", "there is no folder"),
