@@ -5,6 +5,7 @@ from typing import Any
 
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.ring import Ring
+from hfield.errors import RingError
 from hfield.rings import ring
 from hfield.structure import place as place_of
 
@@ -21,7 +22,8 @@ INFINITY: Data = {"kind": "infinity"}
 def data_of(name: str) -> Data:
     """Return the data of a ring that the package knows by a name."""
     found = ring(name).data
-    assert found is not None
+    if found is None:
+        raise RingError(f"{name} has no data, and no certificates")
     return found
 
 

@@ -189,7 +189,7 @@ def _at_prime_ideal(
     """Return the completion at a prime ideal with ``p``, ``e`` and ``f``."""
     below = f"ℚ{str(v.p).translate(SUBSCRIPTS)}"
     size = f"of degree {v.e * v.f} over {below}" if v.e * v.f > 1 else f"which is {below}"
-    name = str(v) if isinstance(v, PrimeIdeal) else v.short_name
+    name = v.short_name
     words = f"the completion of {blackboard(field.name)} at {name}, {size}"
     text = name if name.startswith("(") else f"({name})"
     return LocalField(f"{field}_{text}", words, field, v, residues)

@@ -103,6 +103,11 @@ class PrimeIdeal:
             str(self.p) if self.is_inert else f"({self.p}, {self.field.text(self.generators[1])})"
         )
 
+    @property
+    def short_name(self) -> str:
+        """The text in names of completions: ``pi`` need not be an integer away from p."""
+        return str(self.p) if self.is_inert else f"({self.p}, {self.field.text(self.pi)})"
+
     __repr__ = __str__
 
     def __eq__(self, other: object) -> bool:
