@@ -42,6 +42,7 @@ FLOORS = [
         "hfield.functions",
         "hfield.algebra.maps",
         "hfield.lattices",
+        "hfield.exploring",
         "hfield.modules",
         "hfield.quaternion",
         "hfield.element_text",

@@ -59,7 +59,13 @@ class Parent(Protocol):
     @property
     def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]: ...  # noqa: D102
     def __call__(self, *coordinates: object) -> Quaternion: ...  # noqa: D102
+    @property
+    def one(self) -> Quaternion: ...  # noqa: D102
+    @property
+    def zero(self) -> Quaternion: ...  # noqa: D102
     def scalar(self, x: object) -> Quaternion: ...  # noqa: D102
+    def elements(self) -> Iterator[Quaternion]: ...  # noqa: D102
+    def random_element(self, seed: int | None = ...) -> Quaternion: ...  # noqa: D102
     def from_array(self, values: object) -> Quaternion: ...  # noqa: D102
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
     def _common(self, other: Parent) -> Parent | None: ...
@@ -884,7 +890,7 @@ class Conjugacy(NamedTuple):
         return self.element is not None
 
 
-class _TooManyError(NotFiniteError, OverflowError):
+class TooManyError(NotFiniteError, OverflowError):
     """More than ``len`` can tell: a TypeError to ``list``, which then goes on without the length."""
 
 
@@ -936,12 +942,12 @@ class SquareRoots:
         ``len`` can tell; ``A.count(square=s)`` tells all numbers over finite fields.
         """
         if not self.is_finite:
-            raise _TooManyError(f"{shorten(self.element)} has infinitely many square roots")
+            raise TooManyError(f"{shorten(self.element)} has infinitely many square roots")
         if self.quadric is None:
             return len(self.isolated)
         n = self.element.algebra.count(square=self.element.scalar_part)
         if n > sys.maxsize:
-            raise _TooManyError(
+            raise TooManyError(
                 f"{shorten(self.element)} has {n} square roots, more than len can tell: ask "
                 "A.count(square=…)"
             )

@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from hfield.algebra.brauer import Corestriction, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.algebra.quadratic_fields import Embedding
+    from hfield.exploring.elements import Elements
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Order
     from hfield.lattices.over_integers.lattices import IntegersOrder
@@ -732,6 +733,69 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             if kind in _KINDS.values():
                 return int(getattr(found, kind))
         return structure.count(ring, c, kind, value).value
+
+    # --- exploring: its elements, groups, ideals: the package is imported on use ----------------
+
+    def _collection(self, name: str, value: Any = None) -> Elements:
+        from hfield.exploring.elements import Elements
+        from hfield.exploring.properties import Condition
+
+        return Elements(self, Condition(name, value))
+
+    def units(self) -> Elements:
+        """Return the collection of the units: ``len``, ``in``, iteration, ``.array()``, ``.formula``.
+
+        Over an infinite field ``.condition`` describes it and ``.sample(n)`` draws from it.
+
+        >>> S = H("GF(3)").units()
+        >>> len(S), S.formula, H("GF(3)")(1, 1, 0, 0) in S, next(iter(S))
+        (48, 'q^4-q^3-q^2+q', True, k)
+        """
+        return self._collection("units")
+
+    def zero_divisors(self) -> Elements:
+        """Return the collection of the zero divisors, 0 among them, as :meth:`units` does.
+
+        >>> S = H("GF(7)").zero_divisors(); len(S), S.formula, S[1]
+        (385, 'q^3+q^2-q', i + 2j + 3k)
+        """
+        return self._collection("zero divisors")
+
+    def idempotents(self) -> Elements:
+        """Return the collection of the q with q² = q, 0 and 1 among them, as :meth:`units` does.
+
+        >>> len(H("GF(3)").idempotents()), list(H("ZZ/6").idempotents())[:3]
+        (14, [0, 1, 2 + 2j + 2k])
+        """
+        return self._collection("idempotents")
+
+    def nilpotents(self) -> Elements:
+        """Return the collection of the q of which some power is 0, as :meth:`units` does.
+
+        >>> list(H("GF(2)").nilpotents())[:4]
+        [0, j + k, i + k, i + j]
+        """
+        return self._collection("nilpotents")
+
+    def elements_of_norm(self, n: object) -> Elements:
+        """Return the collection of the elements of norm n, as :meth:`units` does.
+
+        >>> len(H("GF(3)").elements_of_norm(1)), H("QQ").elements_of_norm(2).condition
+        (24, 'norm(q) == 2')
+        """
+        from hfield.exploring.elements import check_scalar
+
+        return self._collection("norm", check_scalar(self, n))
+
+    def elements_of_trace(self, s: object) -> Elements:
+        """Return the collection of the elements of trace s, as :meth:`units` does.
+
+        >>> len(H("GF(3)").elements_of_trace(1)), len(H("GF(2)").elements_of_trace(1))
+        (27, 0)
+        """
+        from hfield.exploring.elements import check_scalar
+
+        return self._collection("trace", check_scalar(self, s))
 
     # --- the Brauer group --------------------------------------------------------------------------
 

@@ -30,6 +30,9 @@ MANY = (
     10**5
 )  # elements, from which on loops that are compiled, or read from the disk, pay for themselves
 
+MANY_SCALARS = 64
+"""The order from which on tables of sums and products are computed by compiled loops."""
+
 
 @dataclass
 class Tally:
@@ -55,13 +58,19 @@ class Tables:
         self.elements = list(ring.elements())
         self.index = {ring.key(x): n for n, x in enumerate(self.elements)}
         self.size = len(self.elements)
-        self.sums = self._table(np, lambda x, y: x + y)
-        self.products = self._table(np, lambda x, y: x * y)
+        self.sums = self._table(np, "sum", lambda x, y: x + y)
+        self.products = self._table(np, "product", lambda x, y: x * y)
         negatives = [self.index[ring.key(ring.zero - x)] for x in self.elements]
         self.negatives = np.array(negatives, dtype=np.int32)
 
-    def _table(self, np: Any, operation: Callable[[Scalar, Scalar], Scalar]) -> Any:
+    def _table(self, np: Any, name: str, operation: Callable[[Scalar, Scalar], Scalar]) -> Any:
+        from hfield.rings.array_held.finite import scalar_arrays
+
         key, index = self.ring.key, self.index
+        loops = scalar_arrays(self.ring) if self.size >= MANY_SCALARS else None
+        if loops is not None:
+            labels = np.arange(self.size, dtype=loops.dtype)
+            return loops(name, labels[:, None], labels[None, :]).astype(np.int32).ravel()
         rows = [[index[key(operation(x, y))] for y in self.elements] for x in self.elements]
         return np.array(rows, dtype=np.int32).ravel()
 

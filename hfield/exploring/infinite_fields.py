@@ -1,0 +1,142 @@
+"""Random elements with a property over a field that cannot be gone through.
+
+From one zero divisor come all kinds of them: ``z·q`` has norm 0; of two such elements u, v of the left ideal
+A·z the combination ``tr(u)·v − tr(v)·u`` is nilpotent, and ``u/tr(u)`` is idempotent. From one element of
+norm n others come by ``q²/N(q)``, which has norm 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from random import Random
+from typing import Any
+
+from hfield import structure
+from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.errors import UndecidedError
+from hfield.exploring.properties import Condition
+from hfield.structure.single_elements.trace_and_norm import element_of
+
+MAX_TRIALS = 200
+"""So often in a row nothing new may be found."""
+TRACES = 24
+"""So many traces are tried for an element of given norm."""
+
+
+def sample(algebra: Parent, condition: Condition, n: int, seed: int) -> tuple[Quaternion, ...]:
+    """Return up to n different elements with a property over a field.
+
+    Raises :class:`UndecidedError` where none of a given norm is found, or zero divisors are not decided.
+    """
+    ring = algebra.ring
+    if not ring.is_field:
+        raise UndecidedError(
+            f"elements are sampled over fields and finite rings, and {ring} is an infinite ring: ask over "
+            "its field of fractions"
+        )
+    draw = _drawing(algebra, condition, Random(seed))
+    found: list[Quaternion] = []
+    seen: set[Any] = set()
+    misses = 0
+    while len(found) < n and misses < MAX_TRIALS:
+        q = draw()
+        key = None if q is None else q.text()
+        if q is None or key in seen:
+            misses += 1
+            continue
+        seen.add(key)
+        found.append(q)
+        misses = 0
+    return tuple(found)
+
+
+def _drawing(algebra: Parent, condition: Condition, rng: Random) -> Callable[[], Quaternion | None]:
+    """Return what draws an element with the property, or None when it fails."""
+    ring, c = algebra.ring, algebra.constants
+    name, value = condition
+
+    def anything() -> Quaternion:
+        w, x, y, z = (ring.random(rng) for _ in range(4))
+        return Quaternion(algebra, (w, x, y, z))
+
+    def unit() -> Quaternion | None:
+        q = anything()
+        return q if q.is_unit() else None
+
+    if name == "units":
+        return unit
+    if name == "trace":
+        return _of_trace(algebra, value, anything)
+    if name == "norm" and not ring.is_zero(value):
+        start = algebra(*_of_norm(algebra, value))
+
+        def of_norm() -> Quaternion | None:
+            q = unit()
+            if q is None:
+                return None
+            found: Quaternion = start * q * q * algebra.scalar(ring.inverse(q.norm()))
+            return found
+
+        return of_norm
+    element = structure.zero_norm(ring, c).element
+    if element is None:
+        finite = [algebra.zero, algebra.one] if name == "idempotents" else [algebra.zero]
+        return lambda: rng.choice(finite)
+    zero = algebra(*element)
+
+    def multiple() -> Quaternion:
+        found: Quaternion = anything() * zero * anything()
+        return found
+
+    if name == "nilpotents":
+
+        def nilpotent() -> Quaternion:
+            u, v = anything() * zero, anything() * zero
+            return algebra.scalar(u.trace()) * v - algebra.scalar(v.trace()) * u
+
+        return nilpotent
+    if name == "idempotents":
+
+        def idempotent() -> Quaternion:
+            u = multiple()
+            if ring.is_zero(u.trace()):  # always, where the algebra modulo its radical is a field
+                return rng.choice([algebra.zero, algebra.one])
+            return u * algebra.scalar(ring.inverse(u.trace()))
+
+        return idempotent
+    return multiple
+
+
+def _of_trace(
+    algebra: Parent, s: Any, anything: Callable[[], Quaternion]
+) -> Callable[[], Quaternion | None]:
+    """Return what draws an element of trace s: the others differ by elements of trace 0."""
+    ring, t = algebra.ring, algebra.constants.t
+    two = ring(2)
+    o = ring.zero
+    if not ring.is_zero(two):
+        one = algebra(ring.divide(ring.one, two), o, o, o)
+    elif not ring.is_zero(t):
+        one = algebra(o, ring.divide(ring.one, t), o, o)
+    else:  # all traces are 0
+        return lambda: anything() if ring.is_zero(s) else None
+
+    def of_trace() -> Quaternion:
+        q = anything()
+        return q + one * algebra.scalar(s - q.trace())
+
+    return of_trace
+
+
+def _of_norm(algebra: Parent, n: Any) -> Any:
+    """Return an element of norm n. Raises :class:`UndecidedError` where none is found."""
+    ring, c = algebra.ring, algebra.constants
+    root = ring.sqrt(n)
+    if root is not None:
+        return root, ring.zero, ring.zero, ring.zero
+    if structure.is_central_simple(ring, c):
+        for s in range(TRACES):
+            found = element_of(ring, c, ring(s), n)
+            if found is not None:
+                return found
+    raise UndecidedError(f"no element of norm {ring.text(n)} was found in {algebra}")

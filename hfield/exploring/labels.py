@@ -1,0 +1,177 @@
+"""The elements of an algebra over a finite ring as labels: numbers that numpy computes with.
+
+A scalar is its place in ``ring.elements()``, and an element is the four labels of its coordinates, or one
+number below q⁴ whose digits in base q they are. The order by numbers is the order of ``A.elements()``.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+from hfield import product
+from hfield.algebra.quaternion import Parent, Quaternion, held_by
+from hfield.errors import NotFiniteError, TooLargeError, shorten
+from hfield.product import Constants
+from hfield.structure.counting.tally import Indices, Tables
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from hfield.rings.base import Ring
+
+Rows = tuple["np.ndarray", "np.ndarray", "np.ndarray", "np.ndarray"]
+"""The labels of the four coordinates of an array of elements."""
+MAX_ORDER = 2048
+"""The greatest order of a ring with tables of sums and products."""
+MAX_ELEMENTS = 10**6
+"""The greatest number of elements of an algebra that are compared with each other."""
+
+
+class LabelledAlgebra:
+    """An algebra over a finite ring, computed with by tables of the labels of scalars."""
+
+    def __init__(self, algebra: Parent) -> None:
+        self.algebra = algebra
+        self.ring: Ring = algebra.ring
+        self.q = order_of_ring(algebra)
+        if self.q > MAX_ORDER:
+            raise TooLargeError(
+                f"{algebra} has tables of scalars only up to {MAX_ORDER} of them, and {self.ring} has "
+                f"{shorten(self.q)}"
+            )
+        self.size = self.q**4
+        self.tables = Tables(self.ring)
+        self.constants = Constants(*map(self.tables.of, algebra.constants))
+        self._parts = [algebra.holding.hold((x, x, x, x)) for x in self.tables.elements]
+
+    # --- labels and elements -------------------------------------------------------------------
+
+    def label(self, x: Any) -> int:
+        """Return the label of a scalar."""
+        return self.tables.index[self.ring.key(x)]
+
+    def number(self, element: Quaternion) -> int:
+        """Return the number of an element."""
+        total = 0
+        for x in element.coordinates:
+            total = total * self.q + self.label(x)
+        return total
+
+    def element(self, number: int) -> Quaternion:
+        """Return the element with a number."""
+        first, second = divmod(number, self.q**2)
+        return self.of_labels(*divmod(first, self.q), *divmod(second, self.q))
+
+    def of_labels(self, w: int, x: int, y: int, z: int) -> Quaternion:
+        """Return the element whose coordinates have these labels."""
+        parts = self._parts
+        together = (parts[w][0], parts[x][1], parts[y][2], parts[z][3])
+        return held_by(self.algebra, self.algebra.holding, together)
+
+    def rows(self, numbers: np.ndarray) -> Rows:
+        """Return the labels of the coordinates of numbered elements."""
+        import numpy as np
+
+        first, second = np.divmod(numbers, self.q**2)
+        return *np.divmod(first, self.q), *np.divmod(second, self.q)
+
+    def numbers(self, rows: Rows) -> np.ndarray:
+        """Return the numbers of elements with these labels."""
+        import numpy as np
+
+        w, x, y, z = (row.astype(np.int64) for row in rows)
+        return ((w * self.q + x) * self.q + y) * self.q + z
+
+    def array(self, numbers: np.ndarray) -> Quaternion:
+        """Return numbered elements as one array of quaternions."""
+        import numpy as np
+
+        from hfield.rings.array_held.finite import LabelArrays
+
+        rows = self.rows(numbers)
+        if isinstance(self.algebra.array_holding, LabelArrays):
+            return self.algebra.from_array(np.stack(rows))
+        scalars = self.ring.array(self.tables.elements)
+        w, x, y, z = (scalars[row.astype(np.intp)] for row in rows)
+        return Quaternion(self.algebra, (w, x, y, z))
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def _indices(self, rows: Rows) -> tuple[Indices, Indices, Indices, Indices]:
+        w, x, y, z = (Indices(self.tables, row) for row in rows)
+        return w, x, y, z
+
+    def product(self, p: Rows, q: Rows) -> Rows:
+        """Return the products, elementwise."""
+        found = product.multiply(self.constants, self._indices(p), self._indices(q))
+        w, x, y, z = (c.values for c in found)
+        return w, x, y, z
+
+    def sum(self, p: Rows, q: Rows) -> Rows:
+        """Return the sums, elementwise."""
+        sums = zip(self._indices(p), self._indices(q), strict=True)
+        w, x, y, z = ((u + v).values for u, v in sums)
+        return w, x, y, z
+
+    def products(self, p: np.ndarray, q: np.ndarray) -> np.ndarray:
+        """Return the numbers of the products of numbered elements, elementwise."""
+        return self.numbers(self.product(self.rows(p), self.rows(q)))
+
+    def norm(self, rows: Rows) -> np.ndarray:
+        """Return the labels of the norms."""
+        found: np.ndarray = product.norm(self.constants, self._indices(rows)).values
+        return found
+
+    def trace(self, rows: Rows) -> np.ndarray:
+        """Return the labels of the traces."""
+        found: np.ndarray = product.trace(self.constants, self._indices(rows)).values
+        return found
+
+    def conjugation(self, unit: Quaternion) -> np.ndarray:
+        """Return the permutation x ↦ u·x·u⁻¹ of the numbers of all elements.
+
+        Raises :class:`TooLargeError` beyond :data:`MAX_ELEMENTS` elements.
+        """
+        import numpy as np
+
+        self.check_size("conjugates of all elements are computed")
+        everything = self.rows(np.arange(self.size))
+        left, right = (self._one(u) for u in (unit, unit.inverse()))
+        return self.numbers(self.product(self.product(left, everything), right))
+
+    def _one(self, element: Quaternion) -> Rows:
+        import numpy as np
+
+        w, x, y, z = (np.int32(self.label(u)) for u in element.coordinates)
+        return w, x, y, z  # type: ignore[return-value]  # arrays of no dimensions broadcast
+
+    def check_size(self, what: str) -> None:
+        """Raise :class:`TooLargeError` for an algebra of more than :data:`MAX_ELEMENTS` elements."""
+        if self.size > MAX_ELEMENTS:
+            raise TooLargeError(
+                f"{self.algebra} has {shorten(self.size)} elements, and {what} for at most {MAX_ELEMENTS}"
+            )
+
+
+def order_of_ring(algebra: Parent) -> int:
+    """Return how many scalars there are. Raises :class:`NotFiniteError`."""
+    if algebra.ring.order is None:
+        raise NotFiniteError(
+            f"{algebra} is infinite: expected an algebra over a finite ring, such as H(GF(7))"
+        )
+    return int(algebra.ring.order)
+
+
+def labelled(algebra: Parent) -> LabelledAlgebra:
+    """Return the labels of an algebra, the same for equal ones.
+
+    Raises :class:`NotFiniteError` over an infinite ring, :class:`TooLargeError` beyond :data:`MAX_ORDER`.
+    """
+    key: Any = algebra  # which is hashable, as a Parent need not be
+    return _labelled(key)
+
+
+@lru_cache(maxsize=8)
+def _labelled(algebra: Any) -> LabelledAlgebra:
+    return LabelledAlgebra(algebra)
