@@ -42,11 +42,11 @@ FLOORS = [
         "hfield.functions",
         "hfield.algebra.maps",
         "hfield.lattices",
-        "hfield.exploring",
         "hfield.modules",
         "hfield.quaternion",
         "hfield.element_text",
     },
+    {"hfield.exploring"},  # stands on the element and on maps, and the algebra hands over to it
     {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
     {"hfield.lattices.lattice", "hfield.lattices.over_integers"},
     {"hfield.lattices.hurwitz_order"},

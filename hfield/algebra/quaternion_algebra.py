@@ -47,7 +47,10 @@ if TYPE_CHECKING:
     from hfield.algebra.brauer import Corestriction, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.algebra.quadratic_fields import Embedding
+    from hfield.exploring.automorphisms import AutomorphismGroup
+    from hfield.exploring.classes import ConjugacyClass
     from hfield.exploring.elements import Elements
+    from hfield.exploring.unit_groups import UnitGroup
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Order
     from hfield.lattices.over_integers.lattices import IntegersOrder
@@ -796,6 +799,58 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         from hfield.exploring.elements import check_scalar
 
         return self._collection("trace", check_scalar(self, s))
+
+    def unit_group(self) -> UnitGroup:
+        """Return the group of units over a finite ring: order, structure, centre, generators, classes.
+
+        Raises :class:`NotFiniteError` over an infinite ring.
+
+        >>> G = H("GF(3)").unit_group()
+        >>> G.order, G.structure, G.exponent, G.generators, len(G.conjugacy_classes)
+        (48, 'GL(2,3)', 24, (j + k, 1 + 2i + 2j + 2k), 8)
+        """
+        from hfield.exploring.unit_groups import unit_group
+
+        return unit_group(self)
+
+    def special_unit_group(self) -> UnitGroup:
+        """Return the group of elements of norm 1 over a finite ring, as :meth:`unit_group` does.
+
+        ``maximal_order().norm_one_group()``, of an indefinite order, is modulo ±1; this one is not.
+
+        >>> H("GF(3)").special_unit_group().structure
+        'SL(2,3)'
+        """
+        from hfield.exploring.unit_groups import unit_group
+
+        return unit_group(self, special=True)
+
+    def conjugacy_classes(self) -> tuple[ConjugacyClass, ...]:
+        """Return the classes of all elements under the units, over a finite ring.
+
+        In a split algebra they are the scalars, and the other elements by characteristic polynomial.
+        Raises :class:`NotFiniteError` over an infinite ring, :class:`TooLargeError`.
+
+        >>> [len(c) for c in H("GF(3)").conjugacy_classes()]
+        [1, 1, 1, 8, 6, 12, 12, 8, 6, 12, 8, 6]
+        """
+        from hfield.exploring.classes import conjugacy_classes, split_classes
+
+        if self.ring.order is not None and self.is_central_simple():
+            return split_classes(self)
+        return conjugacy_classes(self, self.unit_group().generators)
+
+    def automorphism_group(self) -> AutomorphismGroup:
+        """Return the group of automorphisms over a finite ring that fix the scalars, as maps.
+
+        Raises :class:`NotFiniteError` over an infinite ring, :class:`TooLargeError`.
+
+        >>> G = H("GF(2)").automorphism_group(); G.order, G.structure, len(G.generators)
+        (24, 'S4', 2)
+        """
+        from hfield.exploring.automorphisms import AutomorphismGroup
+
+        return AutomorphismGroup(self)
 
     # --- the Brauer group --------------------------------------------------------------------------
 

@@ -6,6 +6,7 @@ number below q⁴ whose digits in base q they are. The order by numbers is the o
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -127,6 +128,15 @@ class LabelledAlgebra:
         """Return the labels of the traces."""
         found: np.ndarray = product.trace(self.constants, self._indices(rows)).values
         return found
+
+    def determinant(self, rows: Sequence[Sequence[np.ndarray]]) -> np.ndarray:
+        """Return the labels of the determinants of 3 × 3 matrices of labels."""
+        (a, b, c), (d, e, f), (g, h, i) = (
+            [Indices(self.tables, entry) for entry in row] for row in rows
+        )
+        found = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+        determinants: np.ndarray = found.values
+        return determinants
 
     def conjugation(self, unit: Quaternion) -> np.ndarray:
         """Return the permutation x ↦ u·x·u⁻¹ of the numbers of all elements.
