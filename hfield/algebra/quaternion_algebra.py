@@ -50,6 +50,8 @@ if TYPE_CHECKING:
     from hfield.exploring.automorphisms import AutomorphismGroup
     from hfield.exploring.classes import ConjugacyClass
     from hfield.exploring.elements import Elements
+    from hfield.exploring.ideals import AlgebraIdeal
+    from hfield.exploring.subalgebras import Subalgebra
     from hfield.exploring.unit_groups import UnitGroup
     from hfield.lattices.hurwitz_order import HurwitzOrder
     from hfield.lattices.lattice import Order
@@ -851,6 +853,84 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         from hfield.exploring.automorphisms import AutomorphismGroup
 
         return AutomorphismGroup(self)
+
+    def left_ideals(self) -> tuple[AlgebraIdeal, ...]:
+        """Return all left ideals over a finite field, 0 and the algebra included, small ones first.
+
+        In a split algebra they are q + 1 points of a projective line, between 0 and all. Over an infinite
+        field a division algebra has 0 and all; others raise :class:`NotFiniteError`. Raises
+        :class:`RingError` over rings that are no fields.
+
+        >>> [I.dimension for I in H("GF(3)").left_ideals()], len(H("QQ").left_ideals())
+        ([0, 2, 2, 2, 2, 4], 2)
+        """
+        from hfield.exploring.ideals import ideals
+
+        return ideals(self, "left")
+
+    def right_ideals(self) -> tuple[AlgebraIdeal, ...]:
+        """Return all right ideals over a finite field, as :meth:`left_ideals` does.
+
+        >>> I, J = H("GF(2)").right_ideals()[1:3]; I < J, I.generator, J.basis
+        (True, 1 + i + j + k, (1 + i, j + k))
+        """
+        from hfield.exploring.ideals import ideals
+
+        return ideals(self, "right")
+
+    def two_sided_ideals(self) -> tuple[AlgebraIdeal, ...]:
+        """Return all two-sided ideals, as :meth:`left_ideals` does; 0 and all of a central simple algebra.
+
+        >>> len(H("QQ").two_sided_ideals()), len(H("GF(2)").two_sided_ideals())
+        (2, 7)
+        """
+        from hfield.exploring.ideals import ideals
+
+        return ideals(self, "two-sided")
+
+    def subalgebras(self, dimension: int = 2) -> tuple[Subalgebra, ...]:
+        """Return the subalgebras of a dimension that contain 1, over a finite field, up to conjugation.
+
+        Raises :class:`NotFiniteError`, :class:`RingError` over rings that are no fields,
+        :class:`TooLargeError`, and :class:`CoercionError` for another dimension than 1 to 4.
+
+        >>> [(S.kind, len(S.conjugates)) for S in H("GF(5)").subalgebras(dimension=2)]
+        [('split', 15), ('field', 10), ('dual numbers', 6)]
+        """
+        from hfield.exploring.subalgebras import subalgebras
+        from hfield.exploring.subspaces import check_finite_field
+
+        check_finite_field(self, "subalgebras")
+        return subalgebras(self, dimension, self.unit_group().generators)
+
+    def is_simple(self) -> bool:
+        """Tell whether there are no two-sided ideals but 0 and all.
+
+        Over a field it is the same as :meth:`is_semisimple`: a degenerate algebra has a radical, or it is
+        a field, inseparable of degree 4. Over another ring multiples of its ideals are ideals.
+
+        >>> H("GF(3)").is_simple(), H("GF(2)").is_simple(), H("ZZ/6").is_simple()
+        (True, False, False)
+        """
+        if structure.is_central_simple(*self._here()):
+            return True
+        return bool(self.ring.is_field) and not structure.radical(*self._here())
+
+    def is_semisimple(self) -> bool:
+        """Tell whether every left ideal is a direct summand. Raises :class:`UndecidedError`.
+
+        >>> H("GF(3)").is_semisimple(), H("GF(2)").is_semisimple(), H("ZZ/15").is_semisimple()
+        (True, False, True)
+        """
+        return structure.is_semisimple(*self._here())
+
+    def is_local(self) -> bool:
+        """Tell whether the elements that are no units are an ideal. Raises :class:`UndecidedError`.
+
+        >>> H("QQ").is_local(), H("GF(3)").is_local(), H("GF(2)").is_local(), H("ZZ/8").is_local()
+        (True, False, True, True)
+        """
+        return structure.is_local(*self._here())
 
     # --- the Brauer group --------------------------------------------------------------------------
 

@@ -13,6 +13,8 @@ from .linear_algebra.centre import centre as centre
 from .linear_algebra.centre import is_commutative as is_commutative
 from .linear_algebra.radical import derivations as derivations
 from .linear_algebra.radical import is_central_simple as is_central_simple
+from .linear_algebra.radical import is_local as is_local
+from .linear_algebra.radical import is_semisimple as is_semisimple
 from .linear_algebra.radical import radical as radical
 from .linear_algebra.radical import to_opposite as to_opposite
 from .norm_forms.zero_norm_answer import ZeroNorm as ZeroNorm

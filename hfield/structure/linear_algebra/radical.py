@@ -22,11 +22,13 @@ from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.powers import power
+from hfield.structure.counting.formulas_finite import count, has_formulas
 from hfield.structure.forms import discriminant, pairing_matrix
-from hfield.structure.global_field import global_field
+from hfield.structure.global_field import global_field, known_field
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.linear_algebra.syzygies import TRIALS, Row, generators, modulo
+from hfield.structure.norm_forms.zero_norms import is_division
 
 if TYPE_CHECKING:
     import flint
@@ -40,6 +42,54 @@ def is_central_simple(ring: Ring, c: Constants) -> bool:
     if ring.is_field is None:
         raise UndecidedError(f"{ring.no_field}: over a ring that is none no algebra is simple")
     return ring.is_field and not ring.is_zero(discriminant(ring, c))
+
+
+def is_semisimple(ring: Ring, c: Constants) -> bool:
+    """Tell whether the algebra is semisimple. Raises :class:`UndecidedError`.
+
+    Over a field or a finite ring, where it has finite length, that is whether its radical is 0. Over ℤ and
+    polynomial rings it has not, and is not semisimple.
+    """
+    if ring.is_field or ring.order is not None:
+        return not radical(ring, c)
+    if _is_domain(ring):
+        return False
+    raise UndecidedError(
+        f"whether an algebra over {shorten(ring.name)} is semisimple is not decided"
+    )
+
+
+def is_local(ring: Ring, c: Constants) -> bool:
+    """Tell whether the elements that are no units are an ideal. Raises :class:`UndecidedError`.
+
+    A finite ring is local when 0 and 1 are its only idempotents. Over a field a central simple algebra is
+    local when it is a division algebra. A degenerate one is not, when X² − t·X − a, with b = 0, or X² − b
+    has two roots. Over ℤ or polynomials there is a maximal ideal over every maximal ideal of the ring.
+    """
+    if has_formulas(ring):
+        return count(ring, c, "idempotent").value == 2
+    if not ring.is_field:
+        if _is_domain(ring):
+            return False
+        raise UndecidedError(
+            f"whether an algebra over {shorten(ring.name)} is local is not decided"
+        )
+    if is_central_simple(ring, c):
+        return is_division(ring, c)
+    if ring.characteristic == 2:
+        # y² + t·y = a has a solution when (y/t)² + y/t = a/t² has
+        if ring.is_zero(c.t):
+            return True
+        x = ring.divide(c.a, c.t * c.t)
+        return known_field(ring).artin_schreier(x) is None
+    if ring.is_zero(c.b):
+        square = c.t * c.t + ring(4) * c.a
+        return ring.is_zero(square) or ring.sqrt(square) is None
+    return ring.sqrt(c.b) is None
+
+
+def _is_domain(ring: Ring) -> bool:
+    return ring.name == "ZZ" or isinstance(ring, PolynomialRing)
 
 
 def radical(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:

@@ -1,0 +1,219 @@
+"""Ideals, subalgebras, and what kind of ring an algebra is: by brute force, and by counting."""
+
+from collections import Counter
+from itertools import product
+
+import numpy as np
+import pytest
+
+from hfield import GF, QQ, ZZ, H, QuaternionAlgebra
+from hfield.errors import CoercionError, NotFiniteError, RingError, TooLargeError, UndecidedError
+from hfield.rings.base import Ring
+from tests.exploring.brute_force import CASES, FIELDS, BruteForce, Case
+
+
+def sums(brute: BruteForce, left: frozenset[int], right: frozenset[int]) -> frozenset[int]:
+    return frozenset(
+        brute.add(np.array(sorted(left))[:, None], np.array(sorted(right))[None, :])
+        .ravel()
+        .tolist()
+    )
+
+
+def all_ideals(brute: BruteForce, side: str) -> set[frozenset[int]]:
+    """All sums of principal ideals, as sets of numbers."""
+    table = brute.table
+    principal = set()
+    for x in range(brute.q**4):
+        if side == "left":
+            principal.add(frozenset(table[:, x].tolist()))
+        elif side == "right":
+            principal.add(frozenset(table[x, :].tolist()))
+        else:
+            products = frozenset(table[table[:, x], :].ravel().tolist())
+            while len(bigger := sums(brute, products, products)) > len(products):
+                products = bigger
+            principal.add(products)
+    found = set(principal)
+    queue = list(found)
+    while queue:
+        one = queue.pop()
+        for other in principal:
+            if not other <= one and (total := sums(brute, one, other)) not in found:
+                found.add(total)
+                queue.append(total)
+    return found
+
+
+def members(space, number: dict) -> frozenset[int]:
+    """The numbers of the elements of a subspace, by linear combinations of its basis."""
+    A = space.algebra
+    choices = product(list(A.ring.elements()), repeat=space.dimension)
+    return frozenset(
+        number[sum((q * s for q, s in zip(space.basis, c, strict=True)), A.zero)] for c in choices
+    )
+
+
+@pytest.mark.parametrize("case", FIELDS, ids=str)
+def test_ideals_by_brute_force(case: Case) -> None:
+    A, brute = case.algebra, BruteForce(case)
+    number = {q: n for n, q in enumerate(A.elements())}
+    for found, side in (
+        (A.left_ideals(), "left"),
+        (A.right_ideals(), "right"),
+        (A.two_sided_ideals(), "two-sided"),
+    ):
+        sets = [members(ideal, number) for ideal in found]
+        assert set(sets) == all_ideals(brute, side)
+        assert len(sets) == len(set(sets))
+        assert found[0].basis == ()
+        assert found[-1].dimension == 4
+        for ideal, inside in zip(found, sets, strict=True):
+            assert ideal.side == side
+            assert all((q in ideal) == (n in inside) for q, n in list(number.items())[::7])
+            assert [ideal <= other for other in found] == [inside <= other for other in sets]
+            if ideal.generator is not None:
+                assert number[ideal.generator] in inside
+                assert not any(number[ideal.generator] in other for other in sets if other < inside)
+
+
+@pytest.mark.parametrize("case", FIELDS, ids=str)
+def test_subalgebras_by_brute_force(case: Case) -> None:
+    A, brute = case.algebra, BruteForce(case)
+    number = {q: n for n, q in enumerate(A.elements())}
+    units = sorted(brute.inverses)
+    table = brute.table
+    for dimension in (1, 2, 3, 4):
+        found = A.subalgebras(dimension=dimension)
+        sets = [frozenset(members(s, number) for s in one.conjugates) for one in found]
+        for orbit in sets:
+            first = np.array(sorted(next(iter(orbit))))
+            conjugates = (table[table[u, first], brute.inverses[u]] for u in units)
+            assert orbit == {frozenset(c.tolist()) for c in conjugates}
+            assert brute.one in first
+            assert set(table[np.ix_(first, first)].ravel().tolist()) == set(first.tolist())
+        total = sum(map(len, sets))
+        assert total == len(frozenset().union(*sets))
+        if dimension == 2:
+            assert total == brute.q**2 + brute.q + 1
+            for one in found:
+                inside = sorted(members(one, number))
+                squares = [int(table[x, x]) for x in inside]
+                nilpotents = squares.count(0)
+                idempotents = sum(x == y for x, y in zip(inside, squares, strict=True))
+                kinds = {(1, 2): "field", (1, 4): "split", (brute.q, 2): "dual numbers"}
+                assert one.kind == kinds[nilpotents, idempotents]
+        if dimension == 3:
+            for one in found:
+                idempotents = sum(int(table[x, x]) == x for x in members(one, number))
+                assert one.kind == ("local" if idempotents == 2 else "triangular matrices")
+
+
+@pytest.mark.parametrize("case", [c for c in FIELDS if c.ring in ("GF(2)", "GF(3)")], ids=str)
+def test_all_subalgebras_of_dimension_3_are_found(case: Case) -> None:
+    A, brute = case.algebra, BruteForce(case)
+    q, table = brute.q, brute.table
+    count = 0
+    for form in product(range(q), repeat=3):
+        if form < (0, 0, 1) or next(x for x in form if x) != 1:
+            continue
+        value = np.zeros(q**4, dtype=int)
+        for coefficient, column in zip(form, brute.digits.T[1:], strict=True):
+            value = brute.sums[value, brute.products[coefficient, column]]
+        inside = np.flatnonzero(value == 0)
+        count += not set(table[np.ix_(inside, inside)].ravel().tolist()) - set(inside.tolist())
+    assert sum(len(s.conjugates) for s in A.subalgebras(dimension=3)) == count
+
+
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_kinds_of_rings_by_brute_force(case: Case) -> None:
+    A, brute = case.algebra, BruteForce(case)
+    units = np.zeros(brute.q**4, dtype=bool)
+    units[list(brute.inverses)] = True
+    minus = np.array(
+        [
+            int(brute.add(np.array(0), brute.scale(brute.minus[1], np.array(x))))
+            for x in range(brute.q**4)
+        ]
+    )
+    # x is in the radical when 1 − ax is a unit for all a
+    radical = [
+        x
+        for x in range(brute.q**4)
+        if units[brute.add(np.array(brute.one), minus[brute.table[:, x]])].all()
+    ]
+    assert A.is_semisimple() == (radical == [0])
+    others = np.flatnonzero(~units)
+    assert A.is_local() == (not units[brute.add(others[:, None], others[None, :])].any())
+    assert A.is_simple() == (len(all_ideals(brute, "two-sided")) == 2)
+
+
+@pytest.mark.parametrize(
+    ("text", "simple", "semisimple", "local"),
+    [
+        ("(-1,-1|QQ)", True, True, True),
+        ("(1,1|QQ)", True, True, False),
+        ("(0,2|QQ)", False, False, True),
+        ("(0,4|QQ)", False, False, False),
+        ("(2,0|QQ)", False, False, True),
+        ("(0,0|QQ)", False, False, True),
+        ("[1,0|GF(2)(t))", False, False, True),
+        ("[0,0|GF(2)(t))", False, False, False),
+        ("(t,t|GF(2)(t))", False, False, True),
+        ("(-1,-1|ZZ)", False, False, False),
+    ],
+)
+def test_kinds_over_infinite_rings(text: str, simple: bool, semisimple: bool, local: bool) -> None:
+    A = QuaternionAlgebra(text)
+    assert (A.is_simple(), A.is_semisimple(), A.is_local()) == (simple, semisimple, local)
+
+
+def test_larger_split_algebras() -> None:
+    A = H(GF(31))
+    ideals = A.left_ideals()
+    assert Counter(ideal.dimension for ideal in ideals) == {0: 1, 2: 32, 4: 1}
+    assert len(set(ideals)) == len(ideals)
+    zero_divisors = list(A.zero_divisors().sample(20))
+    for x in zero_divisors:
+        assert sum(x in ideal for ideal in ideals[1:-1]) == 1 or not x
+    assert [(s.kind, len(s.conjugates)) for s in H(GF(7)).subalgebras(dimension=3)] == [
+        ("triangular matrices", 8)
+    ]
+
+
+def test_over_infinite_fields() -> None:
+    A = H(QQ)
+    assert [ideal.dimension for ideal in A.left_ideals()] == [0, 4]
+    assert len(QuaternionAlgebra(QQ, 1, 1).two_sided_ideals()) == 2
+    for make in (
+        QuaternionAlgebra(QQ, 1, 1).left_ideals,
+        QuaternionAlgebra(QQ, 0, 1).two_sided_ideals,
+        A.subalgebras,
+    ):
+        with pytest.raises(NotFiniteError):
+            make()
+
+
+def test_what_is_refused() -> None:
+    with pytest.raises(RingError, match="finite fields"):
+        H("ZZ/4").left_ideals()
+    with pytest.raises(NotFiniteError):
+        H(ZZ).left_ideals()
+    with pytest.raises(CoercionError, match="dimension"):
+        H(GF(3)).subalgebras(dimension=5)
+    with pytest.raises(TooLargeError):
+        H(GF(1009)).subalgebras()
+    with pytest.raises(TooLargeError):
+        H(GF(10**9 + 7)).left_ideals()
+    assert H(GF(2)).left_ideals()[0] != "nothing"
+    assert "nonsense" not in H(GF(2)).left_ideals()[0]
+
+    class Infinite(Ring):
+        name, characteristic = "infinite", 0
+
+        def __call__(self, x):
+            return x
+
+    for ask in (H(Infinite()).is_semisimple, H(Infinite()).is_local):
+        with pytest.raises(UndecidedError):
+            ask()
