@@ -46,7 +46,63 @@ def test_the_banner_tells_where_one_is_and_its_lines_run():
     assert len(tries) > 4
     for line in tries:
         if not line.startswith("explain"):
-            exec(line, names)
+            exec(repl.python_source(line), names)
+
+
+@pytest.mark.parametrize(
+    ("typed", "python"),
+    [
+        ("2i + 3j - 10k", "2*i + 3*j - 10*k"),
+        ("(1 + i)j", "(1 + i)*j"),
+        ("q^2 + 1/2i", "q**2 + 1/2*i"),
+        ("(−1 + 2i)² · k⁻¹", "(-1 + 2*i)**2 * k**-1"),
+        ("x2i + e2k, 2ij", "x2i + e2k, 2ij"),
+        ("A('2i^2') + 2i  # 2i^2", "A('2i^2') + 2*i  # 2i^2"),
+        ('"""2i\n^""", "\\"2i", 3j', '"""2i\n^""", "\\"2i", 3*j'),
+        ("f'2i' \"it's\" 2k", "f'2i' \"it's\" 2*k"),
+    ],
+)
+def test_what_the_shell_reads_is_read(typed, python):
+    assert repl.python_source(typed) == python
+
+
+def test_elements_as_in_the_shell(monkeypatch, capsys):
+    lines = "(2i + 3j)^2\n2i·k − 1\nfor n in range(2):\n    2i^n\n\n"
+    assert piped(monkeypatch, capsys, lines, "GF7") == (0, "1\n6 + 5j\n2\n2i\n", "")
+
+
+def test_help_of_an_algebra_is_one_screen(monkeypatch, capsys):
+    status, out, _ = piped(monkeypatch, capsys, "help(A)\nhelp(A.units)\nhelp\n", "GF3")
+    screen, _, rest = out.partition("Help on ")
+    assert status == 0
+    assert len(screen.splitlines()) <= 24
+    assert max(map(len, screen.splitlines())) <= 79
+    assert "units" in rest
+    assert "help(A) shows" in rest
+
+
+def test_completion_is_in_the_order_of_a_lesson():
+    A = H("GF(3)")
+    lesson = " ".join(names for _, _, names in repl.LESSON).split()
+    assert len(lesson) == len(set(lesson))
+    assert repl.completions(A, "")[: len(lesson)] == lesson  # all of them are there
+    assert repl.completions(A, "is_")[0] == "is_commutative"
+    assert "__init__" in repl.completions(A, "__")
+    assert repl.completions("text", "upp") == ["upper"]
+
+
+def test_completion_in_ipython():
+    pytest.importorskip("IPython")
+    from IPython.core.completer import provisionalcompleter
+    from IPython.core.interactiveshell import InteractiveShell
+
+    names = repl.namespace(H("GF(3)"))
+    shell = InteractiveShell(user_ns=names)
+    repl._complete_in_order(shell, names)
+    with provisionalcompleter():
+        found = [c.text for c in shell.Completer.completions("A.", 2)]
+    assert found[:3] == ["basis", "one", "zero"]
+    assert len(found) == len(set(found))
 
 
 def test_lines_piped_in(monkeypatch, capsys):
@@ -152,3 +208,24 @@ def test_ctrl_c_in_a_proof_returns_to_the_prompt_in_one_line(tmp_path, without):
     assert "still here" in shown
     assert "Traceback" not in shown
     assert "KeyboardInterrupt" not in shown
+
+
+def test_history_goes_on_without_ipython(tmp_path, monkeypatch):
+    readline = pytest.importorskip("readline")
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    assert repl.history_file() == tmp_path / "hfield" / "history"
+    seen = []
+
+    def session(console, greeting, end):
+        seen.append(
+            [readline.get_history_item(n + 1) for n in range(readline.get_current_history_length())]
+        )
+        readline.add_history(f"i*j + {len(seen)}")
+
+    monkeypatch.setattr(repl._Console, "interact", session)
+    for _ in range(2):
+        readline.clear_history()
+        assert repl._run_plain(repl.namespace(H("GF(3)")), "") == 0
+    assert seen == [[], ["i*j + 1"]]
+    assert repl.history_file().read_text().split("\n")[:2] == ["i*j + 1", "i*j + 2"]
+    readline.clear_history()

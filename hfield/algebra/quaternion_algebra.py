@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from functools import cached_property
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import notation, structure, syntax
@@ -932,6 +933,38 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """
         return structure.is_local(*self._here())
 
+    def graph(self, kind: str) -> list[tuple[Quaternion, Quaternion]]:
+        """Return the edges of a graph on the elements other than 0, over a finite ring, for networkx.
+
+        In the ``"commuting"`` graph p and q are joined when ``p·q = q·p``, among ``"zero-divisors"`` when
+        ``p·q = 0`` or ``q·p = 0``. Raises :class:`CoercionError` for another kind, :class:`NotFiniteError`,
+        and :class:`TooLargeError` beyond 2500 elements.
+
+        >>> edges = H("GF(2)").graph("zero-divisors"); len(edges), edges[0]
+        (9, (j + k, 1 + i))
+        """
+        from hfield.exploring.graphs import edges
+
+        return edges(self, kind)
+
+    def draw(self, path: object, *, what: str = "product", dark: bool = False) -> None:
+        """Draw a picture of the algebra, over a finite ring, to a file .svg, .png or .pdf.
+
+        ``what`` is ``"product"``, the table of all products as coloured squares, rows and columns sorted by
+        norm; ``"norm"``, all norms; ``"ideals"``, a Hasse diagram of the left ideals (``"right-ideals"`` and
+        ``"two-sided-ideals"`` draw others); or a graph, ``"commuting"`` or ``"zero-divisors"``.
+
+        >>> import tempfile, os
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     H("GF(2)").draw(os.path.join(folder, "ideals.svg"), what="ideals", dark=True)
+
+        Raises :class:`CoercionError` for what is no picture, :class:`NotFiniteError`,
+        :class:`TooLargeError` where there is too much to see, and an ``OSError`` where it cannot be written.
+        """
+        from hfield.exploring.pictures import draw
+
+        draw(self, path, what, dark)
+
     # --- the Brauer group --------------------------------------------------------------------------
 
     def tensor(self, other: QuaternionAlgebra) -> TensorProduct:
@@ -1248,6 +1281,15 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
     def _repr_latex_(self) -> str:
         return f"${self.latex()}\\qquad {self.table_text('latex')}$"
+
+    def _repr_html_(self) -> str | None:
+        """Return the page of ``info`` for a notebook, or None where something on it is not decided."""
+        try:
+            # which stands above, and is found by its name
+            page: str = import_module("hfield.description").info(self)._repr_html_()
+        except HFieldError:
+            return None
+        return page
 
     def __reduce__(self) -> tuple[object, ...]:
         if self._base is not None:

@@ -25,6 +25,8 @@ GROUPS: dict[str, dict[str, str]] = {
         "eval": "evaluate an expression exactly",
         "table": "print the multiplication table of an algebra",
         "count": "count elements by norm over a finite ring",
+        "list": "list units, zero divisors, ideals … of a finite algebra",
+        "draw": "draw products, norms, ideals or graphs of a finite algebra",
         "roots": "find all roots of a polynomial over an algebra",
         "solve": "solve linear equations in unknown quaternions",
         "matrix": "compute with matrices over an algebra",

@@ -37,6 +37,8 @@ CACHED_PAIRS = 1 << 23
 """So many pairs (y, z) are kept to be used again."""
 SHOWN = 6
 """Elements in the text of a collection."""
+ROWS = 10
+"""Elements in its table in a notebook."""
 
 
 @dataclass(frozen=True)
@@ -290,6 +292,33 @@ class Elements:
     @property
     def _title(self) -> str:
         return f"the {self.title} of {self.algebra}"
+
+    def _repr_html_(self) -> str:
+        """Return a table for a notebook: how many there are, and the first ones with trace and norm."""
+        from html import escape
+
+        ring = self.algebra.ring
+        first = list(islice(self, ROWS)) if self.is_finite else list(self.sample(ROWS))
+        if self.is_finite:
+            total = self.cardinality()
+            counted = (
+                f"{total} = {self.formula}"
+                if self.formula not in (None, str(total))
+                else f"{total}"
+            )
+            more = total - len(first)
+            below = f"… and {more} more" if more else ""
+        else:
+            counted, below = "infinitely many", "… drawn at random"
+        head = f"{self.title} of {self.algebra}: {counted}"
+        cells = ((repr(q), ring.text(q.trace()), ring.text(q.norm())) for q in first)
+        rows = "".join(
+            f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in cells
+        )
+        return (
+            f"<table><caption>{escape(head)}</caption><thead><tr><th>element</th><th>trace</th><th>norm</th>"
+            f"</tr></thead><tbody>{rows}</tbody></table>{below}"
+        )
 
     def __repr__(self) -> str:
         if not self.is_finite:

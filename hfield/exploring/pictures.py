@@ -1,0 +1,354 @@
+"""Pictures of finite algebras: products and norms as coloured squares, ideals and graphs, light and dark."""
+
+from __future__ import annotations
+
+import colorsys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil, cos, pi, sin, sqrt
+from typing import TYPE_CHECKING, Any
+
+from hfield.algebra.quaternion import Parent
+from hfield.errors import CoercionError, HFieldError, TooLargeError, shorten
+from hfield.exploring.graphs import KINDS, numbered_edges
+from hfield.exploring.ideals import AlgebraIdeal, ideals
+from hfield.exploring.labels import LabelledAlgebra, labelled
+
+if TYPE_CHECKING:
+    import numpy as np
+
+SIDES = {
+    "ideals": "left",
+    "left-ideals": "left",
+    "right-ideals": "right",
+    "two-sided-ideals": "two-sided",
+}
+PICTURES = ("product", "norm", *SIDES, *KINDS)
+"""What can be drawn."""
+MAX_ROWS = 1300
+"""The greatest number of elements in a table of products."""
+MAX_NODES = 200
+"""The greatest number of ideals, or of vertices of a graph, that are drawn."""
+MAX_EDGES = 20_000
+"""The greatest number of edges that are drawn."""
+NAMED = 14
+"""So many ideals in a row have names."""
+
+
+class PictureError(HFieldError, OSError):
+    """A picture that cannot be written."""
+
+
+@dataclass(frozen=True)
+class Look:
+    """The colours of a page."""
+
+    page: str
+    ink: str
+    quiet: str
+    zero: str
+    lightness: tuple[float, float]
+
+
+LIGHT = Look("#ffffff", "#1d2433", "#8a93a6", "#10141d", (0.42, 0.86))
+DARK = Look("#11141b", "#eef1f7", "#6b7590", "#000000", (0.32, 0.78))
+
+
+def draw(algebra: Parent, path: object, what: str, dark: bool) -> None:
+    """Draw to a file .svg, .png or .pdf.
+
+    Raises :class:`CoercionError` for what is no picture, :class:`PictureError` where the file cannot be
+    written, :class:`NotFiniteError`, and :class:`TooLargeError` where there is too much to see.
+    """
+    drawn = figure(algebra, what, dark)
+    try:
+        drawn.savefig(str(path), facecolor=drawn.get_facecolor(), dpi=160)
+    except (OSError, ValueError) as error:
+        raise PictureError(
+            f"cannot draw to {shorten(path)!r}: {error}; try a file .svg, .png or .pdf"
+        ) from error
+
+
+def figure(algebra: Parent, what: str, dark: bool) -> Any:
+    """Return the picture as a figure of matplotlib."""
+    if what not in PICTURES:
+        raise CoercionError(
+            f"there is no picture {what!r}: expected one of {', '.join(map(repr, PICTURES))}"
+        )
+    look = DARK if dark else LIGHT
+    if what in SIDES:
+        return _hasse(algebra, ideals(algebra, SIDES[what]), look)
+    labels = labelled(algebra)
+    if what == "product":
+        return _products(labels, look)
+    if what == "norm":
+        return _norms(labels, look)
+    return _graph(labels, what, look)
+
+
+# --- squares --------------------------------------------------------------------------------------
+
+
+def _page(
+    look: Look, title: str, below: str, size: tuple[float, float] = (7, 7.7)
+) -> tuple[Any, Any]:
+    """Return a figure with a title and a line below it, and the axes."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    page = Figure(figsize=size, facecolor=look.page)
+    FigureCanvasAgg(page)
+    axes: Any = page.add_axes((0.04, 0.03, 0.92, 0.87))
+    axes.axis("off")
+    axes.set_aspect("equal")
+    page.text(
+        0.5,
+        0.967,
+        title,
+        ha="center",
+        va="center",
+        color=look.ink,
+        fontsize=min(14, 680 / len(title)),
+    )
+    small = min(9.5, 900 / len(below))
+    page.text(0.5, 0.932, below, ha="center", va="center", color=look.quiet, fontsize=small)
+    return page, axes
+
+
+def _hues(count: int) -> list[float]:
+    """Return hues that are far apart for neighbours."""
+    return [(0.58 + 0.381966 * n) % 1 for n in range(count)]
+
+
+def _colors(labels: LabelledAlgebra, look: Look) -> np.ndarray:
+    """Return a colour for each element: hue by its norm, lightness by its place among those; 0 is dark."""
+    import numpy as np
+
+    everything = np.arange(labels.size)
+    norms = labels.norm(labels.rows(everything))
+    hues = _hues(labels.q)
+    low, high = look.lightness
+    colors = np.zeros((labels.size, 3))
+    for n in range(labels.q):
+        members = np.flatnonzero(norms == n)
+        for place, member in enumerate(members):
+            light = low + (high - low) * (place + 0.5) / len(members)
+            colors[member] = colorsys.hls_to_rgb(hues[n], light, 0.55 if n else 0.12)
+    colors[0] = [int(look.zero[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    return colors
+
+
+def _products(labels: LabelledAlgebra, look: Look) -> Any:
+    import numpy as np
+
+    if labels.size > MAX_ROWS:
+        raise TooLargeError(
+            f"{labels.algebra} has {labels.size} elements, and a table of products is drawn for at most "
+            f"{MAX_ROWS}: draw the norm, what='norm'"
+        )
+    everything = np.arange(labels.size)
+    norms = labels.norm(labels.rows(everything))
+    order = np.lexsort((everything, norms))
+    table = labels.products(order[:, None], order[None, :])
+    title = f"Products in {labels.algebra}"
+    below = (
+        "row · column, sorted by norm; hue: norm of the product, shade: which element, darkest: 0"
+    )
+    page, axes = _page(look, title, below)
+    axes.imshow(_colors(labels, look)[table], interpolation="none")
+    for end in np.flatnonzero(np.diff(norms[order])):
+        for line in (axes.axhline, axes.axvline):
+            line(end + 0.5, color=look.page, linewidth=0.8)
+    return page
+
+
+def _norms(labels: LabelledAlgebra, look: Look) -> Any:
+    import numpy as np
+
+    size = labels.q**2
+    norms = labels.norm(labels.rows(np.arange(labels.size))).reshape(size, size)
+    low, high = look.lightness
+    palette = [colorsys.hls_to_rgb(hue, (low + high) / 2, 0.6) for hue in _hues(labels.q)]
+    palette[0] = tuple(int(look.zero[k : k + 2], 16) / 255 for k in (1, 3, 5))  # type: ignore[assignment]
+    title = f"Norms in {labels.algebra}"
+    below = "down: the coordinates of 1 and i, to the right: those of j and k; darkest: norm 0"
+    page, axes = _page(look, title, below)
+    axes.imshow(np.array(palette)[norms], interpolation="none")
+    for step in range(labels.q, size, labels.q):
+        for line in (axes.axhline, axes.axvline):
+            line(step - 0.5, color=look.page, linewidth=0.8)
+    return page
+
+
+# --- ideals ---------------------------------------------------------------------------------------
+
+
+def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], look: Look) -> Any:
+    if len(found) > MAX_NODES:
+        raise TooLargeError(f"{algebra} has {len(found)} ideals, and at most {MAX_NODES} are drawn")
+    levels = sorted({ideal.dimension for ideal in found})
+    rows = {d: [ideal for ideal in found if ideal.dimension == d] for d in levels}
+    places: dict[AlgebraIdeal, tuple[float, float]] = {}
+    for height, d in enumerate(levels):
+        row = rows[d]
+        for n, ideal in enumerate(row):
+            places[ideal] = ((n + 0.5) / len(row), height / max(len(levels) - 1, 1))
+    side = found[0].side.capitalize()
+    counts = ", ".join(f"{len(rows[d])} of dimension {d}" for d in levels)
+    page, axes = _page(look, f"{side} ideals of {algebra}", counts, (7, 6.3))
+    axes.set_aspect("auto")
+    axes.set_xlim(-0.02, 1.02)
+    axes.set_ylim(-0.09, 1.09)
+    for low, high in _covers(found):
+        (x, y), (u, v) = places[low], places[high]
+        axes.plot([x, u], [y, v], color=look.quiet, linewidth=1.1, zorder=1)
+    hues = _hues(len(levels))
+    for ideal, (x, y) in places.items():
+        color = colorsys.hls_to_rgb(hues[levels.index(ideal.dimension)], 0.5, 0.6)
+        axes.plot(
+            [x], [y], marker="o", markersize=9, color=color, markeredgecolor=look.page, zorder=3
+        )
+        row = rows[ideal.dimension]
+        if len(row) <= NAMED:
+            upright = len(row) > 4
+            axes.annotate(_name(ideal), (x, y), xytext=(0, 10 if y else -10), textcoords="offset points",
+                          ha="center", va="bottom" if y else "top", rotation=90 if upright else 0,
+                          color=look.ink, fontsize=9, zorder=4,
+                          bbox={"facecolor": look.page, "edgecolor": "none", "pad": 1.5})  # fmt: skip
+    return page
+
+
+def _name(ideal: AlgebraIdeal) -> str:
+    if ideal.dimension in (0, 4):
+        return "A" if ideal.dimension else "0"
+    if ideal.generator is None:
+        return f"⟨{', '.join(x.text('unicode') for x in ideal.basis)}⟩"
+    x = ideal.basis[0].text("unicode") if ideal.dimension == 1 else ideal.generator.text("unicode")
+    return {"left": f"A({x})", "right": f"({x})A"}.get(ideal.side, f"({x})")
+
+
+def _covers(found: Sequence[AlgebraIdeal]) -> list[tuple[AlgebraIdeal, AlgebraIdeal]]:
+    """Return the pairs of ideals of which the first lies in the second and none is between."""
+    above = {low: {high for high in found if low < high} for low in found}
+    return [
+        (low, high)
+        for low in found
+        for high in above[low]
+        if not any(high in above[middle] for middle in above[low])
+    ]
+
+
+# --- graphs ---------------------------------------------------------------------------------------
+
+
+def _graph(labels: LabelledAlgebra, kind: str, look: Look) -> Any:
+    import numpy as np
+    from matplotlib.collections import LineCollection
+
+    pairs = numbered_edges(labels, kind)
+    degrees = np.bincount(pairs.ravel(), minlength=labels.size)
+    everywhere = degrees == labels.size - 2  # central elements of the commuting graph
+    everywhere &= not everywhere[1:].all()  # of a commutative algebra all are shown
+    pairs = pairs[~everywhere[pairs].any(axis=1)]
+    vertices = np.unique(pairs)
+    if len(vertices) > MAX_NODES or len(pairs) > MAX_EDGES:
+        raise TooLargeError(
+            f"the graph has {len(vertices)} vertices and {len(pairs)} edges, and at most {MAX_NODES} and "
+            f"{MAX_EDGES} are drawn: A.graph({kind!r}) lists them"
+        )
+    points, colors = _layout(kind, vertices, pairs)
+    left_out = " without those that commute with all" if everywhere.any() else ""
+    title = (
+        f"{'Commuting elements' if kind == 'commuting' else 'Zero divisors'} of {labels.algebra}"
+    )
+    rule = "pq = qp" if kind == "commuting" else "pq = 0 or qp = 0"
+    below = f"{len(vertices)} elements{left_out}, {len(pairs)} edges: {rule}"
+    page, axes = _page(look, title, below)
+    where = {int(v): points[n] for n, v in enumerate(vertices)}
+    lines = [(where[int(x)], where[int(y)]) for x, y in pairs]
+    alpha = max(0.1, min(0.7, 60 / sqrt(len(lines) * 40 + 1)))
+    axes.add_collection(
+        LineCollection(lines, colors=look.quiet, linewidths=0.7, alpha=alpha, zorder=1)
+    )
+    axes.scatter(points[:, 0], points[:, 1], s=46 if len(vertices) < 90 else 22, c=colors,
+                 edgecolors=look.page, linewidths=0.8, zorder=3)  # fmt: skip
+    axes.set_xlim(-1.1, 1.1)
+    axes.set_ylim(-1.1, 1.1)
+    if len(vertices) <= 40:
+        for n, v in enumerate(vertices):
+            x, y = points[n] * 1.06
+            axes.text(x, y, labels.element(int(v)).text("unicode"), color=look.ink, fontsize=7,
+                      ha="left" if x > 0 else "right", va="center", rotation_mode="anchor",
+                      rotation=_reading_angle(x, y), zorder=4)  # fmt: skip
+        axes.set_xlim(-1.45, 1.45)
+        axes.set_ylim(-1.45, 1.45)
+    return page
+
+
+def _reading_angle(x: float, y: float) -> float:
+    from math import atan2, degrees
+
+    angle = degrees(atan2(y, x))
+    return angle if -90 <= angle <= 90 else angle - 180
+
+
+def _layout(kind: str, vertices: np.ndarray, pairs: np.ndarray) -> tuple[np.ndarray, list[Any]]:
+    """Return points and colours: a circle for each component, those with the same neighbours together."""
+    import numpy as np
+
+    place = {int(v): n for n, v in enumerate(vertices)}
+    neighbours: list[set[int]] = [set() for _ in vertices]
+    for x, y in pairs.tolist():
+        neighbours[place[x]].add(place[y])
+        neighbours[place[y]].add(place[x])
+    components = _components(neighbours)
+    groups: dict[Any, int] = {}
+    points = np.zeros((len(vertices), 2))
+    colors: list[Any] = [None] * len(vertices)
+    centres, radius = _centres(len(components))
+    for component, (cx, cy) in zip(components, centres, strict=True):
+        # twins have the same neighbours; commuting ones are neighbours of each other
+        own = kind == "commuting"
+        keys = {
+            n: frozenset(neighbours[n] | {n} if own else neighbours[n] - {n}) for n in component
+        }
+        ordered = sorted(component, key=lambda n: (sorted(keys[n])[:6], n))
+        for n, vertex in enumerate(ordered):
+            angle = pi / 2 - 2 * pi * n / len(ordered)
+            points[vertex] = (cx + radius * cos(angle), cy + radius * sin(angle))
+            group = groups.setdefault(keys[vertex], len(groups))
+            colors[vertex] = group
+    hues = _hues(len(groups))
+    return points, [colorsys.hls_to_rgb(hues[group], 0.52, 0.62) for group in colors]
+
+
+def _components(neighbours: Sequence[set[int]]) -> list[list[int]]:
+    left = set(range(len(neighbours)))
+    found = []
+    while left:
+        queue = [min(left)]
+        left.discard(queue[0])
+        component = []
+        while queue:
+            n = queue.pop()
+            component.append(n)
+            fresh = neighbours[n] & left
+            left -= fresh
+            queue += sorted(fresh)
+        found.append(component)
+    return found
+
+
+def _centres(count: int) -> tuple[list[tuple[float, float]], float]:
+    """Return centres and the radius of as many circles in a square grid."""
+    if count == 1:
+        return [(0.0, 0.0)], 1.0
+    width = ceil(sqrt(count))
+    height = ceil(count / width)
+    step = 2 / width
+    centres = []
+    for n in range(count):
+        row, column = divmod(n, width)
+        in_row = min(width, count - row * width)
+        centres.append(((column - (in_row - 1) / 2) * step, ((height - 1) / 2 - row) * step))
+    return centres, 0.4 * step
