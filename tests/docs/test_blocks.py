@@ -87,6 +87,15 @@ def test_the_exercise_sheet_is_decided_as_its_page_says(capsys, tmp_path, monkey
     assert "GF(3)" in refuted
 
 
+def test_the_exercises_of_the_afternoon_are_decided(capsys, tmp_path):
+    (sheet,) = (text for page, kind, text in blocks() if (page, kind) == ("afternoon.md", "toml"))
+    file = tmp_path / "afternoon.toml"
+    file.write_text(sheet, encoding="utf-8")
+    status, out, err = run(capsys, "verify", str(file))
+    assert (status, err) == (0, "")
+    assert "4 proved, 2 refuted" in out
+
+
 def pictures() -> list[tuple[str, str]]:
     """The pictures of the gallery, each with the line of code that follows it."""
     found, waiting = [], []
