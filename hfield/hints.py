@@ -69,7 +69,6 @@ ELEMENT = {
     "pair": "(p * q.conjugate()).trace()",
     "is_constant": "vector_part.is_zero()",
     "list": "coordinates",
-    "vector": "vector_part",
 }
 """Sage, GAP, Magma, numpy-quaternion."""
 
