@@ -3,6 +3,7 @@ from .algebra import H as H
 from .algebra import QuaternionAlgebra as QuaternionAlgebra
 from .algebra import ternary_form as ternary_form
 from .algebra.quaternion import Quaternion as Quaternion
+from .algebra.structure_algebra import StructureAlgebra as StructureAlgebra
 from .certificates.check import check as check
 from .certificates.rejection import Rejected as Rejected
 from .description import Description as Description

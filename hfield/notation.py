@@ -78,18 +78,25 @@ def element_text(F: Ring, q: Sequence[Scalar], style: str = "plain", unit: str =
     ``unit`` is what stands for e: nothing, so that 2·e is ``2``; or "e", as in Table 1.1, and
     then −1 is written as such in a finite field too.
     """
+    return combination_text(F, q, (unit, *BASIS[1:]), style)
+
+
+def combination_text(
+    F: Ring, coordinates: Sequence[Scalar], letters: Sequence[str], style: str = "plain"
+) -> str:
+    """Write a linear combination of ``letters``, one for each coordinate; the first may be empty."""
     times = "*" if style == "plain" else ""
     minus = "−" if style == "unicode" else "-"
     zero, one, minus_one = (F.key(F(n)) for n in (0, 1, -1))
     terms = []
-    for x, letter in zip(q, (unit, *BASIS[1:]), strict=True):
+    for x, letter in zip(coordinates, letters, strict=True):
         key = F.key(x)
         if key == zero:
             continue
         text = F.text(x, style)
         if letter and key == one:
             terms.append(letter)
-        elif letter and (text in ("-1", "−1") or (unit and key == minus_one)):
+        elif letter and (text in ("-1", "−1") or (letters[0] and key == minus_one)):
             terms.append(f"{minus}{letter}")
         elif not letter:
             terms.append(text)

@@ -17,8 +17,8 @@ NAMES = {
         CC ClassSet CoercionError Description GF H HFieldError Ideal IndefiniteError Lattice LatticeError
         LedgerError MixedParentsError NoSolutionError NotFiniteError NotInvertibleError NotationError
         NumberField Order QQ Quaternion QuaternionAlgebra RDF RR Rejected Ring RingError SelectionError
-        TooLargeError UndecidedError UnfactoredError UnknownClaimError ZZ Zmod check check_ring conj
-        conjugator errors explain four_squares hilbert_symbol info inv norm places prove ring
+        StructureAlgebra TooLargeError UndecidedError UnfactoredError UnknownClaimError ZZ Zmod check
+        check_ring conj conjugator errors explain four_squares hilbert_symbol info inv norm places prove ring
         ternary_form to_sympy trace verify
     """,
     "rotation": """
