@@ -45,7 +45,13 @@ class Brute:
         self.m, self.table, self.n = m, table, len(table)
         self.elements = list(itertools.product(range(m), repeat=self.n))
 
+        pairs = itertools.product(self.elements, repeat=2)
+        self.products = {(x, y): self.multiplied(x, y) for x, y in pairs}
+
     def times(self, x: tuple[int, ...], y: tuple[int, ...]) -> tuple[int, ...]:
+        return self.products[x, y]
+
+    def multiplied(self, x: tuple[int, ...], y: tuple[int, ...]) -> tuple[int, ...]:
         return tuple(
             sum(x[a] * y[b] * self.table[a][b][c] for a in range(self.n) for b in range(self.n))
             % self.m

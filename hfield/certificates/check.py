@@ -23,7 +23,7 @@ from hfield.certificates.rejection import (
     texts,
 )
 from hfield.certificates.scalars.fields import read_ring
-from hfield.certificates.statement import SCALARS, UNKNOWNS, Setting, read_setting
+from hfield.certificates.statement import SCALARS, UNKNOWNS, Setting, read_any_setting
 from hfield.certificates.vocabulary.logic import establish_any, meaning
 from hfield.certificates.work import Work, bounded
 
@@ -123,7 +123,7 @@ class Pin:
             if ring is not None and ring.constant(("name", name)) is not None:
                 reject(f"{name} is an unknown of the statement, and an element of {shown(here)}")
         asked = self.algebra or f"(-1,-1|{here or 'F'})"
-        if not same_algebra(read_setting(asked, ring), setting):
+        if not same_algebra(read_any_setting(asked, ring), setting):
             reject(f"this is about the algebra {shown(setting.algebra)}")
 
 
@@ -135,7 +135,12 @@ def _unknowns(tree: Tree) -> set[str]:
 
 
 def same_algebra(one: Setting, other: Setting) -> bool:
-    """Tell whether the structure constants are equal wherever those of one of the two are defined."""
+    """Tell whether the structure constants are equal wherever those of one of the two are defined.
+
+    Tables are the same where names, products and unit are written alike.
+    """
+    if one.table is not None or other.table is not None:
+        return one.table == other.table
     if one.constants == other.constants:
         return True
     if set(one.letters) != set(other.letters):
@@ -194,7 +199,7 @@ def _check(data: object, pin: Pin | None) -> Established:
         reject(f"the verdict must be one of {', '.join(CERTIFIED)}")
     if not statement.strip():
         reject("the statement is empty")
-    setting = read_setting(algebra, ring)
+    setting = read_any_setting(algebra, ring)
     if pin is not None:
         pin.check(statement, setting)
     found = establish_any(statement, setting, c["verdict"], c["evidence"])

@@ -11,6 +11,7 @@ from hfield.certificates.language import FUNCTIONS, Tree, parse, split, substitu
 from hfield.certificates.matrices import ENTRIES, MATRICES, without_matrices
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.tables import Table, in_coordinates, is_table, read_table
 from hfield.certificates.work import charge
 
 LETTERS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"
@@ -24,7 +25,8 @@ class Setting:
     """A ring, or None for all fields at once, and the trees of the structure constants.
 
     ``moved`` marks one of the fields at which a statement about all of them is looked at. ``named`` are the
-    rings that words of the statement name.
+    rings that words of the statement name. ``table`` is the algebra where that is given by its table; the
+    constants are then those of H, and ``algebra`` is that text, since coordinates are scalars.
     """
 
     field: Ring | None
@@ -33,6 +35,7 @@ class Setting:
     algebra: str
     moved: bool = False
     named: tuple[Ring, ...] = ()
+    table: Table | None = None
 
     def with_letters(self, values: dict[str, Tree]) -> "Setting":
         """Return the algebra with terms of the field for all of its letters."""
@@ -41,6 +44,14 @@ class Setting:
 
 
 HAMILTON: tuple[Tree, Tree, Tree] = (("neg", ("num", 1)), ("num", 0), ("neg", ("num", 1)))
+
+
+def read_any_setting(algebra: str, ring: Ring | None) -> Setting:
+    """Read a quaternion algebra, or an algebra by its table."""
+    if not is_table(algebra):
+        return read_setting(algebra, ring)
+    table = read_table(algebra, ring)
+    return Setting(ring, HAMILTON, (), f"(-1,-1|{table.ring.name})", table=table)
 
 
 def read_setting(algebra: str, ring: Ring | None) -> Setting:
@@ -107,7 +118,10 @@ class Statement:
 
 def read_statement(text: str, setting: Setting) -> Statement:
     """Read a statement of the language, as the field and the algebra make its names mean."""
-    return read_tree(parse(text), setting)
+    tree = parse(text)
+    if setting.table is not None:
+        tree = in_coordinates(tree, setting.table)
+    return read_tree(tree, setting)
 
 
 def read_tree(tree: Tree, setting: Setting) -> Statement:

@@ -104,7 +104,7 @@ def worked_out(
     try:
         F = ring(name)
         setting = read_setting(F, algebra)
-        read = read_statement(text, F, (), setting.letters, setting.constants)
+        read = read_statement(text, F, (), setting.letters, setting.constants, setting.table)
         if read.exists or weight(read.node) > MOST_WEIGHT:
             return []
         return list(_failures(_world(read, setting, F, witness), read, F))[:MOST_LINES]

@@ -273,7 +273,14 @@ class _Document:
                     field = None if column in (UNIVERSAL, NO_FIELD) else ring(column)
                     try:
                         setting = read_setting(field, data.get("algebra"))
-                        read_statement(text, setting.field, (), setting.letters, setting.constants)
+                        read_statement(
+                            text,
+                            setting.field,
+                            (),
+                            setting.letters,
+                            setting.constants,
+                            setting.table,
+                        )
                         break
                     except NotationError as error:
                         failed = failed or error

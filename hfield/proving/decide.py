@@ -62,7 +62,8 @@ def read_question(
 ) -> Question:
     """Read a question. Raises :class:`NotationError` or :class:`RingError` for what cannot be read."""
     hypotheses, setting = tuple(given), read_setting(field, algebra)
-    read = read_statement(statement, setting.field, hypotheses, setting.letters, setting.constants)
+    where = (setting.letters, setting.constants, setting.table)
+    read = read_statement(statement, setting.field, hypotheses, *where)
     return Question(statement, hypotheses, algebra, timeout, Problem(read, setting))
 
 

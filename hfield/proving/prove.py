@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from hfield.errors import NotationError
+from hfield.errors import NotationError, shorten
 from hfield.evidence import is_complete, why_rejected
 from hfield.fields.names import RingName
 from hfield.proving.decide import TIMEOUT, answer, read_question
@@ -23,10 +23,12 @@ from hfield.proving.decision import (
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_latex, to_unicode
 from hfield.proving.statements.setting import Setting
+from hfield.proving.statements.tables import BLOCKS
 from hfield.syntax import plain
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
+    from hfield.algebra.structure_algebra import StructureAlgebra
 
 MAX_STEPS = 12  # shown to people; the decision has them all
 EXIT_STATUS = {PROVED: 0, VACUOUS: 0, REFUTED: 1, UNDECIDED: 3, NOT_APPLICABLE: 3}
@@ -130,7 +132,7 @@ class Answer:
     def __str__(self) -> str:
         d = self.decision
         where = self.setting.algebra if not self.setting.is_hamilton else ""
-        where = f", in {where}" if where else ""
+        where = f", in {shorten(where)}" if where else ""
         if self.field is not None:
             where = f" over {self.field}" + where
         elif d.verdict == PROVED:
@@ -180,7 +182,7 @@ def prove(
     statement: str,
     field: RingName | None = None,
     given: str | Iterable[str] = (),
-    algebra: QuaternionAlgebra | str | None = None,
+    algebra: QuaternionAlgebra | StructureAlgebra | str | None = None,
     timeout: float = TIMEOUT,
 ) -> Answer:
     """Decide a statement about quaternions and return the answer with its evidence.
@@ -189,7 +191,8 @@ def prove(
     once. ``given`` is a hypothesis, or
     several, put in front of the statement; both may have the signs in which answers are printed
     (``p·q̄ ≠ 0``). ``algebra`` is one, or a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if None),
-    ``timeout`` the time in seconds. Raises :class:`NotationError` with a position for what cannot be read.
+    or a :class:`StructureAlgebra`; ``timeout`` is the time in seconds. Raises :class:`NotationError` with
+    a position for what cannot be read.
     The language is described in docs/language.md.
 
     >>> prove("p*q == q*p", field="QQ").witness
@@ -207,5 +210,20 @@ def prove(
     if field is None and algebra is not None and not isinstance(algebra, str):
         field = algebra.ring  # which may be one of one's own, that no name is read as
     question = read_question(plain(statement), field, hypotheses, where, timeout)
-    problem = question.problem
-    return Answer(problem.statement, problem.setting, answer(question))
+    problem, decision = question.problem, answer(question)
+    if problem.setting.table is not None:
+        decision = with_elements(decision, problem.setting.table)
+    return Answer(problem.statement, problem.setting, decision)
+
+
+def with_elements(decision: Decision, table: StructureAlgebra) -> Decision:
+    """Return the decision with elements of the algebra, as texts, in the place of coordinates."""
+    if decision.witness is None:
+        return decision
+    witness = dict(decision.witness)
+    for letter, names in BLOCKS.items():
+        if letter in witness:
+            texts = [c for name in names for c in witness.pop(name, ("0",) * 4)]
+            coordinates = [table.ring(c) for c in texts[: table.dimension]]
+            witness[letter] = [str(table(coordinates))]
+    return replace(decision, witness=witness)

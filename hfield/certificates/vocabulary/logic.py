@@ -145,6 +145,8 @@ def establish_any(
     if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
         reject("nothing is proved over floats")
     p = read_proposition(text, depth)
+    if setting.table is not None and (p is not None or read_presentation(text) is not None):
+        reject("of an algebra by its table there are statements of the language only")
     if p is None:
         presentation = read_presentation(text)
         if presentation is not None:

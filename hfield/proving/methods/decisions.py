@@ -164,7 +164,7 @@ def implied(proof: Proof, problem: Problem) -> Decision:
     setting = problem.setting
     own = {rule.form: rule for rule in rules(setting)}  # fields of a kind share proofs
     used = [rule if rule.algebra else own[rule.form] for rule in proof.rules]
-    facts = [say("over", A=setting.algebra, fact=rule.fact) for rule in used]
+    facts = [say("over", A=setting.symbol, fact=rule.fact) for rule in used]
     assumes = tuple(dict.fromkeys(a for rule in used for a in rule.assumes))
     evidence = Evidence(
         Kind.IMPLICATION,

@@ -115,7 +115,7 @@ def norm_rule_of(field: Ring, a: str, b: str) -> Rule | None:
         found = _norm_rule(setting, field, structure_constants(setting))
     except HFieldError:
         return None
-    return None if found is None else replace(found, algebra=setting.algebra)
+    return None if found is None else replace(found, algebra=setting.symbol)
 
 
 def unused_norm(setting: Setting) -> str | None:
@@ -140,12 +140,12 @@ def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
     answer = zero_norm(field, c)
     if answer.element is not None:
         return None
-    data = norm_evidence(setting.algebra, field, c, answer)
-    if data is None and not is_readable(setting.algebra, field.data):
+    data = norm_evidence(setting.symbol, field, c, answer)
+    if data is None and not is_readable(setting.symbol, field.data):
         data = {"by": answer.method}  # the answer stands, and says that it has no certificate
     if data is None:
         raise UndecidedError(
-            f"the norm of {setting.algebra} is 0 only at 0 ({answer.reason}), but not by a reason that a "
+            f"the norm of {setting.symbol} is 0 only at 0 ({answer.reason}), but not by a reason that a "
             "certificate can carry"
         )
     return Rule(NORM, answer.reason, by=answer.method, data=data)

@@ -11,9 +11,11 @@ from enum import Enum
 from functools import cached_property, lru_cache
 from typing import NoReturn
 
+from hfield.algebra.structure_algebra import StructureAlgebra
 from hfield.errors import CoercionError, HFieldError, NotationError, UndecidedError
 from hfield.proving.statements.matrices import ENTRIES, expanded
 from hfield.proving.statements.printing import to_text
+from hfield.proving.statements.tables import in_coordinates
 from hfield.proving.statements.trees import taken_apart, tree_depth
 from hfield.rings.base import Ring
 from hfield.syntax import (
@@ -71,9 +73,9 @@ class Statement:
 
     ``exists`` names the unknowns that are sought rather than given; they belong to ``conclusion``
     only. ``constants`` are the terms, by their text, whose value is an element of the field, such
-    as its generator. ``node`` is the whole as a tree, ``written`` that with matrices in it, where
-    ``node`` has their entries, ``divides`` whether ``/``, ``inv``, a decimal
-    fraction or a negative power occurs, ``compares_unequal`` whether ``!=`` or ``not`` does.
+    as its generator. ``node`` is the whole as a tree, ``written`` that with matrices or elements of a
+    table in it, where ``node`` has their entries or coordinates, ``divides`` whether ``/``, ``inv``, a
+    decimal fraction or a negative power occurs, ``compares_unequal`` whether ``!=`` or ``not`` does.
     """
 
     text: str
@@ -116,15 +118,17 @@ def read_statement(
     given: tuple[str, ...] = (),
     letters: tuple[str, ...] = (),
     constants: tuple[str, ...] = (),
+    table: StructureAlgebra | None = None,
 ) -> Statement:
     """Read ``text``, with the hypotheses ``given`` put in front of it.
 
     ``field`` lends its generator's name. ``constants`` are the texts of an algebra's structure
-    constants, ``letters`` the names in them that are scalar unknowns. Raises
+    constants, ``letters`` the names in them that are scalar unknowns. ``table`` is the algebra where that
+    is given by its table: its elements are written out as coordinates. Raises
     :class:`NotationError` with the position of the fault: of grammar, of a name that means
     nothing, or of a sort that does not fit.
     """
-    if field is not None:
+    if field is not None and table is None:
         try:
             general = read_statement(text, None, given, letters, constants)
         except NotationError:  # perhaps it names an element of the field
@@ -138,7 +142,7 @@ def read_statement(
             _parse(h)  # so that an error shows the hypothesis alone
         text = " => ".join(f"({part.strip()})" for part in (*given, text))
         node = _parse(text)
-    return _Analysis(text, field, letters).run(node, constants)
+    return _Analysis(text, field, letters).run(node, constants, table)
 
 
 @lru_cache(maxsize=4096)
@@ -181,9 +185,14 @@ class _Analysis:
         self.constants: dict[str, None] = {}
         self.divides = self.unequal = False
 
-    def run(self, written: Node, constants: tuple[str, ...]) -> Statement:
-        taken = () if self.field is None else generators(self.field)
-        node = self.named(expanded(written, taken, self.text))
+    def run(
+        self, written: Node, constants: tuple[str, ...], table: StructureAlgebra | None
+    ) -> Statement:
+        taken = frozenset[str]() if self.field is None else generators(self.field)
+        if table is None:
+            node = self.named(expanded(written, taken, self.text))
+        else:
+            node = self.named(in_coordinates(written, table, taken, self.text))
         hypotheses, conclusion = taken_apart(node)
         exists: list[str] = []
         for h in hypotheses:

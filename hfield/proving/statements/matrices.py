@@ -7,7 +7,7 @@ What is left are quaternions: whoever proves, refutes and certifies does not kno
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import reduce
 from operator import add
 from typing import NoReturn, TypeAlias
@@ -55,6 +55,14 @@ def expanded(node: Node, taken: Collection[str], text: str) -> Node:
     return _Expansion(known, text).statement(node) if speaks else node
 
 
+def compared(op: str, pairs: Sequence[tuple[Node, Node]], position: int) -> Node:
+    """Return that the two of all pairs are equal, or for ``!=`` that those of some pair are not."""
+    comparisons: list[Node] = [Compare(op, a, b, position=position) for a, b in pairs]
+    if op == "==":
+        return conjunction(comparisons)
+    return reduce(lambda x, y: Logic("or", x, y), comparisons)
+
+
 class _Expansion:
     """One text: a term is a node, where it is a quaternion, or a table of them."""
 
@@ -84,11 +92,9 @@ class _Expansion:
             return Compare(op, x, y, position=node.position)
         x, y = self.like(x, y, node), self.like(y, x, node)
         pairs = [(a, b) for r, s in zip(x, y, strict=True) for a, b in zip(r, s, strict=True)]
+        some = compared(op, pairs, node.position)
         if op == "==":
-            return conjunction([Compare("==", a, b, position=node.position) for a, b in pairs])
-        some: Node = Compare("!=", *pairs[0], position=node.position)
-        for pair in pairs[1:]:
-            some = Logic("or", some, Compare("!=", *pair, position=node.position))
+            return some
         undefined = [a for pair in pairs for a in pair if divides_in(a)]
         return conjunction([some, *(Compare("==", a, a) for a in undefined)])
 

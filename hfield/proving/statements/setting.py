@@ -5,12 +5,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
+from hfield.algebra.structure_algebra import StructureAlgebra
 from hfield.errors import (
     CoercionError,
     HFieldError,
     NotationError,
     NotInvertibleError,
     UndecidedError,
+    shorten,
 )
 from hfield.fields.names import RingName, ring
 from hfield.notation import split_algebra
@@ -34,12 +36,14 @@ class Setting:
     In these a number that the field knows in part is one call (:meth:`Ring.named_constants`).
 
     ``letters`` are the names in the constants that are no generators of the field: they are scalar
-    unknowns. ``names`` are the names and roots in the constants that the field reads.
+    unknowns. ``table`` is the algebra of the statement where that is given by its table; the constants are
+    then those of H, over which the coordinates are scalars.
     """
 
     field: Ring | None
     constants: tuple[str, str, str]
     letters: tuple[str, ...]
+    table: StructureAlgebra | None = None
 
     @cached_property
     def trees(self) -> tuple[Node, Node, Node]:
@@ -54,7 +58,12 @@ class Setting:
 
     @property
     def algebra(self) -> str:
-        """The algebra as text, such as ``(-1,-1|QQ)``, with F for a field that is not named."""
+        """The algebra as text, such as ``(-1,-1|QQ)`` or ``table(…|QQ)``."""
+        return self.symbol if self.table is None else str(self.table)
+
+    @property
+    def symbol(self) -> str:
+        """The quaternion algebra as text, such as ``(-1,-1|QQ)``, with F for a field that is not named."""
         a, t, b = (_spelled(text, self.field) for text in self.constants)
         field = UNNAMED if self.field is None else self.field.name
         if t == "0":
@@ -64,7 +73,7 @@ class Setting:
     @property
     def is_hamilton(self) -> bool:
         """Whether the algebra is H(F)."""
-        return self.constants == HAMILTON
+        return self.constants == HAMILTON and self.table is None
 
 
 def read_setting(field: RingName | None = None, algebra: str | None = None) -> Setting:
@@ -91,6 +100,13 @@ def put_letters(setting: Setting, values: Mapping[str, Node]) -> Setting:
 
 @lru_cache(maxsize=256)
 def _read(field: Ring | None, algebra: str) -> Setting:
+    if algebra.lstrip().startswith("table("):
+        table = StructureAlgebra.from_text(algebra)
+        if field is not None and field != table.ring:
+            raise NotationError(
+                f"the algebra {shorten(algebra)} is over {table.ring.name}, the field is {field.name}"
+            )
+        return Setting(table.ring, HAMILTON, (), table)
     a, t, b, inside = split_algebra(algebra)
     if inside != UNNAMED and (field is None or inside != field.name):
         own = ring(inside)
