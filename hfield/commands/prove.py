@@ -20,6 +20,7 @@ DOING = "proving"
 EXAMPLES = (
     "hfield prove 'p*q == q*p' --field GF4",
     "hfield prove 'norm(q) == 0 => q == 0' --field 'QQ(sqrt(-7))' --certificate anisotropic.json",
+    "hfield prove 'i*j == k' --relations 'i*i == j*j == k*k == i*j*k == -1'",
     "hfield prove --from statements.txt --format csv",
 )
 COLUMNS = (
@@ -43,6 +44,13 @@ def configure(parser: ArgumentParser) -> None:
         "--algebra", metavar="A", help="the algebra, such as '(-1,-3|QQ)' or '(a,b|F)' (default: H)"
     )
     add_repeated(parser, "--given", "H", "assume H; may be repeated")
+    add_repeated(
+        parser,
+        "--relations",
+        "R",
+        "ask what follows in every ring with identity whose elements i, j, k satisfy R, such as "
+        "'i*i == j*j == -1'; may be repeated",
+    )
     parser.add_argument(
         "--timeout", type=seconds, default=30.0, metavar="S", help="seconds to try (default: 30)"
     )
@@ -64,14 +72,15 @@ def _decide(args: Namespace, statement: str) -> Answer:
 
     Waiting.at(f"proving {statement}")
     with open_output(args.certificate) as file:
-        answer = prove(statement, args.field, args.given, args.algebra, args.timeout)
+        where = (args.field, args.given, args.algebra, args.timeout, args.relations)
+        answer = prove(statement, *where)
         certificate = answer.certificate if args.certificate is not None else None
         if certificate is not None:
             file.write_json(certificate)
         elif args.certificate is not None:
             note(f"no certificate is written: {answer.why_no_certificate}")
     path = None if certificate is None else args.certificate
-    said = {} if args.given else {"statement": statement}
+    said = {} if args.given or args.relations else {"statement": statement}
     told, inside, field = (answer.text, answer.decision), answer.setting.algebra, answer.field
 
     def latex() -> str:

@@ -6,6 +6,7 @@ import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from hfield.certificates.glossary import ALGEBRA, PRESENTATION
 from hfield.errors import HFieldError, shorten
 from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
@@ -33,9 +34,14 @@ _LABEL = 12
 def decision_text(
     statement: str, decision: Decision, algebra: str, field: str | None, style: Style
 ) -> str:
-    """Write a statement of the language in ``algebra`` and its decision; no field means all."""
+    """Write a statement in ``algebra``, or about all rings, and its decision; no field means all."""
     where = "for every F" if field is None else f"{over(field)}, {ring(field).in_words()}"
-    place = textwrap.wrap(f"in the algebra {algebra}, {where}", style.width, subsequent_indent="  ")
+    if decision.method in (PRESENTATION, ALGEBRA):
+        whole = "in every ring with identity" if field is None else "in every algebra with identity"
+        said = whole if field is None else f"{whole} {where}"
+    else:
+        said = f"in the algebra {algebra}, {where}"
+    place = textwrap.wrap(said, style.width, subsequent_indent="  ")
     lines = [style.bold(pretty(statement)), *place, ""]
     told = decision_lines(statement, decision, field or UNIVERSAL, style, algebra)
     return "\n".join([*lines, *told])

@@ -20,11 +20,19 @@ from hfield.proving.decision import (
     VACUOUS,
     Decision,
 )
+from hfield.proving.methods.presentations import (
+    decide_presentation,
+    presentation_text,
+    read_goals,
+    read_relations,
+)
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_latex, to_unicode
-from hfield.proving.statements.setting import Setting
+from hfield.proving.statements.setting import Setting, read_setting
 from hfield.proving.statements.tables import BLOCKS
-from hfield.syntax import plain
+from hfield.proving.statements.trees import conjunction
+from hfield.proving.steps import say
+from hfield.syntax import Logic, parse, plain
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
@@ -129,14 +137,20 @@ class Answer:
     def __bool__(self) -> bool:
         return bool(self.decision)
 
-    def __str__(self) -> str:
+    @property
+    def place(self) -> str:
+        """Where the statement was decided, in words that follow the verdict."""
         d = self.decision
         where = self.setting.algebra if not self.setting.is_hamilton else ""
         where = f", in {shorten(where)}" if where else ""
         if self.field is not None:
-            where = f" over {self.field}" + where
-        elif d.verdict == PROVED:
-            where = f" over every {(d.scope or '').removesuffix('s')}" + where
+            return f" over {self.field}" + where
+        if d.verdict == PROVED:
+            return f" over every {(d.scope or '').removesuffix('s')}" + where
+        return where
+
+    def __str__(self) -> str:
+        d, where = self.decision, self.place
         lines = [f"{_SIGNS[d.verdict]} {to_unicode(self.statement.written)}"]
         if d.witness:
             shown = ", ".join(f"{n} = {_value(v)}" for n, v in d.witness.items() if n != "F")
@@ -162,6 +176,17 @@ class Answer:
         return rf"$\displaystyle {to_latex(self.statement.written)} \quad\text{{({self.verdict})}}$"
 
 
+class ConsequenceAnswer(Answer):
+    """Whether equations follow from relations; the products of a counterexample are its witness."""
+
+    @property
+    def place(self) -> str:
+        """Where the statement was decided, in words that follow the verdict."""
+        over = "" if self.field is None else f" that is an algebra over {self.field}"
+        whole = "not in every ring" if self.verdict == REFUTED else "in every ring"
+        return f", {whole} with identity{over}"
+
+
 def _value(texts: list[str]) -> str:
     """Write the coordinates of a witness as people do: ``1 + 2i − k``."""
     if len(texts) == 1:
@@ -184,6 +209,7 @@ def prove(
     given: str | Iterable[str] = (),
     algebra: QuaternionAlgebra | StructureAlgebra | str | None = None,
     timeout: float = TIMEOUT,
+    relations: str | Iterable[str] = (),
 ) -> Answer:
     """Decide a statement about quaternions and return the answer with its evidence.
 
@@ -193,11 +219,18 @@ def prove(
     (``p·q̄ ≠ 0``). ``algebra`` is one, or a text such as ``(-1,-3|QQ)`` or ``(a,b|F)`` (H if None),
     or a :class:`StructureAlgebra`; ``timeout`` is the time in seconds. Raises :class:`NotationError` with
     a position for what cannot be read.
+
+    With ``relations``, such as ``"i*i == j*j == -1"``, the statement is about every ring with identity with
+    elements i, j and k that satisfy them, or every algebra with identity over ``field``: the answer has
+    cofactors, or an algebra in which it fails (Theorem 1 of the thesis).
+
     The language is described in docs/language.md.
 
     >>> prove("p*q == q*p", field="QQ").witness
     {'p': ['0', '1', '0', '0'], 'q': ['0', '0', '1', '0']}
     >>> bool(prove("(p*q)*r == p*(q*r)"))
+    True
+    >>> bool(prove("i*j == k", relations="i*i == j*j == k*k == i*j*k == -1"))
     True
     """
     if not isinstance(statement, str) or (isinstance(field, str) and _COMPARISON.search(field)):
@@ -206,6 +239,13 @@ def prove(
             f"not prove({statement!r}, …)"
         )
     hypotheses = tuple(map(plain, [given] if isinstance(given, str) else given))
+    if relations:
+        if algebra is not None or hypotheses:
+            raise NotationError(
+                "relations are about every ring with identity: leave the algebra out, and write what is "
+                "given as relations"
+            )
+        return _from_relations(plain(statement), read_relations(relations), field, timeout)
     where = None if algebra is None else str(algebra)
     if field is None and algebra is not None and not isinstance(algebra, str):
         field = algebra.ring  # which may be one of one's own, that no name is read as
@@ -213,7 +253,33 @@ def prove(
     problem, decision = question.problem, answer(question)
     if problem.setting.table is not None:
         decision = with_elements(decision, problem.setting.table)
+    elif problem.statement.assumes_of_basis:
+        hint = say("basis-constants", A=problem.setting.algebra)
+        decision = replace(decision, steps=(*decision.steps, hint))
     return Answer(problem.statement, problem.setting, decision)
+
+
+def _from_relations(
+    statement: str, relations: tuple[str, ...], field: RingName | None, timeout: float
+) -> Answer:
+    """Decide whether equations follow from relations in every ring with identity."""
+    goals, setting = read_goals(statement), read_setting(field)
+    decision = decide_presentation(relations, goals, field=setting.field, timeout=timeout)
+    hypothesis, conclusion = (conjunction([*map(parse, x)]) for x in (relations, goals))
+    node = Logic("=>", hypothesis, conclusion)
+    said = Statement(
+        text=presentation_text(relations, goals),
+        node=node,
+        written=node,
+        unknowns=(),
+        exists=(),
+        hypotheses=(hypothesis,),
+        conclusion=conclusion,
+        constants=(),
+        divides=False,
+        compares_unequal=False,
+    )
+    return ConsequenceAnswer(said, setting, decision)
 
 
 def with_elements(decision: Decision, table: StructureAlgebra) -> Decision:

@@ -4,6 +4,8 @@ from itertools import product
 
 import pytest
 
+from hfield import Rejected, check, prove
+from hfield.cli import main
 from hfield.errors import NotationError
 from hfield.proving.methods.presentations import decide_presentation, presentation_text
 
@@ -118,3 +120,72 @@ def test_what_is_no_relation_is_refused(bad):
 def test_without_identity_numbers_mean_nothing():
     with pytest.raises(NotationError, match="no identity"):
         decide_presentation(["i*i == -1"], ["i == 0"], identity=False)
+
+
+HAMILTON = "i*i == j*j == k*k == i*j*k == -1"
+
+
+@pytest.mark.parametrize(
+    ("statement", "relations", "field", "verdict"),
+    [
+        ("i*j == k and j*k == i and k*i == j", HAMILTON, None, "proved"),
+        ("j*i == -k", HAMILTON, "GF(2)", "proved"),
+        ("i*j == -k", HAMILTON, None, "refuted"),
+        ("i*j == -k", HAMILTON, "GF(2)", "proved"),
+        ("k**2 == -1", ["i² = j² = 1", "j·i = −i·j and k = i·j"], None, "proved"),
+        ("k**2 == 1", "i*i == j*j == 1 and j*i == -i*j and k == i*j", "QQ", "refuted"),
+        ("i*j == j*i", "i*i == j*j == k*k == 1 and i*j == k", None, "proved"),
+        ("i*j == j*i", "i*i == j*j == 1", None, "refuted"),
+        ("(i + j)**2 == 0", "i**2 == j**2 == i*j + j*i == 0", None, "proved"),
+        ("i == 0", "2*i == 0", None, "refuted"),
+        ("i == 0", "2*i == 0", "QQ", "proved"),
+        ("i == j", "i*i == 0 and i*i == 1", None, "vacuous"),
+    ],
+)
+def test_what_follows_from_relations_in_every_ring(statement, relations, field, verdict):
+    answer = prove(statement, field, relations=relations)
+    assert answer.verdict == verdict
+    assert check(answer.certificate).verdict == verdict
+    assert "every ring with identity" in str(answer)
+
+
+def test_consequences_are_none_of_other_relations():
+    good = prove("i*j == k", relations=HAMILTON).certificate
+    for old, new in (
+        ("k*k == -1", "k*k == 1"),
+        ("=> i*j == k", "=> i*j == -k"),
+        ("and i*j*k == -1", ""),
+    ):
+        assert old in good["statement"]
+        with pytest.raises(Rejected):
+            check(good | {"statement": good["statement"].replace(old, new)})
+    bad = prove("i*j == -k", relations=HAMILTON).certificate
+    with pytest.raises(Rejected):
+        check(bad | {"statement": good["statement"]})
+
+
+@pytest.mark.parametrize(
+    ("statement", "options", "words"),
+    [
+        ("i*j == k", {"relations": "i*i"}, "is no relation: expected an equation"),
+        ("i*j == k", {"relations": "i*i == == 1"}, "is no relation"),
+        ("i*j == p", {"relations": "i == 1"}, "a polynomial in i, j, k and the identity e"),
+        ("i*j != k", {"relations": "i == 1"}, "are equations, joined by 'and'"),
+        ("i*j == k", {"relations": "i == 1", "algebra": "(-1,-3|QQ)"}, "leave the algebra out"),
+        ("i*j == k", {"relations": "i == 1", "given": "j == 1"}, "leave the algebra out"),
+    ],
+)
+def test_what_is_no_question_about_relations(statement, options, words):
+    with pytest.raises(NotationError, match=words):
+        prove(statement, **options)
+
+
+def test_the_option_relations(capsys):
+    assert main(["prove", "i*j == k", "--relations", HAMILTON]) == 0
+    assert main(["prove", "i*j == k", "--relations", "i*i == -1", "--relations", "j*j == -1"]) == 1
+    assert capsys.readouterr().out.count("in every ring with identity") == 2
+
+
+def test_in_h_the_basis_is_no_unknown():
+    assert "i, j and k are constants here" in str(prove("i*i == 1 and j*j == 1 => i*j == k"))
+    assert "constants here" not in str(prove("p == i => p*j == k"))

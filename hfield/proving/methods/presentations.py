@@ -8,7 +8,8 @@ What refutes is a small associative algebra in which the product of two basis ve
 products that they need are there.
 """
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
@@ -16,7 +17,7 @@ from math import lcm
 from typing import Any
 
 from hfield.certificates.glossary import ALGEBRA, PRESENTATION
-from hfield.errors import NotationError
+from hfield.errors import NotationError, shorten
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.proving.clock import Clock
@@ -33,9 +34,11 @@ from hfield.proving.decision import (
 from hfield.proving.polynomials.free_algebra import Cofactors, Rewriting, multiply_out
 from hfield.proving.polynomials.vanishing import prime_factors
 from hfield.proving.problem import MEMORY
+from hfield.proving.statements.printing import to_text
+from hfield.proving.statements.trees import conjuncts
 from hfield.proving.steps import say
 from hfield.rings.base import Ring
-from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse, weight
+from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse, plain, weight
 
 Words = dict[str, int]
 ONE: Words = {"": 1}
@@ -96,6 +99,36 @@ def presentation_text(relations: Sequence[str], goals: Sequence[str], identity: 
     """Write the statement that is decided, as certificates name it."""
     letters = "i, j, k" if identity else "e, i, j, k"
     return f"associative({letters}): {' and '.join(relations)} => {' and '.join(goals)}"
+
+
+def read_relations(relations: str | Iterable[str]) -> tuple[str, ...]:
+    """Return equations of two sides each; ``x == y == z`` says ``x == z`` and ``y == z``.
+
+    A text may join several by ``and``, and there may be several texts. Raises :class:`NotationError`.
+    """
+    texts = [relations] if isinstance(relations, str) else relations
+    found: list[str] = []
+    for part in (part for text in texts for part in re.split(r"\band\b", plain(text))):
+        *sides, last = (side.strip() for side in part.split("=="))
+        if not sides or not all((*sides, last)):
+            raise NotationError(
+                f"{shorten(part.strip())!r} is no relation: expected an equation such as i*i == -1"
+            )
+        found += [f"{side} == {last}" for side in sides]
+    return tuple(found)
+
+
+def read_goals(statement: str) -> tuple[str, ...]:
+    """Return the equations that ``and`` joins in a statement. Raises :class:`NotationError`."""
+    goals = conjuncts(parse(statement))
+    for goal in goals:
+        if not (isinstance(goal, Compare) and goal.op == "=="):
+            raise NotationError(
+                "what follows from relations are equations, joined by 'and'",
+                statement,
+                goal.position,
+            )
+    return tuple(map(to_text, goals))
 
 
 Proof = list[tuple[Cofactors, int]]  # of each goal, with what was divided by

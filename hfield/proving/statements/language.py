@@ -16,7 +16,7 @@ from hfield.errors import CoercionError, HFieldError, NotationError, UndecidedEr
 from hfield.proving.statements.matrices import ENTRIES, expanded
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.tables import in_coordinates
-from hfield.proving.statements.trees import taken_apart, tree_depth
+from hfield.proving.statements.trees import taken_apart, tree_depth, walk
 from hfield.rings.base import Ring
 from hfield.syntax import (
     Binary,
@@ -99,6 +99,12 @@ class Statement:
     def weight(self) -> int:
         """The greatest weight of a hypothesis or of the conclusion (:func:`hfield.syntax.weight`)."""
         return max(map(weight, (*self.hypotheses, self.conclusion)))
+
+    @property
+    def assumes_of_basis(self) -> bool:
+        """Whether a hypothesis is about i, j and k alone, which are no unknowns."""
+        named = ({n.name for n in walk(h) if isinstance(n, Name)} for h in self.hypotheses)
+        return any(names and names <= set(BASIS) for names in named)
 
     @property
     def given(self) -> tuple[tuple[str, Sort], ...]:
