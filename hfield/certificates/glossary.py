@@ -171,6 +171,7 @@ CITED_BY_NAME = {"odd-degree": ODD_DEGREE, "limits": LIMITS, "induction": INDUCT
 BASIS = ("e", "i", "j", "k")
 WORDS = (
     *("and", "or", "not", "exists", "conj", "norm", "trace", "inv", "scalar", "vector", "comm"),
+    *("dot", "cross", "abs"),
     *("sqrt", "cbrt", "root", "I"),
 )
 GREEK = (

@@ -12,6 +12,7 @@ from hfield.certificates.matrices import ENTRIES, MATRICES, without_matrices
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.tables import Table, in_coordinates, is_table, read_table
+from hfield.certificates.words import without_words
 from hfield.certificates.work import charge
 
 LETTERS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"
@@ -148,6 +149,7 @@ class _Reader:
     def read(self, tree: Tree) -> Statement:
         """Return the statement."""
         tree = without_matrices(tree, self.is_constant)
+        tree = without_words(tree, self.field, self.structure == HAMILTON)
         hypotheses: list[Tree] = []
         while tree[0] == "=>":
             hypotheses.append(tree[1])

@@ -14,6 +14,7 @@ from hfield.certificates.language import WORDS, Tree, parse, split, walk
 from hfield.certificates.matrices import ENTRIES, MAKERS, MATRICES
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.ring import Ring
+from hfield.certificates.words import ARGUMENTS
 from hfield.certificates.work import charge
 
 LETTERS = "pqruvw"
@@ -25,7 +26,7 @@ MAX_POWER, MAX_TERMS = 16, 100_000
 MAX_CONSTANT = 200
 ZERO: Tree = ("num", 0)
 ONE: Tree = ("num", 1)
-FUNCTIONS = ("conj", "inv", "norm", "trace", "scalar", "vector", "comm", *MAKERS)
+FUNCTIONS = ("conj", "inv", "norm", "trace", "scalar", "vector", "comm", *MAKERS, *ARGUMENTS)
 Vector = list[Tree]
 Value = Any  # Tree for a scalar, Vector for an element
 

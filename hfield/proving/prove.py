@@ -13,6 +13,7 @@ from hfield.evidence import is_complete, why_rejected
 from hfield.fields.names import RingName
 from hfield.proving.decide import TIMEOUT, answer, read_question
 from hfield.proving.decision import (
+    FIELD,
     NOT_APPLICABLE,
     PROVED,
     REFUTED,
@@ -251,12 +252,16 @@ def prove(
         field = algebra.ring  # which may be one of one's own, that no name is read as
     question = read_question(plain(statement), field, hypotheses, where, timeout)
     problem, decision = question.problem, answer(question)
-    if problem.setting.table is not None:
-        decision = with_elements(decision, problem.setting.table)
-    elif problem.statement.assumes_of_basis:
+    read, table = problem.statement, problem.setting.table
+    if read.assumes_of_basis and table is None:
         hint = say("basis-constants", A=problem.setting.algebra)
         decision = replace(decision, steps=(*decision.steps, hint))
-    return Answer(problem.statement, problem.setting, decision)
+    if (table is not None or read.helpers) and decision.scope is not None:
+        decision = replace(decision, scope=FIELD)  # the coordinates, or moduli, are of this field
+    if decision.witness is not None:
+        shown = {x: v for x, v in decision.witness.items() if x not in read.helpers}
+        decision = replace(decision, witness=shown if table is None else _elements(shown, table))
+    return Answer(read, problem.setting, decision)
 
 
 def _from_relations(
@@ -282,14 +287,12 @@ def _from_relations(
     return ConsequenceAnswer(said, setting, decision)
 
 
-def with_elements(decision: Decision, table: StructureAlgebra) -> Decision:
-    """Return the decision with elements of the algebra, as texts, in the place of coordinates."""
-    if decision.witness is None:
-        return decision
-    witness = dict(decision.witness)
+def _elements(witness: dict[str, list[str]], table: StructureAlgebra) -> dict[str, list[str]]:
+    """Return a witness with elements of the algebra, as texts, in the place of coordinates."""
+    found = dict(witness)
     for letter, names in BLOCKS.items():
-        if letter in witness:
-            texts = [c for name in names for c in witness.pop(name, ("0",) * 4)]
+        if letter in found:
+            texts = [c for name in names for c in found.pop(name, ["0"] * 4)]
             coordinates = [table.ring(c) for c in texts[: table.dimension]]
-            witness[letter] = [str(table(coordinates))]
-    return replace(decision, witness=witness)
+            found[letter] = [str(table(coordinates))]
+    return found

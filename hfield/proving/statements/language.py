@@ -16,7 +16,8 @@ from hfield.errors import CoercionError, HFieldError, NotationError, UndecidedEr
 from hfield.proving.statements.matrices import ENTRIES, expanded
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.tables import in_coordinates
-from hfield.proving.statements.trees import taken_apart, tree_depth, walk
+from hfield.proving.statements.trees import names_in, taken_apart, tree_depth
+from hfield.proving.statements.words import ARGUMENTS, without_words
 from hfield.rings.base import Ring
 from hfield.syntax import (
     Binary,
@@ -40,6 +41,7 @@ LETTERS = frozenset("pqruvw")
 QUATERNIONS = LETTERS.union(*ENTRIES.values())
 SCALARS = frozenset("styxz")
 BASIS = ("e", "i", "j", "k")
+HAMILTON = ("-1", "0", "-1")
 MAX_TREE_DEPTH = 200
 
 
@@ -76,6 +78,7 @@ class Statement:
     as its generator. ``node`` is the whole as a tree, ``written`` that with matrices or elements of a
     table in it, where ``node`` has their entries or coordinates, ``divides`` whether ``/``, ``inv``, a
     decimal fraction or a negative power occurs, ``compares_unequal`` whether ``!=`` or ``not`` does.
+    ``helpers`` are unknowns of ``node`` by which words of ``written`` are defined.
     """
 
     text: str
@@ -88,6 +91,7 @@ class Statement:
     constants: tuple[str, ...]
     divides: bool
     compares_unequal: bool
+    helpers: frozenset[str] = frozenset()
 
     def __str__(self) -> str:
         return to_text(self.written)
@@ -103,7 +107,7 @@ class Statement:
     @property
     def assumes_of_basis(self) -> bool:
         """Whether a hypothesis is about i, j and k alone, which are no unknowns."""
-        named = ({n.name for n in walk(h) if isinstance(n, Name)} for h in self.hypotheses)
+        named = map(names_in, self.hypotheses)
         return any(names and names <= set(BASIS) for names in named)
 
     @property
@@ -196,9 +200,13 @@ class _Analysis:
     ) -> Statement:
         taken = frozenset[str]() if self.field is None else generators(self.field)
         if table is None:
-            node = self.named(expanded(written, taken, self.text))
+            plain = self.named(expanded(written, taken, self.text))
+            hamilton = constants in ((), HAMILTON)
+            node = without_words(plain, self.field, hamilton, self.text)
+            helpers = names_in(node) - names_in(plain)
         else:
             node = self.named(in_coordinates(written, table, taken, self.text))
+            helpers = frozenset()
         hypotheses, conclusion = taken_apart(node)
         exists: list[str] = []
         for h in hypotheses:
@@ -226,6 +234,7 @@ class _Analysis:
             constants=tuple(self.constants),
             divides=self.divides,
             compares_unequal=self.unequal,
+            helpers=helpers,
         )
 
     def named(self, node: Node) -> Node:
@@ -329,7 +338,7 @@ class _Analysis:
             where = "" if self.field is None else f", nor does {self.field.name} read {text!r}"
             self.fail(
                 f"there is no function {function!r}{where}{elsewhere(function)}; known are "
-                f"{', '.join(sorted(RESULT))}",
+                f"{', '.join(sorted((*RESULT, *ARGUMENTS)))}",
                 node,
             )
         wanted = 2 if function == "comm" else 1

@@ -18,13 +18,12 @@ from hfield.fields.names import RingName, ring
 from hfield.notation import split_algebra
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.statements.language import BASIS, QUATERNIONS, RESULT, generators
+from hfield.proving.statements.language import BASIS, HAMILTON, QUATERNIONS, RESULT, generators
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import divides_in, substitute, walk
 from hfield.rings.base import Ring
 from hfield.syntax import Call, Index, Name, Node, parse, weight
 
-HAMILTON = ("-1", "0", "-1")
 UNNAMED = "F"
 MAX_CONSTANT_WEIGHT = 2_000
 

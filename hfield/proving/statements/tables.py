@@ -17,7 +17,9 @@ from hfield.algebra.structure_algebra import StructureAlgebra
 from hfield.errors import NotationError
 from hfield.product import Scalar
 from hfield.proving.statements.matrices import ENTRIES, compared
+from hfield.proving.statements.matrices import WORDS as MATRIX_WORDS
 from hfield.proving.statements.trees import conjunction, walk
+from hfield.proving.statements.words import ARGUMENTS
 from hfield.syntax import (
     Binary,
     Call,
@@ -45,7 +47,20 @@ BLOCKS: Mapping[str, tuple[str, ...]] = {
 MAX_DIMENSION = 4 * len(BLOCKS["p"])
 MAX_POWER, MAX_NODES = 16, 100_000
 ZERO, ONE = Number(0), Number(1)
-FUNCTIONS = ("conj", "inv", "norm", "trace", "scalar", "vector")
+FUNCTIONS = frozenset(
+    (
+        "conj",
+        "inv",
+        "norm",
+        "trace",
+        "scalar",
+        "vector",
+        "comm",
+        *MATRIX_WORDS,
+        "transpose",
+        *ARGUMENTS,
+    )
+)
 
 
 def in_coordinates(
@@ -157,7 +172,7 @@ class _Writer:
                 x, y = (self.vector(self.term(z), z) for z in (left, right))
                 return _joined("-", self.product(x, y), self.product(y, x))
             case Call(function, _):
-                if function in (*FUNCTIONS, "comm", "matrix", "row", "column", "transpose"):
+                if function in FUNCTIONS:
                     self.fail(f"{function} means nothing in an algebra by its table", node)
                 return node
         self.fail("expected an element or a scalar, found a statement", node)

@@ -50,6 +50,11 @@ def walk_once(node: Node) -> Iterator[Node]:
                 stack.append(child)
 
 
+def names_in(node: Node) -> frozenset[str]:
+    """Return the names that stand in a tree."""
+    return frozenset(n.name for n in walk_once(node) if isinstance(n, Name))
+
+
 def occurrences(node: Node, name: str) -> int:
     """Return how often a name stands in a tree."""
     return sum(isinstance(n, Name) and n.name == name for n in walk(node))

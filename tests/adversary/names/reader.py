@@ -30,6 +30,7 @@ LARGEST = 10**12  # of orders that are judged
 BASIS = ("e", "i", "j", "k", "I")
 WORDS = (
     *("and", "or", "not", "exists", "conj", "norm", "trace", "inv", "scalar", "vector", "comm"),
+    *("dot", "cross", "abs"),
     *("sqrt", "cbrt", "root"),
 )
 LETTERS = (
