@@ -20,9 +20,9 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.fields.names import RingName
 from hfield.fields.names import ring as read_ring
 from hfield.product import Scalar
-from hfield.rings.base import Ring
 from hfield.rings.modular import Modular
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.linear_algebra.syzygies import Row
@@ -80,7 +80,7 @@ class StructureAlgebra:
 
     def __init__(
         self,
-        ring: Ring | str,
+        ring: RingName,
         table: Sequence[Sequence[str | Sequence[object]]],
         names: str | Sequence[str] | None = None,
     ) -> None:

@@ -21,12 +21,6 @@ from hfield.proving.decision import (
     VACUOUS,
     Decision,
 )
-from hfield.proving.methods.presentations import (
-    decide_presentation,
-    presentation_text,
-    read_goals,
-    read_relations,
-)
 from hfield.proving.statements.language import Statement
 from hfield.proving.statements.printing import to_latex, to_unicode
 from hfield.proving.statements.setting import Setting, read_setting
@@ -246,7 +240,7 @@ def prove(
                 "relations are about every ring with identity: leave the algebra out, and write what is "
                 "given as relations"
             )
-        return _from_relations(plain(statement), read_relations(relations), field, timeout)
+        return _from_relations(plain(statement), relations, field, timeout)
     where = None if algebra is None else str(algebra)
     if field is None and algebra is not None and not isinstance(algebra, str):
         field = algebra.ring  # which may be one of one's own, that no name is read as
@@ -265,15 +259,20 @@ def prove(
 
 
 def _from_relations(
-    statement: str, relations: tuple[str, ...], field: RingName | None, timeout: float
+    statement: str, relations: str | Iterable[str], field: RingName | None, timeout: float
 ) -> Answer:
     """Decide whether equations follow from relations in every ring with identity."""
-    goals, setting = read_goals(statement), read_setting(field)
-    decision = decide_presentation(relations, goals, field=setting.field, timeout=timeout)
-    hypothesis, conclusion = (conjunction([*map(parse, x)]) for x in (relations, goals))
+    from hfield.proving.methods import presentations
+
+    goals, setting = presentations.read_goals(statement), read_setting(field)
+    equations = presentations.read_relations(relations)
+    decision = presentations.decide_presentation(
+        equations, goals, field=setting.field, timeout=timeout
+    )
+    hypothesis, conclusion = (conjunction([*map(parse, x)]) for x in (equations, goals))
     node = Logic("=>", hypothesis, conclusion)
     said = Statement(
-        text=presentation_text(relations, goals),
+        text=presentations.presentation_text(equations, goals),
         node=node,
         written=node,
         unknowns=(),

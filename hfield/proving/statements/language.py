@@ -6,12 +6,13 @@ apart into quantifiers, hypotheses and conclusion. The grammar and the meaning a
 docs/language.md.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property, lru_cache
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
-from hfield.algebra.structure_algebra import StructureAlgebra
 from hfield.errors import CoercionError, HFieldError, NotationError, UndecidedError
 from hfield.proving.statements.matrices import ENTRIES, expanded
 from hfield.proving.statements.printing import to_text
@@ -36,6 +37,9 @@ from hfield.syntax import (
     weight,
 )
 from hfield.syntax.spelling import elsewhere
+
+if TYPE_CHECKING:
+    from hfield.algebra.structure_algebra import StructureAlgebra
 
 LETTERS = frozenset("pqruvw")
 QUATERNIONS = LETTERS.union(*ENTRIES.values())

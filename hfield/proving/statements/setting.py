@@ -1,11 +1,13 @@
 """Where a statement is decided: a field (or all of them) and the structure constants of the algebra."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING
 
-from hfield.algebra.structure_algebra import StructureAlgebra
 from hfield.errors import (
     CoercionError,
     HFieldError,
@@ -23,6 +25,9 @@ from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.trees import divides_in, substitute, walk
 from hfield.rings.base import Ring
 from hfield.syntax import Call, Index, Name, Node, parse, weight
+
+if TYPE_CHECKING:
+    from hfield.algebra.structure_algebra import StructureAlgebra
 
 UNNAMED = "F"
 MAX_CONSTANT_WEIGHT = 2_000
@@ -100,6 +105,8 @@ def put_letters(setting: Setting, values: Mapping[str, Node]) -> Setting:
 @lru_cache(maxsize=256)
 def _read(field: Ring | None, algebra: str) -> Setting:
     if algebra.lstrip().startswith("table("):
+        from hfield.algebra.structure_algebra import StructureAlgebra
+
         table = StructureAlgebra.from_text(algebra)
         if field is not None and field != table.ring:
             raise NotationError(

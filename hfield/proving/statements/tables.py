@@ -11,9 +11,8 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import islice
-from typing import NoReturn, TypeAlias
+from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
-from hfield.algebra.structure_algebra import StructureAlgebra
 from hfield.errors import NotationError
 from hfield.product import Scalar
 from hfield.proving.statements.matrices import ENTRIES, compared
@@ -35,6 +34,9 @@ from hfield.syntax import (
     parse,
     rebuild,
 )
+
+if TYPE_CHECKING:
+    from hfield.algebra.structure_algebra import StructureAlgebra
 
 Vector: TypeAlias = tuple[Node, ...]
 
