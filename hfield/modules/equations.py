@@ -74,7 +74,7 @@ def _solve(
     """Solve equations, each the images of e, i, j, k for each unknown in turn, and the right side."""
     F = algebra.ring
     if not F.is_field:
-        raise UndecidedError(f"linear equations are solved over fields, and {F.name} is none")
+        raise UndecidedError(f"{F.no_field}: linear equations are solved over fields only")
     rows = [
         list(row)
         for images, _ in equations

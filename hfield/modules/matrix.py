@@ -345,7 +345,7 @@ class Matrix(PrintedBySympy):
         F = self.algebra.ring
         if not F.is_field:
             raise RingError(
-                f"{what} is of matrices over an algebra over a field, and {F.name} is none; "
+                f"{F.no_field}: {what} is of matrices over an algebra over a field; "
                 "A.change_ring(L) goes to one that contains it"
             )
         return F
@@ -425,9 +425,7 @@ class Matrix(PrintedBySympy):
         if not F.is_field:
             if self.is_invertible():
                 return self.inverse() @ target
-            raise UndecidedError(
-                f"over {F.name}, which is no field, only invertible matrices are solved for"
-            )
+            raise UndecidedError(f"{F.no_field}: only invertible matrices are solved for")
         found = self._beside(target).solution()
         if found is not None:
             return self._like(zip(*found, strict=True))

@@ -327,7 +327,7 @@ class Polynomial(PrintedBySympy):
         if not self:
             raise CoercionError("every element is a root of 0")
         if not F.is_field:
-            raise UndecidedError(f"roots are found over fields, and {F.name} is none")
+            raise UndecidedError(f"{F.no_field}: roots are found over fields only")
         norm = self._base_norm() or self._in_socle()._base_norm()
         if not norm:
             return self._singular_roots()
