@@ -66,6 +66,14 @@ def _has_inverse(F: Ring, x: Any) -> bool:
         return F.is_zero(x) or not F.is_field
 
 
+def _is_consistent_unit(F: Ring, x: Any) -> bool:
+    try:
+        F.inverse(x)
+    except NotInvertibleError:
+        return not F.is_unit(x)
+    return F.is_unit(x)
+
+
 def _has_annihilator(F: Ring, x: Any) -> bool:
     y = F.annihilator(x)
     return y is None or (not F.is_zero(y) and F.is_zero(x * y))
@@ -88,6 +96,7 @@ PROMISES = (
     Axiom("F.key(x) = F.key(y) exactly if x = y", 2,
           lambda F, x, y: (F.key(x) == F.key(y)) == F.equal(x, y)),
     Axiom("x·F.inverse(x) = 1; in a field only 0 has none", 1, _has_inverse),
+    Axiom("F.is_unit(x) exactly if there is F.inverse(x)", 1, _is_consistent_unit),
     Axiom("x·F.annihilator(x) = 0", 1, _has_annihilator),
     Axiom("F.elements() lists F.order elements, 0 and 1 first", 0, _is_listed),
 )  # fmt: skip

@@ -29,7 +29,8 @@ def test_loops_and_tables_compute_the_same(name):
             operation(*(t.entry(a.astype(t.kind)) for a in (x, y))).array for t in (tables, loops)
         ]
         assert (found[0] == found[1]).all()
-    assert (tables.inverse == loops.inverse).all()
+    for one, other in zip(tables.units, loops.units, strict=True):
+        assert (one == other).all()
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,10 @@ from fractions import Fraction
 
 import pytest
 
-from hfield import H, check_ring, info, prove
+from hfield import H, QuaternionAlgebra, check_ring, info, prove
 from hfield.errors import CoercionError, HFieldError, UndecidedError
+from hfield.proving.evaluation import all_cases
+from hfield.proving.problem import MEMORY
 from hfield.rings import Ring, ring
 from tests.subcases import subcases
 
@@ -72,6 +74,86 @@ def test_what_a_ring_does_not_say_is_not_known():
     assert "division" in about.undecided
 
 
+class Residue:
+    """A class modulo 6 that is no number and does not divide."""
+
+    def __init__(self, n):
+        self.n = n % 6
+
+    def __add__(self, other):
+        return Residue(self.n + other.n)
+
+    def __sub__(self, other):
+        return Residue(self.n - other.n)
+
+    def __mul__(self, other):
+        return Residue(self.n * other.n)
+
+    def __neg__(self):
+        return Residue(-self.n)
+
+    def __eq__(self, other):
+        return isinstance(other, Residue) and self.n == other.n
+
+    def __hash__(self):
+        return hash(self.n)
+
+    def __str__(self):
+        return str(self.n)
+
+
+class Residues(Ring):
+    """ℤ/6, without saying which elements are units."""
+
+    name, characteristic, order = "residues", 6, 6
+
+    def __call__(self, x):
+        if isinstance(x, str):
+            return self.parse(x)
+        return x if isinstance(x, Residue) else Residue(int(x))
+
+    def elements(self):
+        return map(Residue, range(6))
+
+    def random(self, rng):
+        return Residue(rng.randrange(6))
+
+
+@pytest.mark.parametrize("few", [0, 1_500])
+@pytest.mark.parametrize(
+    ("statement", "verdict"),
+    [
+        ("x != 0 => inv(x)*x == 1", "undecided"),  # false for x = 2
+        ("inv(x)*x == 1 or x == 0", "undecided"),
+        ("x == 5 => inv(x)*x == 1", "proved"),
+        ("inv(x)*x != 1", "refuted"),  # 1/1 is known
+        ("x**3 == x", "proved"),
+        ("x*y == 0 => x == 0 or y == 0", "refuted"),
+        ("exists x: inv(x)*x == 1 and x != 1", "proved"),  # −1
+        ("exists x: inv(x) == 1 and x != 1", "undecided"),
+    ],
+)
+def test_cases_in_which_units_are_not_known_prove_nothing(statement, verdict, few, monkeypatch):
+    MEMORY.cache_clear()
+    monkeypatch.setattr(all_cases, "FEW_CASES", few)
+    A = QuaternionAlgebra(Residues(), 1, 1, 1)
+    assert prove(statement, algebra=A).verdict in (verdict, "undecided" if few == 0 else verdict)
+    # its zero norms are not known: elements need not be numbers
+    assert prove(statement, Residues()).verdict in (verdict, "undecided" if few == 0 else verdict)
+
+
+@pytest.mark.parametrize("ring_class", [Mine, Whole])
+def test_no_ring_is_said_to_be_no_field_where_that_is_not_known(ring_class):
+    A = H(ring_class())
+    for ask in (
+        A.polynomials()("x^2 + 1").roots,
+        A.matrix([["2"]]).rank,
+        lambda: A.matrix([["2"]]).diagonal_form(),
+    ):
+        with pytest.raises(HFieldError, match="mine is not known to be a field"):
+            ask()
+
+
 @pytest.mark.parametrize("name", ["QQ", "ZZ", "GF(7)", "RR", "ZZ[a,b]"])
 def test_no_name_makes_a_ring_one_of_ours(name):
     R = Mine(name)
@@ -97,6 +179,7 @@ def test_samples_show_what_is_wrong():
         "F.text(x)": {"text": lambda self, x, style="plain": str(x + 1)},
         "F.key(x)": {"key": lambda self, x: x * x},
         "F.inverse(x)": {"inverse": lambda self, x: x},
+        "F.is_unit(x)": {"is_unit": lambda self, x: True},
         "F.annihilator(x)": {"annihilator": lambda self, x: x},
         "F.elements()": {
             "order": 2,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -54,7 +54,7 @@ def counterexample(
     """Return the first case in which the statement is false (or ``wanted``), and how many there are.
 
     Raises :class:`TooLargeError` for more than 10⁸ cases, and :class:`UndecidedError` when the time
-    is over.
+    is over, and where there is none but some cases are undecided.
     """
     field = problem.ring
     assert field.order is not None
@@ -91,12 +91,18 @@ def _one_by_one(problem: Problem, places: list[tuple[str, int]], wanted: bool) -
     cases = ((x,) for x in elements) if len(places) == 1 else product(elements, repeat=len(places))
     scalars = PrimeScalars(field.characteristic) if prime else RingScalars(field)
     seeker = Searcher(problem, scalars, wanted)
+    doubt: UndecidedError | None = None
     for n, values in enumerate(cases):
         if n % 64 == 63 and problem.is_late:
             raise UndecidedError(f"time was over after {n} cases")
         assignment = _assignment(statement, places, values, zero)
-        if seeker.test(assignment):
-            return lifted(field, assignment)
+        try:
+            if seeker.decide(assignment):
+                return lifted(field, assignment)
+        except UndecidedError as error:  # another case may tell
+            doubt = doubt or error
+    if doubt is not None:
+        raise doubt
     return None
 
 
@@ -150,12 +156,22 @@ class _Table:
         else:
             operations = _modulo(p) if prime else self._tabulated()
             self.compute = lambda name, *arrays: operations[name](*arrays)
+
+    @cached_property
+    def units(self) -> tuple[npt.NDArray[np.bool_], Indices]:
+        """Which elements are units, and their inverses, 0 for the others.
+
+        Raises :class:`UndecidedError` where the ring does not know.
+        """
+        import numpy as np
+
+        field = self.field
         units = [field.is_unit(x) for x in self.elements]
-        self.unit = np.array(units)
-        self.inverse = self._row(
+        inverses = self._row(
             field.inverse(x) if unit else field.zero
             for x, unit in zip(self.elements, units, strict=True)
         )
+        return np.array(units), inverses
 
     def _row(self, elements: Iterable[Scalar]) -> Indices:
         """Return the indices of some elements."""
@@ -229,7 +245,8 @@ class _TableScalars(Decided[_Entries, "Booleans"]):
         return self.element(self.table.field(n))
 
     def reciprocal(self, x: _Entries) -> tuple[_Entries, Booleans]:
-        return self.table.entry(self.table.inverse[x.array]), self.table.unit[x.array]
+        units, inverses = self.table.units
+        return self.table.entry(inverses[x.array]), units[x.array]
 
     def equal(self, differences: Iterable[_Entries], defined: Booleans) -> Booleans:
         truth = defined

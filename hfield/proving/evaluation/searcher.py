@@ -59,12 +59,20 @@ class Searcher:
         names = (node.name for node in walk(problem.matrix) if isinstance(node, Name))
         self.is_constant = not self.moving and sorts.keys().isdisjoint(names)
 
+    def decide(self, assignment: Assignment) -> bool:
+        """Tell whether the algebra exists there and the statement has the wanted truth value.
+
+        Raises :class:`UndecidedError` where that is not known: a local field knows some digits only, and a
+        ring of one's own may not know which elements are units.
+        """
+        exists = self.evaluator.bind(assignment) if self.moving else self.exists
+        return bool(exists) and self.holds(assignment) is self.wanted
+
     def test(self, assignment: Assignment) -> bool:
-        """Tell whether the algebra exists there and the statement is known to have the wanted truth value."""
+        """Tell whether :meth:`decide` is known to be true."""
         try:
-            exists = self.evaluator.bind(assignment) if self.moving else self.exists
-            return bool(exists) and self.holds(assignment) is self.wanted
-        except UndecidedError:  # a local field knows its roots to some digits only
+            return self.decide(assignment)
+        except UndecidedError:
             return False
 
     def first(self, assignments: Iterator[Assignment]) -> Assignment | None:

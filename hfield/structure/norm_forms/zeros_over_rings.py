@@ -12,6 +12,7 @@ from hfield.factorisation import factorise
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import Ring, shared
 from hfield.rings.integers import ZZ
+from hfield.rings.modular import Modular
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import discriminant, root_if_known
@@ -30,7 +31,7 @@ POINTS = (1, 2, -1, 3, 0, -2, 5, -3)
 
 def zero_norm_integral(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
     """Answer over a ring that is not a field, by way of the fields that belong to it."""
-    if ring.order is not None and ring.order == ring.characteristic:
+    if isinstance(ring, Modular):
         return _residues(ring, c, decide)
     if ring == ZZ:
         return _integers(ring, c, decide)
