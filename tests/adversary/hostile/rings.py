@@ -176,6 +176,14 @@ def specialised(n: int) -> str:
 # --- the rings that statements name -----------------------------------------------------------------
 
 
+def circles(n: int) -> Data:
+    """Functions of the cosines and sines of n angles and of n variables, over a large finite field."""
+    angles = [[f"t{k}", k + 1] for k in range(n)]
+    return {
+        "kind": "circle functions", "base": GF_193, "angles": angles, "variables": MANY[:n],
+    }  # fmt: skip
+
+
 def many_rings(data: Callable[[int], Data], n: int) -> str:
     """A statement about n rings, the data of all of which are read."""
     rings = [data(k) for k in range(n)]
@@ -233,6 +241,7 @@ FILES: dict[str, Hostile] = {
             ("ℚ(ζₙ), of too high a degree", cyclotomic, 360, 360),
             ("ℚ(cₙ)", lambda n: cyclotomic(n, True), 24, 330),
             ("GF(q)(t)", lambda n: functions(GF_193, "t" * n), 3, 100),
+            ("functions on circles", lambda n: circles(n), 2, 4),
             ("many variables", lambda n: polynomials(ZZ, *MANY[:n]), 30, 64),
             ("long variables", lambda n: polynomials(QQ, *(v * 33 for v in MANY[:n])), 2, 64),
             ("ℚ_p", lambda n: completion(QQ, at_number(PRIME)), 1, 1),
