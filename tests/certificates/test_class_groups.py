@@ -86,7 +86,12 @@ def squared(data: Certificate, n: int) -> Certificate:
     return {**data, "evidence": {**data["evidence"], "generators": generators}}
 
 
-@pytest.mark.parametrize("name", ["QQ[s]/(s^3-s^2-2*s-8)", "QQ(root(7,3))", "QQ[s]/(s^4-s^2+4)"])
+SATURATED = (
+    "QQ[s]/(s^3-s^2-2*s-8)", "QQ(root(7,3))", "QQ[s]/(s^4-s^2+4)", "QQ(root(11,3))", "QQ[s]/(s^3-65)"
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SATURATED)
 def test_a_subgroup_of_the_units_is_not_all(name: str) -> None:
     for data in both(name):
         for n in range(len(data["evidence"]["generators"])):

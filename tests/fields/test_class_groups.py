@@ -10,7 +10,7 @@ import pytest
 
 from hfield import ring
 from hfield.errors import HFieldError, RingError
-from hfield.fields.number_fields.classes.s_units import SUnits, root
+from hfield.fields.number_fields.classes.s_units import SUnits, root, roots_of_unity
 from hfield.fields.number_fields.ideals import integers
 from tests.subcases import subcases
 
@@ -91,6 +91,45 @@ def test_roots() -> None:
         assert y is not None
         assert K.power(y, ell) == K.power(x, ell)
         assert root(frame, K.power(x, ell) * 7, ell) is None
+
+
+def test_roots_of_large_degree() -> None:
+    """Roots are lifted from one prime ideal, also where the field has roots of unity of that order."""
+    K = ring("QQ(zeta13)")
+    frame, x = integers(K), K("1/3-2*zeta13+zeta13^5")
+    for ell in (2, 13, 31):
+        y = root(frame, K.power(x, ell), ell)
+        assert y is not None
+        assert K.power(y, ell) == K.power(x, ell)
+        assert root(frame, K.power(x, ell) * 3, ell) is None
+    assert root(frame, K.gen, 13) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "order"),
+    [("QQ(zeta21)", 42), ("QQ(sqrt(-1),sqrt(2))", 8), ("QQ(sqrt(-3),sqrt(5))", 6), ("QQ[s]/(s^4+2)", 2),
+     ("QQ(sqrt(-3),root(2,3))", 6), ("QQ[s]/(s^6+3)", 6), ("QQ[s]/(s^4-2)", 2)],
+)  # fmt: skip
+def test_roots_of_unity(name: str, order: int) -> None:
+    K = ring(name)
+    found, zeta = roots_of_unity(integers(K))
+    powers = [K.power(zeta, k) for k in range(order)]
+    assert found == order
+    assert len(set(powers)) == order
+    assert K.power(zeta, order) == K.one
+
+
+def test_group_with_a_large_index_bound() -> None:
+    """The index bound is 588: products that are powers modulo many prime ideals are not taken for powers."""
+    classes = ring("QQ(zeta13)").class_group()
+    assert classes.order == 1
+    assert classes.certificate is not None
+
+
+@pytest.mark.slow
+def test_class_number_divides_the_index_bound() -> None:
+    """The first index bound is 108852, over the limit; it is divided by the class number (PARI: (8, 2))."""
+    assert ring("QQ(sqrt(-5),sqrt(7),sqrt(-11))").class_group().invariants == (2, 8)
 
 
 def test_zeta() -> None:

@@ -116,8 +116,8 @@ class SUnits:
             reject(f"there are {size} generators of S-units, and at most {MOST_ROWS} are read")
         self._read_torsion(data["torsion"])
         self.volume = volume(self.rows, [self.logarithms(x) for x in self.generators])
-        self._need_saturated(data["saturated"])
         self.invariants = smith(self.rows, len(self.S))
+        self._need_saturated(data["saturated"])
 
     def given(self, value: object) -> Element:
         """Read an element: the coefficients of 1, s, s², …"""
@@ -248,20 +248,25 @@ class SUnits:
             if len(pair_) != 2 or ell in given:
                 reject("a prime is given twice, or with more than residues")
             given[ell] = pair_[1]
-        if self.places.rank:
-            limit = high // self._least_volume()
-            charge(limit)
-        else:  # the index divides the determinant
-            limit = high
-        if limit > MOST_SATURATED:
+        rank, rest = self.places.rank, prod(self.invariants)
+        # without units the index divides the determinant
+        limit = high // self._least_volume() if rank else high
+        if limit > MOST_SATURATED * (rest if rank else 1):
             reject(
                 f"the index of the S-units may be {limit}, and at most {MOST_SATURATED} is looked at"
             )
-        for ell in range(2, limit + 1):
-            if (self.places.rank or limit % ell == 0) and is_prime(ell):
+        ell = 2
+        while ell <= limit:
+            charge(1)
+            if ell > MOST_SATURATED:
+                reject(f"at most the primes up to {MOST_SATURATED} are looked at")
+            if (rank or limit % ell == 0) and is_prime(ell):
                 if ell not in given:
                     reject(f"it is not shown that the S-units are saturated at {ell}")
                 self._need_saturated_at(ell, given.pop(ell))
+                while rank and rest % ell == 0:  # the class number has this part, the index none
+                    rest, limit = rest // ell, limit // ell
+            ell += 1
         if given:
             reject("residues are given for a prime that cannot divide the index")
 

@@ -31,8 +31,6 @@ def evidence(s: SUnits) -> dict[str, Any]:
         above = [P for _, P in s.frame.primes_above(p)]
         number |= {P: len(number) + k for k, P in enumerate(above)}
         listed.append([p, seconds_above(s, p)])
-    limit = s.index_bound()
-    needed = [ell for ell in s.saturated if ell <= limit and (s.rank or limit % ell == 0)]
     return {
         "kind": "S-units",
         "basis": [coordinates(w) for w in s.frame.basis],
@@ -45,7 +43,9 @@ def evidence(s: SUnits) -> dict[str, Any]:
             "generator": coordinates(s.torsion),
             "residues": _residues(s),
         },
-        "saturated": [[ell, [list(pair) for pair in s.saturated[ell]]] for ell in needed],
+        "saturated": [
+            [ell, [list(pair) for pair in s.saturated[ell]]] for ell in s.possible_divisors()
+        ],
     }
 
 

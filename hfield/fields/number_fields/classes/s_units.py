@@ -30,7 +30,6 @@ from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.ring import NumberField
-from hfield.fields.number_fields.sums import roots_in
 from hfield.primality import is_prime, primes
 from hfield.rings.balls import precision
 from hfield.rings.residue_polynomials import residues
@@ -39,7 +38,6 @@ MAX_BOUND = 20_000  # of the norms of primes that generate the class group
 FEW = 8
 """At least so many primes of degree one: ratios of elements give units where few short ones are units."""
 MAX_SATURATED = 20_000  # primes at which a group of units is shown to be saturated
-MAX_ROOTS = 50_000  # choices of conjugates of a root
 TRIES = 400
 SHIFT = 40  # binary digits of conjugates in lattices to be reduced
 
@@ -315,10 +313,6 @@ class SUnits:
                 .unique_fmpz()
             )
 
-    def index_bound(self) -> int:
-        """Return the bound of the index below which all primes were looked at."""
-        return self._index_bound(self.generators, self.rows)
-
     def least_regulator(self) -> tuple[Any, str]:
         """Return a proved lower bound for the regulator, and by whom."""
         if not self.rank:
@@ -340,21 +334,42 @@ class SUnits:
         """Take roots into the group until it is saturated at all primes that its index may have."""
         if not self.generators:
             return
-        limit = self._index_bound(self.generators, self.rows)
-        if limit > MAX_SATURATED:
-            raise TooLargeError(
-                f"the units of {shorten(self.frame.ring.name)} are known up to an index below {limit} only"
-            )
-        for ell in primes():
-            if ell > limit:
-                return
-            if not self.rank and limit % ell:  # the index divides the determinant of the exponents
-                continue
+        whole = self._index_bound(self.generators, self.rows)
+        least = whole // self._class_number() if self.rank else 0
+        for ell in self.possible_divisors():
+            if max(ell, least) > MAX_SATURATED:
+                raise TooLargeError(
+                    f"the units of {shorten(self.frame.ring.name)} are known up to an index "
+                    f"below {whole} only"
+                )
             while (found := self._root_at(ell)) is not None:
                 position, y = found
                 self.generators[position] = y
                 self.rows[position] = self._exponents(y)
-                limit = self._index_bound(self.generators, self.rows)
+
+    def _class_number(self) -> int:
+        """Return the class number, times the index of the rows in the exponents of all S-units."""
+        if not self.primes:
+            return 1
+        reduced = flint.fmpz_mat(self.rows).hnf()
+        return math.prod(int(reduced[k, k]) for k in range(len(self.primes)))
+
+    def possible_divisors(self) -> Iterator[int]:
+        """Yield the primes that may divide the index; the group is saturated at each before the next.
+
+        Once it is saturated at ℓ, the ℓ-part of the quotient by the exponents is that of the class number.
+        The bound of the index, the quotient of h'R' and the least regulator, is divided by it.
+        """
+        known, bound, counted = 1, 0, None
+        for ell in primes():
+            if counted != self.generators:
+                bound, counted = self._index_bound(self.generators, self.rows), [*self.generators]
+            if ell > (bound // known if self.rank else bound):
+                return
+            if not self.rank and bound % ell:  # the index divides the determinant of the exponents
+                continue
+            yield ell
+            known *= ell ** remove(self._class_number(), ell)[0]
 
     def _root_at(self, ell: int) -> tuple[int, FieldElement] | None:
         """Return an ℓ-th root of a product, and a generator that it replaces; None for a saturated group."""
@@ -365,7 +380,7 @@ class SUnits:
         used: list[tuple[int, int]] = []
         sought = len(elements)
         tests = self._characters(ell)
-        for _ in range(12):
+        for _ in range(40):
             while len(columns) < sought:
                 (q, root), column = next(tests)(elements)
                 columns.append(column)
@@ -375,9 +390,14 @@ class SUnits:
             )
             kernel = left_kernel(matrix.transpose())
             if not kernel:
-                self.saturated[ell] = used
+                reduced, rank = matrix.transpose().rref()
+                pivots = [
+                    next(k for k, c in enumerate(row) if c) for row in reduced.tolist()[:rank]
+                ]
+                self.saturated[ell] = [used[k] for k in pivots]
                 return None
-            if sought > len(elements) + 8:
+            # at prime ideals above one q elements of a subfield have the same residues
+            if len({q for q, _ in used}) > len(elements) + 2:
                 for vector in kernel:
                     position = next((k for k, c in enumerate(vector) if c), len(elements))
                     if position >= len(self.generators):
@@ -448,16 +468,25 @@ def minkowski(frame: Integers) -> int:
         return max(1, int((bound + flint.arb(2) ** -40).upper().floor().unique_fmpz()))
 
 
+@lru_cache(maxsize=256)
 def roots_of_unity(frame: Integers) -> tuple[int, FieldElement]:
     """Return the number of roots of unity, and one that generates them."""
     field, n = frame.field, frame.n
     if field.signature[0]:
         return 2, -field.one
-    candidates = [m for m in range(4, 4 * n * n + 8, 2) if n % int(flint.fmpz(m).euler_phi()) == 0]
-    for m in reversed(candidates):
-        found = roots_in(field, flint.fmpq_poly(flint.fmpz_poly.cyclotomic(m)))
-        if found:
-            return m, found[0]
+    # roots of unity differ modulo prime ideals of degree one
+    split = ((q, r) for q in primes() if q > n + 1 for r in simple_roots(field, q)[:1])
+    tried = list(islice(split, 8))
+    common = math.gcd(*(q - 1 for q, _ in tried))
+    q, r = tried[0]
+    for m in range(common, 2, -2):
+        if common % m or n % int(flint.fmpz(m).euler_phi()):
+            continue
+        powers = (pow(b, (q - 1) // m, q) for b in range(2, q))
+        start = next(y for y in powers if all(pow(y, m // p, q) != 1 for p, _ in _factors(m)))
+        found = _lifted_power_root(frame, field.one, m, start, (q, r))
+        if found is not None:
+            return m, found
     return 2, -field.one
 
 
@@ -500,63 +529,84 @@ def logarithms(frame: Integers, x: FieldElement, bits: int = 128) -> list[Any]:
 
 
 def root(frame: Integers, x: FieldElement, ell: int) -> FieldElement | None:
-    """Return y in the field with y^ℓ = x, or None: conjugates are combined, and the power compared."""
+    """Return y with y^ℓ = x for a prime ℓ, or None.
+
+    Modulo a prime ideal of degree one x has one root, or its roots differ by roots of unity of the field, and
+    any of them serves.
+    """
     field = frame.field
-    real, complex_ = field.signature
-    if ell**complex_ * (2**real if ell == 2 else 1) > MAX_ROOTS:
-        raise TooLargeError(f"a root of degree {ell} has too many conjugates to try")
-    scale = int(frame.principal(x).denominator)
     # m·y is an integer where m^ℓ·x is
-    y_scale = math.prod(p ** -(-e // ell) for p, e in _factors(scale))
-    target = x * flint.fmpq(y_scale) ** ell
-    height = max(
-        abs(int(c)) for c in (*target.poly.numer().coeffs(), target.poly.denom())
-    ).bit_length()
-    bits = 128
-    while bits < 4 * height + 256:
-        bits *= 2
-    values = [field.embeddings.value(target.poly, k, bits) for k in range(real + complex_)]
-    shape = [
-        [field.embeddings.value(w.poly, k, bits) for k in range(real + complex_)]
-        for w in frame.basis
-    ]
-    with precision(bits):
-        basis = []
-        for conjugates in shape:
-            row = []
-            for k, z in enumerate(conjugates):
-                row += [z.real] if k < real else [z.real, z.imag]
-            basis.append(row)
-        inverse = flint.arb_mat(basis).inv()
-        choices: list[list[Any]] = []
-        for k, z in enumerate(values):
-            if k < real:
-                v = z.real
-                if v < 0 and ell == 2:
-                    return None
-                size = abs(v).root(ell)
-                sign = -1 if v < 0 else 1
-                choices.append([[size * sign], [-size]] if ell == 2 else [[size * sign]])
-            else:
-                size, angle = abs(z).root(ell), z.arg() / ell
-                turns = [angle + 2 * flint.arb.pi() * t / ell for t in range(ell)]
-                choices.append([[size * a.cos(), size * a.sin()] for a in turns])
-        for choice in product(*choices):
-            row = flint.arb_mat([[c for part in choice for c in part]]) * inverse
-            whole = [c.unique_fmpz() or _nearest(c) for c in row.entries()]
-            if None in whole:
-                continue
-            y = element_of(field, [flint.fmpq(c) for c in whole])
-            if field.power(y, ell) == target:
-                found: FieldElement = y * flint.fmpq(1, y_scale)
-                return found
-    return None
+    scale = math.prod(p ** -(-e // ell) for p, e in _factors(int(frame.principal(x).denominator)))
+    target = x * flint.fmpq(scale) ** ell
+    several = roots_of_unity(frame)[0] % ell == 0
+    q, r = next(
+        (q, r)
+        for q in primes()
+        if q != ell and (several or q % ell != 1) and int(target.poly.denom()) % q
+        for r in simple_roots(field, q)
+        if residue(target, r, q)
+    )
+    value = residue(target, r, q)
+    start = next((y for y in range(1, q) if pow(y, ell, q) == value), None)
+    y = None if start is None else _lifted_power_root(frame, target, ell, start, (q, r))
+    return None if y is None else y * flint.fmpq(1, scale)
 
 
-def _nearest(c: Any) -> Any:
-    """Return the integer in a narrow ball, or None."""
-    found = (c + flint.arb("0.5")).floor().unique_fmpz()
-    return found if found is not None and (c - found).contains(0) else None
+def _lifted_power_root(
+    frame: Integers, x: FieldElement, m: int, start: int, prime: tuple[int, int]
+) -> FieldElement | None:
+    """Return y with y^m = x and a given residue, or None, for an algebraic integer x.
+
+    The residue is lifted to a power Pᵏ of the prime ideal of degree one, and made short. Numbers in Pᵏ are so
+    large that a root of x is found if there is one.
+    """
+    field, n, (q, r) = frame.field, frame.n, prime
+    weights = [1] * field.signature[0] + [2] * field.signature[1]
+    sizes = zip(logarithms(frame, x), weights, strict=True)
+    largest = max(0.0, *(float(log.upper()) / weight for log, weight in sizes)) / m
+    # by the inequality of the means numbers in Pᵏ are at least √n·q^(k/n); a reduced basis loses less than 3ⁿ
+    digits = -(-n * (int(largest / math.log(2)) + 2 * n + 16) // (q.bit_length() - 1))
+    modulus = q**digits
+    r = _lifted_root([int(c) for c in field.polynomial.numer().coeffs()], r, q, digits)
+    power = [-residue(x, r, modulus), *[0] * (m - 1), 1]
+    y = _short_with_residue(frame, r, _lifted_root(power, start, q, digits), modulus)
+    return y if field.power(y, m) == x else None
+
+
+def _lifted_root(f: Sequence[int], r: int, q: int, digits: int) -> int:
+    """Return the root modulo q^digits of a polynomial that is r modulo q, where r is simple."""
+    slope = [k * c for k, c in enumerate(f)][1:]
+    known = 1
+    while known < digits:
+        known = min(2 * known, digits)
+        modulus = q**known
+        value, steep = (_value(g, r, modulus) for g in (f, slope))
+        r = (r - value * pow(steep, -1, modulus)) % modulus
+    return r
+
+
+def _value(f: Sequence[int], r: int, modulus: int) -> int:
+    total = 0
+    for c in reversed(f):
+        total = (total * r + c) % modulus
+    return total
+
+
+def _short_with_residue(frame: Integers, r: int, y: int, modulus: int) -> FieldElement:
+    """Return a short integer of the field that goes to y where s goes to r, modulo a prime power."""
+    residues_ = [residue(w, r, modulus) for w in frame.basis]
+    pivot = next(k for k, w in enumerate(residues_) if math.gcd(w, modulus) == 1)
+    inverse = pow(residues_[pivot], -1, modulus)
+    kernel = [[int(i == j) for j in range(frame.n)] for i in range(frame.n)]
+    for k, w in enumerate(residues_):
+        kernel[k][pivot] = modulus if k == pivot else -w * inverse % modulus
+    lattice = flint.fmpz_mat(kernel)
+    change = (lattice * _conjugates(frame)).lll(transform=True)[1]
+    reduced = flint.fmpq_mat(change * lattice)
+    at_pivot = [y * inverse % modulus * (k == pivot) for k in range(frame.n)]
+    start = flint.fmpq_mat(1, frame.n, at_pivot)
+    turns = [(c + flint.fmpq(1, 2)).floor() for c in (start * reduced.inv()).entries()]
+    return element_of(frame.field, (start - flint.fmpq_mat(1, frame.n, turns) * reduced).entries())
 
 
 def _factors(n: int) -> list[tuple[int, int]]:
