@@ -37,20 +37,20 @@ def _norm_index(order: ZOrder, p: int) -> int:
     return 4 // len(norms & {1, 3, 5, 7})
 
 
-def elliptic_points(order: ZOrder, m: int) -> int | None:
-    """Return how many elliptic points have order m, 2 or 3; None for an order that is not Eichler.
+def elliptic_points(order: ZOrder) -> dict[int, int] | None:
+    """Return how many elliptic points there are of each order; None for an order that is not Eichler.
 
     They are counted by optimal embeddings of ℤ[i] or ℤ[ω] into an Eichler order (Voight, section 39.4).
     """
-    D, d = order.regular.discriminant, {2: -4, 3: -3}[m]
     if not is_eichler(order):
         return None
-    level = order.level
-    if level % (m * m) == 0:
-        return 0
-    return prod(1 - kronecker(d, p) for p in factorise(D)) * prod(
-        1 + kronecker(d, q) for q in factorise(level)
-    )
+    D, level = order.regular.discriminant, order.level
+    return {
+        m: prod(1 - kronecker(d, p) for p in factorise(D))
+        * prod(1 + kronecker(d, q) for q in factorise(level))
+        for m, d in ((2, -4), (3, -3))
+        if level % (m * m)
+    }
 
 
 def cusps(order: ZOrder) -> int | None:

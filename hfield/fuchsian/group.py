@@ -49,10 +49,15 @@ def signature_of(
     orders = [c.order for c in cycles if c.order > 1]
     orders += [2 for n, partner in enumerate(partners) if n == partner]
     cusps = sum(c.order == 0 for c in cycles)
+    return _signature(area, tuple(sorted(orders)), cusps)
+
+
+def _signature(area: Fraction, orders: tuple[int, ...], cusps: int) -> Signature:
+    """Return the signature with the genus that Gauss and Bonnet tell."""
     twice = area + 2 - cusps - sum(1 - Fraction(1, m) for m in orders)
     if twice % 2 or twice < 0:
-        raise ArithmeticError("the angles and the area of a domain do not agree")
-    return Signature(int(twice / 2), tuple(sorted(orders)), cusps)
+        raise ArithmeticError(f"elliptic points {orders} and {cusps} cusps do not fit the area")
+    return Signature(int(twice / 2), orders, cusps)
 
 
 class Quotient(NamedTuple):
@@ -181,20 +186,22 @@ class NormOneGroup(Certified, Hinted):
     def signature(self) -> Signature:
         """Genus, orders of the elliptic points, and cusps, counted at the domain.
 
-        For Eichler orders over ℤ they are counted by optimal embeddings too; both agree, or this raises.
-        Where the area is above 2π·200 these alone are told.
+        Formulas for Eichler orders, by optimal embeddings, give them where the area is above 2π·200.
+        Over ℚ and quadratic fields they are compared with every domain, and this raises unless they agree.
         """
-        counted = (self.order.elliptic_points(2), self.order.elliptic_points(3))
-        two, three, cusps = (*counted, self.order.cusps())
-        if self.area > LARGE and two is not None and three is not None and cusps is not None:
-            genus = (self.area + 2 - cusps - Fraction(two, 2) - Fraction(2 * three, 3)) / 2
-            return Signature(int(genus), (2,) * two + (3,) * three, cusps)
+        if self.area > LARGE and (found := self._signature_by_formulas()) is not None:
+            return found
         found = signature_of(self._domain.partners, self._domain.cycles, self.area)
-        if self.order.cusps() not in (None, found.cusps) or any(
-            n not in (None, found.orders.count(m)) for m, n in zip((2, 3), counted, strict=True)
-        ):
+        if self.order.degree <= 2 and self._signature_by_formulas() not in (None, found):
             raise ArithmeticError("the domain and the formulas for the signature do not agree")
         return found
+
+    def _signature_by_formulas(self) -> Signature | None:
+        counts, cusps = self.order.elliptic_points(), self.order.cusps()
+        if counts is None or cusps is None:
+            return None
+        orders = tuple(m for m, n in sorted(counts.items()) for _ in range(n))
+        return _signature(self.area, orders, cusps)
 
     @property
     def claim(self) -> Claim:

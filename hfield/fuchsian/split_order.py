@@ -38,6 +38,8 @@ class SplitOrder(ABC):
     title: str
     """Such as "maximal order"."""
     level: Any
+    degree: int
+    """The degree of the field."""
 
     def __str__(self) -> str:
         article = "an" if self.title[0] in "aeio" else "a"
@@ -51,9 +53,9 @@ class SplitOrder(ABC):
     def area(self) -> Fraction:
         """Return the area of the plane modulo the units of norm 1, in units of 2π."""
 
-    def elliptic_points(self, m: int) -> int | None:
-        """Return how many elliptic points have order m, where a formula tells."""
-        return None
+    @abstractmethod
+    def elliptic_points(self) -> dict[int, int] | None:
+        """Return how many elliptic points there are of each order, where a formula tells."""
 
     def cusps(self) -> int | None:
         """Return how many cusps there are, where a formula tells."""
@@ -141,6 +143,8 @@ class SplitOrder(ABC):
 class RationalOrder(SplitOrder):
     """An order over ℤ in an indefinite algebra over ℚ."""
 
+    degree = 1
+
     def __init__(self, order: ZOrder) -> None:
         if order.regular.definite:
             raise IndefiniteError(
@@ -158,8 +162,8 @@ class RationalOrder(SplitOrder):
     def area(self) -> Fraction:
         return area.area(self.order)
 
-    def elliptic_points(self, m: int) -> int | None:
-        return area.elliptic_points(self.order, m) if m <= 3 else 0
+    def elliptic_points(self) -> dict[int, int] | None:
+        return area.elliptic_points(self.order)
 
     def cusps(self) -> int | None:
         return area.cusps(self.order)

@@ -427,6 +427,37 @@ def test_signatures_without_a_domain(monkeypatch) -> None:
     assert order(1, 10**9 + 7).norm_one_group().signature == (83_333_334, (), 2)
 
 
+@pytest.mark.parametrize(
+    ("field", "below", "level"),
+    [("QQ(sqrt(5))", 5, 1), ("QQ(sqrt(5))", 5, 4), ("QQ(sqrt(2))", 2, 9), ("QQ(sqrt(3))", 3, 1),
+     ("QQ(sqrt(13))", 3, 4), ("QQ(sqrt(10))", 3, 2), ("QQ(sqrt(17))", 17, 1), ("QQ[s]/(s^3-3*s-1)", 0, 3),
+     ("QQ(sqrt(3))", 3, "1+sqrt(3)"), ("QQ(sqrt(3))", 3, 2)],  # orders that are not maximal at the level
+)  # fmt: skip
+def test_signatures_over_number_fields_without_a_domain(
+    field: str, below: int, level: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Embedding numbers give the elliptic points that a domain has, of the orders 2 to 9."""
+    K = ring(field)
+    places = K.real_places()
+    ramified = K.primes_above(below)[:1] if below else places[1:2]
+    A = QuaternionAlgebra.from_ramification(K, [places[0], *ramified])
+    O = A.maximal_order() if level == 1 else A.eichler_order(level)
+    with monkeypatch.context() as patch:
+        patch.setattr(group.NormOneGroup, "_signature_by_formulas", lambda self: None)
+        known = O.norm_one_group().signature
+    monkeypatch.setattr(group, "LARGE", 0)
+    monkeypatch.delattr(group.NormOneGroup, "_domain")
+    assert O.norm_one_group().signature == known
+
+
+def test_signature_of_a_group_that_is_too_large_for_a_domain() -> None:
+    K = ring("QQ(sqrt(1298))")
+    places = [K.primes_above(3)[0], K.real_places()[0]]
+    G = QuaternionAlgebra.from_ramification(K, places).maximal_order().norm_one_group()
+    assert G.area == 10608
+    assert G.signature == (5297, (3,) * 24, 0)
+
+
 def test_what_is_too_large_is_refused_at_once() -> None:
     for b, level, size in ((3, 100_003, "100004/3"), (1_000_003, 1, "166667")):
         G = QuaternionAlgebra("QQ", -1, b).eichler_order(level).norm_one_group()

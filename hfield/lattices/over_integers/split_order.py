@@ -19,6 +19,7 @@ from hfield.fields.number_fields.classes.zeta import zeta_minus_one
 from hfield.fuchsian.search import Sight, element_of_norm, first_plane, reduction
 from hfield.fuchsian.split_order import SplitOrder, TwoSided
 from hfield.lattices.over_integers import certificates
+from hfield.lattices.over_integers.elliptic_points import elliptic_points
 from hfield.lattices.over_integers.equivalence import Comparison
 from hfield.lattices.over_integers.local_orders import Local
 from hfield.lattices.over_integers.positive_generators import (
@@ -141,7 +142,7 @@ class SplitIntegersOrder(SplitOrder):
                 + (f" and the field has {complex_ones} complex ones" if complex_ones else "")
                 + "; norm_one_group() asks for a totally real field and exactly one real place that splits"
             )
-        self.place = split[0]
+        self.degree, self.place = n, split[0]
         self._others = [v.index for v in real if v.index != self.place]
         self._value = field.embeddings
         self.level = order.level
@@ -173,6 +174,10 @@ class SplitIntegersOrder(SplitOrder):
             if symbol == 0:
                 found /= local.norm_index(order.rows)
         return found
+
+    def elliptic_points(self) -> dict[int, int] | None:
+        # over the field of degree 1 the algebra may be split
+        return elliptic_points(self.order) if self.degree > 1 else None
 
     def scalar(self, x: Any) -> FieldElement:
         return self.order.frame.integers.inside(x)
