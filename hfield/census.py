@@ -90,7 +90,7 @@ def _definite(name: str) -> QuaternionAlgebra:
     if len(places) < K.degree:
         raise HFieldError(f"{name} is not totally real: over it no algebra is totally definite")
     if len(places) % 2:
-        places.append(min(K.primes_above(2), key=lambda P: P.norm))
+        places.append(min(K.primes_above(2), key=lambda P: P.norm()))
     return QuaternionAlgebra.from_ramification(K, places)
 
 

@@ -1,5 +1,6 @@
 """Ideals of number fields: identities of Dedekind domains, on random ideals."""
 
+from math import prod
 from random import Random
 
 import pytest
@@ -64,3 +65,12 @@ def test_the_valuation_at_a_prime_of_another_field_is_refused() -> None:
     for P in (*others, *ring("QQ(sqrt(2))").real_places(), 3):
         with pytest.raises(RingError, match="no prime ideal of QQ\\(sqrt\\(2\\)\\)"):
             a.valuation(P)
+
+
+@pytest.mark.parametrize("name", ["QQ(sqrt(5))", "QQ[s]/(s^2-5)", "QQ(sqrt(-7))", "QQ[s]/(s^3-2)"])
+def test_a_prime_has_the_norm_of_its_ideal(name: str) -> None:
+    K = ring(name)
+    for p in (2, 3, 5, 7, 11, 31):
+        above = K.primes_above(p)
+        assert [P.norm() for P in above] == [K.ideal(P).norm() for P in above]
+        assert prod(P.norm() ** P.e for P in above) == p**K.degree

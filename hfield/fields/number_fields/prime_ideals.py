@@ -82,7 +82,6 @@ class PrimeIdeal:
         scale = remove(integral_generator(self.field)[0], self.p)[1]
         return self.field(self.p), self.pi * flint.fmpq(scale ** self.pi.poly.degree())
 
-    @property
     def norm(self) -> int:
         """The number of residues, p^f."""
         return int(self.p**self.f)
@@ -169,7 +168,7 @@ class PrimeIdeal:
 
         if self.f == 1:
             return GF(self.p)
-        return GF(self.norm, modulus_text(coefficients(self.residue)))
+        return GF(self.norm(), modulus_text(coefficients(self.residue)))
 
     def reduce(self, x: FieldElement) -> Coefficient:
         """Return the class of x in the residue field. Raises :class:`RingError` for a negative valuation."""

@@ -205,7 +205,7 @@ def _tame(prime: PrimeIdeal, a: FieldElement, b: FieldElement) -> int:
         return residue_symbol(prime, u)
     if not w % 2:
         return residue_symbol(prime, t)
-    minus = -1 if prime.norm % 4 == 3 else 1
+    minus = -1 if prime.norm() % 4 == 3 else 1
     return minus * residue_symbol(prime, u) * residue_symbol(prime, t)
 
 
@@ -221,7 +221,7 @@ def residue_symbol(prime: PrimeIdeal, u: FieldElement) -> int:
 
 def _norm(prime: PrimeIdeal, residue: Any) -> int:
     """Return the norm of a residue down to GF(p), as a power."""
-    exponent = (prime.norm - 1) // (prime.p - 1)
+    exponent = (prime.norm() - 1) // (prime.p - 1)
     return int(residue.pow_mod(exponent, prime.residue)[0])
 
 

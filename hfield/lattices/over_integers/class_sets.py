@@ -70,7 +70,7 @@ def mass(order: Any) -> Fraction:
     )
     found *= order.norm_of_discriminant()
     for P, _ in order.discriminant().factorisation():
-        found *= local_factor(order.eichler_symbol(P), frame.prime(P).norm)
+        found *= local_factor(order.eichler_symbol(P), frame.prime(P).norm())
     return found
 
 
@@ -264,7 +264,7 @@ def good_primes(order: Any) -> Iterator[PrimeIdeal]:
             yield heappop(waiting)[2]
         for _, prime in order.frame.integers.primes_above(p):
             if not order.discriminant().valuation(prime):
-                heappush(waiting, (prime.norm, next(number), prime))
+                heappush(waiting, (prime.norm(), next(number), prime))
 
 
 class Classes:
@@ -492,7 +492,7 @@ class Classes:
         central = self._matrix([Counter([self._times(n, by, ideal**2)]) for n in size])
         if exponent:
             return self._at_level(P, central, e)
-        return of_power(self._matrix(self.neighbours(P)), central * P.norm, e)
+        return of_power(self._matrix(self.neighbours(P)), central * P.norm(), e)
 
     def _matrix(self, rows: list[Counter[int]]) -> flint.fmpz_mat:
         return flint.fmpz_mat([[row[j] for j in range(len(self))] for row in rows])
@@ -503,7 +503,7 @@ class Classes:
         With U and V of the ideals of norm P in either column and W of the two-sided one, Pᵉ has those of
         diagonal matrices, Dₑ = Uᵉ + Vᵉ + central·Dₑ₋₂, and W·Dₑ₋₁ (the affine Weyl group of GL₂).
         """
-        q, one = P.norm, central**0
+        q, one = P.norm(), central**0
         found = [self._classes_inside(n, P) for n in along(range(len(self)), len(self), "rows")]
         cuts = (slice(q), slice(q, 2 * q), slice(2 * q, None))
         U, V, W = (self._matrix([Counter(classes[cut]) for classes in found]) for cut in cuts)

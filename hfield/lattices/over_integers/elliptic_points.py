@@ -98,7 +98,7 @@ class _Rotations:
     def _local(self, P: PrimeIdeal, k: int) -> Fraction:
         """Return the index of local units times the number of embeddings, for a conductor Pᵏ."""
         local = self.primes[P]
-        index = P.norm**k * (1 - Fraction(local.symbol, P.norm)) if k else Fraction(1)
+        index = P.norm() ** k * (1 - Fraction(local.symbol, P.norm())) if k else Fraction(1)
         if P in self.frame.ramified:
             return Fraction(0 if k else 1 - local.symbol)
         e = self.level.get(P, 0)
@@ -140,7 +140,7 @@ class _LocalField:
         They are roots of x² − tx + n modulo Pᵉ (Hijikata; Voight, proposition 30.6.12).
         """
         P = self.P
-        if P.norm > MAX_RESIDUES:
+        if P.norm() > MAX_RESIDUES:
             raise TooLargeError(
                 f"elliptic points are counted by residues modulo {P}, and there are over {MAX_RESIDUES}"
             )

@@ -30,7 +30,7 @@ def generators(local: Local, rows: flint.fmpq_mat, exponent: int) -> list[Rows]:
 
     The discriminant of the order has the given exponent at P. Raises :class:`TooLargeError`.
     """
-    if local.prime.norm > MOST:
+    if local.prime.norm() > MOST:
         raise TooLargeError(f"there are too many ideals of norm {local.prime} to list them")
     if not exponent or local.symbol(rows) == 1:
         return _split(local, rows, exponent)
@@ -88,7 +88,7 @@ def _in_radical(
     """Return those x·O + P·O with x in the radical, a basis of which modulo P·O is given, one by one."""
     frame = local.frame
     found: dict[str, Rows] = {}
-    if local.prime.norm ** (len(basis) - 1) > MOST:
+    if local.prime.norm() ** (len(basis) - 1) > MOST:
         raise TooLargeError(f"there are too many candidates for ideals of norm {local.prime}")
     vectors = [flint.fmpq_mat([row]) for row in basis]
     order = frame.volume(rows)

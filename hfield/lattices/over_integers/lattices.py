@@ -575,7 +575,7 @@ class IntegersOrder(IntegersLattice, WithStableClasses, Certified):
                     "those of norm P are"
                 )
             for _ in range(e):
-                if len(layer) * (self.frame.prime(P).norm + 1) > ideals_of_norm.MOST:
+                if len(layer) * (self.frame.prime(P).norm() + 1) > ideals_of_norm.MOST:
                     raise TooLargeError(f"there are too many ideals of norm {wanted} to list them")
                 layer = list({J: J for I in layer for J in self.subideals(I, P)})
         return layer if checked_side(side) == "right" else [J.conjugate() for J in layer]

@@ -74,7 +74,7 @@ class Local:
             if larger.det() == rows.det():  # hereditary, of level P
                 larger = self.left_order(self._maximal_ideal(rows, radical))
             index = abs(rows.det() / larger.det())
-            level -= int(math.log2(int(index.p)) / math.log2(self.prime.norm) + 0.5)
+            level -= int(math.log2(int(index.p)) / math.log2(self.prime.norm()) + 0.5)
             rows = larger
         return rows
 

@@ -203,7 +203,7 @@ def is_obstructed(local: Local, rows: flint.fmpq_mat, norm: FieldElement) -> boo
     of norm n (Hensel); one in P·O has the norm of one of norm n/π².
     """
     frame, P = local.frame, local.prime
-    if P.norm**4 > TRIED:
+    if P.norm() ** 4 > TRIED:
         return False
     basis = [flint.fmpq_mat([r]) for r in local.independent(rows, local.times_prime(rows))]
     values = [frame.norm(b.entries()) for b in basis]

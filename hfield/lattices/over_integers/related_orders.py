@@ -38,7 +38,7 @@ def overorders(local: Local, rows: flint.fmpq_mat, k: int) -> list[flint.fmpq_ma
 
 def _maximal_suborders(local: Local, rows: flint.fmpq_mat) -> Iterator[tuple[int, flint.fmpq_mat]]:
     """Yield the orders of index P, and those of index P² that contain P·O, with the exponents."""
-    frame, q = local.frame, local.prime.norm
+    frame, q = local.frame, local.prime.norm()
     if q * q + q + 1 > MOST:
         raise TooLargeError(
             f"there are too many candidates for orders at {local.prime} to try them"
@@ -62,7 +62,7 @@ def _maximal_suborders(local: Local, rows: flint.fmpq_mat) -> Iterator[tuple[int
 
 def _minimal_overorders(local: Local, rows: flint.fmpq_mat) -> Iterator[tuple[int, flint.fmpq_mat]]:
     """Yield all minimal overorders at P, and perhaps others, with the exponents of the indices."""
-    frame, q = local.frame, local.prime.norm
+    frame, q = local.frame, local.prime.norm()
     inverse_prime = frame.integers.prime(local.prime).inverse()
     around = meet(unique_rows(frame.multiple(rows, inverse_prime)), frame.dual(rows))
     basis = [flint.fmpq_mat([row]) for row in local.independent(around, rows)]

@@ -169,7 +169,7 @@ class SplitIntegersOrder(SplitOrder):
         found *= order.norm_of_discriminant()
         for place, _ in order.discriminant().factorisation():
             local = Local(frame, frame.prime(place))
-            q, symbol = local.prime.norm, local.symbol(order.rows)
+            q, symbol = local.prime.norm(), local.symbol(order.rows)
             found *= (1 - Fraction(1, q * q)) / (1 - Fraction(symbol, q))
             if symbol == 0:
                 found /= local.norm_index(order.rows)

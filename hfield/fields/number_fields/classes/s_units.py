@@ -65,9 +65,9 @@ class SUnits:
         self._shape = _conjugates(frame)
         self.base = sorted(
             (P for p in primes(self.bound + 1) for _, P in frame.primes_above(p)),
-            key=lambda P: (P.norm > self.bound, P.norm),
+            key=lambda P: (P.norm() > self.bound, P.norm()),
         )
-        self.base = [P for P in self.base if P.norm <= self.bound]
+        self.base = [P for P in self.base if P.norm() <= self.bound]
         self.place = {P: k for k, P in enumerate(self.base)}
         self.reductions: dict[int, tuple[FieldElement, dict[int, int]]] = {}
         self.primes: list[int] = []
@@ -84,7 +84,7 @@ class SUnits:
 
     def _least_bound(self) -> int:
         """Return the norm of the last of a few prime ideals of degree one."""
-        norms = (P.norm for p in primes() for _, P in self.frame.primes_above(p) if P.f == 1)
+        norms = (P.norm() for p in primes() for _, P in self.frame.primes_above(p) if P.f == 1)
         return list(islice(norms, FEW))[-1]
 
     # --- smooth elements ---------------------------------------------------------------------------
@@ -160,7 +160,7 @@ class SUnits:
             if P.is_inert:
                 self.reductions[k] = (self.field(P.p), {k: 1})
                 continue
-            found = self._reduction(k) if P.norm > small else None
+            found = self._reduction(k) if P.norm() > small else None
             if found is None:
                 self.primes.append(k)
             else:

@@ -130,7 +130,7 @@ class _Sums:
                 continue
             for _, prime in self.frame.primes_above(p):
                 e = prime.valuation(x) + self.exponents.get(prime, 0)
-                out *= (prime.norm ** (e + 1) - 1) // (prime.norm - 1)
+                out *= (prime.norm() ** (e + 1) - 1) // (prime.norm() - 1)
         return out
 
 

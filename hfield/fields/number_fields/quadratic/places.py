@@ -105,6 +105,10 @@ class QuadraticPlace:
         """The degree of the residue field over GF(p)."""
         return 2 // self.e if self.root is None else 1
 
+    def norm(self) -> int:
+        """Return the number of residues, p^f."""
+        return int(self.p**self.f)
+
     @property
     def generators(self) -> tuple[Surd, Surd]:
         """Return p and a second number that generate the ideal."""
