@@ -115,7 +115,7 @@ def test_units_that_do_not_generate_all() -> None:
 
 
 FORGED: list[tuple[str, str, Any, str]] = [
-    ("QQ(sqrt(-21))", "S", [0], "generators of S-units|neither in S"),
+    ("QQ(sqrt(-21))", "S", [0], "generators of S-units|neither in S|not reduced"),
     ("QQ(sqrt(-21))", "S", [0, 0], "twice"),
     ("QQ(sqrt(-21))", "S", [0, 77], "not given"),
     ("QQ(sqrt(-21))", "primes", [[2, [[1, 1]]]], "missing|not given"),

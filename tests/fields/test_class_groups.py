@@ -2,7 +2,7 @@
 
 import json
 from fractions import Fraction
-from math import isclose, log
+from math import isclose, log, prod
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +10,7 @@ import pytest
 
 from hfield import ring
 from hfield.errors import HFieldError, RingError
-from hfield.fields.number_fields.classes.s_units import SUnits, root, roots_of_unity
+from hfield.fields.number_fields.classes.s_units import SUnits, root, roots_of_unity, s_units
 from hfield.fields.number_fields.ideals import integers
 from tests.subcases import subcases
 
@@ -198,3 +198,20 @@ def test_quadratic_fields_by_reduced_ideals(d: int) -> None:
         assert found == K.ideal(P)
         a = K.ideal(P) ** C.order
         assert K.ideal(a.is_principal().generator) == a
+
+
+@pytest.mark.parametrize("d", [-99_003, 80_005, -10_010])
+def test_numbers_of_quadratic_fields_are_computed_when_they_are_needed(d: int) -> None:
+    """The group asks for none; they have the ideals that are stated, and the group is saturated."""
+    K = ring(f"QQ(sqrt({d}))")
+    s = s_units(K)
+    assert K.class_group().order > 1
+    assert not {"generators", "reductions"} & set(vars(s))
+    stated = [dict(zip(s.primes, row, strict=True)) for row in s.rows]
+    pairs = [*zip(s.generators, stated, strict=True), *s.reductions.values()]
+    for x, exponents in pairs:
+        powers = [s.frame.prime(s.base[k]) ** e for k, e in exponents.items()]
+        assert s.frame.principal(x) == prod(powers, start=s.frame.one)
+    known = list(s.generators)
+    assert s.saturated
+    assert s.generators == known

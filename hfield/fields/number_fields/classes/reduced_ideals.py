@@ -10,7 +10,8 @@ Computational Algebraic Number Theory*, sections 5.4 to 5.8).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from functools import cached_property
 
 import flint
 
@@ -27,11 +28,11 @@ Form = tuple[int, int]
 class ReducedIdeals:
     """The classes that prime ideals P₁, P₂, … of a quadratic field generate, one after the other.
 
-    ``relations`` are pairs (x, e) with (x) = P₁^e₁·P₂^e₂·…: all such x are products of these, the
-    :attr:`unit` and roots of unity.
+    ``rows`` are the exponents of :attr:`relations`. All x with such an ideal are products of those, the
+    :attr:`unit` and roots of unity. Numbers are computed when they are needed, as they may be long.
     """
 
-    def __init__(self, frame: Integers, primes: Sequence[Ideal]) -> None:
+    def __init__(self, frame: Integers) -> None:
         self.frame, self.field = frame, frame.field
         self.D = int(self.field.discriminant())
         self._floor = math.isqrt(self.D) if self.D > 0 else 0
@@ -39,58 +40,77 @@ class ReducedIdeals:
         scale = flint.fmpq(f[1] ** 2 - 4 * f[0]) / self.D
         unscaled = self.field.gen * 2 + f[1]
         self._root = unscaled / flint.fmpq(math.isqrt(int(scale.p)), math.isqrt(int(scale.q)))
-        self._vectors: list[tuple[int, ...]] = [()]
-        self._first: list[tuple[Form, FieldElement]] = []
+        # each prime as it is given, and the reduced ideals of its powers
+        self._primes: list[list[Form]] = []
+        self._power_elements: list[list[FieldElement]] = []
+        self._starts: list[Form] = []  # a reduced ideal of each class
+        self._origins: list[tuple[int, int]] = []  # of each class: an earlier one, times a power
+        self._vectors: list[tuple[int, ...]] = []
         self._place: dict[Form, tuple[int, int]] = {}  # number of the class, place in its cycle
-        principal, _ = self._reduced((1, self.D % 2))
-        self._add_class(principal, self.field.one)
-        self.relations: list[tuple[FieldElement, list[int]]] = []
-        for P in primes:
-            self._adjoin(self._form(P)[0])
+        self._add_class(self._path((1, self.D % 2))[-1], (0, 0), ())
+        self.rows: list[list[int]] = []
+
+    def __contains__(self, a: Ideal) -> bool:
+        """Tell whether the primes generate the class of an ideal."""
+        return self._path(self._form(a)[0])[-1] in self._place
+
+    @cached_property
+    def relations(self) -> list[tuple[FieldElement, list[int]]]:
+        """Pairs (x, e) with (x) = P₁^e₁·P₂^e₂·…, one for each prime."""
+        found = []
+        for m, row in enumerate(self.rows):
+            _, y = self._located(self._primes[m][-1])
+            found.append((y / self._element_of_power(m, len(self._primes[m]) - 1), row))
+        return found
 
     @property
     def unit(self) -> FieldElement | None:
         """The fundamental unit > 1 of a real field; None for an imaginary one."""
         if self.D < 0:
             return None
-        start = self._first[0][0]
+        start = self._starts[0]
         return self._product([self._step(form) for form in self._cycle(start)]).inverse()
 
     def class_of(self, a: Ideal) -> tuple[FieldElement, list[int]] | None:
         """Return (x, e) with a = x·∏Pᵉ, or None where the primes do not generate the class of a."""
         form, scale = self._form(a)
         reduced, x = self._reduced(form)
-        found = self._located(reduced)
-        if found is None:
+        if reduced not in self._place:
             return None
-        n, y = found
+        n, y = self._located(reduced)
         # reduced = x·form = y·∏Pᵉ
-        return y / x * flint.fmpq(scale[0], scale[1]), list(self._vectors[n])
+        vector = self._vectors[n]
+        exponents = [*vector, *[0] * (len(self.rows) - len(vector))]
+        return y / x * flint.fmpq(scale[0], scale[1]), exponents
 
     # --- the group ---------------------------------------------------------------------------------
 
-    def _adjoin(self, P: Form) -> None:
+    def adjoin(self, a: Ideal) -> None:
         """Take a prime into the group, with the relation of its first power that lies in the group before."""
-        before = len(self._first)
-        power, x, j = *self._reduced(P), 1
-        while (found := self._located(power)) is None:
+        P = self._form(a)[0]
+        before, count = len(self._starts), len(self.rows)
+        powers = [P, self._path(P)[-1]]
+        self._primes.append(powers)
+        self._power_elements.append([])
+        while powers[-1] not in self._place:
+            j = len(powers) - 1
             for n in range(before):
-                form, y = self._first[n]
-                product, z = self._times(form, power)
-                self._vectors.append((*self._vectors[n], j))
-                self._add_class(product, x * y * z)
-            power, z = self._times(power, P)
-            x, j = x * z, j + 1
-        n, y = found
-        others = [-e for e in self._vectors[n]]
-        self.relations.append((y / x, [*others, *[0] * (len(self.relations) - len(others)), j]))
-        self._vectors = [v if len(v) == len(self.relations) else (*v, 0) for v in self._vectors]
+                vector = self._vectors[n]
+                whole = (*vector, *[0] * (count - len(vector)), j)
+                self._add_class(self._times(self._starts[n], powers[-1]), (n, j), whole)
+            powers.append(self._times(powers[-1], P))
+        number, _ = self._place[powers[-1]]
+        vector = self._vectors[number]
+        others = [*(-e for e in vector), *[0] * (count - len(vector))]
+        self.rows = [[*row, 0] for row in self.rows] + [[*others, len(powers) - 1]]
 
-    def _add_class(self, form: Form, x: FieldElement) -> None:
-        """Add the class of a reduced ideal, which is x times the product of primes."""
-        number = len(self._first)
-        self._first.append((form, x))
-        for place, reduced in enumerate(self._cycle(form)):
+    def _add_class(self, start: Form, origin: tuple[int, int], vector: tuple[int, ...]) -> None:
+        """Add the class of a reduced ideal, a product of primes up to numbers."""
+        number = len(self._starts)
+        self._starts.append(start)
+        self._origins.append(origin)
+        self._vectors.append(vector)
+        for place, reduced in enumerate(self._cycle(start)):
             self._place[reduced] = number, place
         if len(self._place) > MAX_REDUCED:
             raise TooLargeError(
@@ -98,14 +118,32 @@ class ReducedIdeals:
                 "the most that are enumerated: the discriminant is too large"
             )
 
-    def _located(self, form: Form) -> tuple[int, FieldElement] | None:
+    def _located(self, form: Form) -> tuple[int, FieldElement]:
         """Return the number of the class of a reduced ideal, and y with form = y·∏Pᵉ."""
-        if form not in self._place:
-            return None
         number, place = self._place[form]
-        start, x = self._first[number]
-        steps = [self._step(f) for f, _ in zip(self._cycle(start), range(place), strict=False)]
-        return number, self._product([*steps, x])
+        cycle = self._cycle(self._starts[number])
+        steps = [self._step(f) for f, _ in zip(cycle, range(place), strict=False)]
+        return number, self._product([self._element_of_class(number), *steps])
+
+    def _element_of_class(self, number: int) -> FieldElement:
+        """Return x with which the first reduced ideal of a class is x·∏Pᵉ."""
+        factors = [self.field.one]
+        while number:
+            n, j = self._origins[number]
+            m = len(self._vectors[number]) - 1
+            factors.append(self._factor(self._starts[n], self._primes[m][j]))
+            factors.append(self._element_of_power(m, j))
+            number = n
+        return self._product(factors)
+
+    def _element_of_power(self, m: int, j: int) -> FieldElement:
+        """Return x with which the reduced ideal of the j-th power of a prime P is x·Pʲ."""
+        (P, *reduced), found = self._primes[m], self._power_elements[m]
+        if not found:
+            found.append(self._reduced(P)[1])
+        for power in reduced[len(found) - 1 : j - 1]:
+            found.append(found[-1] * self._factor(power, P))
+        return found[j - 1]
 
     def _product(self, factors: list[FieldElement]) -> FieldElement:
         """Return a product, of factors of about the same size at each turn."""
@@ -149,14 +187,17 @@ class ReducedIdeals:
         c = (b * b - self.D) // (4 * a)
         return a < c or (a == c and b >= 0)
 
+    def _path(self, form: Form) -> list[Form]:
+        """Return the steps from an ideal to a reduced one, which is the last."""
+        steps = [self._normal(*form)]
+        while not self._is_reduced(steps[-1]):
+            steps.append(self._next(steps[-1]))
+        return steps
+
     def _reduced(self, form: Form) -> tuple[Form, FieldElement]:
         """Return a reduced ideal and x with which it is x·form."""
-        form = self._normal(*form)
-        steps = [self.field.one]
-        while not self._is_reduced(form):
-            steps.append(self._step(form))
-            form = self._next(form)
-        return form, self._product(steps)
+        *steps, reduced = self._path(form)
+        return reduced, self._product([self.field.one, *map(self._step, steps)])
 
     def _cycle(self, start: Form) -> Iterator[Form]:
         """Yield the reduced ideals of a class from a given one on."""
@@ -166,16 +207,25 @@ class ReducedIdeals:
             yield form
             form = self._next(form)
 
-    def _times(self, one: Form, other: Form) -> tuple[Form, FieldElement]:
-        """Return a reduced ideal and x with which it is x·one·other."""
+    def _times(self, one: Form, other: Form) -> Form:
+        """Return the reduced ideal of a product."""
+        return self._path(self._composed(one, other)[0])[-1]
+
+    def _factor(self, one: Form, other: Form) -> FieldElement:
+        """Return x with which the reduced ideal of a product is x·one·other."""
+        form, g = self._composed(one, other)
+        x: FieldElement = self._reduced(form)[1] * flint.fmpq(1, g)
+        return x
+
+    def _composed(self, one: Form, other: Form) -> tuple[Form, int]:
+        """Return an ideal and an integer g with one·other = g·(a, b)."""
         (a1, b1), (a2, b2) = one, other
         d, v1, v2 = _xgcd(a1, a2)
         g, u, w = _xgcd(d, (b1 + b2) // 2)
         v1, v2 = v1 * u, v2 * u
         a = a1 * a2 // g**2
         b = (v1 * a1 * b2 + v2 * a2 * b1 + w * ((b1 * b2 + self.D) // 2)) // g
-        form, x = self._reduced((a, b))
-        return form, x * flint.fmpq(1, g)
+        return (a, b), g
 
 
 def _xgcd(a: int, b: int) -> tuple[int, int, int]:

@@ -69,18 +69,17 @@ class SUnits:
         )
         self.base = [P for P in self.base if P.norm() <= self.bound]
         self.place = {P: k for k, P in enumerate(self.base)}
-        self.reductions: dict[int, tuple[FieldElement, dict[int, int]]] = {}
         self.primes: list[int] = []
-        self._reduce_base()
-        self.generators: list[FieldElement] = []
         self.rows: list[list[int]] = []
-        self.saturated: dict[int, list[tuple[int, int]]] = {}
+        self._saturated: dict[int, list[tuple[int, int]]] = {}
         self.reduced_ideals: ReducedIdeals | None = None
         if self.n == 2:
-            self._enumerate()
+            self.reduced_ideals = self._enumerate()
         else:
+            self._reduce_base()
+            self.generators = []
             self._collect()
-        self._saturate()
+            self._saturate()
 
     def _least_bound(self) -> int:
         """Return the norm of the last of a few prime ideals of degree one."""
@@ -155,6 +154,7 @@ class SUnits:
 
     def _reduce_base(self) -> None:
         """Find for the primes of the base an element with that prime once, and else earlier ones."""
+        self.reductions = {}
         small = max(7, abs(self.field.discriminant()).bit_length())
         for k, P in enumerate(self.base):
             if P.is_inert:
@@ -215,15 +215,48 @@ class SUnits:
 
     # --- the group ---------------------------------------------------------------------------------
 
-    def _enumerate(self) -> None:
-        """Take all relations from the reduced ideals of a quadratic field."""
-        ideals = [self.frame.prime(self.base[k]) for k in self.primes]
-        self.reduced_ideals = found = ReducedIdeals(self.frame, ideals)
-        width = len(ideals)
-        pairs = [(x, row + [0] * (width - len(row))) for x, row in found.relations]
-        if (unit := found.unit) is not None:
-            pairs.append((unit, [0] * width))
-        self.generators, self.rows = [x for x, _ in pairs], [row for _, row in pairs]
+    def _enumerate(self) -> ReducedIdeals:
+        """Take all relations from the reduced ideals of a quadratic field: the group is known to be all."""
+        found = ReducedIdeals(self.frame)
+        for k, P in enumerate(self.base):
+            ideal = self.frame.prime(P)
+            if ideal not in found:
+                self.primes.append(k)
+                found.adjoin(ideal)
+        self.rows = [*found.rows, *[[0] * len(self.primes)] * self.rank]
+        return found
+
+    @cached_property
+    def generators(self) -> list[FieldElement]:
+        """S-units that generate all others with roots of unity."""
+        found = self.reduced_ideals
+        assert found is not None
+        unit = found.unit
+        return [*(x for x, _ in found.relations), *([] if unit is None else [unit])]
+
+    @cached_property
+    def reductions(self) -> dict[int, tuple[FieldElement, dict[int, int]]]:
+        """For the number of each other prime of the base a number, with its exponents.
+
+        It has that prime once, and else earlier ones or those of S.
+        """
+        assert self.reduced_ideals is not None
+        reductions = {}
+        for k, P in enumerate(self.base):
+            if k not in self.primes:
+                located = self.reduced_ideals.class_of(self.frame.prime(P))
+                assert located is not None, "the primes in S generate the class group"
+                x, exponents = located
+                others = {j: -e for j, e in zip(self.primes, exponents, strict=True) if e}
+                reductions[k] = x, {k: 1, **others}
+        return reductions
+
+    @property
+    def saturated(self) -> dict[int, list[tuple[int, int]]]:
+        """Primes ℓ, with primes of degree one whose residues show that the group is saturated at ℓ."""
+        if not self._saturated:
+            self._saturate()
+        return self._saturated
 
     def _collect(self) -> None:
         """Find elements that span a subgroup of finite, and small, index."""
@@ -394,7 +427,7 @@ class SUnits:
                 pivots = [
                     next(k for k, c in enumerate(row) if c) for row in reduced.tolist()[:rank]
                 ]
-                self.saturated[ell] = [used[k] for k in pivots]
+                self._saturated[ell] = [used[k] for k in pivots]
                 return None
             # at prime ideals above one q elements of a subfield have the same residues
             if len({q for q, _ in used}) > len(elements) + 2:
