@@ -2,15 +2,24 @@
 
 import json
 from fractions import Fraction
+from itertools import pairwise
 from math import isclose, log, prod
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
 
 from hfield import ring
+from hfield.certificates.number_fields.classes import _characters
 from hfield.errors import HFieldError, RingError
-from hfield.fields.number_fields.classes.s_units import SUnits, root, roots_of_unity, s_units
+from hfield.fields.number_fields.classes.s_units import (
+    PowerResidues,
+    SUnits,
+    root,
+    roots_of_unity,
+    s_units,
+)
 from hfield.fields.number_fields.ideals import integers
 from tests.subcases import subcases
 
@@ -91,6 +100,19 @@ def test_roots() -> None:
         assert y is not None
         assert K.power(y, ell) == K.power(x, ell)
         assert root(frame, K.power(x, ell) * 7, ell) is None
+
+
+@pytest.mark.parametrize(("ell", "q"), [(2, 3), (3, 7), (13, 53), (31, 311), (1009, 10091)])
+def test_power_residues(ell: int, q: int) -> None:
+    """They are a homomorphism that is 0 at ℓ-th powers alone, and the checker's up to a factor."""
+    symbol, rng = PowerResidues(ell, q), Random(ell)
+    values = [rng.randrange(1, q) for _ in range(40)]
+    found = [symbol(x) for x in values]
+    assert all(0 <= c < ell for c in found)
+    for (x, c), (y, d) in pairwise(zip(values, found, strict=True)):
+        assert symbol(x * y % q) == (c + d) % ell
+        assert (c == 0) == (pow(x, (q - 1) // ell, q) == 1)
+    assert _characters(ell, q, values) == found
 
 
 def test_roots_of_large_degree() -> None:

@@ -322,16 +322,23 @@ def _at(f: Sequence[int], r: int, q: int) -> int:
 def _characters(ell: int, q: int, values: list[int]) -> list[int]:
     """Return logarithms of x^((q − 1)/ℓ), to one base, modulo ℓ."""
     power = (q - 1) // ell
-    charge(ell + 20 * len(values))
+    few = min(ell, 4 * isqrt(ell) + 1)
+    charge(few + (20 + ell // few) * len(values))
     for b in range(2, q):
         omega = pow(b, power, q)
         if omega != 1:
             break
     table, w = {}, 1
-    for k in range(ell):
+    for k in range(few):
         table[w] = k
         w = w * omega % q
-    return [table[pow(x, power, q)] for x in values]
+    back, found = pow(w, -1, q), []
+    for x in values:
+        w, k = pow(x, power, q), 0
+        while w not in table:  # a power of omega, so that this ends
+            w, k = w * back % q, k + few
+        found.append(table[w] + k)
+    return found
 
 
 def smith(rows: Sequence[Sequence[int]], k: int) -> list[int]:

@@ -5,8 +5,10 @@ whose ideal is P times earlier primes; S is the rest. Elements with all their pr
 of the S-units, of an index m that is the quotient of two covolumes, at most h'R'/R_min for a proved lower
 bound of regulators. For every prime ℓ up to this quotient, residues at primes of degree one and norm 1 mod ℓ
 show that no further product is an ℓ-th power, or the ℓ-th root is taken into the group: so m = 1 in the end
-(H. Cohen, *A Course in Computational Algebraic Number Theory*, section 6.5; M. Pohst and H. Zassenhaus,
-*Algorithmic Algebraic Number Theory*, chapter 5).
+(:meth:`SUnits.possible_divisors` says how the quotient shrinks meanwhile). The reduced ideals of a quadratic
+field enumerate the classes, and only certificates need residues there (H. Cohen, *A Course in Computational
+Algebraic Number Theory*, section 6.5; M. Pohst and H. Zassenhaus, *Algorithmic Algebraic Number Theory*,
+chapter 5).
 """
 
 from __future__ import annotations
@@ -454,21 +456,40 @@ class SUnits:
             roots = simple_roots(self.field, q) if is_prime(q) and q not in below else []
             if not roots:
                 continue
-            power = (q - 1) // ell
-            omega = next(w for w in (pow(b, power, q) for b in range(2, q)) if w != 1)
-            table, w = {}, 1
-            for k in range(ell):
-                table[w] = k
-                w = w * omega % q
+            logarithm = PowerResidues(ell, q)
             for root in roots:
-                yield lambda xs, q=q, r=root, t=table, e=power: (
+                yield lambda xs, q=q, r=root, f=logarithm: (
                     (q, r),
-                    [t[pow(residue(x, r, q), e, q)] for x in xs],
+                    [f(residue(x, r, q)) for x in xs],
                 )
 
     def root(self, x: FieldElement, ell: int) -> FieldElement | None:
         """Return y with y^ℓ = x, or None."""
         return root(self.frame, x, ell)
+
+
+class PowerResidues:
+    """A homomorphism from the units modulo a prime q to ℤ/ℓ with kernel the ℓ-th powers, for ℓ | q − 1.
+
+    Logarithms are found by steps of two sizes, of the order of the square root of ℓ.
+    """
+
+    def __init__(self, ell: int, q: int) -> None:
+        self.q, self.power = q, (q - 1) // ell
+        omega = next(w for w in (pow(b, self.power, q) for b in range(2, q)) if w != 1)
+        self.small, w = {}, 1
+        self.large = min(ell, 4 * math.isqrt(ell) + 1)
+        for k in range(self.large):
+            self.small[w] = k
+            w = w * omega % q
+        self.step = pow(w, -1, q)
+
+    def __call__(self, x: int) -> int:
+        """Return the image of x, from 0 to ℓ − 1."""
+        w, total = pow(x, self.power, self.q), 0
+        while w not in self.small:
+            w, total = w * self.step % self.q, total + self.large
+        return total + self.small[w]
 
 
 def simple_roots(field: NumberField, q: int) -> list[int]:
