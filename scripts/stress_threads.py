@@ -152,9 +152,22 @@ RINGS = (*LOOPS, "RDF", "QQ(sqrt(2))")  # the last have no loops of their own
 # With arrays p and q (n,) of an algebra A over one of them.
 OPERATIONS = (
     *("p + q", "p - q", "-p", "p * q", "p * 3", "p[0] * q", "p ** 3", "p == q", "p.conjugate()"),
-    *("p.is_zero()", "p.units()", "p.sum()", "p.product()", "p.dot(q)", "p[2:5]", "list(p[:3])"),
+    *(
+        "p.is_zero()",
+        "p.units()",
+        "p.sum()",
+        "p.product()",
+        "p.dot(q)",
+        "p.cross(q)",
+        "p[2:5]",
+        "list(p[:3])",
+    ),
     *("p.reshape(2, -1)", "len(p)", "A.product(list(p[:9]))", "numbers(A, p)", "inverted(p)"),
     *("many(A) * many(A)[0]", "every(A)"),
+)
+FLOATS = (
+    *("(1 + p).exp()", "(1 + p).log()", "(1 + p).sqrt()", "(1 + p).unit()"),
+    *("(1 + p).polar()", "(1 + p).roots(3)"),
 )
 GALOIS = ("p.coordinates", "p.norm()", "p.trace()", "p.norm() * q.norm()", "p.scalar_part")
 
@@ -163,14 +176,17 @@ def calls() -> dict[str, list[str]]:
     """Return what is called, by rooms: ``RING: OPERATION`` over rings."""
     return {
         "rotation": list(ROTATION),
-        "hfield": [f"{ring}: {operation}" for ring in RINGS for operation in OPERATIONS],
+        "hfield": [
+            *(f"{ring}: {operation}" for ring in RINGS for operation in OPERATIONS),
+            *(f"RDF: {operation}" for operation in FLOATS),
+        ],
         "galois": [f"{ring}: {operation}" for ring in RINGS for operation in GALOIS],
     }
 
 
 def named() -> set[str]:
     """Return all names and attributes that the calls mention."""
-    trees = (ast.walk(ast.parse(text)) for text in (*ROTATION, *OPERATIONS, *GALOIS))
+    trees = (ast.walk(ast.parse(text)) for text in (*ROTATION, *OPERATIONS, *FLOATS, *GALOIS))
     found = set[str]()
     for node in (node for tree in trees for node in tree):
         if isinstance(node, ast.Name | ast.Attribute):

@@ -446,7 +446,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
         >>> from hfield import H
         >>> H("QQ(t)")("1 + t*k").rotation_matrix()[0]
-        ((-t^2+1)/(t^2+1), (-2*t)/(t^2+1), 0)
+        ((-t^2+1)/(t^2+1), -2*t/(t^2+1), 0)
         """
         if not self.ring.is_zero(self.algebra.constants.t):
             raise CoercionError(
@@ -469,7 +469,7 @@ class Quaternion(Hinted, PrintedBySympy):
         >>> from hfield import H
         >>> q = H("QQ(a,b)")("a + i/b")
         >>> q.subs(a=1, b="1/2"), q.subs(a="b", b="a"), q.subs(a=1, b=2).algebra
-        (1 + 2i, b + 1/a·i, (-1,-1|QQ))
+        (1 + 2i, b + (1/a)i, (-1,-1|QQ))
         """
         algebra, value = self.algebra._substituted(values_given(values, named))
         return self._mapped(algebra, value)
@@ -482,7 +482,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
         >>> from hfield import H
         >>> H("QQ(t)")("t^2 + i/t").diff("t")
-        2·t + (-1/t^2)i
+        2·t + (−1/t²)i
         """
         name, ring = variable_name(variable), self.ring
         if any(not ring.is_zero(ring.derivative(c, name)) for c in self.algebra.constants):

@@ -374,7 +374,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         >>> A = H("QQ(cos(t/2),sin(t/2))")
         >>> A.euler("Z", ["t"]), A.euler("ZX", ["pi", "t"])
-        (cos(t/2) + sin(t/2)*k, cos(t/2)*k + sin(t/2)*j)
+        (cos(t/2) + sin(t/2)·k, sin(t/2)·j + cos(t/2)·k)
         """
         found = list(angles)
         case = sequence in (sequence.upper(), sequence.lower())

@@ -577,7 +577,7 @@ class WithPlaces(Core[E]):
         >>> from itertools import islice
         >>> from hfield import ring
         >>> list(islice(ring("QQ(I)").places(), 4))
-        [inf, 2, 3, (5, I-2)]
+        [inf, (2, 1+I), 3, (5, I-2)]
         """
         raise UndecidedError(f"{self.name} is not a global field: its places are not listed")
 

@@ -25,7 +25,7 @@ class OverNumberField(SimpleExtension):
     >>> from hfield import ring
     >>> F = ring("QQ(sqrt(2))(x)")
     >>> F("1/(x - sqrt(2))"), F("(x + sqrt(2))^2")
-    (1/(x^2-2)*sqrt(2)+x/(x^2-2), x^2+2*x*sqrt(2)+2)
+    (1/(x^2-2)*sqrt(2)+x/(x^2-2), 2*x*sqrt(2)+x^2+2)
     """
 
     def __init__(self, base: Ring, field: Any) -> None:
