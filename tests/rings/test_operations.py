@@ -54,6 +54,22 @@ def test_quotients_of_integers() -> None:
                 integers.divide(integers(x), integers(y))
 
 
+def test_squares_among_real_and_complex_numbers_need_no_roots(monkeypatch) -> None:
+    import random
+
+    from hfield.rings.closed_fields.algebraic import AlgebraicNumbers
+
+    rng = random.Random(5)
+    for name in ("RR", "CC"):
+        R = ring(name)
+        sample = [R.random(rng) for _ in range(30)] + [R(0), R("pi-4"), R("pi-3"), R("root(2,3)-2")]
+        expected = [name == "CC" or R.sqrt(x) is not None for x in sample]
+        with monkeypatch.context() as patched:
+            patched.setattr(AlgebraicNumbers, "sqrt", None)
+            assert list(map(R.is_square, sample)) == expected
+        assert name == "CC" or {True, False} == set(expected)
+
+
 @subcases(
     "name",
     [

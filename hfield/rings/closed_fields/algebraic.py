@@ -167,6 +167,10 @@ class AlgebraicNumbers(ValueRing):
 
         return closed_root(x, 2)
 
+    def is_square(self, x: Surd | Closed) -> bool:
+        """Tell whether x is a square: in RR by its sign. No root is written down."""
+        return not self.is_real or self.sign(x) >= 0
+
     def _root(self, x: Surd, n: Scalar) -> Surd | Closed:
         """Return the n-th root: the real one, positive if there are two, of a real number that has one.
 
