@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Collection, Hashable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import islice, product
+from itertools import chain, count, islice, product, starmap
 from typing import Any
 
 from hfield.algebra.embedding import embedding
@@ -15,12 +15,12 @@ from hfield.errors import CoercionError, MixedParentsError, RingError, Undecided
 from hfield.product import Constants
 from hfield.rings.base import WithIntegers
 from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
-from hfield.structure.global_field import global_field
+from hfield.structure.global_field import GlobalField, global_field
 from hfield.structure.norm_forms.residue_forms import no_zero
 from hfield.structure.single_elements.trace_and_norm import element_of
 
 BOUND = 3  # coordinates of pure elements that are tried for a common slot
-MAX_COORDINATE = 30  # the same where local conditions tell which are slots
+MAX_CANDIDATES = 50_000  # scalars that are tried where local conditions tell which are slots
 MAX_CONICS = 10  # of these so many are tried: a conic may be too hard
 Slot = tuple[Any, Quaternion, Quaternion]
 ALBERT = (
@@ -96,7 +96,8 @@ class TensorProduct:
     def _slot(self) -> Slot | None:
         """Return a common slot, or None where a bounded search finds none.
 
-        Where one of the two splits, any slot of the other serves; where they are isomorphic, any at all.
+        Where one of the two splits, any slot of the other serves; where they are isomorphic, any at all. Over
+        a global field a scalar is a slot of both unless it is a square at a place where one of them ramifies.
         """
         one, other = self.first, self.second
         if _splits(one):
@@ -105,24 +106,43 @@ class TensorProduct:
             return self._given(next(_slots(one, 1)))
         F = one.ring
         field = global_field(F)
+        tried: Iterator[Slot | None] = map(self._given, _slots(one, BOUND))
         if field is not None and field.splits_if_unramified:
-            own = ramified_places(F, one.constants)  # there no -N(x) is a square
-            places = [v for v in ramified_places(F, other.constants) if v not in own]
-            fitting = (
-                x
-                for x in _slots(one, MAX_COORDINATE)
-                if not any(field.has_root_at(v, F.zero, x.norm()) for v in places)
-            )
-            tried = islice(fitting, MAX_CONICS)
-        else:
-            tried = islice(_slots(one, BOUND), None)
-        return next(filter(None, map(self._given, tried)), None)
+            own, others = (ramified_places(F, A.constants) for A in (one, other))
+            if set(own) != set(others):
+                # squares of elements of the first are local squares only where it is not ramified
+                places = [*(v for v in others if v not in own), *own]
+                tried = starmap(self._of_square, self._candidates(field, places))
+            tried = islice(tried, MAX_CONICS)
+        return next(filter(None, tried), None)
+
+    def _candidates(
+        self, field: GlobalField, places: Collection[Any]
+    ) -> Iterator[tuple[Any, Quaternion | None]]:
+        """Run through small scalars that are squares at none of the places, with roots in one where known.
+
+        The places are those where the two algebras ramify. Small elements of the field take turns with
+        squares of small elements of the first algebra. Of the former more have the right signs at real
+        places, of the latter more fit where many places ramify.
+        """
+        F = field.ring
+        scalars = ((F(_numbered(F, m)), None) for n in count(1) for m in (n, -n))
+        squares = ((-x.norm(), x) for x in _slots(self.first, MAX_CANDIDATES))
+        in_turn = chain.from_iterable(zip(scalars, squares, strict=False))
+        for a, x in islice(in_turn, MAX_CANDIDATES):
+            local = any(field.has_root_at(v, F.zero, -a) for v in places)
+            if not local and not F.is_square(a):
+                yield a, x
 
     def _given(self, z: Quaternion) -> Slot | None:
         """Return the slot of an element of trace 0 of one of the two, if it is one of the other, too."""
-        a, found = -z.norm(), []
+        return self._of_square(-z.norm(), z)
+
+    def _of_square(self, a: Any, given: Quaternion | None = None) -> Slot | None:
+        """Return the slot a with elements of both algebras, or None where none are found."""
+        found = []
         for A in (self.first, self.second):
-            x = z if z.algebra is A else _square_root(A, a)
+            x = given if given is not None and given.algebra is A else _square_root(A, a)
             if x is None:
                 return None
             found.append(x)
@@ -137,9 +157,7 @@ class TensorProduct:
         if self.index == 4:
             return None
         if self._slot is None:
-            raise UndecidedError(
-                f"{self} has a common slot, but none among pure elements with coordinates up to {BOUND}"
-            )
+            raise UndecidedError(f"{self} has a common slot, but a bounded search met none")
         return self._slot
 
 
@@ -164,14 +182,30 @@ def pure_elements(A: Parent, bound: int) -> Iterator[Quaternion]:
 
 
 def _numbered(F: Any, n: int) -> Any:
-    """Return n, or over functions in characteristic p the polynomial with the digits of n in base p."""
+    """Return the small element of number n in a field; its negative has the number −n.
+
+    Over number fields all integers are numbered: the digits of n to the base 3, −1, 0 and 1, go in turn to
+    the coordinates in the integral basis. Over functions in characteristic p it is the polynomial with the
+    digits of n to the base p. In all other fields it is n itself.
+    """
+    if n < 0:
+        return -_numbered(F, -n)
+    if isinstance(F, WithIntegers):
+        coordinates, scale = [0] * F.degree, 1
+        while n:
+            for k in range(F.degree):
+                digit = (n + 1) % 3 - 1
+                coordinates[k] += digit * scale
+                n = (n - digit) // 3
+            scale *= 3
+        return sum(w * c for w, c in zip(F.integral_basis(), coordinates, strict=True))
     if not F.characteristic or F.order is not None or F.gen_name is None:
         return n
-    total, power, rest = F.zero, F.one, abs(n)
-    while rest:
-        rest, digit = divmod(rest, F.characteristic)
+    total, power = F.zero, F.one
+    while n:
+        n, digit = divmod(n, F.characteristic)
         total, power = total + power * F(digit), power * F.gen
-    return total if n >= 0 else -total
+    return total
 
 
 def _slots(A: Parent, bound: int) -> Iterator[Quaternion]:

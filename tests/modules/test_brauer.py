@@ -1,6 +1,6 @@
 """Tensor products: against ramification, symbols, and the elements themselves."""
 
-from itertools import combinations
+from itertools import combinations, product
 from random import Random
 
 import pytest
@@ -11,8 +11,10 @@ from hfield import (
     MixedParentsError,
     QuaternionAlgebra,
     RingError,
+    UndecidedError,
     ring,
 )
+from hfield.algebra import brauer
 from hfield.algebra.embedding import embedding
 from hfield.structure.norm_forms.residue_forms import no_zero
 from tests.subcases import subcases
@@ -136,6 +138,44 @@ def test_slots_of_random_pairs(name):
             assert x.trace() == y.trace() == 0
             assert x.vector_part
             assert y.vector_part
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "name"),
+    [
+        ("-4+8*sqrt(5),9-6*sqrt(5)", "-7-3*sqrt(5),-3+sqrt(5)", "QQ(sqrt(5))"),
+        ("-1-3*sqrt(5),4+3*sqrt(5)", "-1+2*sqrt(5),-8-2*sqrt(5)", "QQ(sqrt(5))"),
+        ("6+3*sqrt(94),1-6*sqrt(94)", "6-3*sqrt(94),-1-3*sqrt(94)", "QQ(sqrt(94))"),
+    ],
+)
+def test_slots_where_signs_leave_few_elements_of_the_first(monkeypatch, one, other, name):
+    """Multiples of i, j and k by ordinary integers have no square with the right signs, or few have."""
+    monkeypatch.setattr(brauer, "MAX_CANDIDATES", 200)
+    A, B = (QuaternionAlgebra.from_text(f"({text}|{name})") for text in (one, other))
+    assert set(A.ramified_places()) != set(B.ramified_places())
+    for first, second in ((A, B), (B, A)):
+        a, x, y = first.tensor(second).common_slot
+        assert (x * x, y * y) == (a, a)
+        assert (x.algebra, y.algebra) == (first, second)
+
+
+def test_a_bounded_search_for_slots_says_so(monkeypatch):
+    monkeypatch.setattr(brauer, "MAX_CANDIDATES", 0)
+    with pytest.raises(UndecidedError, match="a bounded search met none"):
+        over((2, 3)).tensor(over((2, 5))).common_slot  # noqa: B018
+
+
+@pytest.mark.parametrize("name", ["QQ", "QQ(sqrt(5))", "QQ(sqrt(-7))", "QQ[s]/(s^3-s-1)"])
+def test_small_integers_are_numbered_each_once(name):
+    F, most = ring(name), 4 if ring(name).degree < 3 else 1
+    top = ((2 * most + 1) ** F.degree - 1) // 2
+    numbered = [F(brauer._numbered(F, n)) for n in range(-top, top + 1)]
+    expected = {
+        F.key(sum((w * c for w, c in zip(F.integral_basis(), digits, strict=True)), F.zero))
+        for digits in product(range(-most, most + 1), repeat=F.degree)
+    }
+    assert set(map(F.key, numbered)) == expected
+    assert len(numbered) == len(expected)
 
 
 @pytest.mark.parametrize("swapped", [False, True])
