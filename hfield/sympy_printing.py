@@ -1,4 +1,4 @@
-"""What sympy's printers look for: classes that write themselves in LaTeX and as text answer them."""
+"""Methods that sympy's printers call, for classes that print themselves."""
 
 from __future__ import annotations
 

@@ -58,8 +58,8 @@ class Ground(NamedTuple):
 def slope(y: Floats, out: Floats, edges: Floats, ground: Ground) -> float:
     """Write into ``out`` how the state ``y`` changes; ``edges`` (k, 3) are radius, height, rounding.
 
-    Return about how fast friction takes slip and turning away, in s⁻¹: its force over the slip, times what
-    a force at the contact changes there, 1/m + s²/I at most.
+    Return an estimate of the rate at which friction ends slip and spin, in s⁻¹. For slip it is the force over
+    the slip, times the inverse of the effective mass at the contact, at most 1/m + s²/I.
     """
     i1, i3, gravity, tumbling, spinning, stiffness, damping, friction, creep, rolling = ground
     a, b, c, d = y[0], y[1], y[2], y[3]

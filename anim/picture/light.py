@@ -19,7 +19,7 @@ SHADE_OPACITY = 0.2
 CONTACT_REACHES = 3.0
 """After so many times its reach, the darkness of a contact is less than a level of 8 bits."""
 SUNK = 0.1
-"""How deep in the ground, in the model's unit, a point may be whose surroundings throw a shadow."""
+"""The depth below the ground, in the model's unit, up to which faces still cast a shadow."""
 
 
 def places(model: Model, look: Look) -> Floats:

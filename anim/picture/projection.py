@@ -22,7 +22,7 @@ Floats = NDArray[np.float64]
 MARGIN = 0.03
 """The share of the picture left free at each edge."""
 DIRECTIONS = 400
-"""In so many directions points are compared that a picture has to show."""
+"""The number of directions in which the farthest points are found, to fit the view."""
 LEAST_MARGIN = 2.0
 """How many pixels are left free in a small picture, where the lines are wide for it."""
 

@@ -177,7 +177,7 @@ class Quaternion(Hinted, PrintedBySympy):
         return q
 
     def _join(self, other: object, operation: str) -> tuple[Parent, Holding, Any, Any]:
-        """Bring both operands into one algebra and to one kind (single or array), and hold both."""
+        """Convert both operands to one algebra and one storage, single or array."""
         p, q = self, self._operand(other, operation)
         if p._algebra is not q._algebra and p._algebra != q._algebra:
             common = p._algebra._common(q._algebra)

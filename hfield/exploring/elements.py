@@ -99,7 +99,7 @@ class Elements:
     def __len__(self) -> int:
         """Return how many there are; :class:`NotFiniteError` also beyond ``sys.maxsize``."""
         if self.cardinality() > sys.maxsize:
-            raise TooManyError(f"{self._title} are more than len can tell: ask cardinality()")
+            raise TooManyError(f"{self._title} are too many for len(); use .cardinality()")
         return self.cardinality()
 
     @property

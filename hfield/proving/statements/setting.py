@@ -141,8 +141,7 @@ def _spelled(text: str, field: Ring | None) -> str:
 def _plain(text: str, field: Ring | None) -> str:
     """Return the text of a constant without blanks, in the field's own spelling where it reads it.
 
-    What is computed from numbers that are known in part is not computed; nor is what is not decided, or not
-    defined: those are for the verdict to say.
+    The text stays as it is if its value is inexact, undecided or undefined; the prover reports that.
     """
     written = "".join(text.split())
     if field is None:

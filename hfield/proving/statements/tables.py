@@ -105,7 +105,7 @@ class _Writer:
         raise NotationError(message, self.text, node.position)
 
     def statement(self, node: Node) -> Node:
-        """Write out what is a statement; a term in its place is left for whoever reads sorts."""
+        """Expand a statement into coordinates; a term stays as it is, and the check of sorts rejects it."""
         match node:
             case Exists(names, body):
                 for name in names:

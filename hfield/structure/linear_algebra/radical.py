@@ -40,7 +40,9 @@ def is_central_simple(ring: Ring, c: Constants) -> bool:
     Raises :class:`UndecidedError` where it is not known whether the ring is a field.
     """
     if ring.is_field is None:
-        raise UndecidedError(f"{ring.no_field}: over a ring that is none no algebra is simple")
+        raise UndecidedError(
+            f"{ring.no_field}: whether an algebra is central simple is decided over fields"
+        )
     return ring.is_field and not ring.is_zero(discriminant(ring, c))
 
 

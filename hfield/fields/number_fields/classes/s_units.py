@@ -238,9 +238,9 @@ class SUnits:
 
     @cached_property
     def reductions(self) -> dict[int, tuple[FieldElement, dict[int, int]]]:
-        """For the number of each other prime of the base a number, with its exponents.
+        """For the index of each prime P of the base outside S: a number x and the exponents of its primes.
 
-        It has that prime once, and else earlier ones or those of S.
+        P divides x once; all other primes of x lie in S or come before P.
         """
         assert self.reduced_ideals is not None
         reductions = {}
