@@ -262,6 +262,25 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """The identity e."""
         return self.basis[0]
 
+    @property
+    def i(self) -> Quaternion:
+        """The basis element i.
+
+        >>> A = H("GF(7)"); A.i * A.j == A.k, A.k**2
+        (True, 6)
+        """
+        return self.basis[1]
+
+    @property
+    def j(self) -> Quaternion:
+        """The basis element j."""
+        return self.basis[2]
+
+    @property
+    def k(self) -> Quaternion:
+        """The basis element k, the product of i and j."""
+        return self.basis[3]
+
     @cached_property
     def zero(self) -> Quaternion:
         """The element 0."""
