@@ -218,7 +218,7 @@ def describe(O: Any, ramified: list[Any]) -> Line:
         if over_q
         else C.frame.prime(next(C.good_primes()))
     )
-    if any(sum(row.values()) != (P if over_q else P.norm) + 1 for row in C.neighbours(P)):
+    if any(sum(row.values()) != (P if over_q else P.norm()) + 1 for row in C.neighbours(P)):
         wrong.append("rows of a Brandt matrix have other sums")
     return Line(
         1 if over_q else int(O.algebra.ring.discriminant()),
