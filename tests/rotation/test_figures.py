@@ -115,7 +115,7 @@ def test_only_some_and_larger(tmp_path, run):
     sizes = [
         int.from_bytes((d / "figure-2.1.png").read_bytes()[16:20], "big") for d in (small, large)
     ]
-    assert sizes[1] == 2 * sizes[0]
+    assert abs(sizes[1] - 2 * sizes[0]) <= 1  # a width is a whole number of pixels
 
 
 @pytest.mark.parametrize(
