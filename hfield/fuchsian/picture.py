@@ -37,7 +37,7 @@ RADIUS = 320.0
 """Of the disc in an SVG, in its pixels."""
 FLAT = 0.15
 """An arc that strays less than this from its chord, in pixels, is drawn as the chord."""
-SHORT = 0.4
+MIN_SIDE_PIXELS = 0.4
 """Sides of far images that are shorter than this, in pixels, are drawn together."""
 DECIMALS = 1
 WIDE = 0.75
@@ -181,7 +181,7 @@ def _svg(drawing: Drawing) -> str:
         f'<g stroke="{look["edge"]}" stroke-width="0.4">',
     ]
     for color, images in drawing.areas:
-        way = "".join(_way(sides, SHORT) + "z" for sides in images)
+        way = "".join(_way(sides, MIN_SIDE_PIXELS) + "z" for sides in images)
         parts.append(f'<path fill="{color}" d="{way}"/>')
     parts += [
         "</g>",

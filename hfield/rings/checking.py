@@ -12,7 +12,7 @@ from hfield.errors import NotInvertibleError, UndecidedError, shorten
 from hfield.rings.base import Ring
 
 SAMPLES = 30
-SMALL = (0, 1, -1, 2, 3)  # multiples of 1 among the samples
+SAMPLED_MULTIPLES = (0, 1, -1, 2, 3)  # multiples of 1 among the samples
 MAX_LISTED = 300  # elements of a finite ring that are listed
 MULTIPLES = (1, 2, 3, 5, 7, 30, 2**31 - 1)  # of 1, none of which is 0 in characteristic 0
 ROUNDING = 1e-9
@@ -142,7 +142,7 @@ def check_ring(ring: Ring, samples: int = SAMPLES, seed: int = 1) -> RingReport:
     rng = Random(seed)
     failed, unknown = list[str](), list[str]()
     try:
-        elements = [*map(ring, SMALL), *ring.names().values()]
+        elements = [*map(ring, SAMPLED_MULTIPLES), *ring.names().values()]
         elements += [ring.random(rng) for _ in range(samples - len(elements))]
     except Exception as error:
         return RingReport(ring.name, 0, (f"there are elements: {_error_text(error)}",), ())
@@ -159,7 +159,7 @@ def check_ring(ring: Ring, samples: int = SAMPLES, seed: int = 1) -> RingReport:
 
 def _counterexample(ring: Ring, axiom: Axiom, elements: Sequence[Any], rng: Random) -> str | None:
     """Say where an axiom fails, None where it does not. Raises UndecidedError where that is not known."""
-    small = elements[: len(SMALL)]
+    small = elements[: len(SAMPLED_MULTIPLES)]
     places = [
         *product(small, repeat=min(axiom.count, 2)),
         *((x, rng.choice(elements)) for x in elements),
