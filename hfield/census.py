@@ -20,7 +20,7 @@ from hfield.algebra import QuaternionAlgebra
 from hfield.errors import HFieldError
 from hfield.executors import unordered
 from hfield.factorisation import factorise
-from hfield.lattices import class_number
+from hfield.orders import class_number
 from hfield.rings import ring
 
 Pair = tuple[Any, Any]

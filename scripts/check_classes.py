@@ -14,7 +14,7 @@ from math import gcd
 
 from hfield import QuaternionAlgebra
 from hfield.factorisation import factorise
-from hfield.lattices.brandt import number_of_ideals
+from hfield.orders.brandt import number_of_ideals
 
 
 def definite_discriminants(bound: int) -> list[int]:

@@ -2,7 +2,7 @@
 
     python scripts/check_lattices.py [--cases 10000] [--seed 0] [--state FILE] [--seconds S] [--only WORD]
 
-The other ways are in tests/lattices/recomputed, which shares no algorithm with the package. Case n of an
+The other ways are in tests/orders/recomputed, which shares no algorithm with the package. Case n of an
 operation is the same for the same seed. With --state what was done is kept in a file, a line a slice, and
 the next run goes on there, after a kill too; --seconds stops in time. Exit status 1 when a case differs.
 """
@@ -17,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from tests.lattices.recomputed import OPERATIONS, run
+from tests.orders.recomputed import OPERATIONS, run
 
 SLICE = 100
 

@@ -41,15 +41,15 @@ FLOORS = [
     {
         "hfield.functions",
         "hfield.algebra.maps",
-        "hfield.lattices",
+        "hfield.orders",
         "hfield.modules",
         "hfield.quaternion",
         "hfield.element_text",
     },
     {"hfield.exploring"},  # stands on the element and on maps, and the algebra hands over to it
     {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
-    {"hfield.lattices.lattice", "hfield.lattices.over_integers"},
-    {"hfield.lattices.hurwitz_order"},
+    {"hfield.orders.lattice", "hfield.orders.over_integers"},
+    {"hfield.orders.hurwitz_order"},
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},
     {"hfield.proving"},
@@ -103,9 +103,9 @@ FLOOR = {room: n for n, floor in enumerate(FLOORS) for room in floor}
 FACES = {"hfield", "hfield.rings", "rotation", "anim"}
 # Who asks for a kind of field by its name: lattices, which are over ℤ or the integers of a number field, so
 # that their places, ideals and integral bases are those of these fields.
-KNOW_KINDS = {"hfield.lattices", "hfield.lattices.over_integers"}
+KNOW_KINDS = {"hfield.orders", "hfield.orders.over_integers"}
 # Rooms in which no module looks into what another keeps to itself.
-DISCREET = {"hfield.lattices"}
+DISCREET = {"hfield.orders"}
 
 
 def room_of(module: str) -> str:
@@ -210,8 +210,8 @@ def test_imports_run_downwards() -> None:
 def test_the_check_can_fail() -> None:
     assert breaches("hfield.rings.base", "def f():\n    from hfield.ledger import claim\n")
     assert breaches("hfield.structure.x", "import hfield.algebra\n")
-    assert breaches("hfield.lattices.x", "from hfield.algebra import QuaternionAlgebra\n")
-    assert not breaches("hfield.lattices.x", "from hfield.algebra.quaternion import Quaternion\n")
+    assert breaches("hfield.orders.x", "from hfield.algebra import QuaternionAlgebra\n")
+    assert not breaches("hfield.orders.x", "from hfield.algebra.quaternion import Quaternion\n")
     assert breaches("rotation.arrays", "from rotation import Rotation\n")
     assert not breaches("hfield.algebra", "from hfield import product\n")
 

@@ -54,13 +54,13 @@ if TYPE_CHECKING:
     from hfield.exploring.ideals import AlgebraIdeal
     from hfield.exploring.subalgebras import Subalgebra
     from hfield.exploring.unit_groups import UnitGroup
-    from hfield.lattices.hurwitz_order import HurwitzOrder
-    from hfield.lattices.lattice import Order
-    from hfield.lattices.over_integers.lattices import IntegersOrder
-    from hfield.lattices.ternary_forms import TernaryForm
     from hfield.modules.equations import LinearSolutions, SystemSolutions
     from hfield.modules.matrix import Matrix
     from hfield.modules.polynomials import Polynomials
+    from hfield.orders.hurwitz_order import HurwitzOrder
+    from hfield.orders.lattice import Order
+    from hfield.orders.over_integers.lattices import IntegersOrder
+    from hfield.orders.ternary_forms import TernaryForm
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
 MOST = 10**8  # elements of an array that lists all
@@ -1128,8 +1128,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         There pairs (ideal, element), as of a pseudo-basis, are read too. Raises :class:`LatticeError` when
         its rank is below 4, :class:`RingError` over another field.
         """
-        from hfield.lattices.lattice import Lattice
-        from hfield.lattices.over_integers.orders import spanned
+        from hfield.orders.lattice import Lattice
+        from hfield.orders.over_integers.orders import spanned
 
         return spanned(self, elements) if self.over_integers else Lattice.spanned(self, elements)
 
@@ -1142,8 +1142,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> O.discriminant(), O.maximal_overorder().index(O)
         (ideal(4), ideal(4))
         """
-        from hfield.lattices.lattice import Order
-        from hfield.lattices.over_integers.orders import generated
+        from hfield.orders.lattice import Order
+        from hfield.orders.over_integers.orders import generated
 
         return generated(self, elements) if self.over_integers else Order.generated(self, elements)
 
@@ -1152,8 +1152,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         Raises :class:`LatticeError` unless they span a ring with 1.
         """
-        from hfield.lattices.lattice import Order
-        from hfield.lattices.over_integers.orders import order_of_basis
+        from hfield.orders.lattice import Order
+        from hfield.orders.over_integers.orders import order_of_basis
 
         over = self.over_integers
         return order_of_basis(self, elements) if over else Order.from_basis(self, elements)
@@ -1169,9 +1169,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> O.discriminant(), len(O.basis)
         (ideal(1), 8)
         """
-        from hfield.lattices import named_orders
-        from hfield.lattices.lattice import Order
-        from hfield.lattices.over_integers import orders
+        from hfield.orders import named_orders
+        from hfield.orders.lattice import Order
+        from hfield.orders.over_integers import orders
 
         with known_primes(factors):
             if self.over_integers:
@@ -1189,9 +1189,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> O.norm_of_discriminant() == 31**3, O.local_index(P)
         (True, 2)
         """
-        from hfield.lattices import named_orders
-        from hfield.lattices.lattice import Order
-        from hfield.lattices.over_integers import orders
+        from hfield.orders import named_orders
+        from hfield.orders.lattice import Order
+        from hfield.orders.over_integers import orders
 
         with known_primes(factors):
             if self.over_integers:
@@ -1203,22 +1203,22 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         Raises :class:`LatticeError` for an indefinite algebra, or a composite discriminant.
         """
-        from hfield.lattices.lattice import Order
-        from hfield.lattices.named_orders import extremal_order
+        from hfield.orders.lattice import Order
+        from hfield.orders.named_orders import extremal_order
 
         return Order(extremal_order(self))
 
     def lipschitz_order(self) -> Order:
         """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
-        from hfield.lattices.lattice import Order
-        from hfield.lattices.named_orders import lipschitz_order
+        from hfield.orders.lattice import Order
+        from hfield.orders.named_orders import lipschitz_order
 
         return Order(lipschitz_order(self))
 
     def hurwitz_order(self) -> HurwitzOrder:
         """Return ``ℤ⟨e, i, j, (e+i+j+k)/2⟩`` in (−1,−1|ℚ). Raises :class:`CoercionError` elsewhere."""
-        from hfield.lattices.hurwitz_order import HurwitzOrder
-        from hfield.lattices.named_orders import hurwitz_order
+        from hfield.orders.hurwitz_order import HurwitzOrder
+        from hfield.orders.named_orders import hurwitz_order
 
         return HurwitzOrder(hurwitz_order(self))
 
@@ -1233,11 +1233,11 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         1
         """
         if self.over_integers:
-            from hfield.lattices.over_integers.class_sets import number_by_signs
+            from hfield.orders.over_integers.class_sets import number_by_signs
 
             order: Any = self.eichler_order(level)
             return len(order.class_set()) if order.is_definite() else number_by_signs(self)
-        from hfield.lattices.named_orders import class_number
+        from hfield.orders.named_orders import class_number
 
         return class_number(self, level)
 
@@ -1370,7 +1370,7 @@ def ternary_form(coefficients: Iterable[object], ring: RingName = "QQ") -> Terna
     >>> f, f.discriminant(), f.order().is_maximal(), f.automorphism_count()
     (x²+y²+3·z²+y·z+x·y, 8, False, 12)
     """
-    from hfield.lattices.ternary_forms import TernaryForm
+    from hfield.orders.ternary_forms import TernaryForm
 
     F = ring if isinstance(ring, Ring) else read_ring(ring)
     return TernaryForm(F, coefficients, QuaternionAlgebra)

@@ -25,8 +25,8 @@ from hfield.errors import shorten
 from hfield.plotting import default_settings
 
 if TYPE_CHECKING:
-    from hfield.lattices.lattice import ClassSet
     from hfield.ledger.matrix import Style
+    from hfield.orders.lattice import ClassSet
 
 HELP = (
     "Print a Brandt matrix for discriminant D and level N with its characteristic "

@@ -23,8 +23,8 @@ from hfield.commands.parser import UsageError
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
-    from hfield.lattices.lattice import ClassSet
-    from hfield.lattices.over_integers.lattices import IntegersOrder
+    from hfield.orders.lattice import ClassSet
+    from hfield.orders.over_integers.lattices import IntegersOrder
     from hfield.presenting import Part
 
 HELP = (
@@ -195,7 +195,7 @@ def _over_integers(args: Namespace, O: IntegersOrder) -> tuple[Answer, Callable[
 def _indefinite(args: Namespace, O: Any) -> tuple[Answer, Callable[[], Claim]]:
     """Answer by strong approximation where an infinite place splits: over QQ there is one class."""
     from hfield.evidence import Claim
-    from hfield.lattices.over_integers.indefinite_classes import REFUSAL
+    from hfield.orders.over_integers.indefinite_classes import REFUSAL
 
     A, over_integers = O.algebra, O.algebra.over_integers
     if args.newforms:

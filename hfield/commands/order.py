@@ -22,8 +22,8 @@ from hfield.errors import TooLargeError
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
-    from hfield.lattices.lattice import Order
-    from hfield.lattices.over_integers.lattices import IntegersOrder
+    from hfield.orders.lattice import Order
+    from hfield.orders.over_integers.lattices import IntegersOrder
     from hfield.presenting import Part
 
 HELP = (

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.algebra.quaternion import Quaternion
     from hfield.evidence import Claim
-    from hfield.lattices.certificates import Answer as Verdict
-    from hfield.lattices.over_integers.lattices import IntegersLattice
+    from hfield.orders.certificates import Answer as Verdict
+    from hfield.orders.over_integers.lattices import IntegersLattice
 
 PATIENCE = 10
 """Seconds: for what takes longer, one is told before how long it will be."""
@@ -90,7 +90,7 @@ def algebra_of(text: str) -> QuaternionAlgebra:
 
 def announce(number: int, seconds: float, instead: str) -> None:
     """Say before a long enumeration how many classes there are, how long it takes, and what to do instead."""
-    from hfield.lattices.classes import MOST_CLASSES
+    from hfield.orders.classes import MOST_CLASSES
 
     if seconds < PATIENCE or number > MOST_CLASSES:  # more are refused at once
         return

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from hfield.algebra.maps import matrix_text
 from hfield.errors import shorten
 from hfield.latex import words
-from hfield.lattices.over_integers.lattices import IntegersOrder
 from hfield.notation import element_text
+from hfield.orders.over_integers.lattices import IntegersOrder
 from hfield.presenting import Facts, Part, Piece, hanging
 from hfield.rings.base import Ring
 from hfield.rings.printing import is_sum, number_text, parentheses

@@ -15,9 +15,9 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
 from hfield.fields.names import RingName
-from hfield.lattices.lattice import Order
-from hfield.lattices.over_integers.lattices import IntegersOrder
 from hfield.notation import element_text
+from hfield.orders.lattice import Order
+from hfield.orders.over_integers.lattices import IntegersOrder
 from hfield.rings.base import INFINITY, Ring, WithIntegers
 from hfield.structure.global_field import global_field
 

@@ -9,8 +9,8 @@ from math import prod
 from flint import fmpz
 
 from hfield.factorisation import factorise
-from hfield.lattices.modulo_primes import kronecker
-from hfield.lattices.z_order import ZOrder, eichler_symbol, is_eichler
+from hfield.orders.modulo_primes import kronecker
+from hfield.orders.z_order import ZOrder, eichler_symbol, is_eichler
 
 
 def area(order: ZOrder) -> Fraction:

@@ -17,10 +17,10 @@ from hfield.errors import IndefiniteError, LatticeError
 from hfield.evidence import Claim
 from hfield.factorisation import factorise
 from hfield.fuchsian import area
-from hfield.lattices import z_lattice
-from hfield.lattices.certificates import element_json, text
-from hfield.lattices.ideals_of_norm import two_sided_prime
-from hfield.lattices.z_order import ZOrder
+from hfield.orders import z_lattice
+from hfield.orders.certificates import element_json, text
+from hfield.orders.ideals_of_norm import two_sided_prime
+from hfield.orders.z_order import ZOrder
 
 TwoSided = tuple[Sequence[Quaternion], Any]
 """A basis over ℤ of a two-sided ideal, and an exact number that generates its norm."""

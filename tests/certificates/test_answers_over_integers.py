@@ -11,7 +11,7 @@ import pytest
 from hfield import QuaternionAlgebra
 from hfield.certificates.check import Pin
 from hfield.cli import main
-from hfield.lattices.over_integers import certificates
+from hfield.orders.over_integers import certificates
 from tests.certificates.cases import Certificate
 from tests.certificates.order_certificates import changed_and_passed, established, rejects
 

@@ -111,7 +111,7 @@ def test_classes_tell_how_far_they_are():
 import sys, time
 from hfield.cli import main
 from hfield.commands.status import STATUS
-import hfield.lattices.classes as classes
+import hfield.orders.classes as classes
 shown, show, tell = [], STATUS.show, classes.tell
 STATUS.show = lambda text: (show(text), shown.append(text))
 def slow(done, total, what):

@@ -14,7 +14,7 @@ from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.factorisation import factorise
 from hfield.fuchsian import area, dirichlet, group, normaliser, presentation
 from hfield.fuchsian.polygon import Polygon
-from hfield.lattices.lattice import Order
+from hfield.orders.lattice import Order
 from tests.subcases import subcases
 
 # D, N: the area in units of π/3, elliptic points of order 2 and 3, the genus (tables of Shimura curves)

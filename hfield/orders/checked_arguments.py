@@ -1,0 +1,86 @@
+"""What is given to lattices, orders and ideals, read and checked: elements, numbers, sides."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+import flint
+
+from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.errors import LatticeError, shorten
+from hfield.orders import hermite
+from hfield.primality import is_prime
+from hfield.rings.rational import rational
+from hfield.rings.whole_numbers import fraction
+
+
+def element_row(algebra: Parent, x: object) -> tuple[int, list[int]]:
+    """Return what the algebra reads as an element as integer coordinates over a denominator."""
+    q = x if isinstance(x, Quaternion) and x.algebra is algebra else algebra(x)
+    if q.is_batch:
+        raise LatticeError("a lattice is spanned by single elements, and this is an array of them")
+    den, rows = hermite.integral([[fraction(c) for c in q.coordinates]])
+    return den, rows[0]
+
+
+def listed(elements: object) -> list[object]:
+    """Return elements as a list. Raises :class:`LatticeError` for one element, or for what is no list."""
+    if isinstance(elements, (str, Quaternion)) or not isinstance(elements, Iterable):
+        raise LatticeError(
+            f"{shorten(repr(elements))} is no list of elements: expected one, such as [e, i, j, k]"
+        )
+    return list(elements)
+
+
+def checked_side(side: str) -> str:
+    """Return the side. Raises :class:`LatticeError` unless it is left or right."""
+    if side not in ("left", "right"):
+        raise LatticeError(f"the side {side!r} does not exist: expected 'left' or 'right'")
+    return side
+
+
+def positive(n: object, what: str) -> int:
+    """Return a positive integer. Raises :class:`LatticeError` for anything else."""
+    value = _whole(n)
+    if value is None or value < 1:
+        raise LatticeError(f"the {what} {shorten(repr(n))} is no positive integer")
+    return value
+
+
+def _whole(n: object) -> int | None:
+    value = rational(n)
+    return value if isinstance(value, int) and not isinstance(n, bool) else None
+
+
+def expect_coprime(level: int, discriminant: int) -> None:
+    """Raise :class:`LatticeError` unless a level is prime to the discriminant of the algebra."""
+    common = math.gcd(level, discriminant)
+    if common > 1:
+        raise LatticeError(
+            f"the level {level} and the discriminant {discriminant} have the factor {common} in common: "
+            "Eichler orders have a level prime to the discriminant"
+        )
+
+
+def integer(n: object, what: str) -> int:
+    """Return an integer. Raises :class:`LatticeError` for anything else."""
+    value = rational(n)
+    if not isinstance(value, int):
+        raise LatticeError(f"the {what} {shorten(repr(n))} is no integer")
+    return value
+
+
+def prime(p: object) -> int:
+    """Return a prime as an int. Raises :class:`LatticeError` for what is none."""
+    if not isinstance(p, (int, flint.fmpz)) or isinstance(p, bool) or not is_prime(int(p)):
+        raise LatticeError(f"{shorten(repr(p))} is not a prime number")
+    return int(p)
+
+
+def natural(n: object, what: str) -> int:
+    """Return an integer ≥ 0. Raises :class:`LatticeError` for anything else."""
+    value = _whole(n)
+    if value is None or value < 0:
+        raise LatticeError(f"{what} an integer ≥ 0, and {shorten(repr(n))} is none")
+    return value

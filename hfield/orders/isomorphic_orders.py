@@ -1,0 +1,221 @@
+"""When two orders are isomorphic, with the element, and ideals that connect two orders.
+
+Isomorphisms of orders are conjugations, hence isometries of the trace-0 parts of ``ℤ + 2O``; conversely such
+an isometry, times −1 if it turns the orientation, is a conjugation that maps one order onto the other
+(Voight, *Quaternion Algebras*, chapter 22). So in a definite algebra all reduced bases of
+one lattice are compared with one of the other, whatever the orders are.
+
+A basis (u, v, w) is reduced after Korkine and Zolotarev when u is a shortest vector, v is one modulo u, and
+the coefficients of what is taken off lie in (−1/2, 1/2]. There are few, and however skew the lattice is they
+are found at once, while the vectors as long as those of a basis may be too many to list.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import partial
+from typing import Any
+
+from flint import fmpz_mat
+
+from hfield.algebra.quaternion import Quaternion
+from hfield.errors import LatticeError, UndecidedError
+from hfield.factorisation import factorise
+from hfield.orders import enumeration, hermite
+from hfield.orders.certificates import STRONG_APPROXIMATION, Answer, element_json
+from hfield.orders.enumeration import Gram, Vector
+from hfield.orders.equivalence import Search, element_of_norm, root
+from hfield.orders.maximal_orders import endpoints
+from hfield.orders.z_lattice import ZLattice, add, divisor, meet, product, rows_json, scaled
+from hfield.orders.z_order import ZOrder, conductor, gorenstein_closure, is_eichler
+
+
+def isomorphism(
+    first: ZOrder, second: ZOrder, search: Search = lambda lattice, size: None
+) -> Answer:
+    """Return an answer with an element x such that ``x·first·x⁻¹ = second``.
+
+    Raises :class:`UndecidedError` for orders of an indefinite algebra that are not Eichler orders, unless
+    they are equal or their discriminants differ.
+    """
+    evidence: dict[str, Any] = {
+        "kind": "isomorphic-orders",
+        "algebra": str(first.algebra),
+        "first": rows_json(first),
+        "second": rows_json(second),
+    }
+    answer = partial(Answer, evidence=evidence, lattices=(first, second))
+
+    def yes(x: Quaternion, reason: str) -> Answer:
+        evidence["element"] = element_json(x)
+        return answer(True, reason, x)
+
+    if first == second:
+        return yes(first.algebra(1), "they are equal")
+    if first.discriminant != second.discriminant:
+        return answer(
+            False, f"their discriminants are {first.discriminant} and {second.discriminant}"
+        )
+    if first.regular.definite:
+        row, reason = _conjugator(first, second)
+        if row is None:
+            return answer(False, reason)
+        return yes(first.element(row, 1), "the element conjugates one into the other")
+    if conductor(first) != conductor(second):
+        return answer(False, "their conductors differ")
+    first, second = gorenstein_closure(first), gorenstein_closure(second)
+    if not (is_eichler(first) and is_eichler(second)):
+        raise UndecidedError(
+            "whether two orders of an indefinite algebra are isomorphic is decided where their "
+            "Gorenstein closures are Eichler orders, and one of these is none"
+        )
+    bridge = connecting_ideal(first, second)
+    found, reason = element_of_norm(bridge, bridge.norm, search)
+    if found is not None:
+        return yes(found.inverse(), "the element conjugates one into the other")
+    return answer(True, f"{reason}, but there is one", theorem=STRONG_APPROXIMATION)
+
+
+def _conjugator(first: ZOrder, second: ZOrder) -> tuple[list[int] | None, str]:
+    """Return a primitive row x with ``x·first = second·x``, or None and why."""
+    den, rows, gram = first.reduced_ternary
+    other_den, other_rows, other_gram = second.reduced_ternary
+    steps, form = next(reduced_bases(gram))
+    images = list(reduced_bases(other_gram))
+    least, other_least = form[0] // 2, images[0][1][0] // 2
+    if least != other_least:
+        return None, (
+            f"the least norm in the trace-0 part of ℤ + 2O is {least} for one and {other_least} for the other"
+        )
+    found = next((image for image, own in images if own == form), None)
+    if found is None:
+        return None, (
+            f"none of the {len(images)} bases of the trace-0 part of ℤ + 2O that are reduced after Korkine "
+            "and Zolotarev has the inner products that one has for the other order"
+        )
+    sources, targets = fmpz_mat(steps) * rows, fmpz_mat(found) * other_rows
+    return _conjugating(first, sources * other_den, targets * den), ""
+
+
+def _conjugating(order: ZOrder, sources: fmpz_mat, targets: fmpz_mat) -> list[int]:
+    """Return x ≠ 0 with x·s = ±t·x for the three rows s and t, one sign for all."""
+    r = order.regular
+    s, t = hermite.tuples(sources), hermite.tuples(targets)
+    for sign in (1, -1):
+        columns = [r.right_matrix(u) - r.left_matrix(v) * sign for u, v in zip(s, t, strict=True)]
+        stacked = [x for m in columns for x in m.transpose().entries()]
+        kernel, rank = fmpz_mat(12, 4, stacked).nullspace()
+        if rank:
+            x = [int(kernel[n, 0]) for n in range(4)]
+            content = math.gcd(*x)
+            return [n // content for n in x]
+    raise AssertionError("an isometry, or its negative, is a conjugation")
+
+
+def connecting_ideal(first: ZOrder, second: ZOrder) -> ZLattice:
+    """Return the primitive integral ideal with left order ``first`` and right order ``second``.
+
+    For maximal orders it is the only one up to two-sided ideals. Raises :class:`LatticeError` unless both
+    are Eichler orders of one level.
+    """
+    if first.discriminant != second.discriminant or not (is_eichler(first) and is_eichler(second)):
+        raise LatticeError(
+            "connecting ideals exist here between Eichler orders of one level, and these are none"
+        )
+    ideals = [product(x, y) for x, y in zip(_ends(first), _ends(second), strict=True)]
+    if first.level == 1:
+        found = ideals[0]
+    else:
+        # locally both are generated by one element, up to numbers
+        scale = root(ideals[0].norm / ideals[1].norm)
+        if scale is None:
+            raise AssertionError("the distances of the two ends have the same parity")
+        found = meet(ideals[0], scaled(ideals[1], scale))
+    return scaled(found, 1 / divisor(first, found))
+
+
+def _ends(order: ZOrder) -> list[ZLattice]:
+    """Return two maximal orders with the given one as their intersection."""
+    ends: list[ZLattice] = [order, order]
+    for p, e in factorise(order.level).items():
+        # locally at p the sum is the end at p, as all other summands are the order there
+        ends = [add(x, y) for x, y in zip(ends, endpoints(order, p, e), strict=True)]
+    return ends
+
+
+Basis = tuple[Vector, Vector, Vector]
+
+
+def reduced_bases(gram: Gram) -> Iterator[tuple[Basis, tuple[int, ...]]]:
+    """Yield each reduced basis, one of ±u for the first vector, and its six inner products.
+
+    The matrix that is given should be reduced by LLL already.
+    """
+    for u in enumeration.least_vectors(gram)[1]:
+        b, c = _completed(u)
+        bb, bc, cc = _modulo(gram, u, b, c)
+        plane, steps = fmpz_mat(2, 2, [bb, bc, bc, cc]).lll(transform=True, rep="gram")
+        b, c = (_sum((int(steps[n, 0]), b), (int(steps[n, 1]), c)) for n in (0, 1))
+        form = [[int(e) for e in row] for row in plane.tolist()]
+        for x, y in enumeration.least_vectors(form)[1]:
+            _, s, t = _gcd(x, y)
+            v, w = _sum((x, b), (y, c)), _sum((-t, b), (s, c))
+            for e in (1, -1):
+                for f in (1, -1):
+                    yield _rounded(gram, u, _sum((e, v)), _sum((f, w)))
+
+
+def _rounded(gram: Gram, u: Vector, v: Vector, w: Vector) -> tuple[Basis, tuple[int, ...]]:
+    """Take v and u off in the one way that leaves coefficients in (−1/2, 1/2]."""
+    vv, vw, _ = _modulo(gram, u, v, w)
+    w = _sum((1, w), (-_nearest(vw, vv), v))
+    uu = _pair(gram, u, u)
+    v, w = (_sum((1, x), (-_nearest(_pair(gram, u, x), uu), u)) for x in (v, w))
+    uv, uw, vw = _pair(gram, u, v), _pair(gram, u, w), _pair(gram, v, w)
+    return (u, v, w), (uu, _pair(gram, v, v), _pair(gram, w, w), uv, uw, vw)
+
+
+def _modulo(gram: Gram, u: Vector, x: Vector, y: Vector) -> tuple[int, int, int]:
+    """Return the inner products of x and y without their parts along u, ``|u|²`` times too large."""
+    uu, ux, uy = (_pair(gram, u, v) for v in (u, x, y))
+
+    def outside(v: Vector, w: Vector, uv: int, uw: int) -> int:
+        return uu * _pair(gram, v, w) - uv * uw
+
+    return outside(x, x, ux, ux), outside(x, y, ux, uy), outside(y, y, uy, uy)
+
+
+def _completed(u: Vector) -> tuple[Vector, Vector]:
+    """Return two vectors that make a basis of ℤ³ with a primitive one."""
+    g, s, t = _gcd(u[0], u[1])
+    x, y = (u[0] // g, u[1] // g) if g else (1, 0)
+    _, p, q = _gcd(g, u[2])
+    return (-t, s, 0), (-q * x, -q * y, p)
+
+
+def _gcd(x: int, y: int) -> tuple[int, int, int]:
+    """Return (g, s, t) with g = s·x + t·y a greatest common divisor, of either sign (Euclid)."""
+    s, t, p, q = 1, 0, 0, 1
+    while y:
+        n = x // y
+        x, y, s, t, p, q = y, x - n * y, p, q, s - n * p, t - n * q
+    return x, s, t
+
+
+def _nearest(n: int, d: int) -> int:
+    """Return q with n/d − q in (−1/2, 1/2]."""
+    return -((d - 2 * n) // (2 * d))
+
+
+def _pair(gram: Gram, x: Vector, y: Vector) -> int:
+    (a, b, c), (_, d, e), (_, _, f) = gram
+    (p, q, r), (s, t, u) = x, y
+    return s * (a * p + b * q + c * r) + t * (b * p + d * q + e * r) + u * (c * p + e * q + f * r)
+
+
+def _sum(*terms: tuple[int, Vector]) -> Vector:
+    p = q = r = 0
+    for c, (x, y, z) in terms:
+        p, q, r = p + c * x, q + c * y, r + c * z
+    return p, q, r

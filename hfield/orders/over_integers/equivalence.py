@@ -1,0 +1,218 @@
+"""Which element carries one lattice over the integers into another, or one order, in definite algebras.
+
+``J = c·I`` means that c lies in J·I⁻¹ and that N(c) generates N(J)/N(I). For each totally positive generator,
+modulo squares of units, c would be a vector of least conceivable length of a positive form
+(:mod:`hfield.orders.over_integers.trace_forms`). An isomorphism of orders is a conjugation (Skolem and
+Noether), hence an isometry of trace-0 parts, and is known by the images of two elements that do not commute.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import count
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield.evidence import Certified, Claim
+from hfield.orders.enumeration import short_vectors, vectors_of_length
+from hfield.orders.over_integers.positive_generators import (
+    totally_positive_generator,
+    units_modulo_squares,
+)
+from hfield.orders.over_integers.trace_forms import trace_forms
+
+if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
+    from hfield.fields.number_fields.elements import FieldElement
+    from hfield.fields.number_fields.ideals import Ideal
+    from hfield.orders.over_integers.frames import Frame
+
+
+@dataclass(frozen=True)
+class Comparison(Certified):
+    """True or false in an ``if``; ``element`` proves a true answer, ``reason`` says how it was decided."""
+
+    holds: bool
+    reason: str
+    element: Quaternion | None = None
+    claimed: Callable[[Quaternion | None], Claim] | None = field(
+        default=None, compare=False, repr=False
+    )
+
+    @cached_property
+    def claim(self) -> Claim:
+        """The answer as a statement with its evidence."""
+        assert self.claimed is not None, "orders and ideals say what was asked of them"
+        return self.claimed(self.element)
+
+    def __bool__(self) -> bool:
+        return self.holds
+
+    def __repr__(self) -> str:
+        shown = "" if self.element is None else f" with {self.element}"
+        return f"{'yes' if self.holds else 'no'}{shown}: {self.reason}"
+
+
+def element_generating(frame: Frame, rows: flint.fmpq_mat, norm: Ideal) -> Comparison:
+    """Return an element of a lattice whose norm generates an ideal, or why there is none.
+
+    Raises :class:`IndefiniteError` unless the algebra is totally definite.
+    """
+    forms, ring = trace_forms(frame), frame.integers.ring
+    generator = totally_positive_generator(norm)
+    if generator is None:
+        return Comparison(
+            False, f"the norm would be a totally positive generator of {norm}, which has none"
+        )
+    units = units_modulo_squares(ring)
+    for u in units:
+        for row in forms.elements_of_norm(rows, generator * u):
+            return Comparison(
+                True, "the element is multiplied out", frame.quaternion(row.entries())
+            )
+    shown = ", ".join(ring.text(frame.integers.outside(generator * u)) for u in units)
+    return Comparison(
+        False,
+        f"no element of the lattice between them has a norm among {shown}, up to squares of units",
+    )
+
+
+# --- isomorphisms of orders ------------------------------------------------------------------------
+
+
+def conjugator(frame: Frame, first: flint.fmpq_mat, second: flint.fmpq_mat) -> Comparison:
+    """Return x with x·O·x⁻¹ = O' for two orders, or why there is none. Raises :class:`IndefiniteError`."""
+    one, other = _Ternary(frame, first), _Ternary(frame, second)
+    a, b = one.two_generators()
+    norms = [frame.norm(x.entries()) for x in (a, b)]
+    images = [other.of_norm(norm) for norm in norms]
+    between, inverse, tried = one.pairing(a, b), second.inv(), 0
+    for s in images[0]:
+        for t in images[1]:
+            product = one.pairing(s, t)
+            if product not in (between, -between):
+                continue
+            for sign in (1, -1):
+                for u in (t, -t) if not between else (t if product == between else -t,):
+                    tried += 1
+                    x = _intertwiner(frame, (a, b), (s * sign, u * sign))
+                    # x·O ⊂ O'·x, and the discriminants are the same
+                    moved = first * frame.left(x.entries())
+                    back = moved * frame.right(x.entries()).inv() * inverse
+                    if back.numer_denom()[1] == 1:
+                        return Comparison(
+                            True,
+                            "the element conjugates one into the other",
+                            frame.quaternion(x.entries()),
+                        )
+    return Comparison(
+        False,
+        f"of the {tried} pairs in the trace-0 part of ℤ_K + 2O with the norms and the inner product of two "
+        "elements of the other none comes from a conjugation that maps one order onto the other",
+    )
+
+
+class _Ternary:
+    """The elements 2x − tr(x) for x in an order, a lattice of rank 3n over ℤ."""
+
+    def __init__(self, frame: Frame, rows: flint.fmpq_mat) -> None:
+        self.frame, self.n, self.forms = frame, frame.n, trace_forms(frame)
+        doubled = [[0] * frame.n + [2 * c for c in row[frame.n :]] for row in rows.tolist()]
+        whole, den = flint.fmpq_mat(doubled).numer_denom()
+        table = [row for row in whole.hnf().tolist() if any(row)]
+        self.basis = flint.fmpq_mat(flint.fmpz_mat(table)) * flint.fmpq(1, int(den))
+
+    def _reduced(self, c: FieldElement) -> tuple[list[list[int]], flint.fmpq_mat, int]:
+        form = self.basis * self.forms.form(c) * self.basis.transpose()
+        whole, den = form.numer_denom()
+        reduced, change = whole.lll(transform=True, rep="gram")
+        gram = [list(map(int, row)) for row in reduced.tolist()]
+        return gram, flint.fmpq_mat(change) * self.basis, int(den)
+
+    def two_generators(self) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
+        """Return two short elements that do not commute, the first of them as short as possible."""
+        gram, basis, _ = self._reduced(self.frame.field.one)
+        least = min(gram[k][k] for k in range(len(gram)))
+        for bound in count(1):
+            found = sorted(short_vectors(gram, bound * least), key=lambda pair: pair[1])
+            rows = [flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis for x, _ in found]
+            for row in rows[1:]:
+                if not self._commute(rows[0], row):
+                    return rows[0], row
+        raise AssertionError("a quaternion algebra is not commutative")
+
+    def _commute(self, x: flint.fmpq_mat, y: flint.fmpq_mat) -> bool:
+        right = self.frame.right
+        return bool(x * right(y.entries()) == y * right(x.entries()))
+
+    def of_norm(self, norm: FieldElement) -> list[flint.fmpq_mat]:
+        """Return one of ±x for each element of a norm."""
+        gram, basis, den = self._reduced(self.frame.field.one)
+        length = 2 * den * norm.trace()
+        if length.q != 1:
+            return []
+        rows = (
+            flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis
+            for x in vectors_of_length(gram, int(length.p))
+        )
+        return [row for row in rows if self.frame.norm(row.entries()) == norm]
+
+    def pairing(self, x: flint.fmpq_mat, y: flint.fmpq_mat) -> Any:
+        """Return N(x + y) − N(x) − N(y)."""
+        norm = self.frame.norm
+        return norm((x + y).entries()) - norm(x.entries()) - norm(y.entries())
+
+
+def two_generators(frame: Frame, rows: flint.fmpq_mat) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
+    """Return two elements of an order that do not commute: they generate the algebra."""
+    return _Ternary(frame, rows).two_generators()
+
+
+def _intertwiner(
+    frame: Frame, sources: tuple[flint.fmpq_mat, ...], targets: tuple[flint.fmpq_mat, ...]
+) -> flint.fmpq_mat:
+    """Return x ≠ 0 with x·s = t·x for two pairs s, t with the same norms and inner products."""
+    columns: list[Any] = []
+    for s, t in zip(sources, targets, strict=True):
+        columns += (frame.right(s.entries()) - frame.left(t.entries())).transpose().tolist()
+    whole = flint.fmpq_mat(columns).numer_denom()[0]
+    kernel, rank = whole.nullspace()
+    assert rank == frame.n, "two elements that do not commute generate the algebra"
+    return flint.fmpq_mat([[kernel[k, 0] for k in range(frame.size)]])
+
+
+def unit_index(frame: Frame, rows: flint.fmpq_mat) -> int:
+    """Return [Oˣ : ℤ_Kˣ] for an order. Raises :class:`IndefiniteError` where it is infinite."""
+    return sum(1 for _ in units(frame, rows))
+
+
+def units(frame: Frame, rows: flint.fmpq_mat) -> Iterator[flint.fmpq_mat]:
+    """Yield one of each coset of ℤ_Kˣ in the units of an order."""
+    forms = trace_forms(frame)
+    for u in units_modulo_squares(frame.integers.ring):
+        yield from forms.elements_of_norm(rows, u)
+
+
+def unit_group(frame: Frame, rows: flint.fmpq_mat) -> str:
+    """Return the name of the group of units modulo those of the field: ``C4 D2 D6 A4 S4 A5`` and so on.
+
+    It is a finite group of rotations; its order and the largest order of an element tell it.
+    """
+    found = list(units(frame, rows))
+    size, largest = len(found), max(_order(frame, row) for row in found)
+    if largest == size:
+        return f"C{size}"
+    if 2 * largest == size:
+        return f"D{largest}"
+    return {12: "A4", 24: "S4", 60: "A5"}[size]
+
+
+def _order(frame: Frame, row: flint.fmpq_mat) -> int:
+    """Return the order of a unit modulo the field."""
+    matrix, power, n = frame.right(row.entries()), row, 1
+    while any(power.entries()[frame.n :]):
+        power, n = power * matrix, n + 1
+    return n

@@ -1,0 +1,115 @@
+"""The right ideal classes of orders over ℤ_K where the algebra splits at an infinite place.
+
+By strong approximation I and J are in one class where N(I)/N(J) has a generator that is positive at the real
+places at which the algebra ramifies, for orders of which all local units are norms: those with the Eichler
+symbol 1 or −1 at each prime of the discriminant (M. Eichler, 1938; Voight, *Quaternion Algebras*, ch. 28).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING, ClassVar
+
+import flint
+
+from hfield.errors import IndefiniteError, LatticeError
+from hfield.evidence import Claim
+from hfield.fields.number_fields.classes.class_groups import class_group
+from hfield.hints import CLASSES, Hinted
+from hfield.orders.over_integers.class_sets import good_primes
+from hfield.orders.over_integers.equivalence import Comparison
+
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.ideals import Ideal
+    from hfield.orders.over_integers.lattices import IntegersIdeal, IntegersOrder
+
+REFUSAL = "the checker does not know that strong approximation decides"
+
+
+def equivalence(order: IntegersOrder, norm: Ideal) -> Comparison:
+    """Tell whether right, or left, ideals of which the norms have this quotient are in one class.
+
+    No element is told. Raises :class:`IndefiniteError` for a totally definite algebra, or where an Eichler
+    symbol is 0.
+    """
+    holds = not any(IndefiniteClassSet(order).group.class_of(norm))
+    has = "has a generator" if holds else "has no generator"
+    why = f"{norm}, the quotient of the norms, {has} that is positive where the algebra ramifies"
+    claim = Claim(order.algebra, "equivalent", {}, "strong approximation", refusal=REFUSAL)
+    return Comparison(holds, f"by strong approximation, as {why}", claimed=lambda _: claim)
+
+
+class IndefiniteClassSet(Hinted):
+    """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
+
+    ``group`` is the group of ideals modulo generators positive where the algebra ramifies, with ``class_of``.
+    """
+
+    elsewhere: ClassVar = {name: hint for name, hint in CLASSES.items() if "brandt" not in hint}
+
+    def __init__(self, order: IntegersOrder) -> None:
+        self.order, frame = order, order.frame
+        if order.is_definite():
+            raise IndefiniteError(
+                f"{order.algebra} is totally definite: class_set() enumerates its classes, and norms tell "
+                "stable classes alone"
+            )
+        for P, _ in order.discriminant().factorisation():
+            if order.eichler_symbol(P) == 0:
+                raise IndefiniteError(
+                    f"classes are told by narrow classes of norms where all local units are norms; at {P} "
+                    "the order has the Eichler symbol 0, which asks for a ray class group: none is computed"
+                )
+        places = frame.field.real_places()
+        ramified = tuple(v.index for v in places if v not in frame.split_places)
+        self.group = class_group(frame.integers.ring, ramified)
+
+    def __len__(self) -> int:
+        return self.group.order
+
+    @cached_property
+    def _ideals(self) -> dict[tuple[int, ...], IntegersIdeal]:
+        """A representative of each class, by its class in the group: O, and ideals of prime norms."""
+        order, ring = self.order, self.order.frame.integers.ring
+        found = {self.group.class_of(ring.ideal(1)): order.right_ideal([1])}
+        for P in good_primes(order):
+            if len(found) == len(self):
+                break
+            ideal = order.frame.integers.prime(P)
+            kind = self.group.class_of(ideal)
+            if kind not in found:
+                found[kind] = order.ideals_of_norm(ideal, "right")[0]
+        return found
+
+    def __getitem__(self, n: int) -> IntegersIdeal:
+        """Return the representative of class n, an integral right ideal; class 0 is that of O."""
+        return list(self._ideals.values())[n]
+
+    def __iter__(self) -> Iterator[IntegersIdeal]:
+        return iter(self._ideals.values())
+
+    def index(self, ideal: IntegersIdeal) -> int:
+        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
+        self.order.expect_right_ideal(ideal)
+        return list(self._ideals).index(self.group.class_of(ideal.norm()))
+
+    @property
+    def type_number(self) -> int:
+        """How many isomorphism classes of left orders there are, for Eichler orders: others raise.
+
+        They are the classes modulo squares and the norms of two-sided ideals (Voight, 28.5).
+        """
+        if not self.order.is_eichler():
+            raise LatticeError(
+                "types of indefinite orders are counted for Eichler orders, and this is none"
+            )
+        even = [k for k, d in enumerate(self.group.invariants) if d % 2 == 0]
+        frame = self.order.frame
+        norms = [frame.ideal(P) ** e for P, e in self.order.discriminant().factorisation()]
+        rows = [[self.group.class_of(a)[k] % 2 for k in even] for a in norms]
+        rank = flint.nmod_mat(rows, 2).rank() if rows and even else 0
+        return 1 << (len(even) - rank)
+
+    def __repr__(self) -> str:
+        return f"{len(self)} right ideal classes, by strong approximation, of {self.order}"

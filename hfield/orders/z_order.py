@@ -1,0 +1,245 @@
+"""Orders over ℤ as values, lattices that are rings: discriminant, level, Eichler symbols, ternary lattice.
+
+And the orders of a lattice, the ring that elements generate, and whether a lattice is one.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from functools import cached_property
+from itertools import product
+from typing import Self
+
+from flint import fmpz_mat
+
+from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.errors import LatticeError, shorten
+from hfield.factorisation import factorise
+from hfield.orders import hermite, z_lattice
+from hfield.orders.checked_arguments import listed
+from hfield.orders.modulo_primes import kronecker
+from hfield.orders.regular_representation import regular
+from hfield.orders.z_lattice import ZLattice, contains, element_rows
+
+
+class ZOrder(ZLattice):
+    """A lattice that is a ring with 1. Coordinates are with respect to its basis."""
+
+    @classmethod
+    def of(cls, lattice: ZLattice) -> Self:
+        """Return a lattice that is known to be a ring with 1 as an order."""
+        return cls(lattice.algebra, lattice.den, lattice.matrix)
+
+    @cached_property
+    def discriminant(self) -> int:
+        """The reduced discriminant; for a maximal order it is that of the algebra."""
+        c = self.regular.constants
+        volume = abs((c.t * c.t + 4 * c.a) * c.b) * hermite.determinant(self.matrix)
+        return int(volume / self.den**4)
+
+    @property
+    def level(self) -> int:
+        """The index in a maximal order: the reduced discriminant over that of the algebra."""
+        return self.discriminant // self.regular.discriminant
+
+    @cached_property
+    def gram(self) -> hermite.Rows:
+        """The matrix of ``tr(x·conj(y))`` on the basis; the norm of an order is 1."""
+        return hermite.tuples(self.even)
+
+    @cached_property
+    def _traces(self) -> tuple[int, ...]:
+        r = self.regular
+        column = (self.matrix * r.form).entries()[::4]
+        return tuple(int(x) // (r.scale * self.den) for x in column)
+
+    def trace_and_norm(self, x: Sequence[int]) -> tuple[int, int]:
+        """Return the trace and the norm of an element with these coordinates."""
+        gram = self.gram
+        norm = sum(x[m] * x[n] * gram[m][n] for m in range(4) for n in range(4)) // 2
+        return sum(a * b for a, b in zip(x, self._traces, strict=True)), norm
+
+    def row(self, x: Sequence[int]) -> tuple[int, ...]:
+        """Return the row, over the denominator of the order, of an element with these coordinates."""
+        return hermite.combination(x, self.matrix)
+
+    @cached_property
+    def ternary(self) -> tuple[int, fmpz_mat, fmpz_mat]:
+        """The trace-0 part of ℤ + 2O: a denominator, three rows, and their matrix of tr(x·conj(y))."""
+        r, t = self.regular, self.regular.constants.t
+        vectors = fmpz_mat([row[1:] for row in self.hnf[1]]).hnf()
+        # 2x − tr(x) has the coordinates −t·x₁, 2x₁, 2x₂, 2x₃
+        d = t.denominator
+        forms = fmpz_mat(3, 4, [-t.numerator, 2 * d, 0, 0, 0, 0, 2 * d, 0, 0, 0, 0, 2 * d])
+        rows = fmpz_mat(3, 3, vectors.entries()[:9]) * forms
+        den = self.den * d
+        scale = r.scale * den * den
+        gram = [x // scale for x in r.gram(rows).entries()]
+        return den, rows, fmpz_mat(3, 3, gram)
+
+    @cached_property
+    def reduced_ternary(self) -> tuple[int, fmpz_mat, list[list[int]]]:
+        """The same with a reduced basis."""
+        den, rows, gram = self.ternary
+        reduced, steps = gram.lll(transform=True, rep="gram")
+        return den, steps * rows, [[int(x) for x in row] for row in reduced.tolist()]
+
+
+# --- what an order is ------------------------------------------------------------------------------
+
+
+def is_eichler(order: ZOrder) -> bool:
+    """Tell whether an order is an intersection of two maximal orders (Voight, section 24.3)."""
+    level = order.level
+    return math.gcd(level, order.regular.discriminant) == 1 and all(
+        eichler_symbol(order, p) == 1 for p in factorise(level)
+    )
+
+
+def eichler_symbol(order: ZOrder, p: int) -> int | None:
+    """Return the Eichler symbol (O | p): 1, 0 or −1; None where the order is M₂(ℤₚ).
+
+    It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2).
+    """
+    if order.discriminant % p:
+        return None
+    # the discriminant of x changes by a square unit, or stays 0, when x changes modulo p
+    pairs = (order.trace_and_norm(x) for x in product((0, 1), repeat=4))
+    symbols = {kronecker(t * t - 4 * n, p) for t, n in pairs} - {0}
+    return symbols.pop() if symbols else 0
+
+
+def conductor(order: ZOrder) -> int:
+    """Return the largest f with O = ℤ + f·G for an order G; 1 for a Gorenstein order."""
+    m, d = hermite.inverse(order.ternary[2])
+    # the norm times the discriminant on the trace-0 part of the codifferent (Voight, 24.2)
+    form = [[4 * order.discriminant * int(x) // d for x in row] for row in m.tolist()]
+    return math.gcd(*(form[r][c] // (2 if r == c else 1) for r in range(3) for c in range(3)))
+
+
+def gorenstein_closure(order: ZOrder) -> ZOrder:
+    """Return the Gorenstein order G with O = ℤ + f·G, f the conductor (Voight, section 24.2)."""
+    f = conductor(order)
+    den, rows, gram = order.ternary
+    # ℤ + 2G has the trace-0 part of ℤ + 2O, divided by f
+    found = [[2 * f * den, 0, 0, 0]]
+    for n, row in enumerate(hermite.tuples(rows)):
+        odd = int(gram[n, n]) // 2 // f**2 % 2
+        found.append([row[0] + odd * f * den, *row[1:]])
+    return checked_ring(z_lattice.hermite_form(order.algebra, 2 * f * den, fmpz_mat(found)))
+
+
+# --- the orders of a lattice -----------------------------------------------------------------------
+
+
+def order_of(lattice: ZLattice, side: str) -> ZOrder:
+    """Return the left order ``{x : x·L ⊆ L}``, or the right one ``{x : L·x ⊆ L}``; in M₂(ℚ) too."""
+    # norms and traces generate N(L)·ℤ in L·conj(L), which is N(L) times the left order if L is invertible
+    r = lattice.regular
+    den = r.conjugate_scale * int(lattice.content)
+    rows = r.norm_products(lattice.matrix, side).entries()
+    found = hermite.hermite(den, fmpz_mat(7, 4, [den, 0, 0, 0, *rows]))
+    if found is not None:
+        order = ZOrder(lattice.algebra, *found)
+        if is_locally_principal(lattice, order):
+            return order
+    return ZOrder.of(z_lattice.colon(lattice, lattice, side))
+
+
+def is_locally_principal(ideal: ZLattice, order: ZOrder) -> bool:
+    """Tell whether an ideal of an order is locally generated by one element (Voight, 16.7.7).
+
+    Everywhere locally some element has the norm of the ideal, and generates a part of this index.
+    """
+    content, scale = int(ideal.content), order.den**4 * order.regular.scale**2
+    volume = hermite.determinant(ideal.matrix) * scale
+    return volume == content * content * hermite.determinant(order.matrix)
+
+
+# --- rings -----------------------------------------------------------------------------------------
+
+
+def checked_ring(lattice: ZLattice) -> ZOrder:
+    """Return a lattice as an order. Raises :class:`LatticeError` unless it is a ring with 1."""
+    if not contains(lattice, 1):
+        raise LatticeError("this lattice is no order: 1 is not in it")
+    for p, q in product(lattice.basis, repeat=2):
+        if not contains(lattice, p * q):
+            raise LatticeError(
+                f"this lattice is no order: the product of {shorten(p)} and {shorten(q)} is not in "
+                "it; A.order(elements) returns the ring that they generate"
+            )
+    return ZOrder.of(lattice)
+
+
+def generated(algebra: Parent, elements: Iterable[object]) -> ZOrder:
+    """Return the ring that elements generate. Raises :class:`LatticeError` where it is no order."""
+    r = regular(algebra)
+    den, letters = element_rows(algebra, [1, *listed(elements)])
+    span = hermite.span(den, letters)
+    while True:
+        words_den, words = span
+        _check_integral(algebra, words_den, words)
+        longer = r.products(words, letters)
+        scale = den * r.scale
+        rows = (words * scale).entries() + longer.entries()
+        wider = hermite.span(words_den * scale, fmpz_mat(len(rows) // 4, 4, rows))
+        if wider == span:
+            break
+        span = wider
+    if words.nrows() < 4:
+        raise LatticeError(
+            f"these elements generate a ring of rank {words.nrows()}, and orders have rank 4: give "
+            "elements that lie in no smaller algebra, such as two that do not commute"
+        )
+    return ZOrder(algebra, words_den, words)
+
+
+def _check_integral(algebra: Parent, den: int, rows: fmpz_mat) -> None:
+    """Raise :class:`LatticeError` unless all combinations of the rows have integral trace and norm."""
+    # the traces are those of x·conj(1)
+    gram = regular(algebra).gram(fmpz_mat([*rows.tolist(), [den, 0, 0, 0]]))
+    scale, last = regular(algebra).scale * den * den, rows.nrows()
+
+    def element(n: int) -> Quaternion:
+        return algebra(*(Fraction(int(rows[n, m]), den) for m in range(4)))
+
+    for n in range(last):
+        if gram[n, last] % scale or gram[n, n] % (2 * scale):
+            q = element(n)
+            raise LatticeError(
+                f"these elements generate no order: {shorten(q)} has trace {q.trace()} and norm "
+                f"{q.norm()}, which are not both integers"
+            )
+        for m in range(n):
+            if gram[n, m] % scale:
+                raise LatticeError(
+                    f"these elements generate no order: the sum of {shorten(element(m))} and "
+                    f"{shorten(element(n))} has a norm that is no integer"
+                )
+
+
+# --- ideals ----------------------------------------------------------------------------------------
+
+
+def generated_ideal(order: ZOrder, generators: list[object], side: str) -> ZLattice:
+    """Return the ideal that elements generate on a side. Raises :class:`LatticeError` for a rank below 4."""
+    if not generators:
+        raise LatticeError("an ideal has at least one generator, and none was given")
+    den, rows = element_rows(order.algebra, generators)
+    r = order.regular
+    products = r.products(*((order.matrix, rows) if side != "right" else (rows, order.matrix)))
+    scale = r.scale * order.den * den
+    if side == "two-sided":
+        d, left = hermite.span(scale, products)
+        products, scale = r.products(left, order.matrix), d * order.den * r.scale
+    found = hermite.hermite(scale, products)
+    if found is None:
+        shown = ", ".join(shorten(x, 30) for x in generators[:4])
+        raise LatticeError(
+            f"the {side} ideal of {shown} has a rank below 4: all its generators have norm 0 on one "
+            "line, or are 0"
+        )
+    return ZLattice(order.algebra, *found)
