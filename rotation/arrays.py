@@ -11,6 +11,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
+from hfield.errors import shorten
 from rotation import hints
 from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
 
@@ -20,11 +21,12 @@ Shape = tuple[int, ...]
 
 _AXES = {"x": "[1, 0, 0]", "y": "[0, 1, 0]", "z": "[0, 0, 1]"}
 _NUMBERS = (np.ndarray, np.generic, list, tuple, int, float)
+_DIGITS = 30  # of sympy's numbers, before they are rounded to floats
 _OVERLAP_WORK = 10_000  # candidates tried for an exact answer; a harder question counts as overlap
 
 
 def real(value: object, name: str) -> Array:
-    """Return ``value`` as a native float32 or float64 array; integers become float64.
+    """Return ``value`` as a native float32 or float64 array; integers and sympy's numbers become float64.
 
     No copy is made where none is needed. Raises `DTypeError` for every other kind (complex, bool,
     object, text, half and extended precision), `ForeignArrayError` for arrays of other libraries,
@@ -53,6 +55,9 @@ def real(value: object, name: str) -> Array:
         return array.reshape(-1).view(np.float64).reshape(*array.shape, 4)
     if array.dtype.kind == "O":
         expect_numbers(value, name)
+        numbers = _from_sympy(array, name)
+        if numbers is not None:
+            return numbers
         if not isinstance(value, _NUMBERS):
             raise DTypeError(f"{name} is {hints.described(value)}; expected an array of numbers")
     if isinstance(value, str) and value.lower() in _AXES:
@@ -63,6 +68,36 @@ def real(value: object, name: str) -> Array:
         f"{name} has dtype {array.dtype}; expected float32, float64 or integers: "
         f"convert with .astype(np.float64) where that is what you mean"
     )
+
+
+def _from_sympy(array: Array, name: str) -> Array | None:
+    """Return an array of sympy's numbers as float64, each to the nearest float; None for other objects.
+
+    Python's numbers may stand among them. sympy is not imported to tell. Raises `DTypeError` for symbols and
+    for numbers that are not real.
+    """
+    sympys = getattr(sys.modules.get("sympy"), "Expr", ())
+    entries = array.reshape(-1).tolist()
+    if not any(isinstance(entry, sympys) for entry in entries):
+        return None
+    if not all(isinstance(entry, (sympys, int, float)) for entry in entries):
+        return None
+    numbers = [_float(e, name) if isinstance(e, sympys) else float(e) for e in entries]
+    return np.array(numbers, np.float64).reshape(array.shape)
+
+
+def _float(number: Any, name: str) -> float:
+    """Return a number of sympy as the nearest float."""
+    if number.free_symbols:
+        symbol = min(map(str, number.free_symbols))
+        raise DTypeError(
+            f"{name} has the symbol {symbol} in {shorten(number)}; give it a value, as by "
+            f".subs({symbol!r}, 1)"
+        )
+    try:
+        return float(number.evalf(_DIGITS))
+    except TypeError:
+        raise DTypeError(f"{name} has {shorten(number)}; expected a real number") from None
 
 
 def precision(dtype: object) -> "np.dtype[Any]":

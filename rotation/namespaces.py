@@ -156,8 +156,11 @@ def _as_array(xp: Any, value: Any, what: str) -> Array:
     try:
         return xp.asarray(value)
     except (TypeError, ValueError, RuntimeError) as error:
-        real(value, what)
-        raise RotationError(f"{what} is no array of numbers: {error}") from error
+        numbers = real(value, what)
+        try:
+            return xp.asarray(numbers.tolist())  # of sympy
+        except (TypeError, ValueError, RuntimeError):
+            raise RotationError(f"{what} is no array of numbers: {error}") from error
 
 
 def copied(array: Array) -> Array:

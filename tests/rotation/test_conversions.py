@@ -368,3 +368,26 @@ def test_sines_and_cosines_of_matrices_that_come_from_angles(reach: float) -> No
         for found, (cosine, sine) in zip(r.as_matrix()[:, :2, 0], expected, strict=True):
             c, s = reference.exact(found)
             assert max(abs(c - cosine), abs(s - sine)) <= ULP
+
+
+# Columns
+
+
+@pytest.mark.parametrize("shape", [(), (0,), (7,), (2, 3)])
+def test_columns_are_the_rows_of_a_table(shape: tuple[int, ...]) -> None:
+    r = Rotation.random(shape, seed=3)
+    columns = r.as_columns(degrees=True)
+    assert {column.shape for column in columns.values()} == {(r.size,)}
+    flat = r.reshape(-1)
+    assert np.array_equal(np.stack([columns[c] for c in "wxyz"], axis=-1), flat.as_quat())
+    axes = np.stack([columns[f"axis_{c}"] for c in "xyz"], axis=-1)
+    assert Rotation.from_axis_angle(axes, columns["angle"], True).approx_equal(flat, 1e-14).all()
+
+
+def test_columns_may_be_written_and_keep_the_precision() -> None:
+    r = Rotation.random(3, seed=3, dtype=np.float32)
+    for column in r.as_columns().values():
+        assert column.dtype == np.float32
+        assert column.flags.c_contiguous
+        column[:] = 0
+    assert (r == Rotation.random(3, seed=3, dtype=np.float32)).all()
