@@ -22,6 +22,7 @@ from .errors import ZeroRotationError as ZeroRotationError
 from .exact import exact_group as exact_group
 from .exact import exact_matrix as exact_matrix
 from .exact import from_exact as from_exact
+from .figures.plane import draw_plane as draw_plane
 from .fused import rotate as rotate
 from .fused import rotate_euler as rotate_euler
 from .fused import rotate_quat as rotate_quat
@@ -35,6 +36,7 @@ from .jacobians import vee as vee
 from .matrices import R_x as R_x
 from .matrices import R_y as R_y
 from .matrices import R_z as R_z
+from .plane import LETTER_T as LETTER_T
 from .plane import R2 as R2
 from .plane import reflect2 as reflect2
 from .plane import reflection as reflection

@@ -2,6 +2,8 @@
 
 from typing import Any, Self
 
+import numpy as np
+
 from rotation import davenport, euler, hints, matrices, quaternions, vectors
 from rotation.batch import Batch
 from rotation.errors import DTypeError
@@ -276,11 +278,12 @@ class Conversions(Batch):
         return vectors.to_axis_angle(self._q, degrees)
 
     def as_columns(self, degrees: bool = False) -> dict[str, Array]:
-        """Return the rotations as columns by name, for a table such as ``pandas.DataFrame(r.as_columns())``.
+        """Return the rotations as columns by name, for a table: ``pandas.DataFrame(r.as_columns())``.
 
-        The columns are ``angle``, ``axis_x``, ``axis_y``, ``axis_z``, as `as_axis_angle` gives them, and ``w``,
-        ``x``, ``y``, ``z``, as `as_quat` does. Each has the shape (size,): one row a rotation, the last axis of
-        a batch running fastest. The angles are in radians, or in degrees with ``degrees=True``.
+        The columns are ``angle``, ``axis_x``, ``axis_y``, ``axis_z``, as `as_axis_angle` gives them,
+        and ``w``, ``x``, ``y``, ``z``, as `as_quat` does. Each has the shape (size,): one row a
+        rotation, the last axis of a batch running fastest. The angles are in radians, or in degrees
+        with ``degrees=True``.
 
         Raises
         ------
@@ -291,7 +294,7 @@ class Conversions(Batch):
         q = self._q.reshape(-1, 4)
         axes, angles = vectors.to_axis_angle(q, degrees)
         names = ("angle", "axis_x", "axis_y", "axis_z", "w", "x", "y", "z")
-        return dict(zip(names, (angles, *axes.T.copy(), *q.T.copy()), strict=True))
+        return dict(zip(names, np.column_stack([angles, axes, q]).T.copy(), strict=True))
 
     def as_mrp(self) -> Array:
         """Return the modified Rodrigues parameters, shape (…, 3), of lengths in [0, 1]."""

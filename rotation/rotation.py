@@ -400,6 +400,45 @@ class Rotation(Conversions):
         between = quaternions.product(quaternions.inverse(self._double), other._double)
         return self._stored(least(between, *sides), np.result_type(self._q, other._q))
 
+    # Pictures
+
+    def plot(self, ax: Any = None, points: Any = None) -> Any:
+        """Draw one rotation in space: its axis, its angle, and points before and after.
+
+        Parameters
+        ----------
+        ax : mpl_toolkits.mplot3d.axes3d.Axes3D, optional
+            Where to draw; colours are the first two of its cycle, and its settings stay. Without it a figure
+            of pyplot is made, which has our settings, whatever a matplotlibrc says, and a title.
+        points : array_like, shape (n, 3), optional
+            In any unit of length; by default the three unit vectors. Paths are drawn for up to 24 points.
+
+        Returns
+        -------
+        Axes3D
+            Where it was drawn; ``.figure.savefig(…)`` writes it to a file.
+
+        Raises
+        ------
+        RotationError
+            An array of rotations, a rotation or points that are not finite, points of another shape.
+        DTypeError
+            What are no three-dimensional axes, or no points.
+        ForeignArrayError
+            The rotation is not stored in a numpy array.
+
+        Examples
+        --------
+        >>> from matplotlib.figure import Figure
+        >>> ax = Figure().add_subplot(projection="3d")
+        >>> r = Rotation.from_rotvec([0, 0, 120], degrees=True)
+        >>> r.plot(ax, points=[[1, 0, 0], [2, 0, 1]]).get_legend_handles_labels()[1]
+        ['axis', 'points', 'turned']
+        """
+        from rotation.figures.space import plot_rotation
+
+        return plot_rotation(self._q, ax, points)
+
     # Points
 
     def apply(self, points: Any, inverse: bool = False, out: Any = None) -> Array:

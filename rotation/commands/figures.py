@@ -1,8 +1,9 @@
-"""``hfield figures``: the thesis's figures 2.1 to 2.5 as plots."""
+"""``hfield figures``: the thesis's figures 2.1 to 2.5 as plots, and one's own points turned."""
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,9 +21,10 @@ HEADING = "Rotation and film"
 HELP = (
     "Draw figures 2.1 to 2.5 of the thesis: polar and Cartesian coordinates, a rotated "
     "vector, the letter T, the rotated T, and its reflections as printed and as corrected. "
-    "Print the paths of the files."
+    "With --points or --angle draw points of your own, or the T, and their images rotated "
+    "about the origin. Print the paths of the files."
 )
-EXAMPLES = ("hfield figures -o figures",)
+EXAMPLES = ("hfield figures -o figures", "hfield figures --points corners.csv --angle 30")
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -30,9 +32,9 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "-o",
         "--output",
-        required=True,
+        default=".",
         metavar="DIR",
-        help="write figure-NUMBER.FORMAT to DIR, which is created if missing",
+        help="write figure-NUMBER.FORMAT to DIR, which is created if missing (default: here)",
     )
     parser.add_argument(
         "--format",
@@ -55,19 +57,70 @@ def configure(parser: ArgumentParser) -> None:
         metavar="N",
         help="pixels per inch of a png (default: 150)",
     )
+    parser.add_argument(
+        "--points",
+        metavar="FILE",
+        help="draw figure-turned: these points, x and y on each line, separated by commas, semicolons or "
+        "spaces; joined in order, the last to the first",
+    )
+    parser.add_argument(
+        "--angle",
+        type=_degrees,
+        action="append",
+        default=[],
+        metavar="DEGREES",
+        help="rotate the points anticlockwise by this angle; repeat the option for more images; without "
+        "--points rotate the letter T",
+    )
+    parser.add_argument(
+        "--dots", action="store_true", help="draw the points of --points alone, not joined"
+    )
+    parser.add_argument("--dark", action="store_true", help="draw figure-turned for a dark page")
+
+
+def _degrees(text: str) -> float:
+    """Read an angle for argparse."""
+    try:
+        angle = float(text)
+    except ValueError:
+        angle = float("nan")
+    if not isfinite(angle):
+        raise ArgumentTypeError(
+            f"expected an angle in degrees, such as 30, found {shorten(text.strip())!r}"
+        )
+    return angle
 
 
 def run(args: Namespace) -> int:
     """Draw, write and tell where."""
     from rotation.figures.saving import save
 
-    drawings = _chosen(args.only)
+    turned = args.points is not None or bool(args.angle)
+    if not turned and (args.dots or args.dark):
+        raise UsageError("--dots and --dark go with --points FILE or --angle DEGREES")
+    if turned and args.only:
+        raise UsageError(
+            "--only chooses figures of the thesis; leave it out with --points or --angle"
+        )
+    drawings = [_turned(args)] if turned else _chosen(args.only)
     if not args.output:
         raise UsageError("the name of the directory is empty; expected -o DIR")
-    paths = save(drawings, Path(args.output), args.format, args.dpi)
+    paths = save(drawings, Path(args.output), args.format, args.dpi, args.dark)
     with open_output(None) as out:
         out.write("\n".join(str(path) for path in paths))
     return 0
+
+
+def _turned(args: Namespace) -> Drawing:
+    """Return the drawing of the user's points. Raises UsageError, and TableError for the file."""
+    from hfield.tables import read_table
+    from rotation.figures import turned_points
+    from rotation.plane import LETTER_T
+
+    if not args.angle:
+        raise UsageError("by what angle? write --angle DEGREES, such as --angle 30")
+    points = LETTER_T if args.points is None else read_table(args.points, {2: "x, y"}).rows
+    return turned_points(points, args.angle, joined=not args.dots)
 
 
 def _chosen(only: Sequence[str]) -> list[Drawing]:

@@ -7,6 +7,7 @@ text around them says. ``FIGURES`` maps the number of a figure to its :class:`Dr
 
 from rotation.figures.drawing import Drawing
 from rotation.figures.letter import letter_mirrored, letter_t, letter_turned
+from rotation.figures.plane import turned_points
 from rotation.figures.points import polar_and_cartesian, turned_vector
 
 FIGURES: dict[str, Drawing] = {
@@ -20,4 +21,4 @@ FIGURES: dict[str, Drawing] = {
     )
 }
 
-__all__ = ["FIGURES", "Drawing"]
+__all__ = ["FIGURES", "Drawing", "turned_points"]

@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from hfield.plotting import import_matplotlib
+from rotation.angles import to_degrees
+from rotation.errors import DTypeError
+
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 # Four colours that stay apart with any colour vision and in grey (Okabe and Ito's palette).
 BLUE, RED, INK, GREY, PALE = "#0072b2", "#d55e00", "#1a1a1a", "#8c8c8c", "#dcdcdc"
+PAGE, LIGHT_INK = "#11141b", "#eef1f7"  # of dark pictures
+
+Colour = tuple[float, float, float]
 
 STYLE: dict[str, Any] = {
     "font.size": 10.0,
@@ -24,7 +35,55 @@ STYLE: dict[str, Any] = {
     "lines.solid_joinstyle": "miter",
     "mathtext.fontset": "dejavusans",
     "svg.hashsalt": "hfield",
+    "axes.prop_cycle": f"cycler(color=[{BLUE!r}, {RED!r}])",
 }
+DARK_STYLE: dict[str, Any] = {
+    **dict.fromkeys(["figure.facecolor", "axes.facecolor", "savefig.facecolor"], PAGE),
+    **dict.fromkeys(["text.color", "axes.labelcolor", "axes.titlecolor"], LIGHT_INK),
+    **dict.fromkeys(["xtick.color", "ytick.color", "axes.edgecolor"], "#9aa3b5"),
+    "grid.color": "#2b3140",
+    "axes.prop_cycle": "cycler(color=['#56b4e9', '#f0915c'])",
+}
+
+
+@contextmanager
+def figure_style(dark: bool = False) -> Iterator[None]:
+    """Draw with our settings, whatever the user's matplotlibrc says."""
+    import_matplotlib()
+    from matplotlib import style
+
+    with style.context(["default", STYLE, *([DARK_STYLE] if dark else [])]):
+        yield
+
+
+def expect_axes(ax: object, kind: str) -> None:
+    """Raise `DTypeError` unless ``ax`` are axes of matplotlib, "rectilinear" or "3d"."""
+    from matplotlib.axes import Axes
+
+    ways = {"rectilinear": "figure.add_subplot()", "3d": 'figure.add_subplot(projection="3d")'}
+    if not isinstance(ax, Axes):
+        raise DTypeError(
+            f"ax is a {type(ax).__name__}; expected axes of matplotlib: write {ways[kind]}"
+        )
+    if ax.name != kind:
+        raise DTypeError(f"ax are {ax.name} axes; expected {kind} ones: write {ways[kind]}")
+
+
+def ink_of(ax: Axes) -> Any:
+    """Return the colour of the axes' own lettering, which is legible on their background."""
+    return ax.xaxis.label.get_color()
+
+
+def angle_text(angle: Any, degrees: bool = False) -> str:
+    """Return an angle as ``30°``, to four figures."""
+    return f"{float(angle if degrees else to_degrees(np, angle)):.4g}°".replace("-", "−")
+
+
+def two_colours() -> tuple[Colour, Colour]:
+    """Return the first two colours of the cycle in force now: for points, and for their images."""
+    from matplotlib.colors import to_rgb
+
+    return to_rgb("C0"), to_rgb("C1")
 
 
 @dataclass(frozen=True)

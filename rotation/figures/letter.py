@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rotation.figures.drawing import BLUE, GREY, INK, PALE, RED
+from rotation.figures.plane import outline, plane_axes
 from rotation.plane import (
     LETTER_T,
     area,
@@ -22,6 +23,7 @@ from rotation.plane import (
 )
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 Matrices = Callable[..., Any]
@@ -46,7 +48,7 @@ def letter_t(figure: Figure) -> None:
     ax.grid(True)
     ax.set_axisbelow(True)
     corners = np.array(LETTER_T, float)
-    ax.fill(*corners.T, facecolor="#eef4f9", edgecolor=BLUE, lw=1.8)
+    outline(ax, corners, facecolor="#eef4f9", edgecolor=BLUE, lw=1.8)
     ax.plot(*corners.T, "o", color=BLUE, ms=5)
     for n, (x, y) in enumerate(LETTER_T, 1):
         left, side = x <= 10, {7: "bottom", 6: "center" if x in (8, 13) else "top", 1: "top"}[y]
@@ -65,22 +67,27 @@ def letter_t(figure: Figure) -> None:
 
 def letter_turned(figure: Figure) -> None:
     """Draw figure 2.4: black the images under π/2, π and 3π/2, grey the passing positions."""
-    ax = figure.add_subplot(aspect="equal", xlim=(-17, 17), ylim=(-17, 17))
-    ax.set_axisbelow(True)
-    ax.grid(True)
-    ax.tick_params(labelsize=8)
-    ax.axhline(0, color=GREY, lw=0.8)
-    ax.axvline(0, color=GREY, lw=0.8)
+    ax = figure.add_subplot()
+    _square(ax, 17, 0.8)
     for angle in range(0, 360, STEP):
         if angle % 90:
-            ax.fill(*_turned(angle).T, fill=False, edgecolor=GREY, lw=0.9, ls="--")
+            outline(ax, _turned(angle), fill=False, edgecolor=GREY, lw=0.9, ls="--")
     names = {90: r"$\pi/2$", 180: r"$\pi$", 270: r"$3\pi/2$"}
     for angle, name in names.items():
-        ax.fill(*_turned(angle).T, facecolor=PALE, edgecolor=INK, lw=1.8)
+        outline(ax, _turned(angle), facecolor=PALE, edgecolor=INK, lw=1.8)
         x, y = rotate2((10.5, 8.6), angle, degrees=True)
         ax.text(x, y, name, ha="center", va="center", fontsize=12)
-    ax.fill(*_turned(0).T, facecolor="#fbe9dd", edgecolor=RED, lw=2.2, hatch="///")
+    outline(ax, _turned(0), facecolor="#fbe9dd", edgecolor=RED, lw=2.2, hatch="///")
     ax.text(11.4, 3.8, "the original", color=RED, va="center")
+
+
+def _square(ax: Axes, reach: float, width: float) -> None:
+    """Show the plane from −reach to reach, with a grid."""
+    ax.set(xlim=(-reach, reach), ylim=(-reach, reach))
+    ax.grid(True)
+    ax.set_axisbelow(True)
+    ax.tick_params(labelsize=8)
+    plane_axes(ax, GREY, width)
 
 
 def _turned(degrees: float) -> Any:
@@ -98,19 +105,14 @@ def letter_mirrored(figure: Figure) -> None:
 
 def _images(ax: Any, matrices: Matrices) -> None:
     """Draw the images: filled and firm where the area is that of the T, thin and dashed elsewhere."""
-    ax.set(aspect="equal", xlim=(-19, 19), ylim=(-19, 19))
-    ax.grid(True)
-    ax.set_axisbelow(True)
-    ax.tick_params(labelsize=8)
-    ax.axhline(0, color=GREY, lw=0.7)
-    ax.axvline(0, color=GREY, lw=0.7)
+    _square(ax, 19, 0.7)
     m = matrices(ANGLES[:10], degrees=True)
     images = transform(m[:, None], LETTER_T)
     kept = np.isclose(area(images), area(LETTER_T))
     for image, keeps in zip(images, kept, strict=True):
         look = {"facecolor": PALE, "lw": 1.6} if keeps else {"fill": False, "lw": 1.0, "ls": "--"}
-        ax.fill(*image.T, edgecolor=INK if keeps else GREY, **look)
-    ax.fill(*np.transpose(LETTER_T), fill=False, edgecolor=RED, lw=2.2, hatch="////")
+        outline(ax, image, edgecolor=INK if keeps else GREY, **look)
+    outline(ax, np.array(LETTER_T, float), fill=False, edgecolor=RED, lw=2.2, hatch="////")
     for n, (x, y) in enumerate(transform(m, BEYOND)):
         name, side = ("0, 10", "left") if n == 0 else (str(n), "center")
         ax.text(x - 0.8 * (n == 0), y, name, fontsize=9, ha=side, va="center")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rotation.figures.drawing import BLUE, GREY, INK, RED
+from rotation.figures.plane import arc, arrow
 from rotation.plane import from_polar, rotate2
 
 if TYPE_CHECKING:
@@ -23,8 +24,8 @@ def polar_and_cartesian(figure: Figure) -> None:
     x, y = POINT
     theta = np.arctan2(y, x)
     ax.plot([0, x, x], [0, 0, y], color=BLUE, lw=2.0, zorder=4)
-    _arrow(ax, (0, 0), (x, y), INK)
-    _arc(ax, 1.3, 0, theta)
+    arrow(ax, (0, 0), (x, y), INK)
+    arc(ax, 1.3, 0, theta, INK)
     ax.plot([x - 0.25, x - 0.25, x], [0, 0.25, 0.25], color=GREY, lw=0.9)
     ax.text(*from_polar(1.62, theta / 2), r"$\theta$", ha="center", va="center")
     ax.text(1.95, 1.6, "$r$", ha="right", va="bottom")
@@ -43,11 +44,11 @@ def turned_vector(figure: Figure) -> None:
     ax.plot(*sweep.T, color=GREY, lw=0.9, ls=(0, (1, 2)))
     for (x, y), colour, style in ((VECTOR, BLUE, "--"), (image, RED, "-.")):
         ax.plot([x, x, 0], [0, y, y], color=colour, lw=1.0, ls=style)
-        _arrow(ax, (0, 0), (x, y), colour)
+        arrow(ax, (0, 0), (x, y), colour)
         ax.plot([x], [y], "o", color=colour, ms=5)
-    _arc(ax, 2.7, 0, theta)
+    arc(ax, 2.7, 0, theta, INK)
     ax.text(*from_polar(2.3, theta / 2), r"$\theta$", ha="center", va="center")
-    _arc(ax, 1.4, theta, theta + TURN)
+    arc(ax, 1.4, theta, theta + TURN, INK)
     ax.text(*from_polar(1.0, theta + TURN / 2), r"$\psi$", ha="center", va="center")
     (x, y), (u, v) = VECTOR, image
     ax.text(x + 0.18, y + 0.05, r"$\vec{v} = (x,\ y)$", color=BLUE, va="bottom")
@@ -65,22 +66,8 @@ def _plane(figure: Figure, right: float, top: float) -> Any:
     ax = figure.add_subplot(aspect="equal", xlim=(-0.7, right + 0.3), ylim=(-0.7, top + 0.3))
     ax.axis("off")
     for tip, name in (((right, 0), "$x$"), ((0, top), "$y$")):
-        _arrow(ax, (-0.5 if tip[0] else 0, -0.5 if tip[1] else 0), tip, GREY, 0.9)
+        arrow(ax, (-0.5 if tip[0] else 0, -0.5 if tip[1] else 0), tip, GREY, 0.9)
         ax.text(tip[0] + 0.12 * (tip[0] > 0), tip[1] + 0.12 * (tip[1] > 0), name, color=INK,
                 ha="left" if tip[0] else "center", va="bottom" if tip[1] else "center")  # fmt: skip
     ax.text(-0.12, -0.12, "0", ha="right", va="top")
     return ax
-
-
-def _arrow(
-    ax: Any, start: tuple[float, float], end: tuple[float, float], colour: str, width: float = 1.8
-) -> None:
-    look = {"arrowstyle": "-|>", "color": colour, "lw": width, "shrinkA": 0, "shrinkB": 0}
-    ax.annotate("", xy=tuple(end), xytext=start, arrowprops=look)
-
-
-def _arc(ax: Any, radius: float, start: float, end: float) -> None:
-    """Draw an arc about the origin with a head at its end."""
-    path = from_polar(radius, np.linspace(start, end, 61))
-    ax.plot(*path.T, color=INK, lw=1.1)
-    _arrow(ax, tuple(path[-3]), tuple(path[-1]), INK, 0.9)

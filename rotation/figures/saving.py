@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING
 from hfield.atomic import whole_file
 from hfield.commands.output import writing
 from hfield.errors import shorten
-from hfield.plotting import import_matplotlib
-from rotation.figures.drawing import STYLE, Drawing
+from rotation.figures.drawing import Drawing, figure_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -33,19 +32,19 @@ def picture(
     suffix: str = "png",
     dpi: int = 150,
     words: Mapping[str, str] | None = None,
+    dark: bool = False,
 ) -> bytes:
     """Return what ``draw`` draws on ``size`` inches as a file's bytes; they depend on no date or settings.
 
-    ``suffix`` is one of ``FORMATS``; ``dpi`` counts for png alone; ``words`` replace lettering.
+    ``suffix`` is one of ``FORMATS``; ``dpi`` counts for png alone; ``words`` replace lettering;
+    ``dark`` pictures are for dark pages.
     """
-    import_matplotlib()
-    from matplotlib import style
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-    from matplotlib.text import Text
-
     out = BytesIO()
-    with style.context(["default", STYLE]):  # whatever the user's matplotlibrc says
+    with figure_style(dark):
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+        from matplotlib.text import Text
+
         figure = Figure(figsize=size, layout="constrained")
         FigureCanvasAgg(figure)
         draw(figure)
@@ -56,7 +55,11 @@ def picture(
 
 
 def save(
-    drawings: Iterable[Drawing], directory: Path, suffix: str = "png", dpi: int = 150
+    drawings: Iterable[Drawing],
+    directory: Path,
+    suffix: str = "png",
+    dpi: int = 150,
+    dark: bool = False,
 ) -> list[Path]:
     """Write each drawing to ``directory/figure-NUMBER.suffix`` and return the paths.
 
@@ -68,7 +71,7 @@ def save(
     with _writing(directory):
         for drawing in drawings:
             path = directory / f"figure-{drawing.number}.{suffix}"
-            write_whole(path, picture(drawing.draw, drawing.size, suffix, dpi))
+            write_whole(path, picture(drawing.draw, drawing.size, suffix, dpi, dark=dark))
             paths.append(path)
     return paths
 

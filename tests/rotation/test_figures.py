@@ -9,7 +9,9 @@ import pytest
 
 from hfield.cli import main
 from hfield.commands.output import OutputError
-from rotation.figures import FIGURES, Drawing, saving
+from rotation.figures import FIGURES, Drawing, saving, turned_points
+from rotation.figures.drawing import figure_style
+from rotation.plane import LETTER_T
 
 SIGNATURE = {"png": b"\x89PNG\r\n\x1a\n", "svg": b"<?xml", "pdf": b"%PDF"}
 
@@ -27,11 +29,10 @@ def run(capsys):
 
 def rendered(drawing):
     """A figure after drawing, with the extents of all its texts by what they say."""
-    from matplotlib import style
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    with style.context(["default", saving.STYLE]):
+    with figure_style():
         figure = Figure(figsize=drawing.size, layout="constrained")
         canvas = FigureCanvasAgg(figure)
         drawing.draw(figure)
@@ -59,9 +60,18 @@ def overlaps(a, b):
     return min(a.x1, b.x1) - max(a.x0, b.x0) > 1 and min(a.y1, b.y1) - max(a.y0, b.y0) > 1
 
 
-@pytest.mark.parametrize("number", FIGURES)
-def test_no_text_covers_another_or_leaves_the_picture(number):
-    figure, texts = rendered(FIGURES[number])
+DRAWINGS = {
+    **FIGURES,
+    **{
+        f"turned by {angle}": turned_points(LETTER_T, [angle]) for angle in (-1000, 5, 90, 150, 300)
+    },
+    "dots": turned_points([[1, 2], [3, -4]], [30, 60], joined=False),
+}
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_no_text_covers_another_or_leaves_the_picture(name):
+    figure, texts = rendered(DRAWINGS[name])
     assert len(texts) > 5
     for text, box in texts:
         inside = (
@@ -88,6 +98,50 @@ def test_axes_are_equal(number):
     shapes = [ax for ax in figure.axes if ax.patches]
     assert shapes
     assert all(ax.get_aspect() == 1 for ax in shapes)
+
+
+def test_points_of_ones_own(tmp_path, run):
+    file = tmp_path / "corners.csv"
+    file.write_text("x,y\n0,0\n2,0\n\n2,1  # the last\n")
+    words = ("--points", str(file), "--angle", "-30", "--dpi", "30", "-o", str(tmp_path))
+    status, out, _ = run(*words)
+    assert (status, out) == (0, f"{tmp_path / 'figure-turned.png'}\n")
+    first = (tmp_path / "figure-turned.png").read_bytes()
+    for more in (["--dark"], ["--dots"], ["--angle", "30"]):
+        assert run(*words, *more)[0] == 0
+        assert (tmp_path / "figure-turned.png").read_bytes() != first
+    assert run("--angle", "30", "--dpi", "30", "-o", str(tmp_path))[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("1 2\n3 4 5\n", "line 2 has 3 numbers; expected 2, as on line 1"),
+        ("x;y\n1;2\n\n3;four\n", "line 4: 'four' is no number; expected 2 numbers (x, y)"),
+        ("1,2\n3,\n", "line 2: a value is missing"),
+        ("1,nan\n", "line 1: nan is not finite"),
+        ("x,y\n", "has no numbers; expected 2 numbers (x, y) on each line"),
+        ("", "has no numbers"),
+        ("1\n2\n", "line 1 has 1 number"),
+    ],
+)
+def test_a_file_that_is_no_table_of_points(text, said, tmp_path, run):
+    file = tmp_path / "points.txt"
+    file.write_text(text)
+    status, out, err = run("--points", str(file), "--angle", "30", "-o", str(tmp_path / "new"))
+    assert (status, out) == (2, "")
+    assert len(err.splitlines()) == 1
+    assert "points.txt" in err
+    assert said in err
+    assert not (tmp_path / "new").exists()
+
+
+def test_a_file_that_is_no_text_or_is_not_there(tmp_path, run):
+    file = tmp_path / "points.bin"
+    file.write_bytes(bytes(range(256)))
+    assert "no text in UTF-8" in run("--points", str(file), "--angle", "30")[2]
+    assert "No such file" in run("--points", str(tmp_path / "none"), "--angle", "30")[2]
+    assert "directory" in run("--points", str(tmp_path), "--angle", "30")[2]
 
 
 @pytest.mark.slow
@@ -128,6 +182,11 @@ def test_only_some_and_larger(tmp_path, run):
         (("--dpi", "9999999"), "20 to 1200"),
         (("--dpi", "many"), "20 to 1200"),
         (("--format", "gif"), "png"),
+        (("--points", "any.csv"), "by what angle?"),
+        (("--points", "any.csv", "--angle", "x"), "an angle in degrees"),
+        (("--angle", "inf"), "an angle in degrees"),
+        (("--angle", "30", "--only", "2.1"), "leave it out"),
+        (("--dark",), "go with --points FILE or --angle DEGREES"),
     ],
 )
 def test_bad_words_give_one_line(words, said, tmp_path, run):
@@ -138,8 +197,10 @@ def test_bad_words_give_one_line(words, said, tmp_path, run):
     assert not (tmp_path / "new").exists()
 
 
-def test_a_folder_is_needed(run):
-    assert run()[0] == 2
+def test_pictures_go_to_the_folder_that_is_named_or_here(run, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert run("--only", "2.1", "--dpi", "20")[:2] == (0, "figure-2.1.png\n")
+    assert os.listdir(tmp_path) == ["figure-2.1.png"]
     status, _, err = run("-o", "")
     assert status == 2
     assert "empty" in err

@@ -1,4 +1,4 @@
-"""Numbers of sympy wherever numbers are taken: the nearest floats, and a clear error for what is no real number."""
+"""Numbers of sympy wherever numbers are taken: the nearest floats, and an error for what is not real."""
 
 import subprocess
 import sys
