@@ -2,6 +2,7 @@ from .alignment import Similarity as Similarity
 from .alignment import align as align
 from .alignment import align_points as align_points
 from .alignment import align_similarity as align_similarity
+from .bench.own import benchmark as benchmark
 from .conventions import change_of_axes as change_of_axes
 from .conventions import convert_points as convert_points
 from .conventions import convert_rotation as convert_rotation

@@ -23,6 +23,7 @@ LOOKS: dict[str, dict[str, Any]] = {
     "ours": {"facecolor": BLUE, "edgecolor": INK},
     "peer": {"facecolor": PALE, "edgecolor": INK},
     "thesis": {"facecolor": "white", "edgecolor": RED, "hatch": "////"},
+    "own": {"facecolor": "#f0e442", "edgecolor": INK, "hatch": "...."},
 }
 
 

@@ -28,7 +28,7 @@ from rotation.bench.ways.way import Frame, Way
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-TOLERANCE = 1e-13  # largest distance of a coordinate from the expected one; points are below √3
+TOLERANCE = 1e-13  # largest error of a coordinate where the points are below √3; of larger ones in proportion
 SLOW_POINTS = 5_000  # points that a slow way is timed on
 LEAST_REPEATS = 2
 SHORT = 0.02  # seconds of a frame that is tried again before the number of frames is chosen
@@ -46,6 +46,14 @@ class Settings:
     repeats: int = 10
     threads: int = 1
     seconds: float = 1.5
+    cloud: Array | None = field(
+        default=None, repr=False, compare=False
+    )  # the points, if not random ones
+
+    def task(self, test: Test, points: int | None = None) -> Task:
+        """Return the input of a test, with the first of the points alone where their number is given."""
+        number = self.points if points is None else min(points, self.points)
+        return test.make(number if self.cloud is None else self.cloud[:number], self.frames)
 
 
 @dataclass
@@ -93,7 +101,7 @@ def run_test(
     test: Test, ways: Sequence[Way], settings: Settings, told: Told = lambda what: None
 ) -> list[Result]:
     """Check and time the ways that can do the test; ``told`` hears what is in work."""
-    task = test.make(settings.points, settings.frames)
+    task = settings.task(test)
     expected = task.expected(task.check)
     results, runners = [], []
     with ExitStack() as stack:
@@ -132,22 +140,22 @@ def _prepare(
     result.version = _version(way.distribution)
     try:
         frame = deal(way, task)
-        turned = np.array(frame(task.check))  # a copy: the next frame may write to the same memory
+        turned = points_of(frame(task.check))
         seconds = _times(frame, [0])[0]
         if seconds < SHORT:
             seconds = min(_times(frame, [0, 0, 0]))
     except Exception as error:
-        if way.role != "peer":
+        if way.role not in ("peer", "own"):
             raise
         result.status, result.reason = "failed", f"{type(error).__name__}: {error}"
+        return None
+    difference = wrong_result(way, turned, expected[: len(task.points)], task)
+    if difference is not None:
+        result.status, result.reason = "wrong", difference
         return None
     result.moved = float(np.abs(turned - task.points).max())
     if way.rotates:
         result.error = float(np.abs(turned - expected[: len(turned)]).max())
-        if not result.error <= TOLERANCE:
-            result.status = "wrong"
-            result.reason = f"a coordinate is off by {result.error:.1e}"
-            return None
     repeats = int(
         np.clip(settings.seconds / seconds, min(LEAST_REPEATS, settings.repeats), settings.repeats)
     )
@@ -156,9 +164,44 @@ def _prepare(
     return _Runner(result, frame, chosen, repeats)
 
 
+def points_of(found: object) -> Array:
+    """Return what a frame gave as an array of its own: the next frame may write to the same memory.
+
+    What is no array of numbers becomes NaN of shape ().
+    """
+    try:
+        return np.array(found, np.float64)
+    except (TypeError, ValueError):
+        return np.array(np.nan)
+
+
+def wrong_result(way: Way, turned: Array, expected: Array, task: Task) -> str | None:
+    """Return what is wrong with the points of a frame, with the first wrong one; None if they are right."""
+    if turned.shape != expected.shape:
+        what = f"has the shape {turned.shape}" if turned.shape else "is no array of points"
+        return f"the result {what}; expected the shape {expected.shape}"
+    if not way.rotates:
+        return None
+    allowed = TOLERANCE * max(1.0, float(np.abs(task.points).max()))
+    error = np.abs(turned - expected).max(axis=1)
+    wrong = np.flatnonzero(~(error <= allowed))
+    if not len(wrong):
+        return None
+    n = int(wrong[0])
+    before, found, right = (_written(a[n]) for a in (task.points, turned, expected))
+    return (
+        f"point {n} of {len(turned)}, {before}, came out as {found}; expected {right}; "
+        f"a coordinate is off by {error[n]:.1e}"
+    )
+
+
+def _written(point: Array) -> str:
+    return f"({', '.join(f'{x:.6g}' for x in point.tolist())})"
+
+
 def _version(distribution: str) -> str:
     try:
-        return version(distribution)
+        return version(distribution) if distribution else ""
     except PackageNotFoundError:  # run from its source
         return ""
 

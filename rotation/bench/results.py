@@ -128,10 +128,13 @@ def as_json(results: Sequence[Result], settings: Settings) -> dict[str, object]:
         "tests": [
             {"test": t.name, "title": t.title, "what": t.what, "printed": t.printed} for t in tests
         ],
-        "results": [
-            _entry(r, [other for other in results if other.test is r.test]) for r in results
-        ],
+        "results": as_rows(results),
     }
+
+
+def as_rows(results: Sequence[Result]) -> list[dict[str, object]]:
+    """Return one dict for each result; times in milliseconds a frame."""
+    return [_entry(r, [other for other in results if other.test is r.test]) for r in results]
 
 
 def _entry(result: Result, results: Sequence[Result]) -> dict[str, object]:

@@ -1,7 +1,7 @@
 """What the two tests of the thesis (3.2.1) compute in each frame, and what must come out.
 
-The points are uniform in the unit cube, as the thesis's ``random()`` makes them. They are drawn by
-numpy from a fixed seed.
+The points are uniform in the unit cube, as the thesis's ``random()`` makes them, drawn by numpy from a fixed
+seed; or they are a user's own.
 """
 
 from __future__ import annotations
@@ -76,7 +76,8 @@ def half_turn(axis: Array, angle: Any) -> Coordinates:
 class Test:
     """One test: its name, of which the first letter is its number in the thesis, and its input.
 
-    ``printed`` is the mean that the thesis measured, for 550 000 points and 300 frames.
+    ``printed`` is the mean that the thesis measured, for 550 000 points and 300 frames. ``make`` takes the
+    number of points, or the points, and the number of frames.
     """
 
     __test__ = False  # no test for pytest to collect
@@ -85,33 +86,37 @@ class Test:
     title: str
     what: str
     printed: str
-    make: Callable[[int, int], Task]
+    make: Callable[[int | Array, int], Task]
 
 
-def _one_axis(points: int, frames: int) -> Task:
-    cloud = np.random.default_rng(SEED).random((points, 3))
+def _cloud(points: int | Array, rng: np.random.Generator) -> Array:
+    return rng.random((points, 3)) if isinstance(points, int) else points
+
+
+def _one_axis(points: int | Array, frames: int) -> Task:
+    cloud = _cloud(points, np.random.default_rng(SEED))
     angles = np.append(np.linspace(0, 2 * np.pi, frames), 1.0)
     return Task("one axis", frames, cloud, angles, cloud[:0])
 
 
-def _own_axis(points: int, frames: int) -> Task:
+def _own_axis(points: int | Array, frames: int) -> Task:
     rng = np.random.default_rng(SEED)
-    cloud = rng.random((points, 3))
+    cloud = _cloud(points, rng)
     return Task(
         "own axis",
         frames,
         cloud,
-        rng.random(points + frames),
-        rng.standard_normal((points, 3)),
+        rng.random(len(cloud) + frames),
+        rng.standard_normal(cloud.shape),
     )
 
 
-def _itself(points: int, frames: int) -> Task:
+def _itself(points: int | Array, frames: int) -> Task:
     task = _own_axis(points, frames)
     return Task(task.kind, frames, task.points, task.angles, task.points)
 
 
-def _euler(points: int, frames: int) -> Task:
+def _euler(points: int | Array, frames: int) -> Task:
     task = _one_axis(points, frames)
     return Task("euler", frames, task.points, task.angles, task.axes)
 

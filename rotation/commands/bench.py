@@ -5,9 +5,11 @@ from __future__ import annotations
 import os
 import sys
 from argparse import ArgumentParser, Namespace
+from contextlib import ExitStack, redirect_stdout
 from functools import partial
+from pathlib import Path
 
-from hfield.commands.output import note, open_output
+from hfield.commands.output import note, open_output, say
 from hfield.commands.parser import add_format, add_output, whole
 from hfield.commands.status import Progress
 
@@ -18,11 +20,17 @@ HELP = (
     "frames with hfield, scipy, quaternionic, numpy-quaternion, plain numpy and the "
     "functions of the thesis. Copying the array gives the lower bound. Each library's "
     "result is checked before it is timed. Slow ones are timed on a part, and the output "
-    "says so. Exit status: 0; 1 if a result was wrong or failed; 2 bad usage."
+    "says so. --own FILE.py adds functions of your own: every function of the file with the "
+    "parameters (points, axis, angle), which returns the points (n, 3) turned about the axis "
+    "by the angle in radians; axis and angle are one, (3,) and a float, in test 1, and one for "
+    "each point, (n, 3) and (n,), in test 2; and every function with the parameters (points, "
+    "angles), which turns point i by R_z(a) R_y(b) R_x(c) for row i (a, b, c) of the angles, in "
+    "the matrix test. Exit status: 0; 1 if a result was wrong or failed; 2 bad usage."
 )
 EXAMPLES = (
     "hfield bench --quick",
     "hfield bench --test 1 --plot chart.svg",
+    "hfield bench --test 1 --quick --own mine.py",
 )
 MOST_POINTS = 10_000_000  # about 6 GB with the libraries that need most
 FULL, QUICK = (300, 10, 1.5), (30, 3, 0.12)  # frames, repeats, seconds for one way in one test
@@ -41,6 +49,11 @@ def configure(parser: ArgumentParser) -> None:
     add("--repeats", type=repeats, metavar="N", help="runs of each way (default: 10; quick: 3)")
     add("--threads", type=threads, metavar="N", help="for every way (default: all processors)")
     add("--quick", action="store_true", help="a rough answer in about 15 seconds instead of 70")
+    add(
+        "--own",
+        metavar="FILE.py",
+        help="also check and time the functions of this file (see above)",
+    )
     add("--plot", metavar="FILE", help="also draw a bar chart to FILE, a .png, .svg or .pdf")
     add_format(parser, "table", "json")
     add_output(parser)
@@ -51,9 +64,9 @@ def run(args: Namespace) -> int:
     _one_thread_for_blas()
     from rotation.bench.chart import try_chart, write_chart
     from rotation.bench.measure import Settings, run_test
+    from rotation.bench.own import chosen_tests, with_own
     from rotation.bench.results import as_json, table
-    from rotation.bench.tasks import TESTS
-    from rotation.bench.ways import WAYS
+    from rotation.bench.ways.own import OwnFunctionError, functions_of, importing_from
     from rotation.kernels import threads as available
 
     frames, repeats, seconds = QUICK if args.quick else FULL
@@ -66,12 +79,22 @@ def run(args: Namespace) -> int:
     )
     chart = None if args.plot is None else try_chart(args.plot)
     replace = chart is not None and chart.exists()
-    tests = [test for test in TESTS if args.test in (None, test.name[0])]
-    with open_output(args.output) as out:
+    tests = chosen_tests(args.test)
+    with open_output(args.output) as out, ExitStack() as stack:
+        functions = {}
+        if args.own is not None:
+            stack.enter_context(redirect_stdout(sys.stderr))  # what the functions print
+            stack.enter_context(importing_from(Path(args.own).parent))
+            functions = functions_of(Path(args.own))
+        try:
+            ways = with_own(functions, tests, settings)
+        except OwnFunctionError as error:
+            say("error", str(error))
+            return 1
         results = []
         with Progress("tests") as progress:
             for done, test in enumerate(tests):
-                results += run_test(test, WAYS, settings, partial(progress, done, len(tests)))
+                results += run_test(test, ways, settings, partial(progress, done, len(tests)))
         if args.format == "json":
             out.write_json(as_json(results, settings))
         else:

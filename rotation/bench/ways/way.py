@@ -9,7 +9,7 @@ from typing import Any, Literal
 from rotation.bench.tasks import Kind, Task
 
 Frame = Callable[[int], Any]  # computes one frame and returns the points, (n, 3) or a list of lists
-Role = Literal["floor", "ours", "peer", "thesis"]
+Role = Literal["floor", "ours", "peer", "thesis", "own"]
 
 
 @dataclass(frozen=True)
