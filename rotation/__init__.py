@@ -1,5 +1,7 @@
 """Rotations of the plane and of space: the algebra of `hfield` on floats.
 
+A quaternion is (w, x, y, z), where scipy has (x, y, z, w); `rotation.compat` has scipy's names and order.
+
 >>> from rotation import Rotation
 >>> top = Rotation.from_euler("ZYX", [90, 0, 90], degrees=True)
 >>> top.apply([1, 2, 3]).round(12)

@@ -51,7 +51,9 @@ class Conversions(Batch):
         return cls._stored(quaternions.normalised(quat), dtype)
 
     @classmethod
-    def from_matrix(cls, matrix: Any, *, orthonormalize: bool = False, dtype: Any = None) -> Self:
+    def from_matrix(
+        cls, matrix: Any, *, orthonormalize: bool = False, dtype: Any = None, **others: Any
+    ) -> Self:
         """Make rotations from matrices.
 
         Parameters
@@ -67,7 +69,10 @@ class Conversions(Batch):
         ------
         RotationError
             A reflection; a matrix too far from orthogonal, or with ``orthonormalize`` a singular one.
+        ArgumentError
+            Other names, such as scipy's ``assume_valid``: the message says what to write.
         """
+        hints.refuse_arguments("from_matrix", others)
         return cls._stored(matrices.from_matrix(matrix, orthonormalize), dtype)
 
     @classmethod
@@ -242,7 +247,7 @@ class Conversions(Batch):
         m = self.as_matrix()
         return namespace(m).concat([m[..., :, 0], m[..., :, 1]], axis=-1)
 
-    def as_euler(self, seq: str, degrees: bool = False) -> Array:
+    def as_euler(self, seq: str, degrees: bool = False, **others: Any) -> Array:
         """Return Euler angles, shape (…, 3), for a sequence of three letters.
 
         The first and third lie in [−π, π]; the second in [0, π] where the first letter is the last
@@ -253,7 +258,10 @@ class Conversions(Batch):
         ------
         RotationError
             No such sequence.
+        ArgumentError
+            Other names, such as scipy's ``suppress_warnings``: the message says what to write.
         """
+        hints.refuse_arguments("as_euler", others)
         return euler.to_euler(self._q, seq, degrees)
 
     def as_davenport(self, axes: Any, order: str, degrees: bool = False) -> Array:

@@ -52,6 +52,19 @@ class MemberError(DTypeError, RotationError):
     """Something else among rotations that are joined: a wrong type in a list that is no list of rotations."""
 
 
+class ArgumentError(HFieldError, TypeError):
+    """An argument that a call does not have, such as one of scipy's names; the message says what to write.
+
+    Examples
+    --------
+    >>> from rotation import Rotation
+    >>> Rotation.random(3, random_state=1)
+    Traceback (most recent call last):
+    ...
+    rotation.errors.ArgumentError: random has no argument random_state: write seed=1
+    """
+
+
 class ForeignArrayError(HFieldError, TypeError):
     """An array of another library where only numpy arrays are taken.
 

@@ -6,6 +6,9 @@ their names: nothing is imported to tell.
 
 from typing import Any, NamedTuple
 
+from hfield.errors import shorten
+from rotation.errors import ArgumentError
+
 OURS, COMPAT = "rotation", "rotation.compat"
 NAMES = ("Rotation", "RigidTransform")  # where both meet, the second is wanted
 _HOMES = ("scipy.spatial.transform", COMPAT, OURS)  # the last holds the one before
@@ -88,6 +91,14 @@ def refusal(value: Any, name: str, wanted: str) -> str:
     return f"{name} is {described(value)}; expected a {whose}{wanted}{advice}"
 
 
+def refuse_arguments(call: str, others: dict[str, Any]) -> None:
+    """Raise `ArgumentError`, with what to write, if there are arguments that a call does not have."""
+    for name, value in others.items():
+        given = shorten(repr(value))
+        advice = ARGUMENTS.get(name, "").format(given)
+        raise ArgumentError(f"{call} has no argument {name}{advice and f': {advice}'}")
+
+
 def numbers_expected(value: object, name: str) -> str | None:
     """Return the words of an error where an array was expected, if the value is a rotation or a transform."""
     found = kind(_first(value))
@@ -127,6 +138,15 @@ def _constructor(value: Any, code: str, wanted: str) -> str:
             return f"{wanted}.{way}({code})"
     return ""
 
+
+ARGUMENTS = {
+    "random_state": "write seed={}",
+    "num": "write shape={}",
+    "vectors": "write points",
+    "assume_valid": "leave it out; what is not orthogonal is an error, or orthonormalize=True",
+    "suppress_warnings": "leave it out; gimbal lock gives no warning",
+}
+"""Arguments of scipy's."""
 
 ROTATION = {
     "w": "as_quat()[..., 0]",

@@ -125,7 +125,9 @@ class ImmutableArray(Hinted):
         found = hints.kind(other)
         if found is not None:
             own = "Rotation" if self._called == "rotation" else "RigidTransform"
-            if found in ((hints.COMPAT, own), (hints.OURS, "RigidTransform")):
+            if found == (hints.COMPAT, own) or (
+                found.name == "RigidTransform" and found.home in (hints.COMPAT, hints.OURS)
+            ):
                 return  # its class takes ours, or says what is wrong with ours
             wanted = max(own, found.name, key=hints.NAMES.index)
             raise DTypeError(hints.refusal(other, "the other factor", wanted))

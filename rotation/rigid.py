@@ -56,11 +56,20 @@ class RigidTransform(Forms):
     # The group
 
     def __mul__(self, other: object) -> Self:
+        """Return the products, which apply the other first; a Rotation is a motion that does not shift."""
+        if isinstance(other, Rotation):
+            other = self.from_rotation(other)
         if not isinstance(other, RigidTransform):
             self._refuse_factor(other)
             return NotImplemented
         common_batch(left=self.shape, right=other.shape)
         return self._of_rows(motions.COMPOSED(self._q, self._t, other._q, other._t))
+
+    def __rmul__(self, other: object) -> Self:
+        if isinstance(other, Rotation):
+            return self.from_rotation(other) * self
+        self._refuse_factor(other)
+        return NotImplemented
 
     @quiet
     def __pow__(self, exponent: Any) -> Self:

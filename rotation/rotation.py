@@ -53,11 +53,14 @@ class Rotation(Conversions):
     # Making
 
     @classmethod
-    def identity(cls, shape: int | Sequence[int] | None = None, *, dtype: Any = None) -> Self:
+    def identity(
+        cls, shape: int | Sequence[int] | None = None, *, dtype: Any = None, **others: Any
+    ) -> Self:
         """Return the rotation that moves nothing, or a batch of it: ``shape`` is a number or a tuple.
 
-        ``dtype`` as in `from_quat`.
+        ``dtype`` as in `from_quat`; others are refused as in `random`.
         """
+        hints.refuse_arguments("identity", others)
         q = np.zeros((*sampling.as_shape(shape), 4), dtype and precision(dtype))
         q[..., 0] = 1.0
         return cls._of(q)
@@ -84,6 +87,7 @@ class Rotation(Conversions):
         *,
         seed: Any = None,
         dtype: Any = None,
+        **others: Any,
     ) -> Self:
         """Return rotations distributed uniformly (by Haar measure).
 
@@ -101,7 +105,10 @@ class Rotation(Conversions):
         ------
         RotationError
             No shape, no seed, or two.
+        ArgumentError
+            Other names, such as scipy's ``random_state``: the message says what to write.
         """
+        hints.refuse_arguments("random", others)
         q = sampling.uniform(sampling.as_shape(shape), sampling.generator(rng, seed))
         return cls._stored(q, dtype)
 

@@ -9,6 +9,7 @@ from rotation import hints
 from rotation.arrays import expect_unmasked
 from rotation.errors import DTypeError, RotationError
 from rotation.namespaces import expect_numpy, number
+from rotation.rigid import RigidTransform
 from rotation.rotation import Rotation
 
 Array = Any
@@ -44,6 +45,14 @@ def matrices(value: Any) -> Array | None:
     return np.array(m)
 
 
+def motions(value: Any) -> Array | None:
+    """Return the matrices of transforms, and of rotations as transforms that do not shift; else None."""
+    q = quaternions(value)
+    if q is None:
+        return matrices(value)
+    return RigidTransform.from_rotation(Rotation(q)).as_matrix()
+
+
 def expected(array: Array | None, value: object, words: str) -> Array:
     """Return what `quaternions` or `matrices` found; raise DTypeError, with ``words``, if it is nothing."""
     if array is None:
@@ -52,7 +61,9 @@ def expected(array: Array | None, value: object, words: str) -> Array:
 
 
 def refuse_factor(value: object, other: object) -> None:
-    """Raise DTypeError, with advice, where a rotation meets a transform."""
+    """Raise DTypeError, with advice, where a rotation meets a transform that does not take it."""
+    if hints.kind(other) == (hints.COMPAT, "RigidTransform"):
+        return
     found = {getattr(hints.kind(x), "name", None) for x in (value, other)}
     if found == set(hints.NAMES):
         raise DTypeError(

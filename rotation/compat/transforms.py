@@ -135,7 +135,7 @@ class RigidTransform(Assignable):
 
     @quiet
     def __mul__(self, other: object) -> Self:
-        m = checks.matrices(other)
+        m = checks.motions(other)
         if m is None:
             checks.refuse_factor(self, other)
             return NotImplemented
@@ -145,7 +145,7 @@ class RigidTransform(Assignable):
         return self._of(product)
 
     def __rmul__(self, other: object) -> Self:
-        m = checks.matrices(other)  # of ours or scipy's
+        m = checks.motions(other)  # of ours or scipy's
         if m is None:
             checks.refuse_factor(self, other)
             return NotImplemented

@@ -24,6 +24,7 @@ from rotation import (
     squad,
     swing_twist,
 )
+from rotation.errors import ArgumentError
 from tests.subcases import subcases
 
 scipys = pytest.importorskip("scipy.spatial.transform")
@@ -166,15 +167,47 @@ def test_beside_scipys_compat_multiplies_and_ours_says_what_to_write() -> None:
         (lambda: R * theirs[1], "from_matrix"),
         (lambda: T * theirs[0], "from_rotation.Rotation.from_scipy"),
         (lambda: T * turn, "from_rotation.Rotation.from_scipy"),
-        (lambda: R * move, "from_matrix"),
-        (lambda: R * T, "from_rotation"),
-        (lambda: T * R, "from_rotation"),
-        (lambda: turn * move, "from_rotation"),
-        (lambda: move * turn, "from_rotation"),
         (lambda: turn * T, "from_rotation"),
     ):
         with pytest.raises(DTypeError, match=way):
             call()
+
+
+def test_a_rotation_beside_a_motion_is_a_motion() -> None:
+    """As in scipy 1.18; against products of matrices."""
+    turn, move = FOREIGN["rotation.compat"]
+    theirs = FOREIGN["scipy.spatial.transform"][0]
+    m = np.zeros((3, 4, 4))
+    m[:, 3, 3] = 1
+    m[:, :3, :3] = R.as_matrix()
+    for r, t, kind in (
+        (R, T, RigidTransform),
+        (turn, move, CT),
+        (R, move, CT),
+        (theirs, move, CT),
+    ):
+        for product, wanted in ((r * t, m @ T.as_matrix()), (t * r, T.as_matrix() @ m)):
+            assert type(product) is kind
+            np.testing.assert_allclose(product.as_matrix(), wanted, rtol=0, atol=1e-14)
+    assert (R[0] * T).shape == (T * R[:1]).shape == (3,)
+    with pytest.raises(RotationError, match="broadcast"):
+        R[:2] * T
+
+
+@pytest.mark.parametrize(
+    ("call", "way"),
+    [
+        (lambda: Rotation.random(3, random_state=1), "random_state: write seed=1"),
+        (lambda: Rotation.random(num=3), "num: write shape=3"),
+        (lambda: Rotation.identity(num=3), "num: write shape=3"),
+        (lambda: Rotation.from_matrix(np.eye(3), assume_valid=True), "assume_valid: leave it out"),
+        (lambda: R.as_euler("xyz", suppress_warnings=True), "suppress_warnings: leave it out"),
+        (lambda: Rotation.random(3, sed=1), "random has no argument sed$"),
+    ],
+)
+def test_arguments_of_scipys_say_what_to_write(call: Callable[[], Any], way: str) -> None:
+    with pytest.raises(ArgumentError, match=way):
+        call()
 
 
 def test_compat_takes_all_three_kinds() -> None:

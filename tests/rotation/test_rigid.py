@@ -222,7 +222,7 @@ def test_mistakes() -> None:
     ):
         with pytest.raises(RotationError):
             call()
-    for call in (lambda: t * t.rotation, lambda: RigidTransform.concatenate([t, 1])):
+    for call in (lambda: t * 2, lambda: RigidTransform.concatenate([t, 1])):
         with pytest.raises(DTypeError):
             call()
     with pytest.raises(TypeError):
