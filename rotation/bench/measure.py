@@ -28,7 +28,9 @@ from rotation.bench.ways.way import Frame, Way
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-TOLERANCE = 1e-13  # largest error of a coordinate where the points are below √3; of larger ones in proportion
+TOLERANCE = (
+    1e-13  # largest error of a coordinate, times the largest coordinate where that is over 1
+)
 SLOW_POINTS = 5_000  # points that a slow way is timed on
 LEAST_REPEATS = 2
 SHORT = 0.02  # seconds of a frame that is tried again before the number of frames is chosen
@@ -39,16 +41,17 @@ Told = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Settings:
-    """How much is measured; ``seconds`` bounds the time for one way in one test, checks apart."""
+    """How much is measured; ``seconds`` bounds the time for one way in one test, checks apart.
+
+    ``cloud`` are a user's points, ``points`` of them; None stands for random ones.
+    """
 
     points: int = 550_000
     frames: int = 300
     repeats: int = 10
     threads: int = 1
     seconds: float = 1.5
-    cloud: Array | None = field(
-        default=None, repr=False, compare=False
-    )  # the points, if not random ones
+    cloud: Array | None = field(default=None, repr=False, compare=False)
 
     def task(self, test: Test, points: int | None = None) -> Task:
         """Return the input of a test, with the first of the points alone where their number is given."""

@@ -118,7 +118,7 @@ def benchmark(
     test 1: point 0 of 1, (1, 2, 3), came out as (1, 2, 3); expected (-1.14264, 1.92208, 3); ...
     """
     cloud: Array | None = None
-    if isinstance(points, int):
+    if isinstance(points, (int, np.integer)):
         number = _count(points, "points")
     else:
         rows, _ = components(points, 3, "points", "aos")

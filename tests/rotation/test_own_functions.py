@@ -182,6 +182,7 @@ def test_functions_of_a_file_are_told_by_their_parameters(tmp_path):
         ("import json\njson.loads('{')\n", r"mine\.py, line 2: JSONDecodeError"),
         ("import sys\nsys.exit(3)\n", r"mine\.py, line 2: SystemExit: 3"),
         ("open('there is none')\n", r"mine\.py, line 1: FileNotFoundError"),
+        ("x: none = 1\n", r"mine\.py, line 1: NameError"),  # its own `from __future__`, not ours
         ("def f(a, b): return a\n", r"defines no function .*it defines f\(a, b\)"),
         ("from rotation import rotate\n", "defines no function"),
         ("\0", r"mine\.py: source code string cannot contain null bytes"),

@@ -79,7 +79,8 @@ def functions_of(path: Path) -> dict[str, Function]:
     module.__file__ = str(path)
     sys.modules[module.__name__] = module  # as numba, dataclasses and pickle expect
     try:
-        exec(compile(decode_source(path.read_bytes()), str(path), "exec"), vars(module))
+        source = decode_source(path.read_bytes())
+        exec(compile(source, str(path), "exec", dont_inherit=True), vars(module))
     except OSError as error:
         if error.filename != str(path):
             raise OwnFileError(failure(error, str(path))) from error
