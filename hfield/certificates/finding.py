@@ -3,10 +3,10 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
+from hfield.certificates.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS, ORDERED_FIELDS
 from hfield.certificates.scalars.ring import Ring
 
-WIDTH = {FIELD: 0, FIELDS: 1, COMMUTATIVE_RINGS: 2}
+WIDTH = {FIELD: 0, ORDERED_FIELDS: 1, FIELDS: 2, COMMUTATIVE_RINGS: 3}
 
 
 @dataclass(frozen=True)

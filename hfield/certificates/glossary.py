@@ -19,6 +19,7 @@ VERDICTS = (*CERTIFIED, UNDECIDED, NOT_APPLICABLE)
 
 # Where a statement was shown: over the field named, or wider.
 FIELD, FIELDS = "field", "fields"
+ORDERED_FIELDS = "ordered fields"
 REDUCED_RINGS, COMMUTATIVE_RINGS = "reduced rings", "commutative rings"
 
 IDENTITY = "identity"

@@ -12,6 +12,7 @@ from pkgutil import iter_modules
 from hfield.certificates import evidence as room
 from hfield.certificates.finding import Finding
 from hfield.certificates.language import Tree
+from hfield.certificates.real_closure import in_real_closure
 from hfield.certificates.rejection import kind_of, reject, shown
 from hfield.certificates.statement import Setting, Statement, read_tree
 
@@ -36,12 +37,16 @@ def establish(statement: Statement, setting: Setting, verdict: str, evidence: ob
     kind = kind_of(evidence)
     if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
         reject("nothing is proved over floats")
+    limit = None
+    if statement.ordered is not None and (verdict != "refuted"):
+        setting, limit = in_real_closure(statement, setting, kind)
     check = checks().get((verdict, bool(statement.exists), kind))
     if check is None:
         reject(
             f"evidence of the kind {shown(kind)!r} does not show that the statement is {verdict}"
         )
-    return check(statement, setting, evidence)
+    found = check(statement, setting, evidence)
+    return found if limit is None else found.within(limit)
 
 
 def prove(tree: Tree, setting: Setting, evidence: object) -> Finding:

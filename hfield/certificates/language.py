@@ -1,7 +1,7 @@
 """Statements to trees, by a parser of the checker's own for the grammar of docs/language.md.
 
 A tree is a tuple that begins with what it is: ``("num", 3)``, ``("name", "q")``, ``("neg", x)``,
-``("+", x, y)`` and so for ``- * / == != and or => <=>``, ``("pow", x, 3)``, ``("index", x, 0)``,
+``("+", x, y)`` and so for ``- * / == != >= > <= < and or => <=>``, ``("pow", x, 3)``, ``("index", x, 0)``,
 ``("call", "norm", (x,))``, ``("not", x)``, ``("exists", ("q",), x)``. Two texts say the same when
 their trees are equal.
 """
@@ -16,7 +16,9 @@ from hfield.certificates.work import charge
 Tree = tuple[Any, ...]
 
 MAX_LENGTH, MAX_DEPTH, MAX_HEIGHT = 20_000, 100, 200
+ORDER = (">=", ">", "<=", "<")
 BINDS = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6, "+": 7, "-": 7, "*": 8, "/": 8}
+BINDS |= dict.fromkeys(ORDER, 6)
 NOT, COMPARE, SIGN = 5, 6, 9
 WORDS = ("and", "or", "not", "exists")
 # By the sorts of their values, q for quaternions and s for scalars; other calls are constants of a field.
@@ -25,7 +27,7 @@ FUNCTIONS = {"conj": "q", "inv": "q", "vector": "q", "comm": "q", "norm": "s", "
 }
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+(?![A-Za-z0-9_.]))?)"
-    r"|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign><=>|=>|==|!=|\*\*|[-+*/^()\[\],:]))",
+    r"|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign><=>|=>|==|!=|<=|>=|\*\*|[-+*/^()\[\],:<>]))",
     re.ASCII,  # so of blanks: what looks like a blank is one
 )
 BLANKS = " \t\n\r\f\v"

@@ -6,7 +6,7 @@ A value is a tree, for a quaternion, or rows of trees, kept as ``{"rows": …}``
 from collections.abc import Callable
 from typing import Any
 
-from hfield.certificates.language import Tree, children, walk
+from hfield.certificates.language import ORDER, Tree, children, walk
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.work import charge
 
@@ -50,11 +50,13 @@ class _Writer:
             return ("exists", tuple(bound), self.truth(tree[2]))
         if kind in ("and", "or", "=>", "<=>", "not"):
             return (kind, *(self.truth(x) for x in tree[1:]))
-        if kind not in ("==", "!="):
+        if kind not in ("==", "!=", *ORDER):
             return self.single(tree)
         left, right = self.value(tree[1]), self.value(tree[2])
         if not (_is_table(left) or _is_table(right)):
             return (kind, left, right)
+        if kind in ORDER:
+            reject("matrices have no order")
         rows, others = _alike(left, right)
         pairs = [
             (x, y) for r, s in zip(rows, others, strict=True) for x, y in zip(r, s, strict=True)

@@ -12,7 +12,7 @@ from hfield.certificates.matrices import ENTRIES, MATRICES, without_matrices
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.tables import Table, in_coordinates, is_table, read_table
-from hfield.certificates.words import without_words
+from hfield.certificates.words import speaks_of_order, without_words
 from hfield.certificates.work import charge
 
 LETTERS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"
@@ -92,7 +92,8 @@ def _letters(tree: Tree, field: Ring | None) -> list[str]:
 class Statement:
     """For all ``unknowns`` that are not in ``exists``: hypotheses ⇒ (there are …) conclusion.
 
-    ``unknowns`` are names with their sorts, ``q`` or ``s``; ``constants`` trees of field elements.
+    ``unknowns`` are names with their sorts, ``q`` or ``s``; ``constants`` trees of field elements. ``ordered``
+    is the statement with its moduli and comparisons, where it has any: all else is about the real closure.
     """
 
     unknowns: tuple[tuple[str, str], ...]
@@ -102,6 +103,7 @@ class Statement:
     constants: tuple[Tree, ...]
     divides: bool
     compares_unequal: bool
+    ordered: Tree | None = None
 
     @property
     def matrix(self) -> Tree:
@@ -140,6 +142,7 @@ class _Reader:
     """One pass over the tree: sorts, unknowns, constants of the field."""
 
     def __init__(self, setting: Setting) -> None:
+        self.setting = setting
         self.field, self.letters = setting.field, setting.letters
         self.structure = setting.constants
         self.unknowns: dict[str, str] = {}
@@ -149,7 +152,8 @@ class _Reader:
     def read(self, tree: Tree) -> Statement:
         """Return the statement."""
         tree = without_matrices(tree, self.is_constant)
-        tree = without_words(tree, self.field, self.structure == HAMILTON)
+        ordered = tree if speaks_of_order(tree) else None
+        tree = without_words(tree, self.field, self.structure == HAMILTON, self.is_scalar)
         hypotheses: list[Tree] = []
         while tree[0] == "=>":
             hypotheses.append(tree[1])
@@ -177,11 +181,16 @@ class _Reader:
             tuple(self.constants),
             self.divides,
             self.unequal,
+            ordered,
         )
 
     def is_constant(self, tree: Tree) -> bool:
         """Tell whether a tree means an element of the field."""
         return self.field is not None and self.field.constant(tree) is not None
+
+    def is_scalar(self, tree: Tree) -> bool:
+        """Tell whether a term is a scalar."""
+        return sort_of(tree, self.setting)[0] == "s"
 
     def unknown(self, name: str) -> str | None:
         """Return the sort of an unknown, None for any other name."""

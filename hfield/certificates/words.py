@@ -1,28 +1,38 @@
-"""The words ``dot``, ``cross`` and ``abs``, written out by their definitions in docs/language.md.
+"""The words ``dot``, ``cross``, ``abs`` and ``>= > <= <``, written out by their definitions in docs/language.md.
 
-``abs(q)`` is the number m² with m⁴ = norm(q): over the real numbers there is exactly one. A statement about
+``abs(q)`` is the number m² with m⁴ = norm(q): in a real closed field there is exactly one. A statement about
 all values of its unknowns, with moduli, is the statement about all these and all m with m⁴ = norm(q).
+``x >= 0`` is ``x == 0 or x != -z**2`` for all z, where it is to be shown, and ``x == z**2`` for some z where
+it is a hypothesis; ``x > 0`` likewise.
 """
 
+from collections.abc import Callable
 from fractions import Fraction
 
-from hfield.certificates.language import Tree, walk
+from hfield.certificates.language import ORDER, Tree, walk
 from hfield.certificates.matrices import ENTRIES
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.ring import Ring
-from hfield.certificates.scalars.surds import Reals
 from hfield.certificates.work import charge
 
 ARGUMENTS = {"dot": 2, "cross": 2, "abs": 1}
 
 
-def without_words(tree: Tree, field: Ring | None, hamilton: bool) -> Tree:
-    """Return a statement that says the same without these words.
+def speaks_of_order(tree: Tree) -> bool:
+    """Tell whether a statement has words that mean something over ordered fields only."""
+    return any(node[0] in ORDER or node[:2] == ("call", "abs") for node in walk(tree))
 
-    There are moduli where the norm has no negative values: in H over the real numbers.
+
+def without_words(
+    tree: Tree, field: Ring | None, hamilton: bool, is_scalar: Callable[[Tree], bool]
+) -> Tree:
+    """Return a statement that says the same without these words, over the real closure of the field.
+
+    There are moduli where the norm has no negative values: in H. ``is_scalar`` tells it of a term without
+    these words.
     """
     nodes = walk(tree)
-    if not any(node[0] == "call" and node[1] in ARGUMENTS for node in nodes):
+    if not any(node[0] in ORDER or (node[0] == "call" and node[1] in ARGUMENTS) for node in nodes):
         return tree
     used = {node[1] for node in nodes if node[0] == "name"}
     free = [
@@ -30,25 +40,59 @@ def without_words(tree: Tree, field: Ring | None, hamilton: bool) -> Tree:
         for name in ENTRIES
         if name not in used and (field is None or field.constant(("name", name)) is None)
     ]
-    ordered = hamilton and isinstance(field, Reals)
-    writer = _Writer(ordered, free, any(node[0] == "exists" for node in nodes))
-    written = writer.write(tree)
+    writer = _Writer(hamilton, free, any(node[0] == "exists" for node in nodes), is_scalar)
+    written = writer.statement(tree, True)
     for hypothesis in reversed(writer.hypotheses):
         written = ("=>", hypothesis, written)
     return written
 
 
 class _Writer:
-    def __init__(self, ordered: bool, free: list[str], quantified: bool) -> None:
-        self.ordered, self.free, self.quantified = ordered, free, quantified
+    def __init__(
+        self, hamilton: bool, free: list[str], quantified: bool, is_scalar: Callable[[Tree], bool]
+    ) -> None:
+        self.hamilton, self.free, self.quantified = hamilton, free, quantified
+        self.is_scalar = is_scalar
         self.moduli: dict[Tree, Tree] = {}
         self.hypotheses: list[Tree] = []
 
-    def write(self, tree: Tree) -> Tree:
-        """Write out a term or a statement."""
+    def statement(self, tree: Tree, claimed: bool) -> Tree:
+        """Write out a statement that is ``claimed``, or else a hypothesis."""
         charge(5)
-        if tree[0] == "exists":
-            return ("exists", tree[1], self.write(tree[2]))
+        kind = tree[0]
+        if kind == "exists":
+            return ("exists", tree[1], self.statement(tree[2], claimed))
+        if kind == "not":
+            return ("not", self.statement(tree[1], not claimed))
+        if kind == "<=>" and any(node[0] in ORDER for node in walk(tree)):
+            first = ("=>", self.statement(tree[1], not claimed), self.statement(tree[2], claimed))
+            second = ("=>", self.statement(tree[2], not claimed), self.statement(tree[1], claimed))
+            return ("and", first, second)
+        if kind in ("and", "or", "=>", "<=>"):
+            left = self.statement(tree[1], claimed != (kind == "=>"))
+            return (kind, left, self.statement(tree[2], claimed))
+        if kind in ORDER:
+            return self.order(kind, self.write(tree[1]), self.write(tree[2]), claimed)
+        return self.write(tree)
+
+    def order(self, kind: str, left: Tree, right: Tree, claimed: bool) -> Tree:
+        """Write out a comparison: what is not negative is a square, what is negative the opposite of one."""
+        if self.quantified:
+            reject("a comparison and 'exists' do not stand in one statement")
+        if not (self.is_scalar(left) and self.is_scalar(right)):
+            reject(f"{kind} compares scalars")
+        x = ("-", left, right) if kind in (">=", ">") else ("-", right, left)
+        z = self.helper()
+        square, zero = ("pow", z, 2), ("num", 0)
+        if claimed:
+            positive: Tree = ("!=", x, ("neg", square))
+            return positive if kind in (">", "<") else ("or", ("==", x, zero), positive)
+        squared: Tree = ("==", x, square)
+        return squared if kind in (">=", "<=") else ("and", squared, ("!=", z, zero))
+
+    def write(self, tree: Tree) -> Tree:
+        """Write out a term, or a comparison by == or !=."""
+        charge(5)
         if tree[0] != "call":
             return (tree[0], *(self.write(x) if isinstance(x, tuple) else x for x in tree[1:]))
         arguments = tuple(map(self.write, tree[2]))
@@ -66,8 +110,8 @@ class _Writer:
 
     def modulus(self, x: Tree) -> Tree:
         """Return m² for a new m with m⁴ = norm(x)."""
-        if not self.ordered:
-            reject("abs is about H over the real numbers")
+        if not self.hamilton:
+            reject("abs is about H over ordered fields")
         if self.quantified:
             reject("abs and 'exists' do not stand in one statement")
         for node in walk(x):
@@ -75,12 +119,16 @@ class _Writer:
             if undefined or node[:2] == ("call", "inv") or _is_fraction(node):
                 reject("the argument of abs may be undefined")
         if x not in self.moduli:
-            if not self.free:
-                reject("there are too many moduli")
-            m = ("index", ("name", self.free.pop(0)), 0)
+            m = self.helper()
             self.moduli[x] = ("pow", m, 2)
             self.hypotheses.append(("==", ("pow", m, 4), ("call", "norm", (x,))))
         return self.moduli[x]
+
+    def helper(self) -> Tree:
+        """Return a scalar that is new in the statement."""
+        if not self.free:
+            reject("there are too many moduli and comparisons")
+        return ("index", ("name", self.free.pop(0)), 0)
 
 
 def _is_fraction(node: Tree) -> bool:

@@ -27,7 +27,7 @@ from hfield.proving.definedness import algebra_exists
 from hfield.proving.evaluation.scalars import constant
 from hfield.proving.existence import quantifiers
 from hfield.proving.existence.closed_equations import closed_solutions
-from hfield.proving.methods import universal
+from hfield.proving.methods import ordered, universal
 from hfield.proving.methods.subfields import decide_in_subfields
 from hfield.proving.problem import Problem, remembered
 from hfield.proving.statements.language import read_statement
@@ -106,6 +106,8 @@ def _decided(problem: Problem, ring: Ring | None, timeout: float) -> Decision:
     exists, attempts = algebra_exists(problem), Attempts()
     if exists is False:
         return _no_algebra(problem)
+    if problem.statement.ordered is not None:
+        return ordered.decide(problem, _tried)
     attempts.answer(_evaluate_constants, problem)
     if attempts.refusals:
         return undecided(*attempts.refusals)

@@ -24,6 +24,7 @@ __all__ = [
     "COMMUTATIVE_RINGS",
     "FIELD",
     "FIELDS",
+    "ORDERED_FIELDS",
     "NOT_APPLICABLE",
     "PROVED",
     "REDUCED_RINGS",
@@ -51,6 +52,7 @@ class Scope(str):
 
 
 FIELD, FIELDS = Scope(glossary.FIELD), Scope(glossary.FIELDS)
+ORDERED_FIELDS = Scope(glossary.ORDERED_FIELDS)
 REDUCED_RINGS = Scope(glossary.REDUCED_RINGS)
 COMMUTATIVE_RINGS = Scope(glossary.COMMUTATIVE_RINGS)
 
@@ -64,7 +66,8 @@ class Decision:
     unknown to the texts of its coordinates (four, or one for a scalar), which the field reads back;
     where no field was named, the key ``F`` holds the field that the witness lives in. ``steps`` are
     lines that one could put on a blackboard. ``scope`` says where the statement was proved:
-    ``commutative rings``, ``reduced rings``, ``fields``, ``characteristics [..]`` or ``field``.
+    ``commutative rings``, ``reduced rings``, ``fields``, ``ordered fields``, ``characteristics [..]`` or
+    ``field``.
     ``assumes`` lists theorems that are cited and not checked, ``tried`` what an undecided
     statement was tried with. ``evidence`` is what a program checks it by.
     """

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 MAX_STEPS = 12  # shown to people; the decision has them all
 EXIT_STATUS = {PROVED: 0, VACUOUS: 0, REFUTED: 1, UNDECIDED: 3, NOT_APPLICABLE: 3}
-_COMPARISON = re.compile(r"[=!]=|=>|[=≠⇒⇔]")
+_COMPARISON = re.compile(r"[=!<>]=|=>|[=≠⇒⇔<>≤≥]")
 _SIGNS = {PROVED: "✓", VACUOUS: "✓", REFUTED: "✗", UNDECIDED: "?", NOT_APPLICABLE: "–"}
 
 
@@ -250,8 +250,8 @@ def prove(
     if read.assumes_of_basis and table is None:
         hint = say("basis-constants", A=problem.setting.algebra)
         decision = replace(decision, steps=(*decision.steps, hint))
-    if (table is not None or read.helpers) and decision.scope is not None:
-        decision = replace(decision, scope=FIELD)  # the coordinates, or moduli, are of this field
+    if table is not None and decision.scope is not None:
+        decision = replace(decision, scope=FIELD)  # the coordinates are of this field
     if decision.witness is not None:
         shown = {x: v for x, v in decision.witness.items() if x not in read.helpers}
         decision = replace(decision, witness=shown if table is None else _elements(shown, table))

@@ -4,7 +4,7 @@ Python's expression syntax, read by a parser of our own and never by ``eval``::
 
     statement := "exists" NAME ("," NAME)* ":" statement | infix
     infix     := prefix (OPERATOR infix)*   binding, from loose to tight:
-                 <=>   =>   or   and   (not)   == !=   + -   * /   (sign)   ** ^
+                 <=>   =>   or   and   (not)   == != >= > <= <   + -   * /   (sign)   ** ^
     prefix    := ("not" | "-" | "+") infix | power
     power     := atom ("[" digit "]")? (("**" | "^") integer)?
     atom      := NUMBER | NAME | NAME "(" statement ("," statement)* ")" | "(" statement ")"
@@ -33,6 +33,7 @@ from hfield.syntax.building import (
 from hfield.syntax.reader import MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, OfTrees, Reader, parse, weight
 from hfield.syntax.spelling import plain, plain_element
 from hfield.syntax.tree import (
+    ORDER,
     Binary,
     Call,
     Compare,
@@ -55,6 +56,7 @@ __all__ = [
     "MAX_DEPTH",
     "MAX_DIGITS",
     "MAX_LENGTH",
+    "ORDER",
     "Binary",
     "Call",
     "Compare",

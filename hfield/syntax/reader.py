@@ -15,6 +15,7 @@ from typing import Any, NoReturn
 from hfield.errors import NotationError, TooLargeError, shorten
 from hfield.syntax.spelling import elsewhere
 from hfield.syntax.tree import (
+    ORDER,
     Binary,
     Call,
     Compare,
@@ -156,11 +157,12 @@ MAX_DIGITS = 4_000
 
 # How tightly an infix operator binds; those of one strength associate to the left, but for "=>".
 BINDS = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6, "+": 7, "-": 7, "*": 8, "/": 8}
+BINDS |= dict.fromkeys(ORDER, 6)
 NOT, COMPARE, UNARY = 5, 6, 9
 
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+(?![\w.]))?)"
-    r"|(?P<name>[^\W\d]\w*)|(?P<op><=>|=>|==|!=|\*\*|[-+*/^()\[\],:]))",
+    r"|(?P<name>[^\W\d]\w*)|(?P<op><=>|=>|==|!=|<=|>=|\*\*|[-+*/^()\[\],:<>]))",
     re.ASCII,  # one way to write a digit or a name: what looks alike is alike
 )
 _BLANKS = " \t\n\r\f\v"
@@ -169,8 +171,6 @@ _PREFIXES = ("exists", "not", "-", "+")
 _WORDS = {"and", "or", "not", "exists"}
 _MENDS = {
     "=": "write == for equality",
-    "<": "there is no order here: only == and != compare",
-    ">": "there is no order here: only == and != compare",
     "%": "there is no remainder here",
     "|": "the norm of q is norm(q)",
     "∀": "unknowns stand for all elements, without a sign",

@@ -6,7 +6,7 @@ import unicodedata
 from hfield.errors import NotationError, shorten
 
 _SIGNS = {"≠": "!=", "⇒": "=>", "⇔": "<=>", "∧": " and ", "∨": " or ", "¬": " not ", "∃": "exists "}
-_SIGNS |= {"−": "-", "·": "*", "×": "*"}
+_SIGNS |= {"−": "-", "·": "*", "×": "*", "≤": "<=", "≥": ">="}
 _FUNCTIONS = {"N": "norm", "tr": "trace", "Sc": "scalar", "Vec": "vector"}
 _WORDS = ("and", "or", "not")
 _FUNCTION = re.compile(rf"\b({'|'.join(_FUNCTIONS)})(?=\()")

@@ -9,6 +9,9 @@ from functools import cache
 from operator import attrgetter
 from typing import Any, ClassVar, TypeAlias
 
+ORDER = (">=", ">", "<=", "<")
+"""The comparisons of scalars over ordered fields."""
+
 Operand: TypeAlias = "Node | int | float | Fraction"
 
 
@@ -140,7 +143,7 @@ class Index(Node):
 
 @dataclass(frozen=True, slots=True)
 class Compare(Node):
-    """``left op right`` with op ``==`` or ``!=``."""
+    """``left op right`` with op ``==`` or ``!=``, or one of ``>= > <= <``."""
 
     below = ("left", "right")
     op: str

@@ -12,6 +12,7 @@ from hfield.certificates.glossary import (
     WITNESS,
 )
 from hfield.certificates.language import Tree
+from hfield.certificates.real_closure import REALS, in_real_closure, is_false_at, names_of_unknowns
 from hfield.certificates.rejection import an_object, reject
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.ring import Ring
@@ -21,12 +22,36 @@ from hfield.certificates.values import read_values
 
 def counterexample(statement: Statement, setting: Setting, evidence: object) -> Finding:
     """Refute by values for which the statement is false."""
+    if statement.ordered is not None and not _has_helpers(statement, setting, evidence):
+        return in_order(statement, setting, evidence)
     ring, values = _witness(statement, setting, evidence)
     if truth_at(ring, setting, statement, values) is not False:
         reject("the statement is true for the values of the witness, or the algebra not defined")
     if not ring.is_exact:
         return Finding(FIELD, FLOATS_EXACT)
     return Finding(FIELD, _refuted(statement.matrix, ring.order is None))
+
+
+def _has_helpers(statement: Statement, setting: Setting, evidence: object) -> bool:
+    """Tell whether values over RR are given of the unknowns by which moduli and comparisons are written out."""
+    if setting.field is None or setting.field.name != REALS.name:
+        return False
+    values = evidence.get("values") if isinstance(evidence, dict) else None
+    return isinstance(values, dict) and values.keys() > names_of_unknowns(statement)
+
+
+def in_order(statement: Statement, setting: Setting, evidence: object) -> Finding:
+    """Refute by values for which a statement with moduli and comparisons is false."""
+    data = an_object(evidence, "kind values ring", "the evidence")
+    ring = read_ring(data["ring"])
+    if setting.field is None and ring.name != "QQ":
+        reject("a statement about all ordered fields is refuted by rational numbers")
+    if setting.field is not None and setting.field.name != ring.name:
+        reject("the field of the evidence is not that of the certificate")
+    there, _ = in_real_closure(statement, setting, "witness")
+    if is_false_at(statement, there, ring, data["values"]):
+        return Finding(FIELD, COUNTEREXAMPLE)
+    reject("the statement is true for the values of the witness, or the algebra not defined")
 
 
 def _refuted(tree: Tree, infinite: bool) -> str:

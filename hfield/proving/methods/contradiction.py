@@ -23,6 +23,7 @@ from hfield.proving.polynomials.recognition import (
     has_no_root,
     polynomial_text,
 )
+from hfield.proving.polynomials.sums_of_squares import as_sum_of_squares, eliminated
 from hfield.proving.polynomials.vanishing import factored
 from hfield.rings.base import Ring
 
@@ -132,6 +133,7 @@ class _Search:
         self.denominators: list[int] = []
         self.used: dict[Rule, None] = {}
         self.complete, self.unreliable = True, False
+        self.taken_apart: list[Any] = []  # polynomials of which sums of squares were looked for
         count = len(conditions.nonzero)
         self.names = (*conditions.variables, *(f"T{n + 1}" for n in range(count)))
 
@@ -164,7 +166,7 @@ class _Search:
                 continue
             if self._rootless(ideal):
                 return True
-            if self._forms(ideal):
+            if self._forms(ideal) or self._gram(ideal):
                 continue
             if self.clock.is_late or len(ideal.basis.leads) > MAX_ELEMENTS:
                 self.complete = False
@@ -221,6 +223,28 @@ class _Search:
             step = {"coefficients": [c for c, _ in parts]}
             form = sum((c * m * m for c, m in parts), ideal.context.constant(0))
             if self._derive(ideal, rule, form, terms, step):
+                return True
+        return False
+
+    def _gram(self, ideal: Ideal) -> bool:
+        """Write a polynomial of the ideal as a sum of squares of polynomials, and put these there."""
+        rule = self._rule(SQUARES)
+        if rule is None or not rule.positive:
+            return False
+        candidates = [*ideal.generators, *ideal.elements()]
+        candidates += eliminated(ideal.generators)
+        for f in sorted(candidates, key=len):
+            if self.clock.is_late:
+                return False
+            if f in self.taken_apart:
+                continue
+            self.taken_apart.append(f)
+            squares = as_sum_of_squares(f)
+            if squares is None:
+                continue
+            form = sum((c * g * g for c, g in squares), ideal.context.constant(0))
+            step = {"coefficients": [c for c, _ in squares]}
+            if self._derive(ideal, rule, form, [g for _, g in squares], step):
                 return True
         return False
 

@@ -18,7 +18,7 @@ from hfield.proving.statements.matrices import ENTRIES, expanded
 from hfield.proving.statements.printing import to_text
 from hfield.proving.statements.tables import in_coordinates
 from hfield.proving.statements.trees import names_in, taken_apart, tree_depth
-from hfield.proving.statements.words import ARGUMENTS, without_words
+from hfield.proving.statements.words import ARGUMENTS, need_order, order_word, without_words
 from hfield.rings.base import Ring
 from hfield.syntax import (
     Binary,
@@ -82,7 +82,8 @@ class Statement:
     as its generator. ``node`` is the whole as a tree, ``written`` that with matrices or elements of a
     table in it, where ``node`` has their entries or coordinates, ``divides`` whether ``/``, ``inv``, a
     decimal fraction or a negative power occurs, ``compares_unequal`` whether ``!=`` or ``not`` does.
-    ``helpers`` are unknowns of ``node`` by which words of ``written`` are defined.
+    ``helpers`` are unknowns of ``node`` by which words of ``written`` are defined. ``ordered`` is the statement
+    with its moduli and comparisons, where it has any: ``node`` is then about the real closure of the field.
     """
 
     text: str
@@ -96,6 +97,7 @@ class Statement:
     divides: bool
     compares_unequal: bool
     helpers: frozenset[str] = frozenset()
+    ordered: Node | None = None
 
     def __str__(self) -> str:
         return to_text(self.written)
@@ -149,6 +151,7 @@ def read_statement(
             pass
         else:
             if generators(field).isdisjoint({*general.sorts, *ENTRIES}):
+                need_order(general.written, field, text)
                 return general  # it says the same over every field
     node = _parse(text)
     if given:
@@ -206,11 +209,12 @@ class _Analysis:
         if table is None:
             plain = self.named(expanded(written, taken, self.text))
             hamilton = constants in ((), HAMILTON)
-            node = without_words(plain, self.field, hamilton, self.text)
+            node = without_words(plain, self.field, hamilton, self.text, self.is_scalar)
             helpers = names_in(node) - names_in(plain)
+            ordered = None if order_word(plain) is None else plain
         else:
             node = self.named(in_coordinates(written, table, taken, self.text))
-            helpers = frozenset()
+            helpers, ordered = frozenset(), None
         hypotheses, conclusion = taken_apart(node)
         exists: list[str] = []
         for h in hypotheses:
@@ -239,11 +243,16 @@ class _Analysis:
             divides=self.divides,
             compares_unequal=self.unequal,
             helpers=helpers,
+            ordered=ordered,
         )
 
     def named(self, node: Node) -> Node:
         """Return a tree in which a number that the field knows in part is written in one way."""
         return node if self.field is None else self.field.named_constants(node)
+
+    def is_scalar(self, node: Node) -> bool:
+        """Tell whether a term is a scalar."""
+        return _Analysis(self.text, self.field, tuple(self.letters)).term(node) is Sort.SCALAR
 
     def check_bound(self, name: str, node: Node, given: set[str], exists: list[str]) -> None:
         if self.unknown_sort(name) is None:

@@ -6,9 +6,9 @@ from fractions import Fraction
 from html import escape
 
 from hfield.proving.statements.printing import POSTFIX, SHORT_FUNCTIONS, UNICODE_SIGNS, Writer
-from hfield.syntax import Binary, Node
+from hfield.syntax import ORDER, Binary, Node
 
-BREAKABLE = ("<=>", "=>", "or", "and", "==", "!=", "+", "-")
+BREAKABLE = ("<=>", "=>", "or", "and", "==", "!=", *ORDER, "+", "-")
 
 
 def to_mathml(node: Node) -> str:
@@ -40,7 +40,7 @@ class _MathML(Writer):
 
     def operator(self, op: str) -> str:
         sign = {"neg": "−", "not": "¬"}.get(op) or UNICODE_SIGNS[op].strip()
-        return f"<mo>{sign}</mo>"
+        return f"<mo>{escape(sign)}</mo>"
 
     def group(self, text: str) -> str:
         tall = "" if "<mfrac>" in text else ' stretchy="false"'

@@ -15,6 +15,7 @@ from typing import NoReturn, TypeAlias
 from hfield.errors import NotationError
 from hfield.proving.statements.trees import conjunction, divides_in, walk_once
 from hfield.syntax import (
+    ORDER,
     Binary,
     Call,
     Compare,
@@ -90,6 +91,8 @@ class _Expansion:
         """Compare entry by entry: all are equal; or some are not, and all are defined."""
         if isinstance(x, Node) and isinstance(y, Node):
             return Compare(op, x, y, position=node.position)
+        if op in ORDER:
+            self.fail(f"{op} compares scalars, and this is a matrix", node)
         x, y = self.like(x, y, node), self.like(y, x, node)
         pairs = [(a, b) for r, s in zip(x, y, strict=True) for a, b in zip(r, s, strict=True)]
         some = compared(op, pairs, node.position)

@@ -20,6 +20,7 @@ from hfield.proving.statements.matrices import WORDS as MATRIX_WORDS
 from hfield.proving.statements.trees import conjunction, walk
 from hfield.proving.statements.words import ARGUMENTS
 from hfield.syntax import (
+    ORDER,
     Binary,
     Call,
     Compare,
@@ -123,6 +124,8 @@ class _Writer:
 
     def comparison(self, op: str, left: Node, right: Node, node: Node) -> Node:
         """Compare coordinate by coordinate, where all that is divided by has an inverse."""
+        if op in ORDER:
+            self.fail(f"{op} is not read in an algebra by its table", node)
         self.quotients, self.elements = [], False
         x, y = self.term(left), self.term(right)
         if isinstance(x, Node) and isinstance(y, Node):

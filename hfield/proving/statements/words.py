@@ -1,55 +1,161 @@
-"""Words of the language that others define: ``dot``, ``cross``, and ``abs`` over the real numbers.
+"""Words of the language that others define: ``dot``, ``cross``, ``abs`` and the comparisons ``>= > <= <``.
 
-They are written out before anything is decided, so that methods and checker do not know of them. The
-modulus is the number m² with m⁴ = norm(q), of which there is exactly one over a real closed field; m is a
-coordinate of an unknown that does not stand in the statement.
+They are written out before anything is decided, so that methods and checker do not know of them. Those that
+need an order are about an ordered field in its real closure, where what is not negative is a square:
+
+* ``abs(q)`` is the number m² with m⁴ = norm(q), of which there is exactly one.
+* ``x >= 0`` says that x is −z² for no z, or 0; where it is a hypothesis, that x is z² for some z.
+* ``x > 0`` says that x is −z² for no z; where it is a hypothesis, that x is z² for some z that is not 0.
+
+m and z are coordinates of unknowns that do not stand in the statement, and it is about all their values.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NoReturn
 
 from hfield.errors import NotationError
 from hfield.proving.statements.matrices import ENTRIES
 from hfield.proving.statements.trees import divides_in, implication, names_in, walk_once
-from hfield.rings.base import Ring
-from hfield.syntax import Call, Compare, Exists, Index, Name, Node, Power, children, rebuild
+from hfield.rings.base import INFINITY, Ring
+from hfield.syntax import (
+    ORDER,
+    Call,
+    Compare,
+    Exists,
+    Index,
+    Logic,
+    Name,
+    Node,
+    Not,
+    Number,
+    Power,
+    children,
+    rebuild,
+)
 
 ARGUMENTS = {"dot": 2, "cross": 2, "abs": 1}
 HELPERS = tuple(name for own in ENTRIES.values() for name in own)
+ZERO = Number(0)
 
 
-def without_words(node: Node, field: Ring | None, hamilton: bool, text: str) -> Node:
+def order_word(node: Node) -> Node | None:
+    """Return a part of a statement that has a meaning over ordered fields only; None where none has."""
+    for n in walk_once(node):
+        if isinstance(n, Compare) and n.op in ORDER:
+            return n
+        if isinstance(n, Call) and n.function == "abs":
+            return n
+    return None
+
+
+def has_order(field: Ring) -> bool:
+    """Tell whether a ring is known to be an ordered one, of characteristic 0."""
+    return not field.characteristic and (not field.is_exact or field.level.value == INFINITY)
+
+
+def need_order(node: Node, field: Ring | None, text: str) -> None:
+    """Raise :class:`NotationError` for a word that has no meaning over the field."""
+    word = order_word(node)
+    if word is None or field is None or has_order(field):
+        return
+    name = word.op if isinstance(word, Compare) else "abs"
+    raise NotationError(
+        f"{name} has a meaning over ordered fields, such as QQ, QQ(sqrt(2)) and RR, and {field.name} is not "
+        "known to have an order",
+        text,
+        word.position,
+    )
+
+
+def without_words(
+    node: Node,
+    field: Ring | None,
+    hamilton: bool,
+    text: str,
+    is_scalar: Callable[[Node], bool],
+) -> Node:
     """Return a statement that says the same without these words.
 
-    There are moduli where the norm has no negative values: in H, as ``hamilton`` says, over the real
-    numbers. Raises :class:`NotationError`.
+    There are moduli where the norm has no negative values: in H, as ``hamilton`` says. ``is_scalar`` tells
+    of a term without these words whether it is a scalar. Raises :class:`NotationError`.
     """
-    if not any(isinstance(n, Call) and n.function in ARGUMENTS for n in walk_once(node)):
+    need_order(node, field, text)
+    if not any(
+        (isinstance(n, Call) and n.function in ARGUMENTS)
+        or (isinstance(n, Compare) and n.op in ORDER)
+        for n in walk_once(node)
+    ):
         return node
     quantified = any(isinstance(n, Exists) for n in walk_once(node))
     taken = names_in(node).union(() if field is None else field.names())
     free = [name for name in HELPERS if name not in taken]
-    writer = _Writer(field, hamilton, text, quantified, free)
-    written = writer.write(node)
+    writer = _Writer(hamilton, text, quantified, free, is_scalar)
+    written = writer.statement(node, True)
     return implication(tuple(writer.hypotheses), written)
 
 
 class _Writer:
     def __init__(
-        self, field: Ring | None, hamilton: bool, text: str, quantified: bool, free: list[str]
+        self,
+        hamilton: bool,
+        text: str,
+        quantified: bool,
+        free: list[str],
+        is_scalar: Callable[[Node], bool],
     ) -> None:
-        self.field, self.hamilton, self.text = field, hamilton, text
-        self.quantified, self.free = quantified, free
+        self.hamilton, self.text = hamilton, text
+        self.quantified, self.free, self.is_scalar = quantified, free, is_scalar
         self.moduli: dict[Node, Node] = {}
         self.hypotheses: list[Node] = []
 
     def fail(self, message: str, node: Node) -> NoReturn:
         raise NotationError(message, self.text, node.position)
 
-    def write(self, node: Node) -> Node:
-        """Write out a term or a statement."""
-        written = rebuild(node, [self.write(x) for x in children(node)])
+    def statement(self, node: Node, claimed: bool) -> Node:
+        """Write out a statement; ``claimed`` tells whether it is to be shown, and is no hypothesis."""
+        match node:
+            case Compare(op, left, right):
+                x, y = self.term(left), self.term(right)
+                return self.order(node, x, y, claimed) if op in ORDER else rebuild(node, [x, y])
+            case Not(x):
+                return rebuild(node, [self.statement(x, not claimed)])
+            case Logic("<=>", left, right) if _compares(node):
+                there, back = (
+                    Logic("=>", self.statement(x, not claimed), self.statement(y, claimed))
+                    for x, y in ((left, right), (right, left))
+                )
+                return Logic("and", there, back, position=node.position)
+            case Logic(op, left, right):
+                first = self.statement(left, claimed != (op == "=>"))
+                return rebuild(node, [first, self.statement(right, claimed)])
+            case Exists():
+                return rebuild(node, [self.statement(node.body, claimed)])
+        return self.term(node)
+
+    def order(self, node: Compare, left: Node, right: Node, claimed: bool) -> Node:
+        """Write out a comparison of scalars by what is a square."""
+        self.need_no_quantifier(node.op, node)
+        for side in (left, right):
+            if not self.is_scalar(side):
+                self.fail(f"{node.op} compares scalars, and this is a quaternion", side)
+        large, small = (left, right) if node.op in (">=", ">") else (right, left)
+        x = large if small == ZERO else large - small
+        z = self.helper(node)
+        if not claimed:
+            positive = Compare("==", x, Power(z, 2))
+            if node.op in (">=", "<="):
+                return positive
+            return Logic("and", positive, Compare("!=", z, ZERO))
+        not_negative = Compare("!=", x, -Power(z, 2))
+        if node.op in (">", "<"):
+            return not_negative
+        return Logic("or", Compare("==", x, ZERO), not_negative)
+
+    def term(self, node: Node) -> Node:
+        """Write out a term."""
+        written = rebuild(node, [self.term(x) for x in children(node)])
         if not isinstance(written, Call) or written.function not in ARGUMENTS:
             return written
         wanted, x = ARGUMENTS[written.function], written.arguments
@@ -64,22 +170,31 @@ class _Writer:
 
     def modulus(self, x: Node, node: Node) -> Node:
         """Return m² for a new m with m⁴ = norm(x)."""
-        if self.field is None or self.field.closure != "real closed":
-            where = "no field is named" if self.field is None else f"{self.field.name} is none"
-            self.fail(f"abs is decided over the real numbers, RR, and {where}", node)
         if not self.hamilton:
             self.fail("abs is decided in H, where no norm is negative", node)
-        if self.quantified:
-            self.fail("abs and 'exists' do not stand in one statement", node)
+        self.need_no_quantifier("abs", node)
         if divides_in(x):
             self.fail("the argument of abs has no quotient and no inverse here", node)
         if x not in self.moduli:
-            if not self.free:
-                self.fail(f"a statement has at most {len(HELPERS)} moduli", node)
-            m = Index(Name(self.free.pop(0)), 0)
+            m = self.helper(node)
             self.moduli[x] = Power(m, 2)
             self.hypotheses.append(Compare("==", Power(m, 4), Call("norm", (x,))))
         return self.moduli[x]
 
+    def need_no_quantifier(self, word: str, node: Node) -> None:
+        if self.quantified:
+            self.fail(f"{word} and 'exists' do not stand in one statement", node)
 
-__all__ = ["ARGUMENTS", "HELPERS", "without_words"]
+    def helper(self, node: Node) -> Node:
+        """Return a scalar that is new in the statement."""
+        if not self.free:
+            self.fail(f"a statement has at most {len(HELPERS)} moduli and comparisons", node)
+        return Index(Name(self.free.pop(0)), 0)
+
+
+def _compares(node: Node) -> bool:
+    """Tell whether an order is spoken of in a statement."""
+    return any(isinstance(n, Compare) and n.op in ORDER for n in walk_once(node))
+
+
+__all__ = ["ARGUMENTS", "HELPERS", "has_order", "need_order", "order_word", "without_words"]
