@@ -5,6 +5,7 @@ What each kind proves, and why, is written in docs/trust.md.
 """
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
@@ -46,7 +47,7 @@ def establish(statement: Statement, setting: Setting, verdict: str, evidence: ob
             f"evidence of the kind {shown(kind)!r} does not show that the statement is {verdict}"
         )
     found = check(statement, setting, evidence)
-    return found if limit is None else found.within(limit)
+    return found if limit is None else replace(found, scope=limit)
 
 
 def prove(tree: Tree, setting: Setting, evidence: object) -> Finding:

@@ -26,7 +26,7 @@ COST = 400  # what evaluating a statement once is charged
 
 
 def in_real_closure(statement: Statement, setting: Setting, kind: str) -> tuple[Setting, str]:
-    """Return where evidence of a kind is read, and the widest scope that it has."""
+    """Return where evidence of a kind is read, and the scope of what it shows."""
     field = setting.field
     if field is None:
         scope = ORDERED_FIELDS

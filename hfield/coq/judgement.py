@@ -137,6 +137,8 @@ class Judgement:
 
     def by(self, verdict: str, evidence: Mapping[str, Any]) -> Proved:
         """Prove what a verdict says."""
+        if self.statement.ordered is not None:
+            raise NotCoveredError("moduli and comparisons over ordered fields")
         by = {PROVED: self.proved, REFUTED: self.refuted, VACUOUS: self.vacuous}
         return by[verdict](evidence)
 

@@ -17,11 +17,14 @@ from hfield.presenting import hanging
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
+from hfield.proving.evaluation.ordered import OrderedEvaluator
 from hfield.proving.evaluation.searcher import read_back
+from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement, read_statement
 from hfield.proving.statements.printing import to_unicode
 from hfield.proving.statements.setting import Setting, read_setting
-from hfield.proving.statements.trees import walk
+from hfield.proving.statements.trees import taken_apart, walk
+from hfield.proving.statements.words import is_about_order
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Node, weight
 
@@ -29,13 +32,15 @@ _MOST = (
     600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
 )
 _LABEL = 12
+_FALSE = {"==": "≠", "!=": "=", ">=": "<", ">": "≤", "<=": ">", "<": "≥"}  # what is true instead
 
 
 def decision_text(
     statement: str, decision: Decision, algebra: str, field: str | None, style: Style
 ) -> str:
     """Write a statement in ``algebra``, or about all rings, and its decision; no field means all."""
-    where = "for every F" if field is None else f"{over(field)}, {ring(field).in_words()}"
+    every = "for every ordered F" if is_about_order(statement) else "for every F"
+    where = every if field is None else f"{over(field)}, {ring(field).in_words()}"
     if decision.method in (PRESENTATION, ALGEBRA):
         whole = "in every ring with identity" if field is None else "in every algebra with identity"
         said = whole if field is None else f"{whole} {where}"
@@ -125,8 +130,14 @@ def _world(
     witness: Mapping[str, Sequence[str]],
 ) -> Evaluator:
     """Give the unknowns the values of the witness. Raises KeyError for one without a value."""
+    own = {name: witness[name] for name, _ in statement.unknowns if name not in statement.helpers}
+    if statement.ordered is not None:
+        reals = Problem(statement, setting).over(ring("RR"))
+        ordered = OrderedEvaluator(reals, RingScalars(reals.ring))
+        ordered.bind(read_back(reals.ring, own))
+        return ordered
     fixed = {text: F(text) for text in statement.constants}
-    values = read_back(F, {unknown: witness[unknown] for unknown, _ in statement.unknowns})
+    values = read_back(F, own)
     world = Evaluator(RingScalars(F), setting.trees, statement.sorts, fixed)
     world.bind(values)
     return world
@@ -134,7 +145,10 @@ def _world(
 
 def _failures(world: Evaluator, statement: Statement, F: Ring) -> Iterator[str]:
     """Write the comparisons of the conclusion that are false."""
-    for node in walk(statement.conclusion):
+    conclusion = statement.conclusion
+    if statement.ordered is not None:
+        conclusion, F = taken_apart(statement.ordered)[1], ring("RR")
+    for node in walk(conclusion):
         if isinstance(node, Compare) and not world.truth(node):
             sides = [_side(world, x, F) for x in (node.left, node.right)]
             if not all(value for _, value in sides):
@@ -142,7 +156,7 @@ def _failures(world: Evaluator, statement: Statement, F: Ring) -> Iterator[str]:
                 yield f"{shown} is not defined"
             else:
                 (left, x), (right, y) = sides
-                yield _chain(left, x, node.op == "!=", y, right)
+                yield _chain(left, x, _FALSE[node.op], y, right)
 
 
 def _side(world: Evaluator, node: Node, F: Ring) -> tuple[str, str]:
@@ -153,9 +167,9 @@ def _side(world: Evaluator, node: Node, F: Ring) -> tuple[str, str]:
     return to_unicode(node), element_text(F, world.embed(value), "unicode")
 
 
-def _chain(left: str, x: str, equal: bool, y: str, right: str) -> str:
+def _chain(left: str, x: str, sign: str, y: str, right: str) -> str:
     """Join two terms and their values, each text once: ``p·q = k ≠ −k = q·p``."""
-    if equal:
+    if sign == "=":
         return " = ".join(dict.fromkeys((left, x, right)))
     right = y if right == "e" else right
-    return " ≠ ".join(" = ".join(dict.fromkeys(side)) for side in ((left, x), (y, right)))
+    return f" {sign} ".join(" = ".join(dict.fromkeys(side)) for side in ((left, x), (y, right)))

@@ -75,14 +75,16 @@ def eliminated(generators: Sequence[flint.fmpz_mpoly]) -> list[flint.fmpz_mpoly]
     ``s - z**2`` expresses s, and ``m**2 - n**2 - z**2`` expresses m² where m occurs in even powers alone: what
     is put in their place is often what shows that a polynomial is a sum of squares.
     """
-    left = [f for f in generators if len(f) <= MAX_TERMS]
+    left, out = [f for f in generators if len(f) <= MAX_TERMS], list["flint.fmpz_mpoly"]()
     while True:
-        found = next((hit for f in left for hit in _expressed(f, left)), None)
+        expressed = (hit for f in left for hit in _expressed(f, left))
+        found = min(expressed, key=lambda hit: hit[2], default=None)
         if found is None:
-            return left
+            return out
         f, n, k, value = found
         left = [h for g in left if g != f and (h := _put(g, n, k, value)) != 0]
         left = [g for g in left if len(g) <= MAX_TERMS]
+        out += left
 
 
 def _expressed(

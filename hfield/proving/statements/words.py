@@ -32,6 +32,7 @@ from hfield.syntax import (
     Number,
     Power,
     children,
+    parse,
     rebuild,
 )
 
@@ -48,6 +49,14 @@ def order_word(node: Node) -> Node | None:
         if isinstance(n, Call) and n.function == "abs":
             return n
     return None
+
+
+def is_about_order(text: str) -> bool:
+    """Tell whether a text is a statement with a word that needs an order."""
+    try:
+        return order_word(parse(text)) is not None
+    except NotationError:
+        return False
 
 
 def has_order(field: Ring) -> bool:
@@ -197,4 +206,4 @@ def _compares(node: Node) -> bool:
     return any(isinstance(n, Compare) and n.op in ORDER for n in walk_once(node))
 
 
-__all__ = ["ARGUMENTS", "HELPERS", "has_order", "need_order", "order_word", "without_words"]
+__all__ = ["ARGUMENTS", "HELPERS", "has_order", "is_about_order", "need_order", "order_word", "without_words"]
