@@ -10,7 +10,7 @@ from typing import Any
 
 from hfield.certificates.language import Tree
 from hfield.certificates.rejection import a_list, a_text, an_integer, reject, shown
-from hfield.certificates.scalars.functions import Functions
+from hfield.certificates.scalars.functions import Functions, need_constants
 from hfield.certificates.scalars.names import blackboard, plain, variables
 from hfield.certificates.scalars.ring import Kind, ReadRing, Ring
 
@@ -128,11 +128,8 @@ def _angle_text(t: str, parts: int) -> str:
 def _circles(data: Mapping[str, object], ring: ReadRing) -> Ring:
     own = plain(data, "base angles variables")
     base = ring(own["base"])
-    if (
-        not (base.name == "QQ" or base.order is not None)
-        or not base.is_field
-        or base.characteristic == 2
-    ):
+    need_constants(base)
+    if base.characteristic == 2:
         reject(f"functions on circles are not over {shown(base.name)}")
     angles = []
     for pair in a_list(own["angles"], "angles", 1):

@@ -11,6 +11,7 @@ from hfield.certificates.scalars import (
     number_fields,
     polynomials,
     quadratic,
+    quotient_rings,
     rationals,
     surds,
 )
@@ -28,6 +29,7 @@ KINDS: dict[str, Kind] = {
     **circles.KINDS,
     **polynomials.KINDS,
     **completions.KINDS,
+    **quotient_rings.KINDS,
 }
 
 

@@ -1,4 +1,4 @@
-"""F(t) over ℚ or a finite field: fractions of polynomials, equal when they cross-multiply to the same.
+"""F(t) over ℚ, a number field or a finite field: fractions of polynomials, equal when they cross-multiply to the same.
 
 Over GF(q) its places are the prime polynomials, and infinity.
 """
@@ -204,6 +204,32 @@ class Functions(Ring):
         return f
 
 
+class SeveralVariables(Functions):
+    """``base(names)``: functions over functions, one variable after the other."""
+
+    def __init__(self, base: Ring, names: tuple[str, ...]) -> None:
+        *first, last = names
+        field = base
+        for name in first:
+            field = Functions(field, name)
+        super().__init__(field, last)
+        self.constants, self.names, listed = base, names, ",".join(names)
+        strange = any(map(reads_like_a_constant, names))
+        self.name = f"Frac({base.name}[{listed}])" if strange else f"{base.name}({listed})"
+        self.words = f"the rational functions in {', '.join(names)} over {blackboard(base.name)}"
+
+    def is_fraction_field_of(self, ring: Ring) -> bool:
+        """Tell whether these are the fractions of polynomials, over the same field or over ℤ."""
+        if not isinstance(ring, Polynomials) or ring.names != self.names:
+            return False
+        below = self.constants
+        return below.name == ring.base.name or below.is_fraction_field_of(ring.base)
+
+    def at(self, point: str) -> tuple[Ring, Callable[[Fraction], Hashable]]:
+        """Reject: points have several coordinates."""
+        return Ring.at(self, point)
+
+
 class PrimePolynomial(OverFiniteField):
     """GF(q)(t) at a prime polynomial P: integral are the fractions whose denominator P does not divide.
 
@@ -258,12 +284,18 @@ def _coefficient(base: Finite, value: object) -> tuple[Hashable, str]:
 
 def _functions(data: Mapping[str, object], ring: ReadRing) -> Ring:
     base = ring(plain(data, "base variables")["base"])
-    if not (base.name == "QQ" or base.order is not None) or not base.is_field:
-        reject(f"functions are over QQ or a finite field, not over {shown(base.name)}")
+    need_constants(base)
     names = variables(data["variables"], base)
-    if len(names) > 1:
-        reject("functions in several variables are not known here")
-    return Functions(base, names[0])
+    return Functions(base, names[0]) if len(names) == 1 else SeveralVariables(base, names)
+
+
+def need_constants(base: Ring) -> None:
+    """Reject what functions are not over."""
+    known = base.name == "QQ" or base.is_number_field or base.order is not None
+    if not (known and base.is_field):
+        reject(
+            f"functions are over QQ, a number field or a finite field, not over {shown(base.name)}"
+        )
 
 
 KINDS: dict[str, Kind] = {"rational functions": _functions}

@@ -46,6 +46,7 @@ class NumberField(Ring):
 
     characteristic = 0
     is_field = True
+    is_number_field = True
 
     def __init__(
         self, name: str, modulus: list[Fraction], tree: Tree, gen: str, proved: bool = False

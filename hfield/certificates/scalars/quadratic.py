@@ -28,6 +28,8 @@ MAX_POWER = 1_000  # of n in a denominator
 class Quadratic(Surds):
     """QQ(sqrt(d)) for a squarefree number d."""
 
+    is_number_field = True
+
     def __init__(self, d: int) -> None:
         self.gen = root_text(d)
         self.name, self.words = f"QQ({self.gen})", f"the field of {self.gen} over ℚ"
@@ -35,6 +37,10 @@ class Quadratic(Surds):
         self.root, scale = radical(d)
         if scale != 1 or self.root == ():
             reject(f"{self.name}: expected the root of a squarefree number other than 1")
+
+    def is_fraction_field_of(self, ring: Ring) -> bool:
+        """Tell whether this is ℚ(I), and the ring ℤ[I]."""
+        return self.d == -1 and ring.name == "ZZ[I]"
 
     def has_root(self, key: Radical) -> bool:
         """Tell whether the root is that of d."""

@@ -185,6 +185,8 @@ def root_text(n: int) -> str:
 class Multiquadratic(Surds):
     """ℚ(√m, √n, …); if all roots are real, it has an ordering for each choice of their signs."""
 
+    is_number_field = True
+
     def __init__(self, numbers: list[int]) -> None:
         self.name = f"QQ({','.join(map(root_text, numbers))})"
         self.words = f"the field of {', '.join(map(root_text, numbers))} over ℚ"

@@ -41,8 +41,8 @@ class OverNumberField(SimpleExtension):
 
     @property
     def data(self) -> dict[str, Any] | None:  # type: ignore[override]
-        """The extension by the polynomial of θ, where texts have a name for θ."""
-        return super().data if str(self.gen_name) in self._field.names() and self.is_field else None
+        """The data of the ring over ℚ, with the number field in the place of ℚ."""
+        return {**self.base.data, "base": self._field.data}
 
     @property
     def constants(self) -> Ring:
