@@ -106,7 +106,8 @@ class _InOrder(Evaluator[Any, bool]):
         if tree[1] == "abs":
             return self._modulus(self.norm(arguments[0]))
         zero = REALS.zero
-        product = self.product(*(Quaternion((zero, *q[1:])) for q in arguments))
+        x, y = (Quaternion((zero, *q[1:])) for q in arguments)
+        product = self.product(x, y)
         return REALS.neg(product[0]) if tree[1] == "dot" else Quaternion((zero, *product[1:]))
 
     def _modulus(self, norm: Any) -> Any:

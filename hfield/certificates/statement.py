@@ -92,8 +92,9 @@ def _letters(tree: Tree, field: Ring | None) -> list[str]:
 class Statement:
     """For all ``unknowns`` that are not in ``exists``: hypotheses ⇒ (there are …) conclusion.
 
-    ``unknowns`` are names with their sorts, ``q`` or ``s``; ``constants`` trees of field elements. ``ordered``
-    is the statement with its moduli and comparisons, where it has any: all else is about the real closure.
+    ``unknowns`` are names with their sorts, ``q`` or ``s``; ``constants`` trees of field elements.
+    ``ordered`` is the statement with moduli and comparisons, if it has any; all else is about the real
+    closure.
     """
 
     unknowns: tuple[tuple[str, str], ...]

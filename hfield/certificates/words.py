@@ -1,4 +1,4 @@
-"""The words ``dot``, ``cross``, ``abs`` and ``>= > <= <``, written out by their definitions in docs/language.md.
+"""The words ``dot``, ``cross``, ``abs`` and ``>= > <= <``, written out as docs/language.md defines them.
 
 ``abs(q)`` is the number m² with m⁴ = norm(q): in a real closed field there is exactly one. A statement about
 all values of its unknowns, with moduli, is the statement about all these and all m with m⁴ = norm(q).

@@ -14,13 +14,15 @@ from hfield.commands.status import Waiting
 HELP = (
     "Prove or refute a statement about quaternions p q r u v w and scalars s t x y z, such "
     "as 'norm(q) != 0 => q*inv(q) == e'. Without --field the statement is about every "
-    "field. Exit status: 0 proved or vacuous; 1 refuted; 3 undecided; 2 bad usage."
+    "field, or every ordered field where it has abs, >= or <. "
+    "Exit status: 0 proved or vacuous; 1 refuted; 3 undecided; 2 bad usage."
 )
 DOING = "proving"
 EXAMPLES = (
     "hfield prove 'p*q == q*p' --field GF4",
     "hfield prove 'norm(q) == 0 => q == 0' --field 'QQ(sqrt(-7))' --certificate anisotropic.json",
     "hfield prove 'i*j == k' --relations 'i*i == j*j == k*k == i*j*k == -1'",
+    "hfield prove 'dot(p,q)**2 <= norm(p)*norm(q)' --certificate cauchy-schwarz.json",
     "hfield prove --from statements.txt --format csv",
 )
 COLUMNS = (

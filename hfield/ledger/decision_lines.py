@@ -16,8 +16,8 @@ from hfield.notation import element_text
 from hfield.presenting import hanging
 from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
 from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.evaluation.ordered import OrderedEvaluator
+from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.evaluation.searcher import read_back
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Statement, read_statement

@@ -116,7 +116,7 @@ def test_a_missing_sign_in_an_element_is_named():
         H(GF(3))("2q")
 
 
-@pytest.mark.parametrize("text", ["p = q", "p < q", "p % q"])
+@pytest.mark.parametrize("text", ["p = q", "p % q"])
 def test_the_language_itself_says_what_to_write(text):
     with pytest.raises(NotationError, match=r"write == for equality|there is no"):
         parse(text)

@@ -33,7 +33,7 @@ def counterexample(statement: Statement, setting: Setting, evidence: object) -> 
 
 
 def _has_helpers(statement: Statement, setting: Setting, evidence: object) -> bool:
-    """Tell whether values over RR are given of the unknowns by which moduli and comparisons are written out."""
+    """Tell whether values over RR are given of the unknowns by which words are written out."""
     if setting.field is None or setting.field.name != REALS.name:
         return False
     values = evidence.get("values") if isinstance(evidence, dict) else None

@@ -1,4 +1,4 @@
-"""F(t) over ℚ, a number field or a finite field: fractions of polynomials, equal when they cross-multiply to the same.
+"""F(t) over ℚ, a number field or a finite field: fractions of polynomials, made equal by multiplying out.
 
 Over GF(q) its places are the prime polynomials, and infinity.
 """

@@ -103,9 +103,7 @@ def _polynomials(data: Mapping[str, object], ring: ReadRing) -> Ring:
     base = ring(plain(data, "base variables")["base"])
     prime = base.is_field and base.order == base.characteristic
     if base.name not in ("ZZ", "QQ") and not (prime or base.is_number_field):
-        reject(
-            f"polynomials are over ZZ, QQ, a number field or GF(p), not over {shown(base.name)}"
-        )
+        reject(f"polynomials are over ZZ, QQ, a number field or GF(p), not over {shown(base.name)}")
     names = variables(data["variables"], base)
     number = next((name for name in names if re.fullmatch("zeta_?[0-9]+", name)), None)
     if number:

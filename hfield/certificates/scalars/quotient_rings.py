@@ -120,7 +120,9 @@ def _quotient_ring(data: Mapping[str, object], ring: ReadRing) -> Ring:
     prime = isinstance(base, Finite) and base.is_field and base.order == base.characteristic
     if base.name not in ("ZZ", "QQ") and not prime:
         reject(f"quotients are of polynomials over ZZ, QQ or GF(p), not over {shown(base.name)}")
-    texts = [a_text(c, "a coefficient of a modulus") for c in a_list(own["modulus"], "a modulus", 3)]
+    texts = [
+        a_text(c, "a coefficient of a modulus") for c in a_list(own["modulus"], "a modulus", 3)
+    ]
     if len(texts) > MAX_DEGREE + 1:
         reject(f"the modulus of a quotient has a degree of at most {MAX_DEGREE}")
     modulus = [base.read(text) for text in texts]

@@ -40,8 +40,9 @@ class OverNumberField(SimpleExtension):
         return shared, (type(self), self.base, self._field)
 
     @property
-    def data(self) -> dict[str, Any] | None:  # type: ignore[override]
+    def data(self) -> dict[str, Any]:
         """The data of the ring over ℚ, with the number field in the place of ℚ."""
+        assert self.base.data is not None
         return {**self.base.data, "base": self._field.data}
 
     @property

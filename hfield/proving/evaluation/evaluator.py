@@ -32,7 +32,7 @@ Function = Callable[[Values], Any]
 Term = tuple[bool, Function]  # whether it is a tuple of four, and its value
 
 
-class _UndefinedError(Exception):
+class UndefinedTermError(Exception):
     """A term has no value at this place."""
 
 
@@ -66,7 +66,7 @@ class Evaluator:
         self.values, self.defined = values, self.scalars.always
         try:
             self.constants = Constants(*(f(values) for f in self.structure))
-        except _UndefinedError:
+        except UndefinedTermError:
             return False
         return self.defined
 
@@ -79,7 +79,7 @@ class Evaluator:
         self.defined = self.scalars.always
         try:
             value = self._term(node)[1](self.values)
-        except _UndefinedError:
+        except UndefinedTermError:
             return self.scalars.zero, False
         return value, self.defined
 
@@ -146,14 +146,14 @@ class Evaluator:
             self.defined = always
             try:
                 return compared(map(sub, f(v), g(v)), self.defined)
-            except _UndefinedError:
+            except UndefinedTermError:
                 return False
 
         def compare_scalars(v: Values) -> object:
             self.defined = always
             try:
                 return compared((f(v) - g(v),), self.defined)
-            except _UndefinedError:
+            except UndefinedTermError:
                 return False
 
         return compare_quaternions if four or other else compare_scalars
@@ -293,7 +293,7 @@ class Evaluator:
         def value(v: Values) -> Any:
             x, condition = of(f(v))
             if condition is False:
-                raise _UndefinedError
+                raise UndefinedTermError
             if condition is not always:
                 self.defined = together(self.defined, condition)
             return x

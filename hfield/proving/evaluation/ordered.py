@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
+from math import inf
 from operator import mul
 from typing import Any
 
 from hfield.errors import HFieldError
 from hfield.fields.names import ring
-from hfield.proving.evaluation.evaluator import Evaluator, Term, Values
+from hfield.proving.evaluation.evaluator import (
+    Evaluator,
+    Function,
+    Term,
+    UndefinedTermError,
+    Values,
+)
 from hfield.proving.evaluation.scalars import Decided, RingScalars
 from hfield.proving.problem import Problem
+from hfield.proving.statements.trees import walk_once
 from hfield.proving.statements.words import ARGUMENTS
 from hfield.rings.base import Ring
 from hfield.syntax import ORDER, Call, Compare, Node
@@ -43,7 +52,7 @@ class Numbers(Decided[float, bool]):
 
 
 class OrderedEvaluator(Evaluator):
-    """Evaluates the statement of a problem, of which ``scalars`` are floats or elements of an ordered ring."""
+    """Evaluates the statement of a problem over ``scalars``: floats, or elements of an ordered ring."""
 
     def __init__(self, problem: Problem, scalars: RingScalars | Numbers) -> None:
         read = problem.statement
@@ -61,6 +70,22 @@ class OrderedEvaluator(Evaluator):
         except (HFieldError, OverflowError):
             return False
 
+    def margins(self, node: Node) -> list[Callable[[Values], float]]:
+        """Return functions of the places of floats that are negative where a comparison is false."""
+        out: list[Callable[[Values], float]] = []
+        for part in walk_once(node):
+            if isinstance(part, Compare) and part.op in ORDER:
+                sides = part.left, part.right
+                (_, f), (_, g) = map(self._term, sides if part.op in (">=", ">") else sides[::-1])
+                out.append(partial(self._difference, f, g))
+        return out
+
+    def _difference(self, f: Function, g: Function, place: Values) -> float:
+        try:
+            return float(f(place) - g(place)) if self.bind(place) else inf
+        except (HFieldError, UndefinedTermError, ArithmeticError):
+            return inf
+
     def sign(self, x: Any) -> int:
         """Return the sign of a scalar."""
         if self.ring is None:
@@ -68,7 +93,7 @@ class OrderedEvaluator(Evaluator):
         return self.ring.sign(x)
 
     def root(self, x: Any) -> Any:
-        """Return the square root of a scalar that is not negative. Raises HFieldError where it is not known."""
+        """Return the square root of a scalar that is not negative. Raises HFieldError if not known."""
         if self.ring is None:
             return max(x, 0.0) ** 0.5
         found: Any = self.ring.sqrt(x)

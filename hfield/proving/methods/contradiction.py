@@ -239,7 +239,7 @@ class _Search:
             if f in self.taken_apart:
                 continue
             self.taken_apart.append(f)
-            squares = as_sum_of_squares(f)
+            squares = as_sum_of_squares(f, self.clock)
             if squares is None:
                 continue
             form = sum((c * g * g for c, g in squares), ideal.context.constant(0))

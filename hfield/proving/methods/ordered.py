@@ -33,12 +33,13 @@ from hfield.proving.evaluation.searcher import Assignment, lifted, read_back
 from hfield.proving.polynomials.field_rules import SQUARES
 from hfield.proving.problem import Problem
 from hfield.proving.statements.language import Sort
-from hfield.proving.statements.trees import walk_once
+from hfield.proving.statements.trees import taken_apart, walk_once
 from hfield.proving.steps import say
 from hfield.syntax import Call
 
 SMALL, INTEGERS, FRACTIONS = 400, 400, 800  # places that are tried
 HEAVIEST = 12
+STARTS, STEPS = 4, 400  # of searches downhill
 MAX_SQUARES = 12  # that a step shows
 
 
@@ -50,12 +51,16 @@ def decide(problem: Problem, tried: Callable[[Problem], Decision]) -> Decision:
         why = f"{field.name} is inexact, so nothing is decided by its order: decide over RR or QQ"
         return undecided(why, method=FLOATS)
     if field is not None and not field.is_field and problem.statement.divides:
-        return undecided(f"a statement with an order that divides is decided over fields, not {field.name}")
+        return undecided(
+            f"a statement with an order that divides is decided over fields, not {field.name}"
+        )
     attempts = Attempts()
     for text in problem.statement.constants:
         if attempts.answer(reals.ring, text) is None:
             name = "" if field is None else field.name
-            return undecided(f"{text} in {name} has several orderings, of which none is the usual one")
+            return undecided(
+                f"{text} in {name} has several orderings, of which none is the usual one"
+            )
     found = attempts.answer(counterexample, problem, reals)
     if found is not None:
         return refuted(problem, found)
@@ -108,7 +113,7 @@ def refuted(problem: Problem, found: Assignment) -> Decision:
 def _in_field(problem: Problem, decision: Decision) -> Assignment | None:
     """Return the values of a counterexample over RR as elements of the field; None where they are not."""
     field = problem.field or ring("QQ")
-    texts = {name: texts for name, texts in (decision.witness or {}).items()}
+    texts = decision.witness or {}
     own = {name: texts[name] for name, _ in _unknowns(problem) if name in texts}
     try:
         values = read_back(field, own)
@@ -141,7 +146,46 @@ def counterexample(problem: Problem, reals: Problem) -> Assignment | None:
         numbers = lifted(ring("RDF" if irrational else "QQ"), place)
         if quick.fails(numbers) and exact.fails(lifted(reals.ring, place)):
             return lifted(field, place)
+    floats = OrderedEvaluator(reals, Numbers())
+    for place in () if whole else _downhill(problem, floats):
+        if exact.fails(lifted(reals.ring, place)):
+            return lifted(field, place)
     return None
+
+
+def _downhill(problem: Problem, floats: OrderedEvaluator) -> Iterator[Assignment]:
+    """Run through places at which what is claimed not to be negative is small, from better to better ones."""
+    assert problem.statement.ordered is not None
+    compared = floats.margins(taken_apart(problem.statement.ordered)[1])
+    unknowns, rng = _unknowns(problem), Random(1)
+    width = sum(sort.width for _, sort in unknowns)
+    if not width:
+        return
+
+    def place(x: list[Fraction]) -> Assignment:
+        rest = iter(x)
+        return {
+            name: next(rest) if sort is Sort.SCALAR else tuple(islice(rest, 4))
+            for name, sort in unknowns
+        }
+
+    for margin in compared:
+        for _ in range(STARTS):
+            x = [Fraction(rng.randint(-8, 8), 4) for _ in range(width)]
+            best, step = margin(lifted(ring("RDF"), place(x))), Fraction(1)
+            for _ in range(STEPS):
+                if problem.is_late:
+                    return
+                n = rng.randrange(width)
+                y = [*x[:n], x[n] + rng.choice((step, -step)), *x[n + 1 :]]
+                there = margin(lifted(ring("RDF"), place(y)))
+                if there < best:
+                    x, best = y, there
+                    if best < 0:
+                        yield place(x)
+                        break
+                elif not rng.randrange(width):
+                    step = max(step / 2, Fraction(1, 64)) if rng.randrange(8) else Fraction(1)
 
 
 def _places(problem: Problem, whole: bool) -> Iterator[Assignment]:

@@ -18,6 +18,8 @@ from math import lcm, prod
 from random import Random
 from typing import TYPE_CHECKING
 
+from hfield.proving.clock import UNTIMED, Clock
+
 if TYPE_CHECKING:
     import flint
     import numpy as np
@@ -40,7 +42,9 @@ Entry = tuple[int, int, int]  # the block, row and column of an entry of the Gra
 Square = tuple[Fraction, dict[Monomial, Fraction]]  # d and g of d·g²
 
 
-def as_sum_of_squares(f: flint.fmpz_mpoly) -> list[tuple[int, flint.fmpz_mpoly]] | None:
+def as_sum_of_squares(
+    f: flint.fmpz_mpoly, clock: Clock = UNTIMED
+) -> list[tuple[int, flint.fmpz_mpoly]] | None:
     """Return c > 0 and polynomials g with integer coefficients, so that Σ c·g² is a multiple of f.
 
     None where no such sum is found, for f or for −f.
@@ -51,7 +55,7 @@ def as_sum_of_squares(f: flint.fmpz_mpoly) -> list[tuple[int, flint.fmpz_mpoly]]
     used = [n for n in range(len(next(iter(terms)))) if any(m[n] for m in terms)]
     small = {tuple(m[n] for n in used): c for m, c in terms.items()}
     sign = 1 if small[max(small)] > 0 else -1
-    squares = _squares({m: sign * c for m, c in small.items()})
+    squares = _squares({m: sign * c for m, c in small.items()}, clock)
     if squares is None:
         return None
     context, width = f.context(), len(next(iter(terms)))
@@ -72,8 +76,8 @@ def as_sum_of_squares(f: flint.fmpz_mpoly) -> list[tuple[int, flint.fmpz_mpoly]]
 def eliminated(generators: Sequence[flint.fmpz_mpoly]) -> list[flint.fmpz_mpoly]:
     """Return polynomials of an ideal without the powers vᵏ of variables that its generators express.
 
-    ``s - z**2`` expresses s, and ``m**2 - n**2 - z**2`` expresses m² where m occurs in even powers alone: what
-    is put in their place is often what shows that a polynomial is a sum of squares.
+    ``s - z**2`` expresses s, and ``m**2 - n**2 - z**2`` expresses m² where m occurs in even powers alone.
+    What is put in their place often shows that a polynomial is a sum of squares.
     """
     left, out = [f for f in generators if len(f) <= MAX_TERMS], list["flint.fmpz_mpoly"]()
     while True:
@@ -90,7 +94,7 @@ def eliminated(generators: Sequence[flint.fmpz_mpoly]) -> list[flint.fmpz_mpoly]
 def _expressed(
     f: flint.fmpz_mpoly, others: Sequence[flint.fmpz_mpoly]
 ) -> Iterator[tuple[flint.fmpz_mpoly, int, int, flint.fmpz_mpoly]]:
-    """Run through variables n and exponents k with f = ±(vᵏ − value), where all powers of v are of vᵏ."""
+    """Run through variables v and k with f = ±(vᵏ − value), where all powers of v are of vᵏ."""
     terms = {tuple(map(int, m)): int(c) for m, c in f.terms()}
     for m, c in terms.items():
         powers = [(n, e) for n, e in enumerate(m) if e]
@@ -113,7 +117,7 @@ def _put(f: flint.fmpz_mpoly, n: int, k: int, value: flint.fmpz_mpoly) -> flint.
     return sum((context.from_dict(part) * value**e for e, part in parts.items()), zero)
 
 
-def _squares(f: Terms) -> list[Square] | None:
+def _squares(f: Terms, clock: Clock) -> list[Square] | None:
     """Return weights and polynomials whose squares add up to f."""
     weights = _directions(len(next(iter(f))))
     if not _may_be_positive(f, weights):
@@ -124,7 +128,7 @@ def _squares(f: Terms) -> list[Square] | None:
     gram = _Gram.of(f, monomials)
     if gram is None or len(gram.free) > MAX_FREE:
         return None
-    for values in gram.candidates():
+    for values in gram.candidates(clock):
         squares = gram.taken_apart(values)
         if squares is not None:
             return squares
@@ -145,7 +149,7 @@ def _value(w: Monomial, m: Monomial) -> int:
 
 
 def _may_be_positive(f: Terms, weights: Sequence[Monomial]) -> bool:
-    """Tell whether corners of the Newton polytope are squares with positive coefficients, as they have to be."""
+    """Tell whether corners of the Newton polytope are squares with positive coefficients."""
     for w in weights:
         top = max(_value(w, m) for m in f)
         corner = [m for m in f if _value(w, m) == top]
@@ -167,9 +171,9 @@ def _halves(f: Terms, weights: Sequence[Monomial]) -> list[Monomial] | None:
     ]
     while True:
         # The square of a monomial occurs in f, or is a product of two others: else its row in G is 0.
-        others = {
-            _times(m, n) for m, n in combinations_with_replacement(found, 2) if m != n
-        }.union(f)
+        others = {_times(m, n) for m, n in combinations_with_replacement(found, 2) if m != n}.union(
+            f
+        )
         left = [m for m in found if _times(m, m) in others]
         if len(left) == len(found):
             return found
@@ -249,12 +253,12 @@ class _Gram:
             out.extend(found)
         return out
 
-    def candidates(self) -> Iterator[list[Fraction]]:
+    def candidates(self, clock: Clock) -> Iterator[list[Fraction]]:
         """Run through values of the free entries for which the matrix may be positive."""
         if not self.free:
             yield []
             return
-        point = self.interior()
+        point = self.interior(clock)
         if point is None:
             return
         x, kernels = point
@@ -265,7 +269,7 @@ class _Gram:
             for values in near:
                 yield solved.nearest(values)
 
-    def interior(self) -> tuple[Floats, list[Floats]] | None:
+    def interior(self, clock: Clock) -> tuple[Floats, list[Floats]] | None:
         """Return free entries with a positive semidefinite matrix of the largest rank, and its kernels.
 
         The least s is looked for such that the matrix and s on the diagonal is positive; None for s > 0.
@@ -308,6 +312,8 @@ class _Gram:
         try:
             for _ in range(60):
                 for _ in range(30):
+                    if clock.is_late:
+                        return None
                     gradient, hessian = np.zeros(count + 1), np.zeros((count + 1, count + 1))
                     gradient[count] = sharpness
                     for g, b in zip(matrices(x), slopes, strict=True):
@@ -317,7 +323,10 @@ class _Gram:
                     step = -np.linalg.solve(hessian, gradient)
                     decrease = -float(gradient @ step)
                     length, here = 1.0, barrier(x)
-                    while length > 1e-9 and barrier(x + length * step) > here - 0.1 * length * decrease:
+                    while (
+                        length > 1e-9
+                        and barrier(x + length * step) > here - 0.1 * length * decrease
+                    ):
                         length /= 2
                     if length <= 1e-9:
                         break

@@ -82,8 +82,8 @@ class Statement:
     as its generator. ``node`` is the whole as a tree, ``written`` that with matrices or elements of a
     table in it, where ``node`` has their entries or coordinates, ``divides`` whether ``/``, ``inv``, a
     decimal fraction or a negative power occurs, ``compares_unequal`` whether ``!=`` or ``not`` does.
-    ``helpers`` are unknowns of ``node`` by which words of ``written`` are defined. ``ordered`` is the statement
-    with its moduli and comparisons, where it has any: ``node`` is then about the real closure of the field.
+    ``helpers`` are unknowns of ``node`` by which words of ``written`` are defined. ``ordered`` is the
+    statement with its moduli and comparisons, where it has any: ``node`` is about the real closure then.
     """
 
     text: str

@@ -206,4 +206,12 @@ def _compares(node: Node) -> bool:
     return any(isinstance(n, Compare) and n.op in ORDER for n in walk_once(node))
 
 
-__all__ = ["ARGUMENTS", "HELPERS", "has_order", "is_about_order", "need_order", "order_word", "without_words"]
+__all__ = [
+    "ARGUMENTS",
+    "HELPERS",
+    "has_order",
+    "is_about_order",
+    "need_order",
+    "order_word",
+    "without_words",
+]
