@@ -219,7 +219,6 @@ NO_FIELDS = (
         "QQ(sqrt(12))",
         "QQ(e)",
         "QQ(i)",
-        "QQ(I)(x)",
         "RR(x)",
     ),
     *(
@@ -261,7 +260,7 @@ NO_RINGS: tuple[tuple[str, Data], ...] = (
     *((f"QQ(sqrt({d}))", quadratic(d)) for d in (8, 1, 0, 4, 12, -4, "2", 2.0, True)),
     ("QQ(I)", quadratic(-9)),
     *((f"QQ({name})", functions(QQ, name)) for name in ("e", "i", "I", "not", "x,y", "x)(", "")),
-    ("QQ(I)(x)", functions(quadratic(-1), X)),
+    ("QQ(I)(I)", functions(quadratic(-1), "I")),
     ("RR(x)", functions({"kind": "reals"}, X)),
     ("QQ(x)(x)", functions(QQX, X)),
     ("ZZ(x)", functions({"kind": "integers"}, X)),

@@ -73,6 +73,23 @@ RINGS: dict[str, tuple[Data, Callable[[int], str]]] = {
         functions(QQ, "x"),
         lambda n: f"({in_powers('x', n, 20, n)})/({in_powers('x', n, 30, n)})",
     ),
+    "QQ(√2)(x)": (
+        functions(quadratic(2), "x"),
+        lambda n: f"(sqrt(2)+{in_powers('x', n, 20, n)})/({in_powers('x', n, 30, n)})",
+    ),
+    "QQ(x,g)": (
+        {"kind": "rational functions", "base": QQ, "variables": ["x", "g"]},
+        lambda n: f"(x**{n}+g**{n}+1)/(x*g**{n}+{n})",
+    ),
+    "QQ[x]/(x⁶⁰+1/3)": (
+        {
+            "kind": "quotient ring",
+            "base": QQ,
+            "modulus": ["1/3", *["0"] * 59, "1"],
+            "variable": "x",
+        },
+        lambda n: f"1/({in_powers('x', 60, 200, n)})",
+    ),
     "QQ[x]": (polynomials(QQ, "x"), lambda n: in_powers("x", 2 * n, 20, n)),
     "ZZ[a,…]": (polynomials(ZZ, *MANY), lambda n: joined(MANY[: 1 + 63 * n // 100])),
     "ZZ[a,b]": (polynomials(ZZ, "a", "b"), lambda n: f"(a+b+1)**{n // 2}"),
@@ -200,6 +217,6 @@ FILES: dict[str, Hostile] = {
     **{
         f"squares of {ring}": (partial(squareness, ring), 2, 40)
         for ring in RINGS
-        if ring not in ("ZZ", "ZZ/n", "QQ[x]", "ZZ[a,…]", "ZZ[a,b]", "RDF")
+        if ring not in ("ZZ", "ZZ/n", "QQ[x]", "QQ[x]/(x⁶⁰+1/3)", "ZZ[a,…]", "ZZ[a,b]", "RDF")
     },
 }

@@ -32,7 +32,10 @@ MEANT_OF_RINGS = (
         "are not found here",
         "should be a prime is reducible",
     ),
-    *("the real place number 0 is not known", "functions are over QQ or a finite field"),
+    *(
+        "the real place number 0 is not known",
+        "functions are over QQ, a number field or a finite field",
+    ),
 )
 
 

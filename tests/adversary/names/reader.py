@@ -207,7 +207,7 @@ def _fractions(base: str, text: str) -> Data:
 def _functions(base: Data, variables: list[str]) -> Data:
     if base["kind"] not in ("rationals", "finite field"):
         if "field" in base["kind"]:
-            raise Unsure("functions over a number field, without data of their own")
+            raise Unsure("functions over a number field")
         refuse("functions are over QQ, a number field or a finite field")
     if len(variables) > 1 and base.get("degree", 1) > 1:
         raise Unsure("an extension of the functions over the prime field")
