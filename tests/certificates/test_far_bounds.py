@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
-from hfield.certificates.orders.enumeration import short_vectors
+from hfield.certificates.number_fields.enumeration import short_vectors
 from hfield.certificates.orders.lattice import inverse
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars import names, rationals, real_roots, surds

@@ -10,9 +10,9 @@ import pytest
 from flint import fmpz_mat
 
 from hfield import QuaternionAlgebra
+from hfield.certificates.number_fields.enumeration import short_vectors
 from hfield.certificates.orders import local_types
 from hfield.certificates.orders.algebra import Algebra
-from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import Lattice, hermite, inverse, rational_rows
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.rationals import QQ

@@ -11,6 +11,7 @@ from typing import Any
 
 from hfield.certificates.language import split
 from hfield.certificates.number_fields.classes import coefficients, field_of
+from hfield.certificates.number_fields.enumeration import short_vectors
 from hfield.certificates.number_fields.integers import (
     Integers,
     Prime,
@@ -19,7 +20,6 @@ from hfield.certificates.number_fields.integers import (
     unit,
 )
 from hfield.certificates.orders.algebra import Rows
-from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import Key, hermite, rational_rows, reduced
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
 from hfield.certificates.scalars.matrices import inverse_matrix

@@ -7,8 +7,8 @@ for the first few l, with coefficients that are the same for all fields of a deg
 from fractions import Fraction
 from math import comb
 
+from hfield.certificates.number_fields.enumeration import short_vectors
 from hfield.certificates.number_fields.integers import Factors, Integers
-from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.local_types import factored
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.matrices import inverse_matrix

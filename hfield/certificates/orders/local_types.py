@@ -7,8 +7,8 @@ order of I has units.
 
 from fractions import Fraction
 
+from hfield.certificates.number_fields.enumeration import short_vectors
 from hfield.certificates.orders.algebra import Row, times
-from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.lattice import Key, Lattice, hermite, reduced
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.finite import PROVED_BELOW, is_prime

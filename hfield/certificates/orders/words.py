@@ -26,8 +26,8 @@ from hfield.certificates.glossary import (
     SHIMIZU,
 )
 from hfield.certificates.language import Tree
+from hfield.certificates.number_fields.enumeration import short_vectors
 from hfield.certificates.orders.algebra import Algebra, times
-from hfield.certificates.orders.enumeration import short_vectors
 from hfield.certificates.orders.fuchsian import Domain, area
 from hfield.certificates.orders.lattice import Element, Lattice, inverse
 from hfield.certificates.orders.local_types import (
