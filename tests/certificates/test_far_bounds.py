@@ -6,7 +6,7 @@ import pytest
 
 from hfield.certificates.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.certificates.number_fields.enumeration import short_vectors
-from hfield.certificates.orders.lattice import inverse
+from hfield.certificates.number_fields.matrices import inverse
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars import names, rationals, real_roots, surds
 from hfield.certificates.scalars.number_fields import root_discs, without_common_factors

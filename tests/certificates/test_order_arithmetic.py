@@ -11,9 +11,11 @@ from flint import fmpz_mat
 
 from hfield import QuaternionAlgebra
 from hfield.certificates.number_fields.enumeration import short_vectors
+from hfield.certificates.number_fields.factoring import factored
+from hfield.certificates.number_fields.matrices import hermite, inverse, rational_rows
 from hfield.certificates.orders import local_types
 from hfield.certificates.orders.algebra import Algebra
-from hfield.certificates.orders.lattice import Lattice, hermite, inverse, rational_rows
+from hfield.certificates.orders.lattice import Lattice
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.rationals import QQ
 from hfield.certificates.statement import read_setting
@@ -47,7 +49,7 @@ def test_arithmetic_agrees() -> None:
                 assert found.key == M.colon(L, "right" if side == "left" else "left").hnf
             O = L.left_order()
             assert local_types.discriminant(mirrored(O)) == O.discriminant()
-            for p in local_types.factored(O.discriminant()):
+            for p in factored(O.discriminant()):
                 assert local_types.eichler_symbol(mirrored(O), p) == O.eichler_symbol(p)
             if "inf" in A.ramified_places():
                 assert local_types.mass(mirrored(O)) == O.mass()
@@ -104,8 +106,8 @@ def test_masses_of_small_discriminants() -> None:
 
 def test_what_is_too_large_to_factor_is_rejected() -> None:
     with bounded():
-        assert local_types.factored(2**5 * 3 * 1000003) == {2: 5, 3: 1, 1000003: 1}
-        assert local_types.factored(10**12 + 39) == {10**12 + 39: 1}
+        assert factored(2**5 * 3 * 1000003) == {2: 5, 3: 1, 1000003: 1}
+        assert factored(10**12 + 39) == {10**12 + 39: 1}
         primes = [
             1031,
             1033,
@@ -117,10 +119,10 @@ def test_what_is_too_large_to_factor_is_rejected() -> None:
             1069,
             1087,
         ]  # together too long to be proved prime
-        assert local_types.factored(prod(primes)) == dict.fromkeys(primes, 1)
+        assert factored(prod(primes)) == dict.fromkeys(primes, 1)
         for n in (2**5000, (10**9 + 7) * (10**9 + 9), 5 * 2**248 - 1):
             with pytest.raises(Rejected):
-                local_types.factored(n)
+                factored(n)
 
 
 def test_rows_of_fractions() -> None:

@@ -23,21 +23,19 @@ from hfield.certificates.glossary import (
     ORDER,
 )
 from hfield.certificates.number_fields.classes import field_of
-from hfield.certificates.number_fields.integers import unit
+from hfield.certificates.number_fields.ideals import index
 from hfield.certificates.number_fields.lattices import (
     Frame,
     Lattice,
     Row,
     a_frame,
-    index,
     need_definite,
     need_locally_principal,
     need_same,
     of_norm,
-    times,
 )
+from hfield.certificates.number_fields.matrices import rational_rows, times, unit
 from hfield.certificates.number_fields.narrow import Narrow
-from hfield.certificates.orders.lattice import rational_rows
 from hfield.certificates.rejection import a_list, an_object, reject
 from hfield.certificates.scalars.matrices import inverse_matrix
 from hfield.certificates.statement import Setting

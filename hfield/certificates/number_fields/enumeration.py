@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from math import isqrt, lcm
 
-from hfield.certificates.orders.algebra import Row, Rows, longest
+from hfield.certificates.number_fields.matrices import Row, Rows, longest
 from hfield.certificates.rejection import reject
 from hfield.certificates.work import charge
 

@@ -16,10 +16,11 @@ from hfield.certificates.number_fields.classes import coefficients
 from hfield.certificates.number_fields.integers import Factors, Integers
 from hfield.certificates.number_fields.lattices import Frame, Lattice, a_frame
 from hfield.certificates.number_fields.local_types import mass, symbols
+from hfield.certificates.number_fields.matrices import Row, rational_rows
 from hfield.certificates.number_fields.modular import Vector
-from hfield.certificates.orders.algebra import Algebra, Row
+from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.fuchsian import Domain
-from hfield.certificates.orders.lattice import Element, rational_rows
+from hfield.certificates.orders.lattice import Element
 from hfield.certificates.orders.reading import numbers_of, words_of
 from hfield.certificates.rejection import a_list, an_object, reject
 from hfield.certificates.scalars.real_roots import RealRoot, real_roots

@@ -13,18 +13,24 @@ from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import BY_MASS, FIELD, MASS_OVER_FIELDS, SIEGEL
 from hfield.certificates.number_fields.classes import Element, field_of
 from hfield.certificates.number_fields.enumeration import short_vectors
-from hfield.certificates.number_fields.integers import Factors, unit
+from hfield.certificates.number_fields.integers import Factors
 from hfield.certificates.number_fields.lattices import (
     Frame,
     Lattice,
     Row,
     need_locally_principal,
-    times,
     traces,
 )
 from hfield.certificates.number_fields.local_types import mass
+from hfield.certificates.number_fields.matrices import (
+    Key,
+    hermite,
+    rational_rows,
+    reduced,
+    times,
+    unit,
+)
 from hfield.certificates.number_fields.narrow import Narrow
-from hfield.certificates.orders.lattice import Key, hermite, rational_rows, reduced
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
 from hfield.certificates.scalars.matrices import inverse_matrix
 from hfield.certificates.statement import Setting

@@ -11,6 +11,8 @@ from fractions import Fraction
 from functools import cached_property
 from math import lcm
 
+from hfield.certificates.number_fields.factoring import factored
+from hfield.certificates.number_fields.matrices import determinant, unit
 from hfield.certificates.number_fields.modular import (
     Vector,
     echelon,
@@ -18,7 +20,6 @@ from hfield.certificates.number_fields.modular import (
     pivot,
     remainder,
 )
-from hfield.certificates.orders.local_types import factored
 from hfield.certificates.rejection import a_list, an_integer, reject
 from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.scalars.matrices import inverse_matrix
@@ -265,32 +266,9 @@ class Factors:
         return found
 
 
-def unit(n: int, k: int, value: int = 1) -> Vector:
-    """Return a row with one entry that is not 0."""
-    return tuple(value * int(k == m) for m in range(n))
-
-
 def integer_row(value: object, n: int) -> Vector:
     """Read a row of n integers."""
     row = tuple(an_integer(x, "a coordinate") for x in a_list(value, "a row"))
     if len(row) != n:
         reject(f"a row has {n} coordinates")
     return row
-
-
-def determinant(rows: Sequence[Sequence[int]]) -> int:
-    """Return a determinant of integers, without fractions (Bareiss)."""
-    m = [list(row) for row in rows]
-    n, sign, before = len(m), 1, 1
-    for c in range(n):
-        k = next((r for r in range(c, n) if m[r][c]), None)
-        if k is None:
-            return 0
-        if k != c:
-            m[c], m[k], sign = m[k], m[c], -sign
-        for r in range(c + 1, n):
-            f = m[r][c]
-            charge_products([m[c][c], f], [*m[r][c:], *m[c][c:]])
-            m[r] = [(m[c][c] * x - f * y) // before for x, y in zip(m[r], m[c], strict=True)]
-        before = m[c][c]
-    return sign * before

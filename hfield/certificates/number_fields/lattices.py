@@ -3,7 +3,7 @@
 They are rows over ℤ: coordinates of w, x, y, z in the integral basis, for w + x·i + y·j + z·k.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import lcm, prod
@@ -12,15 +12,18 @@ from typing import Any
 from hfield.certificates.language import split
 from hfield.certificates.number_fields.classes import coefficients, field_of
 from hfield.certificates.number_fields.enumeration import short_vectors
-from hfield.certificates.number_fields.integers import (
-    Integers,
-    Prime,
+from hfield.certificates.number_fields.ideals import ideal, index
+from hfield.certificates.number_fields.integers import Integers, integer_row
+from hfield.certificates.number_fields.matrices import (
+    Key,
+    Rows,
     determinant,
-    integer_row,
+    hermite,
+    rational_rows,
+    reduced,
+    times,
     unit,
 )
-from hfield.certificates.orders.algebra import Rows
-from hfield.certificates.orders.lattice import Key, hermite, rational_rows, reduced
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
 from hfield.certificates.scalars.matrices import inverse_matrix
 from hfield.certificates.scalars.names import a_rational
@@ -353,42 +356,3 @@ def need_same(first: Lattice, second: Lattice) -> None:
     """Reject unless two lattices are the same."""
     if first.key != second.key:
         reject("the basis that is given is one of another lattice")
-
-
-# --- ideals of the field ----------------------------------------------------------------------------
-
-
-def ideal(integers: Integers, den: int, rows: Iterable[Sequence[int]]) -> Key:
-    """Return the ideal that integers of the field over a denominator generate, in Hermite normal form."""
-    n = integers.n
-    span = [integers.mul(unit(n, k), row) for row in rows if any(row) for k in range(n)]
-    return reduced(den, hermite(span))
-
-
-def times_number(integers: Integers, x: Sequence[Fraction], other: Key) -> Key:
-    """Return the product of a number and an ideal."""
-    den, row = integers.coordinates(x)
-    return ideal(integers, den * other[0], [integers.mul(row, y) for y in other[1]])
-
-
-def times_primes(integers: Integers, powers: Iterable[tuple[Prime, int]], other: Key) -> Key:
-    """Return the product of prime ideals with an ideal."""
-    for P, e in powers:
-        charge(e)
-        for _ in range(e):
-            span = [*P.span, tuple(P.p * c for c in integers.one)]
-            other = ideal(integers, other[0], [integers.mul(x, y) for x in span for y in other[1]])
-    return other
-
-
-def index(a: Key) -> Fraction:
-    """Return the norm of an ideal down to ℚ."""
-    den, rows = a
-    return Fraction(prod(row[k] for k, row in enumerate(rows)), den ** len(rows))
-
-
-def times(rows: Sequence[Sequence[int]], matrix: Sequence[Sequence[int]]) -> list[Row]:
-    """Return a product of matrices."""
-    columns = list(zip(*matrix, strict=True))
-    charge(len(rows) * len(columns) * len(matrix) // 8)
-    return [tuple(sum(map(int.__mul__, row, column)) for column in columns) for row in rows]

@@ -2,11 +2,11 @@
 
 from fractions import Fraction
 
+from hfield.certificates.number_fields.factoring import factored
 from hfield.certificates.number_fields.integers import Factors, Prime
 from hfield.certificates.number_fields.lattices import Lattice, Row
 from hfield.certificates.number_fields.modular import echelon, remainder
 from hfield.certificates.number_fields.zeta import zeta_minus_one
-from hfield.certificates.orders.local_types import factored
 from hfield.certificates.rejection import reject
 
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from math import factorial, isqrt
 
-from hfield.certificates.number_fields.integers import determinant
+from hfield.certificates.number_fields.matrices import determinant
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.number_fields import BITS, Disc, root_discs
 from hfield.certificates.work import charge

@@ -5,9 +5,9 @@ from itertools import product
 from math import prod
 
 from hfield.certificates.number_fields.classes import Element, SUnits
-from hfield.certificates.number_fields.integers import Prime, unit
-from hfield.certificates.number_fields.lattices import times_number, times_primes
-from hfield.certificates.orders.lattice import Key, hermite
+from hfield.certificates.number_fields.ideals import times_number, times_primes
+from hfield.certificates.number_fields.integers import Prime
+from hfield.certificates.number_fields.matrices import Key, hermite, unit
 from hfield.certificates.rejection import a_list, an_integer, reject
 from hfield.certificates.scalars.number_fields import NumberField
 from hfield.certificates.work import charge

@@ -8,8 +8,8 @@ from fractions import Fraction
 from math import comb
 
 from hfield.certificates.number_fields.enumeration import short_vectors
+from hfield.certificates.number_fields.factoring import factored
 from hfield.certificates.number_fields.integers import Factors, Integers
-from hfield.certificates.orders.local_types import factored
 from hfield.certificates.rejection import reject
 from hfield.certificates.scalars.matrices import inverse_matrix
 from hfield.certificates.work import charge

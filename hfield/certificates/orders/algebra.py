@@ -1,19 +1,16 @@
 """The algebra i² = a + t·i, j² = b over ℚ, on rows of four integers over a denominator."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import gcd, lcm
 from typing import Any
 
 from hfield.certificates.evaluate import Evaluator, RingScalars
 from hfield.certificates.language import walk
+from hfield.certificates.number_fields.matrices import Row, Rows, longest, times
 from hfield.certificates.rejection import reject
 from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge
-
-Row = tuple[Any, ...]
-"""Integers; or those of a number field, at a real place."""
-Rows = tuple[Row, ...]
 
 
 class Algebra:
@@ -83,17 +80,3 @@ class Algebra:
         """Divide a row, and a denominator, by the positive integers that divide all of it."""
         common = gcd(den, *row)
         return den // common, tuple(x // common for x in row)
-
-
-def longest(rows: Iterable[Sequence[int]]) -> int:
-    """Return how many bits the longest number has."""
-    return max([n.bit_length() for row in rows for n in row], default=0)
-
-
-def times(rows: Iterable[Sequence[int]], matrix: Rows) -> list[Row]:
-    """Return the products of rows of length 4 with a matrix."""
-    (a, b, c, d) = matrix
-    return [
-        tuple(w * p + x * q + y * r + z * s for p, q, r, s in zip(a, b, c, d, strict=True))
-        for w, x, y, z in rows
-    ]

@@ -13,9 +13,11 @@ from functools import cached_property
 from itertools import product
 from typing import Any, Protocol
 
-from hfield.certificates.orders.algebra import Algebra, Row, longest, times
+from hfield.certificates.number_fields.factoring import factored
+from hfield.certificates.number_fields.matrices import Row, longest, times
+from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.lattice import Element, Lattice
-from hfield.certificates.orders.local_types import discriminant, eichler_symbol, factored
+from hfield.certificates.orders.local_types import discriminant, eichler_symbol
 from hfield.certificates.rejection import reject
 from hfield.certificates.work import charge
 

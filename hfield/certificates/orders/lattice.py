@@ -6,12 +6,19 @@ from fractions import Fraction
 from functools import cached_property
 from math import gcd
 
-from hfield.certificates.orders.algebra import Algebra, Row, Rows, longest, times
-from hfield.certificates.rejection import reject
-from hfield.certificates.scalars.rationals import over_one_denominator
+from hfield.certificates.number_fields.matrices import (
+    Key,
+    Row,
+    Rows,
+    hermite,
+    inverse,
+    longest,
+    reduced,
+    times,
+    transposed,
+)
+from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.work import charge
-
-Key = tuple[int, Rows]
 
 
 @dataclass(frozen=True)
@@ -119,76 +126,3 @@ class Element:
         (value,) = times([self.row], algebra.form)
         total = sum(x * y for x, y in zip(value, self.row, strict=True))
         return Fraction(total, 2 * algebra.scale * self.den * self.den)
-
-
-def reduced(den: int, rows: Rows) -> Key:
-    """Return a Hermite form over its least denominator."""
-    charge(den.bit_length() * sum(row[n].bit_length() for n, row in enumerate(rows)) // 30_000)
-    g = gcd(den, *(x for row in rows for x in row))
-    return den // g, tuple(tuple(x // g for x in row) for row in rows)
-
-
-def transposed(rows: Rows) -> Rows:
-    """Return the columns."""
-    return tuple(zip(*rows, strict=True))
-
-
-def hermite(rows: Iterable[Sequence[int]]) -> Rows:
-    """Return the Hermite form of what the rows span over ℤ. Raises :class:`Rejected` below the full rank."""
-    rest = [list(row) for row in rows]
-    size = len(rest[0])
-    found: list[list[int]] = []
-    first = longest(rest)
-    for c in range(size):
-        bits = (c + 1) * first  # what has been combined is longer
-        cost = 1 + bits // 4_000  # where a quotient is short, as most are
-        charge(len(rest) * (bits * bits // 150_000))
-        pool = [row for row in rest if row[c]]
-        rest = [row for row in rest if not row[c]]
-        if not pool:
-            reject(f"these rows span a lattice of rank below {size}")
-        while len(pool) > 1:
-            charge(cost * len(pool))
-            pivot = min(pool, key=lambda row: abs(row[c]))
-            others, pool = [row for row in pool if row is not pivot], [pivot]
-            for row in others:
-                q = row[c] // pivot[c]
-                for n in range(c, size):
-                    row[n] -= q * pivot[n]
-                (pool if row[c] else rest).append(row)
-        (pivot,) = pool
-        found.append([-x for x in pivot] if pivot[c] < 0 else pivot)
-    charge(first**2 // 2_000)
-    for c in range(1, size):
-        for upper in found[:c]:
-            q = upper[c] // found[c][c]
-            for n in range(c, size):
-                upper[n] -= q * found[c][n]
-    return tuple(map(tuple, found))
-
-
-def inverse(rows: Rows) -> tuple[Rows, int]:
-    """Return ``(m, d)``, m/d being the inverse of a matrix. Raises :class:`Rejected` where there is none."""
-    charge(60 + longest(rows) ** 2 // 450)
-    m = [[*row, *(int(r == c) for c in range(4))] for r, row in enumerate(rows)]
-    before = 1
-    for c in range(4):  # without fractions (Bareiss): all divisions by ``before`` leave no rest
-        pivot = next((r for r in range(c, 4) if m[r][c]), None)
-        if pivot is None:
-            reject("these rows span a lattice of rank below 4")
-        if pivot != c:
-            m[c], m[pivot] = m[pivot], [-x for x in m[c]]
-        top = m[c]
-        for r in range(4):
-            if r != c:
-                f = m[r][c]
-                m[r] = [(top[c] * x - f * y) // before for x, y in zip(m[r], top, strict=True)]
-        before = top[c]
-    return tuple(tuple(row[4:]) for row in m), before
-
-
-def rational_rows(values: Sequence[Sequence[Fraction]]) -> tuple[int, Rows]:
-    """Return rational rows as integer rows over their least denominator."""
-    entries, den = over_one_denominator([x for row in values for x in row])
-    width = len(values[0])
-    return den, tuple(tuple(entries[n : n + width]) for n in range(0, len(entries), width))

@@ -8,15 +8,12 @@ order of I has units.
 from fractions import Fraction
 
 from hfield.certificates.number_fields.enumeration import short_vectors
-from hfield.certificates.orders.algebra import Row, times
-from hfield.certificates.orders.lattice import Key, Lattice, hermite, reduced
+from hfield.certificates.number_fields.factoring import factored
+from hfield.certificates.number_fields.matrices import Key, Row, hermite, reduced, times
+from hfield.certificates.orders.lattice import Lattice
 from hfield.certificates.rejection import reject
-from hfield.certificates.scalars.finite import PROVED_BELOW, is_prime
 from hfield.certificates.scalars.rationals import root
 from hfield.certificates.work import charge
-
-MAX_TRIAL = 10**6
-MAX_BITS = 4096
 
 
 def need_order(order: Lattice) -> None:
@@ -37,28 +34,6 @@ def discriminant(order: Lattice) -> int:
     if found is None or found.denominator != 1:
         reject("this order has no integral discriminant")
     return found.numerator
-
-
-def factored(n: int) -> dict[int, int]:
-    """Return the primes of a positive integer and their exponents. Rejects what trial division leaves."""
-    found: dict[int, int] = {}
-    if n.bit_length() > MAX_BITS:
-        reject("a discriminant is too large to be factored here")
-    p = 2
-    while n > 1:
-        proved = p & 1023 == 1 and n < PROVED_BELOW and is_prime(n)
-        if p > MAX_TRIAL or p * p > n or proved:
-            if not is_prime(n):
-                reject(
-                    "a discriminant is not factored here: it has two large primes, or too large a one"
-                )
-            p = n
-        charge(1 + n.bit_length() // 64)
-        while n % p == 0:
-            found[p] = found.get(p, 0) + 1
-            n //= p
-        p += 1
-    return found
 
 
 def eichler_symbol(order: Lattice, p: int) -> int:

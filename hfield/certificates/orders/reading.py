@@ -3,8 +3,9 @@
 import re
 from fractions import Fraction
 
+from hfield.certificates.number_fields.matrices import rational_rows
 from hfield.certificates.orders.algebra import Algebra
-from hfield.certificates.orders.lattice import Element, Lattice, rational_rows
+from hfield.certificates.orders.lattice import Element, Lattice
 from hfield.certificates.orders.local_types import need_order
 from hfield.certificates.rejection import (
     MAX_DIGITS,

@@ -27,13 +27,14 @@ from hfield.certificates.glossary import (
 )
 from hfield.certificates.language import Tree
 from hfield.certificates.number_fields.enumeration import short_vectors
-from hfield.certificates.orders.algebra import Algebra, times
+from hfield.certificates.number_fields.factoring import factored
+from hfield.certificates.number_fields.matrices import inverse, times
+from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.fuchsian import Domain, area
-from hfield.certificates.orders.lattice import Element, Lattice, inverse
+from hfield.certificates.orders.lattice import Element, Lattice
 from hfield.certificates.orders.local_types import (
     discriminant,
     eichler_symbol,
-    factored,
     need_class_set,
     need_locally_principal,
 )
