@@ -10,8 +10,8 @@ import pytest
 
 from hfield import QuaternionAlgebra, ring
 from hfield.certificates.check import Pin
-from hfield.certificates.number_fields.fuchsian import Real, RealPlace
 from hfield.certificates.number_fields.lattices import a_frame
+from hfield.certificates.number_fields.real_numbers import Real, RealPlace
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.real_roots import real_roots

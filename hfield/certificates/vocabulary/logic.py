@@ -8,7 +8,7 @@ The vocabulary, with P, Q for statements of any kind:
 ``basis{4; 1,0,0,0; …}`` · ``determined-by{all; 1,2,3}`` · ``curried-linear{1}`` ·
 ``last-argument{4; 1,2,3}`` · ``class-group{2,4}`` · ``unit-group{2; 1+s}`` ·
 ``ideal-classes{O; 3}`` · and those about lattices, of :mod:`hfield.certificates.orders.words` and, over
-number fields, of :mod:`hfield.certificates.number_fields.answers` and ``fuchsian`` beside it.
+number fields, of :mod:`hfield.certificates.orders.answers` and ``class_set`` beside it.
 
 Lemmas that show relations between closed statements over all fields at once.
 """
@@ -31,7 +31,8 @@ from hfield.certificates.glossary import (
 )
 from hfield.certificates.kinds import establish
 from hfield.certificates.language import BLANKS, Tree, parse, split, walk
-from hfield.certificates.number_fields import answers, classes, fuchsian, ideal_classes
+from hfield.certificates.number_fields import classes, real_numbers
+from hfield.certificates.orders import answers, class_set
 from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.words import PARTS as LATTICES
 from hfield.certificates.orders.words import establish_lattices, meaning_of_lattices
@@ -62,7 +63,7 @@ class Proposition:
 
 
 Check = Callable[[tuple[str, ...], Setting, str, Any], Finding]
-ABOUT_LATTICES = (ideal_classes, answers, fuchsian)
+ABOUT_LATTICES = (class_set, answers, real_numbers)
 """Of any algebra; the other rooms are about H(F)."""
 ROOMS = (of_fields, linear_algebra, classes, *ABOUT_LATTICES)
 SPECIAL: dict[str, Check] = {word: check for room in ROOMS for word, check in room.CHECKS.items()}
