@@ -4,7 +4,7 @@ The product is that of the sixteen products of basis elements, which follow from
 j² = b, ij = k and ji = t·j − k alone.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, Generic, Protocol, TypeVar
 
@@ -57,6 +57,18 @@ class Quaternion(tuple[Any, ...]):
     __slots__ = ()
 
 
+def products(
+    one: S, a: S, t: S, b: S, ab: S, tb: S, neg: Callable[[S], S]
+) -> list[list[list[tuple[int, S]]]]:
+    """Return of each two elements of (1, i, j, k) the places and the coefficients of their product."""
+    return [
+        [[(0, one)], [(1, one)], [(2, one)], [(3, one)]],
+        [[(1, one)], [(0, a), (1, t)], [(3, one)], [(2, a), (3, t)]],
+        [[(2, one)], [(2, t), (3, neg(one))], [(0, b)], [(0, tb), (1, neg(b))]],
+        [[(3, one)], [(2, neg(a))], [(1, b)], [(0, neg(ab))]],
+    ]
+
+
 class Evaluator(Generic[S, T]):
     """The algebra over some scalars, with values for unknowns and constants."""
 
@@ -71,15 +83,7 @@ class Evaluator(Generic[S, T]):
         self.needed: Conditions = ()  # by the terms evaluated last
         self.constants = a, t, b = [self._scalar(self.value(tree)) for tree in constants]
         self.conditions: Conditions = self.needed  # under which the algebra exists
-        one, minus_one = s.one, s.neg(s.one)
-        ab, tb = s.mul(a, b), s.mul(t, b)
-        # TABLE[m][n] lists (place, coefficient) of the product of basis elements m and n.
-        self.table: list[list[list[tuple[int, S]]]] = [
-            [[(0, one)], [(1, one)], [(2, one)], [(3, one)]],
-            [[(1, one)], [(0, a), (1, t)], [(3, one)], [(2, a), (3, t)]],
-            [[(2, one)], [(2, t), (3, minus_one)], [(0, b)], [(0, tb), (1, s.neg(b))]],
-            [[(3, one)], [(2, s.neg(a))], [(1, b)], [(0, s.neg(ab))]],
-        ]
+        self.table = products(s.one, a, t, b, s.mul(a, b), s.mul(t, b), s.neg)
         self.t = t
 
     def quaternion(self, x: S | Quaternion) -> Quaternion:

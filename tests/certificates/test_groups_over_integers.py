@@ -10,8 +10,8 @@ import pytest
 
 from hfield import QuaternionAlgebra, ring
 from hfield.certificates.check import Pin
-from hfield.certificates.number_fields.lattices import a_frame
 from hfield.certificates.number_fields.real_numbers import Real, RealPlace
+from hfield.certificates.orders.reading import OverField
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.real_roots import real_roots
@@ -168,18 +168,19 @@ def test_a_conjugate_order_has_the_same_area_and_other_units() -> None:
 def test_integers_are_ordered_by_the_place() -> None:
     """The signs are those of floats, which tell these apart; near 0 more bits are found."""
     data, _ = both(HURWITZ, 1)
-    base = a_frame(read_setting(HURWITZ, read_ring(data["ring"])), data["evidence"]["basis"])
-    roots = real_roots(base.field.modulus)
+    setting = read_setting(HURWITZ, read_ring(data["ring"]))
+    integers = OverField(setting, data["evidence"]).algebra.integers
+    roots = real_roots(integers.field.modulus)
     assert len(roots) == 3
     for root in roots:
-        place = RealPlace(base.integers, root)
-        values = [float(root.within(Fraction(1, 2**60)).bounds(x)[0]) for x in base.integers.rows]
+        place = RealPlace(integers, root)
+        values = [float(root.within(Fraction(1, 2**60)).bounds(x)[0]) for x in integers.rows]
         for row in ((1, -3, 2), (5, 4, -3), (-1, 0, 0), (7, 0, -2)):
             x, near = Real(place, row), sum(c * v for c, v in zip(row, values, strict=True))
             assert (x > 0, x < 0, x >= 0, x <= 0) == (near > 0, near < 0, near > 0, near < 0)
             assert x - x == 0 <= x * 0 + (x - x)
         far = 10**400  # the bounds of 128 bits do not tell these from one another
-        ends = root.within(Fraction(1, far)).bounds(base.integers.rows[1])
+        ends = root.within(Fraction(1, far)).bounds(integers.rows[1])
         low, high = (int(c * far) for c in ends)
         assert low - 10 < Real(place, (0, far, 0)) < high + 10
         assert not Real(place, (0, far, 0)) < low - 10

@@ -10,6 +10,7 @@ import pytest
 
 from hfield import QuaternionAlgebra
 from hfield.certificates.check import Pin
+from hfield.certificates.number_fields.integers import RATIONAL_INTEGERS, RationalPrimes
 from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.fuchsian import area
 from hfield.certificates.orders.lattice import Lattice
@@ -136,8 +137,9 @@ def test_the_area_is_that_of_the_formula() -> None:
         A = QuaternionAlgebra("QQ", rng.choice([2, 3, 5, 7, -1, 1]), rng.choice([3, 5, 11, 1, 2]))
         order = A.order([A(0, rng.randint(1, 4), 0, 0), A(0, 0, rng.randint(1, 4), 0)])
         den, rows = order.hnf
-        checked = Lattice(Algebra(read_setting(str(A), setting)), den, tuple(map(tuple, rows)))
-        assert area(checked) == order.norm_one_group().area
+        algebra = Algebra(read_setting(str(A), setting), RATIONAL_INTEGERS)
+        checked = Lattice(algebra, den, tuple(map(tuple, rows)))
+        assert area(checked, RationalPrimes()) == order.norm_one_group().area
 
 
 def test_no_number_can_be_changed() -> None:

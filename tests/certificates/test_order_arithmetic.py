@@ -12,10 +12,12 @@ from flint import fmpz_mat
 from hfield import QuaternionAlgebra
 from hfield.certificates.number_fields.enumeration import short_vectors
 from hfield.certificates.number_fields.factoring import factored
+from hfield.certificates.number_fields.ideals import index
+from hfield.certificates.number_fields.integers import RATIONAL_INTEGERS, RationalPrimes
 from hfield.certificates.number_fields.matrices import hermite, inverse, rational_rows
-from hfield.certificates.orders import local_types
 from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.lattice import Lattice
+from hfield.certificates.orders.local_types import mass, symbols
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.rationals import QQ
 from hfield.certificates.statement import read_setting
@@ -25,7 +27,7 @@ from tests.certificates.order_certificates import ALGEBRAS
 
 def mirrored(L: Any) -> Lattice:
     """Return a lattice of the package as one of the checker."""
-    algebra = Algebra(read_setting(str(L.algebra), QQ))
+    algebra = Algebra(read_setting(str(L.algebra), QQ), RATIONAL_INTEGERS)
     den, rows = L.hnf
     return Lattice(algebra, den, rows)
 
@@ -42,17 +44,17 @@ def test_arithmetic_agrees() -> None:
             L, M = A.lattice(rows[:4]), A.lattice(rows[4:8])
             own, other = mirrored(L), mirrored(M)
             assert own.key == L.hnf
-            assert own.norm == Fraction(str(L.norm()))
+            assert index(own.norm) == Fraction(str(L.norm()))
             assert other.volume / own.volume == Fraction(L.index(M))
             for side in ("left", "right"):
                 found = own.into(other, side)
                 assert found.key == M.colon(L, "right" if side == "left" else "left").hnf
             O = L.left_order()
-            assert local_types.discriminant(mirrored(O)) == O.discriminant()
-            for p in factored(O.discriminant()):
-                assert local_types.eichler_symbol(mirrored(O), p) == O.eichler_symbol(p)
+            assert mirrored(O).discriminant == O.discriminant()
+            found = {P.p: symbol for P, symbol in symbols(mirrored(O), RationalPrimes())}
+            assert found == {p: O.eichler_symbol(p) for p in factored(O.discriminant())}
             if "inf" in A.ramified_places():
-                assert local_types.mass(mirrored(O)) == O.mass()
+                assert mass(mirrored(O), RationalPrimes()) == O.mass()
 
 
 def test_hermite_forms_and_inverses() -> None:
@@ -101,7 +103,7 @@ def test_masses_of_small_discriminants() -> None:
     """The mass counted by Eichler's formula for Eichler orders: φ(D)·ψ(N)/12."""
     for primes, level, expected in (((11,), 1, "5/6"), ((11,), 3, "10/3"), ((2, 3, 5), 7, "16/3")):
         O = QuaternionAlgebra.from_ramification("QQ", primes).eichler_order(level)
-        assert local_types.mass(mirrored(O)) == Fraction(expected)
+        assert mass(mirrored(O), RationalPrimes()) == Fraction(expected)
 
 
 def test_what_is_too_large_to_factor_is_rejected() -> None:

@@ -8,7 +8,6 @@ class group is ℤ^S modulo their exponents, and units are those with exponents 
 from collections.abc import Sequence
 from fractions import Fraction
 from math import factorial, gcd, isqrt, prod
-from typing import Any
 
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import (
@@ -20,14 +19,13 @@ from hfield.certificates.glossary import (
     MINKOWSKI,
     REDUCED_FORMS,
 )
-from hfield.certificates.number_fields.integers import Factors, Integers
+from hfield.certificates.number_fields.integers import Factors, Integers, coefficients, field_of
 from hfield.certificates.number_fields.logarithms import DIGITS, Interval, Places, log, volume
 from hfield.certificates.number_fields.modular import echelon
 from hfield.certificates.rejection import a_list, an_integer, an_object, reject
 from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.scalars.names import a_rational
-from hfield.certificates.scalars.number_fields import NumberField
-from hfield.certificates.scalars.quadratic import Quadratic, pair
+from hfield.certificates.scalars.number_fields import Element, NumberField
 from hfield.certificates.scalars.rationals import over_one_denominator
 from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge, charge_products
@@ -37,8 +35,6 @@ MOST_ROWS = 60
 MOST_SATURATED = 20_000
 PI = Fraction(314159265358979323846264338327950288, 10**35)
 """A little less than π."""
-
-Element = tuple[Fraction, ...]
 
 
 def class_group(
@@ -68,24 +64,6 @@ def unit_group(parts: tuple[str, ...], setting: Setting, verdict: str, evidence:
 def _expect_proved(verdict: str) -> None:
     if verdict != "proved":
         reject(f"evidence of S-units does not show that this is {verdict}")
-
-
-def field_of(setting: Setting) -> NumberField:
-    """Return the field as ℚ[s]/(f)."""
-    ring = setting.field
-    if isinstance(ring, Quadratic):
-        f = [Fraction(-ring.d), Fraction(0), Fraction(1)]
-        return NumberField(ring.name, f, ("name", "s"), "s", proved=True)
-    if not isinstance(ring, NumberField):
-        reject(
-            "class groups and units are checked of fields QQ[s]/(f), quadratic and cyclotomic ones"
-        )
-    return ring
-
-
-def coefficients(ring: Any, x: Any) -> Element:
-    """Return an element as coefficients of 1, s, s², …"""
-    return pair(x) if isinstance(ring, Quadratic) else tuple(x)
 
 
 class SUnits:

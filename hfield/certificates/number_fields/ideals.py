@@ -5,15 +5,15 @@ from fractions import Fraction
 from math import prod
 
 from hfield.certificates.number_fields.integers import Integers, Prime
-from hfield.certificates.number_fields.matrices import Key, hermite, reduced, unit
+from hfield.certificates.number_fields.matrices import Key, hermite, reduced, times
 from hfield.certificates.work import charge
 
 
 def ideal(integers: Integers, den: int, rows: Iterable[Sequence[int]]) -> Key:
     """Return the ideal that integers of the field over a denominator generate, in Hermite normal form."""
-    n = integers.n
-    span = [integers.mul(unit(n, k), row) for row in rows if any(row) for k in range(n)]
-    return reduced(den, hermite(span))
+    own = [row for row in rows if any(row)]
+    charge(len(own) * integers.n**3 // 4)
+    return reduced(den, hermite([row for by in integers.table for row in times(own, by)]))
 
 
 def times_number(integers: Integers, x: Sequence[Fraction], other: Key) -> Key:

@@ -9,10 +9,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from math import lcm
+from math import gcd, lcm
+from typing import Any
 
 from hfield.certificates.number_fields.factoring import factored
-from hfield.certificates.number_fields.matrices import determinant, unit
+from hfield.certificates.number_fields.matrices import determinant, rational_rows, times, unit
 from hfield.certificates.number_fields.modular import (
     Vector,
     echelon,
@@ -23,7 +24,10 @@ from hfield.certificates.number_fields.modular import (
 from hfield.certificates.rejection import a_list, an_integer, reject
 from hfield.certificates.scalars.finite import is_prime
 from hfield.certificates.scalars.matrices import inverse_matrix
-from hfield.certificates.scalars.number_fields import NumberField
+from hfield.certificates.scalars.number_fields import Element, NumberField
+from hfield.certificates.scalars.quadratic import Quadratic, pair
+from hfield.certificates.scalars.rationals import Rationals
+from hfield.certificates.statement import Setting
 from hfield.certificates.work import charge, charge_products
 
 MOST = 12
@@ -41,14 +45,13 @@ class Integers:
         back = inverse_matrix(rows)
         if back is None:
             reject("the integral basis is dependent")
-        self.rows, self._back = rows, back
+        self.rows = rows
+        self._below, self._back = rational_rows(back)
         self.table = [
             [self._integral(field.mul(tuple(x), tuple(y)), "a product") for y in rows] for x in rows
         ]
         self.one = self._integral(field.one, "1")
-        self.discriminant = determinant(
-            [[self.trace(self.table[k][m]) for m in range(n)] for k in range(n)]
-        )
+        self.discriminant = determinant(self._trace_form)
         for p, e in factored(abs(self.discriminant)).items():
             if e > 1 and not self._is_maximal_at(p):
                 reject(f"the integral basis does not span all integers at {p}")
@@ -56,12 +59,20 @@ class Integers:
     def coordinates(self, x: Sequence[Fraction]) -> tuple[int, Vector]:
         """Return an element as coordinates over a denominator, in lowest terms."""
         charge(self.n**2)
-        found = [
-            sum((c * row[k] for c, row in zip(x, self._back, strict=True)), Fraction(0))
-            for k in range(self.n)
-        ]
-        den = lcm(*(c.denominator for c in found))
-        return den, tuple(int(c * den) for c in found)
+        den = lcm(*[c.denominator for c in x])
+        (row,) = times([[c.numerator * (den // c.denominator) for c in x]], self._back)
+        den *= self._below
+        common = gcd(den, *row)
+        return den // common, tuple([c // common for c in row])
+
+    def number(self, coordinates: Sequence[Fraction]) -> Element:
+        """Return a number of the field by its coordinates."""
+        charge(self.n**2)
+        columns = zip(*self.rows, strict=True)
+        return tuple(
+            sum((a * c for a, c in zip(coordinates, column, strict=True)), Fraction(0))
+            for column in columns
+        )
 
     def _integral(self, x: Sequence[Fraction], what: str) -> Vector:
         den, row = self.coordinates(x)
@@ -82,20 +93,28 @@ class Integers:
                             out[k] += a * b * c
         return tuple(out)
 
-    def matrix(self, x: Sequence[int]) -> list[list[int]]:
+    @cached_property
+    def _flat(self) -> list[Vector]:
+        return [tuple(c for row in rows for c in row) for rows in self.table]
+
+    def matrix(self, x: Sequence[int]) -> list[Vector]:
         """Return the matrix that takes a row y to x·y."""
-        charge(self.n**3 // 2)
-        return [
-            [
-                sum(a * row[m][k] for a, row in zip(x, self.table, strict=True))
-                for k in range(self.n)
-            ]
-            for m in range(self.n)
-        ]
+        n = self.n
+        charge(n**3 // 2)
+        (entries,) = times([x], self._flat)
+        return [entries[m : m + n] for m in range(0, n * n, n)]
 
     def trace(self, x: Sequence[int]) -> int:
         """Return the trace down to ℚ."""
         return sum(row[k] for k, row in enumerate(self.matrix(x)))
+
+    @cached_property
+    def _trace_form(self) -> list[Vector]:
+        return [tuple(self.trace(row) for row in rows) for rows in self.table]
+
+    def traces(self, x: Sequence[int]) -> Vector:
+        """Return Tr(w·x) for the elements w of the basis."""
+        return times([x], self._trace_form)[0]
 
     def norm(self, x: Sequence[int]) -> int:
         """Return the norm down to ℚ."""
@@ -105,6 +124,8 @@ class Integers:
 
     def power_modulo(self, x: Sequence[int], e: int, p: int) -> Vector:
         """Return a power modulo p."""
+        if self.n == 1:
+            return (pow(x[0], e, p),)
         out: Vector = tuple(c % p for c in self.one)
         base: Vector = tuple(c % p for c in x)
         while e:
@@ -237,6 +258,12 @@ class Factors:
             self.above[p] = list(range(len(self.primes), len(self.primes) + len(found)))
             self.primes += found
 
+    def at(self, p: int) -> list[Prime]:
+        """Return the prime ideals above a prime number, which have to be given."""
+        if p not in self.above:
+            reject(f"the prime ideals above {p} are missing")
+        return [self.primes[k] for k in self.above[p]]
+
     def exponents(self, x: Sequence[Fraction]) -> dict[int, int]:
         """Return the exponents of an element other than 0, all of whose primes have to be among these."""
         den, row = self.integers.coordinates(x)
@@ -266,9 +293,45 @@ class Factors:
         return found
 
 
+def field_of(setting: Setting) -> NumberField:
+    """Return the field of a statement as ℚ[s]/(f)."""
+    ring = setting.field
+    if isinstance(ring, Quadratic):
+        f = [Fraction(-ring.d), Fraction(0), Fraction(1)]
+        return NumberField(ring.name, f, ("name", "s"), "s", proved=True)
+    if not isinstance(ring, NumberField):
+        reject(
+            "class groups and units are checked of fields QQ[s]/(f), quadratic and cyclotomic ones"
+        )
+    return ring
+
+
+def coefficients(ring: Any, x: Any) -> Element:
+    """Return an element as coefficients of 1, s, s², …"""
+    if isinstance(ring, Rationals):
+        return (x,)
+    return pair(x) if isinstance(ring, Quadratic) else tuple(x)
+
+
 def integer_row(value: object, n: int) -> Vector:
     """Read a row of n integers."""
     row = tuple(an_integer(x, "a coordinate") for x in a_list(value, "a row"))
     if len(row) != n:
         reject(f"a row has {n} coordinates")
     return row
+
+
+RATIONAL_FIELD = NumberField("QQ", [Fraction(-1), Fraction(1)], ("name", "s"), "s", proved=True)
+RATIONAL_INTEGERS = Integers(RATIONAL_FIELD, [[Fraction(1)]])
+"""ℤ, the integers of the field of degree 1."""
+
+
+class RationalPrimes:
+    """The prime ideals of ℤ, which need not be given."""
+
+    def at(self, p: int) -> list[Prime]:
+        """Return the ideal that a prime number generates."""
+        return [Prime(RATIONAL_INTEGERS, p, [])]
+
+
+Primes = Factors | RationalPrimes

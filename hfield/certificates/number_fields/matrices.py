@@ -33,22 +33,19 @@ def unit(n: int, k: int, value: int = 1) -> Row:
 
 def times(rows: Iterable[Sequence[Any]], matrix: Sequence[Sequence[Any]]) -> list[Row]:
     """Return the products of rows with a matrix. Who calls it pays."""
-    return (times_four if len(matrix) == 4 else times_any)(rows, matrix)
-
-
-def times_any(rows: Iterable[Sequence[Any]], matrix: Sequence[Sequence[Any]]) -> list[Row]:
-    """Return the products of rows with a matrix."""
-    columns = transposed(matrix)
-    return [tuple([sum(map(mul, row, column)) for column in columns]) for row in rows]
-
-
-def times_four(rows: Iterable[Sequence[Any]], matrix: Sequence[Sequence[Any]]) -> list[Row]:
-    """Return the products of rows of length 4 with a matrix."""
+    if len(matrix) != 4:
+        return times_any(rows, matrix)
     a, b, c, d = matrix
     return [
         tuple([w * p + x * q + y * r + z * s for p, q, r, s in zip(a, b, c, d, strict=True)])
         for w, x, y, z in rows
     ]
+
+
+def times_any(rows: Iterable[Sequence[Any]], matrix: Sequence[Sequence[Any]]) -> list[Row]:
+    """Return the products of rows with a matrix that has any number of rows."""
+    columns = transposed(matrix)
+    return [tuple([sum(map(mul, row, column)) for column in columns]) for row in rows]
 
 
 def transposed(rows: Iterable[Sequence[Any]]) -> Rows:
@@ -59,7 +56,12 @@ def transposed(rows: Iterable[Sequence[Any]]) -> Rows:
 def hermite(rows: Iterable[Sequence[int]]) -> Rows:
     """Return the Hermite form of what the rows span over ℤ. Raises :class:`Rejected` below the full rank."""
     rest = [list(row) for row in rows]
+    if not rest:
+        reject("no rows span no lattice")
     size = len(rest[0])
+    if size == 1:
+        g = gcd(*(row[0] for row in rest))
+        return ((g,),) if g else reject("these rows span a lattice of rank below 1")
     found: list[list[int]] = []
     first = longest(rest)
     for c in range(size):

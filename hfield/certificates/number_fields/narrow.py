@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from itertools import product
 from math import prod
 
-from hfield.certificates.number_fields.classes import Element, SUnits
+from hfield.certificates.number_fields.classes import SUnits
 from hfield.certificates.number_fields.ideals import times_number, times_primes
 from hfield.certificates.number_fields.integers import Prime
 from hfield.certificates.number_fields.matrices import Key, hermite, unit
 from hfield.certificates.rejection import a_list, an_integer, reject
-from hfield.certificates.scalars.number_fields import NumberField
+from hfield.certificates.scalars.number_fields import Element, NumberField
 from hfield.certificates.work import charge
 
 
@@ -63,6 +63,18 @@ class Narrow:
                 return False
             rest = [a - c * b for a, b in zip(rest, row, strict=True)]
         return True
+
+    def classes(self, value: object) -> list[tuple[Element, list[int]]]:
+        """Read ideals of different narrow classes, as products of primes in S; by default that of 1."""
+        if value is None:
+            return [(self.field.one, [0] * len(self.s.S))]
+        found = [self.read(x) for x in a_list(value, "ideals of the narrow classes", 1)]
+        for k, (x, e) in enumerate(found):
+            for y, f in found[:k]:  # signs of a quotient are those of the product
+                exponents = [a - b for a, b in zip(e, f, strict=True)]
+                if self.is_principal(self.field.mul(x, y), exponents):
+                    reject("two norms are in one narrow class")
+        return found
 
     def is_quotient(self, x: Element, e: Sequence[int], above: Key, below: Key) -> bool:
         """Tell whether an ideal is x·∏P^e times another."""

@@ -1,19 +1,16 @@
-"""Orders and ideals over the integers of a number field, and what carries one to another, or that none does.
+"""What statements about orders and ideals say, and how it is shown or refuted, over any base.
 
-``order-over-integers{O; n}`` · ``ideal-over-integers{I; side; O; n}``, n the absolute norm of the reduced
-discriminant and of the reduced norm · ``equivalent-over-integers{side; I; J}`` ·
-``isomorphic-over-integers{O; P}`` · ``unit-index{O; n}``. A lattice is written as a basis over ℤ.
-
-J = I·c makes N(c) a generator of N(J)/N(I), in a totally definite algebra a totally positive one: c is one of
-finitely many elements, up to units of the field, or N(J)/N(I) has no such generator.
+Each check is given the parts of the statement and what reads them and the evidence.
 """
 
-from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
+from functools import cache, partial
+from math import gcd, lcm
 
 from hfield.certificates.finding import Finding
 from hfield.certificates.glossary import (
+    BY_AREA,
+    BY_MASS,
     DISCRIMINANT,
     ELEMENT,
     ENUMERATION,
@@ -21,261 +18,276 @@ from hfield.certificates.glossary import (
     IDEAL,
     NORM,
     ORDER,
+    POINCARE,
+    SHIMIZU,
 )
-from hfield.certificates.number_fields.classes import field_of
+from hfield.certificates.number_fields.factoring import factored
 from hfield.certificates.number_fields.ideals import index
-from hfield.certificates.number_fields.lattices import (
-    Frame,
-    Lattice,
-    Row,
-    a_frame,
-    need_definite,
-    need_locally_principal,
-    need_same,
-    of_norm,
+from hfield.certificates.number_fields.matrices import Row, Rows, determinant, inverse, times
+from hfield.certificates.orders.algebra import Algebra
+from hfield.certificates.orders.class_set import need_class_set, need_ideal
+from hfield.certificates.orders.elements import of_norm, with_trace_and_norm
+from hfield.certificates.orders.fuchsian import Domain, area
+from hfield.certificates.orders.lattice import Element, Lattice
+from hfield.certificates.orders.local_types import mass, symbols
+from hfield.certificates.orders.reading import (
+    OverField,
+    OverQ,
+    a_rational,
+    a_side,
+    a_whole_number,
+    numbers_of,
+    words_of,
 )
-from hfield.certificates.number_fields.matrices import rational_rows, times, unit
-from hfield.certificates.number_fields.narrow import Narrow
-from hfield.certificates.rejection import a_list, an_object, reject
-from hfield.certificates.scalars.matrices import inverse_matrix
-from hfield.certificates.statement import Setting
-from hfield.certificates.work import charge
+from hfield.certificates.rejection import a_list, an_integer, reject
+from hfield.certificates.work import charge_products
 
 Parts = tuple[str, ...]
-
-
-def _narrow(setting: Setting, data: Any) -> tuple[Narrow, Frame]:
-    narrow = Narrow(field_of(setting), data["units"], data["fundamental"])
-    return narrow, Frame(setting, narrow.s.integers)
-
+Given = OverQ | OverField
 
 # --- orders and ideals ------------------------------------------------------------------------------
 
 
-def _is_order(parts: Parts, setting: Setting, evidence: object) -> Finding:
-    data = an_object(evidence, "kind basis", "the evidence")
-    if a_frame(setting, data["basis"]).order(parts[0]).discriminant != int(parts[1]):
+def is_order(given: Given, parts: Parts) -> Finding:
+    """O is an order of this discriminant, and a maximal one where that is said."""
+    order = given.order(parts[0])
+    if order.discriminant != a_whole_number(parts[1], "a discriminant"):
         reject("this order has another reduced discriminant")
+    if len(parts) == 3:
+        exponents = factored(order.discriminant)
+        for P, symbol in symbols(order, given.primes):
+            if exponents[P.p] > 1 or symbol != -1:
+                reject(f"it is not shown that this order is maximal at {P.p}")
     return Finding(FIELD, ORDER)
 
 
-def _is_ideal(parts: Parts, setting: Setting, evidence: object) -> Finding:
-    base = a_frame(setting, an_object(evidence, "kind basis", "the evidence")["basis"])
-    ideal = base.lattice(parts[0])
-    need_locally_principal(ideal, base.order(parts[2]), parts[1])
-    if index(ideal.norm) != Fraction(parts[3]):
+def is_ideal(given: Given, parts: Parts) -> Finding:
+    """I is a locally principal ideal of the order, of this norm."""
+    ideal = given.lattice(parts[0])
+    need_ideal(ideal, given.order(parts[2]), a_side(parts[1]))
+    if index(ideal.norm) != a_rational(parts[3]):
         reject("this ideal has another norm")
     return Finding(FIELD, IDEAL)
 
 
-def _unit_index(parts: Parts, setting: Setting, evidence: object) -> Finding:
+def has_units(given: Given, parts: Parts) -> Finding:
     """Units modulo those of the field have a norm among the totally positive units modulo squares."""
-    data = an_object(evidence, "kind units fundamental order", "the evidence")
-    narrow, base = _narrow(setting, data)
-    order = base.order(parts[0])
-    given = base.given(data["order"], "an order")
-    need_same(order, given)
-    if sum(1 for u in narrow.units for _ in of_norm(given, u)) != int(parts[1]):
+    order = given.basis(given.order(parts[0]), given.data["order"])
+    if sum(1 for u in given.units for _ in of_norm(order, u)) != int(parts[1]):
         reject("the order has another number of units modulo those of the field")
-    return Finding(FIELD, ENUMERATION).citing(*narrow.s.cites)
+    return Finding(FIELD, ENUMERATION).citing(*given.unit_theorems)
 
 
 # --- what carries one to the other ------------------------------------------------------------------
 
 
-def _are_equivalent(parts: Parts, setting: Setting, evidence: object) -> Finding:
-    data = an_object(evidence, "kind basis element", "the evidence")
-    base = a_frame(setting, data["basis"])
-    first, second = map(base.lattice, parts[1:])
-    # left ideals go into each other by factors on the right
-    side = "right" if parts[0] == "left" else "left"
-    if first.times(*base.element(data["element"]), side).key != second.key:
+def are_equivalent(given: Given, parts: Parts) -> Finding:
+    """J = I·c for the left side, c·I for the right."""
+    side, c = a_side(parts[0]), given.element(given.data["element"])
+    first, second = map(given.lattice, parts[1:])
+    if first.times(c, "right" if side == "left" else "left").key != second.key:
         reject("the element does not carry the first lattice to the second")
     return Finding(FIELD, ELEMENT)
 
 
-def _are_not_equivalent(parts: Parts, setting: Setting, evidence: object) -> Finding:
-    data = an_object(evidence, "kind units fundamental", "the evidence", "quotient norm between")
-    narrow, base = _narrow(setting, data)
-    first, second = map(base.lattice, parts[1:])
-    if parts[0] == "right":
-        first, second = _conjugate(first), _conjugate(second)
-    _need_module(first)
-    _need_module(second)
-    if "quotient" in data:
-        if data.keys() & {"norm", "between"}:
+def are_not_equivalent(given: Given, parts: Parts) -> Finding:
+    """No element that takes the one lattice into the other has the norm of a c, or none can have it."""
+    side = a_side(parts[0])
+    first, second = map(given.lattice, parts[1:])
+    between = cache(partial(first.into, second, side))
+    inverse_norm = given.quotient(first, second, between)
+    if inverse_norm is None:
+        if given.data.keys() & {"norm", "between"}:
             reject(
                 "there is nothing to run through: no element can have the norm that is asked for"
             )
-        x, e = narrow.read(data["quotient"])
-        if not narrow.is_quotient(x, e, second.norm, first.norm):
-            reject("the quotient of the norms is another ideal")
-        if narrow.is_principal(x, e):
-            reject("the quotient of the norms has a totally positive generator")
-        return Finding(FIELD, NORM).citing(*narrow.s.cites)
-    if not data.keys() >= {"norm", "between"}:
-        reject("the evidence lacks the key 'quotient', or the keys 'norm' and 'between'")
-    nu = narrow.s.given(data["norm"])
-    inverse = narrow.need_totally_positive(nu)
-    if not narrow.is_quotient(nu, [0] * len(narrow.s.S), second.norm, first.norm):
-        reject("the quotient of the norms is another ideal")
-    between = base.given(data["between"], "the lattice between")
-    need_same(first.into(second), between)
-    for u in narrow.units:
-        if next(of_norm(between, base.field.mul(inverse, u)), None) is not None:
-            reject("an element of the norm that is asked for lies between the lattices")
-    return Finding(FIELD, ENUMERATION).citing(*narrow.s.cites)
+        return Finding(FIELD, NORM).citing(*given.unit_theorems)
+    if "between" not in given.data:
+        reject("the elements that are run through need a basis, under the key 'between'")
+    basis, field = given.between(between(), side), given.algebra.integers.field
+    for u in given.units:
+        if next(of_norm(basis, field.mul(inverse_norm, u)), None) is not None:
+            reject(
+                "an element carries the first lattice to the second: one of its norm lies between"
+            )
+    return Finding(FIELD, ENUMERATION).citing(*given.unit_theorems)
 
 
-def _conjugate(lattice: Lattice) -> Lattice:
-    base = lattice.base
-    rows = tuple(base.conjugate(x) for x in lattice.rows)
-    return Lattice(base, lattice.den * base.conjugate_scale, rows)
-
-
-def _need_module(lattice: Lattice) -> None:
-    """Reject unless a lattice is closed under the integers of the field, and the algebra is definite."""
-    base = lattice.base
-    for k in range(base.n):
-        if not lattice.holds(
-            lattice.den * base.scale, times(lattice.rows, base.left(unit(base.size, k)))
-        ):
-            reject("a lattice is no module over the integers of the field")
-    need_definite(lattice)
-
-
-def _are_isomorphic(parts: Parts, setting: Setting, evidence: object) -> Finding:
-    data = an_object(evidence, "kind basis element", "the evidence")
-    base = a_frame(setting, data["basis"])
-    first, second = map(base.order, parts)
-    x = base.element(data["element"])
-    # a zero divisor x does not give lattices
-    if first.times(*x, "left").key != second.times(*x, "right").key:
+def are_isomorphic(given: Given, parts: Parts) -> Finding:
+    """P = x·O·x⁻¹; a zero divisor x does not give lattices."""
+    first, second = map(given.order, parts)
+    x = given.element(given.data["element"])
+    if first.times(x, "left").key != second.times(x, "right").key:
         reject("the element does not conjugate the first order into the second")
     return Finding(FIELD, ELEMENT)
 
 
-def _are_not_isomorphic(parts: Parts, setting: Setting, evidence: object) -> Finding:
-    """An isomorphism is known by the images of two elements that generate the algebra: none fits."""
-    data = an_object(evidence, "kind basis", "the evidence", "pair order")
-    base = a_frame(setting, data["basis"])
-    first, second = map(base.order, parts)
-    if first.discriminant != second.discriminant:
-        if len(data) > 2:
-            reject("there is nothing to run through: the discriminants differ")
+def have_other_numbers(given: Given, parts: Parts) -> Finding:
+    """The orders have not one discriminant, or not as many elements of some trace and norm."""
+    first, second = map(given.order, parts)
+    if _have_other_discriminants(given, first, second, {"trace", "norm", "bases"}):
         return Finding(FIELD, DISCRIMINANT)
-    if not data.keys() >= {"pair", "order"}:
-        reject("the evidence lacks the keys 'pair' and 'order'")
-    given = base.given(data["order"], "an order")
-    need_same(second, given)
-    pair = [base.element(x) for x in a_list(data["pair"], "a pair", 2)]
-    if len(pair) != 2 or not all(first.holds(den, [row]) for den, row in pair):
-        reject("a pair is two elements of the first order")
-    a, b = (_over(base, *x) for x in pair)
-    source = inverse_matrix(_span(base, a, b))
-    if source is None:
-        reject("the two elements do not generate the algebra")
-    rows = [[Fraction(c, first.den) for c in row] for row in first.rows]
-    relative = _product(rows, source)
-    images = [_alike(given, x) for x in (a, b)]
-    wanted = _pairing(base, a, b)
-    for s in images[0]:
-        for t in images[1]:
-            if _pairing(base, s, t) == wanted and _integral(
-                second, _product(relative, _span(base, s, t))
-            ):
-                reject("there is an isomorphism of the orders")
+    bases = a_list(given.data["bases"], "bases")
+    if len(bases) != 2:
+        reject("there is one basis for each of the two orders")
+    trace, norm = (an_integer(given.data[key], key) for key in ("trace", "norm"))
+    numbers = [
+        len(_with_rational_trace_and_norm(given.basis(order, basis), trace, norm))
+        for order, basis in zip((first, second), bases, strict=True)
+    ]
+    if numbers[0] == numbers[1]:
+        reject(f"both orders have {numbers[0]} elements of this trace and norm")
     return Finding(FIELD, ENUMERATION)
 
 
-Vector = list[Fraction]
+def have_no_images(given: Given, parts: Parts) -> Finding:
+    """An isomorphism is known by the images of two elements that generate the algebra: none fits."""
+    first, second = map(given.order, parts)
+    if _have_other_discriminants(given, first, second, {"pair", "order"}):
+        return Finding(FIELD, DISCRIMINANT)
+    second, algebra = given.basis(second, given.data["order"]), given.algebra
+    pair = [given.element(x) for x in a_list(given.data["pair"], "a pair", 2)]
+    if len(pair) != 2 or not all(first.holds(x.den, [x.row]) for x in pair):
+        reject("a pair is two elements of the first order")
+    den, span = _spanned(algebra, *pair)
+    if not determinant(span):
+        reject("the two elements do not generate the algebra")
+    back, det = inverse(span)
+    # the rows of the first order are combinations of the span, over den_first·det/den
+    relative = [tuple(den * c for c in row) for row in times(first.rows, back)]
+    images = [
+        [Element(second.den, y) for y in with_trace_and_norm(second, *_trace_and_norm(algebra, x))]
+        for x in pair
+    ]
+    wanted = _pairing(algebra, *pair)
+    for x in images[0]:
+        for y in images[1]:
+            if _pairing(algebra, x, y) == wanted:
+                below, other = _spanned(algebra, x, y)
+                second.pay(2)
+                if second.holds(first.den * det * below, times(relative, other)):
+                    reject("there is an isomorphism of the orders")
+    return Finding(FIELD, ENUMERATION)
 
 
-def _over(base: Frame, den: int, row: Row) -> Vector:
-    return [Fraction(c, den) for c in row]
+def _have_other_discriminants(
+    given: Given, first: Lattice, second: Lattice, keys: set[str]
+) -> bool:
+    """Tell whether the discriminants differ; the evidence has these keys where they do not, and else none."""
+    if first.discriminant != second.discriminant:
+        if given.data.keys() & keys:
+            reject("there is nothing to run through: the discriminants differ")
+        return True
+    if not given.data.keys() >= keys:
+        reject(f"the evidence lacks one of the keys {', '.join(map(repr, sorted(keys)))}")
+    return False
 
 
-def _whole(x: Vector) -> tuple[int, Row]:
-    den, (row,) = rational_rows([x])
-    return den, row
-
-
-def _times(base: Frame, x: Vector, y: Vector) -> Vector:
-    (d, u), (e, v) = _whole(x), _whole(y)
-    return _over(base, d * e * base.scale, times([v], base.left(u))[0])
-
-
-def _pairing(base: Frame, x: Vector, y: Vector) -> Vector:
-    """Return tr(x·conj(y)) in the integral basis."""
-    (d, u), (e, v) = _whole(x), _whole(y)
-    den = d * e * base.scale * base.conjugate_scale
-    return [Fraction(times(times([u], form), [[c] for c in v])[0][0], den) for form in base.form]
-
-
-def _span(base: Frame, a: Vector, b: Vector) -> list[Vector]:
-    """Return the products of the integral basis with 1, a, b and ab."""
-    numbers = [_over(base, 1, unit(base.size, k)) for k in range(base.n)]
-    one = _over(base, 1, (*base.integers.one, *[0] * (3 * base.n)))
-    return [_times(base, w, x) for x in (one, a, b, _times(base, a, b)) for w in numbers]
-
-
-def _product(rows: list[Vector], matrix: list[Vector]) -> list[Vector]:
-    charge(len(rows) * len(matrix) * len(matrix[0]) // 2)
-    columns = list(zip(*matrix, strict=True))
-    return [[sum(map(Fraction.__mul__, row, c), Fraction(0)) for c in columns] for row in rows]
-
-
-def _integral(order: Lattice, rows: list[Vector]) -> bool:
-    return all(order.holds(den, [row]) for den, row in map(_whole, rows))
-
-
-def _alike(order: Lattice, a: Vector) -> list[Vector]:
-    """Return the elements of an order with the trace and the norm of an element."""
-    base, integers = order.base, order.base.integers
-    one = _over(base, 1, (*integers.one, *[0] * (3 * base.n)))
-    trace, twice = _pairing(base, a, one), _pairing(base, a, a)
-    norm = tuple(
-        sum((c / 2 * w[k] for c, w in zip(twice, integers.rows, strict=True)), Fraction(0))
-        for k in range(base.n)
+def _with_rational_trace_and_norm(order: Lattice, trace: int, norm: int) -> list[Row]:
+    integers = order.algebra.integers
+    return with_trace_and_norm(
+        order, [Fraction(trace * c) for c in integers.one], integers.field.number(norm)
     )
-    inverse = base.field.inverse(norm)
-    if inverse is None or any(s != 1 for s in base.field.signs(norm)):
-        reject("an element of a pair has no totally positive norm")
-    found = []
-    for x in of_norm(order, inverse):
-        y = _over(base, order.den, times([x], order.rows)[0])
-        found += [z for z in (y, [-c for c in y]) if _pairing(base, z, one) == trace]
-    return found
 
 
-Check = Callable[[Parts, Setting, object], Finding]
-_CHECKS: dict[tuple[str, str], Check] = {
-    ("order-over-integers", "proved"): _is_order,
-    ("ideal-over-integers", "proved"): _is_ideal,
-    ("unit-index", "proved"): _unit_index,
-    ("equivalent-over-integers", "proved"): _are_equivalent,
-    ("equivalent-over-integers", "refuted"): _are_not_equivalent,
-    ("isomorphic-over-integers", "proved"): _are_isomorphic,
-    ("isomorphic-over-integers", "refuted"): _are_not_isomorphic,
-}
+def _pairing(algebra: Algebra, x: Element, y: Element) -> list[Fraction]:
+    """Return tr(x·conj(y)) in the integral basis."""
+    den = x.den * y.den * algebra.scale
+    return [Fraction(c, den) for c in algebra.pairing(x.row, y.row)]
 
 
-def _establish(word: str) -> Callable[[Parts, Setting, str, Any], Finding]:
-    def check(parts: Parts, setting: Setting, verdict: str, evidence: Any) -> Finding:
-        own = _CHECKS.get((word, verdict))
-        if own is None or not isinstance(evidence, dict) or evidence.get("kind") != word:
-            reject(f"evidence of this kind does not show that {word} is {verdict}")
-        return own(parts, setting, evidence)
-
-    return check
+def _trace_and_norm(algebra: Algebra, x: Element) -> tuple[list[Fraction], tuple[Fraction, ...]]:
+    """Return the trace in the integral basis, and the norm as a number of the field."""
+    trace = [Fraction(c, x.den * algebra.scale) for c in algebra.trace(x.row)]
+    return trace, algebra.integers.number([c / 2 for c in _pairing(algebra, x, x)])
 
 
-_NUMBER = "[1-9][0-9]{0,99}"
-FORMS = {
-    "order-over-integers": f"[^;]+;{_NUMBER}",
-    "ideal-over-integers": f"[^;]+;(left|right);[^;]+;{_NUMBER}(/{_NUMBER})?",
-    "unit-index": f"[^;]+;{_NUMBER}",
-    "equivalent-over-integers": "(left|right);[^;]+;[^;]+",
-    "isomorphic-over-integers": "[^;]+;[^;]+",
-}
-CHECKS = {word: _establish(word) for word in FORMS}
+def _spanned(algebra: Algebra, a: Element, b: Element) -> tuple[int, Rows]:
+    """Return the products of the integral basis with 1, a, b and ab, as rows over a denominator."""
+    ab = times([b.row], algebra.left(a.row))[0]
+    one = Element(1, algebra.number(algebra.integers.one))
+    every = (one, a, b, Element(a.den * b.den * algebra.scale, ab))
+    den = lcm(*(x.den for x in every))
+    return den, tuple(
+        algebra.blockwise([c * (den // x.den) for c in x.row], by)
+        for x in every
+        for by in algebra.integers.table
+    )
+
+
+# --- quadratic orders inside --------------------------------------------------------------------------
+
+
+def is_embedded(given: Given, parts: Parts) -> Finding:
+    """Some x in O has this discriminant and generates all that is integral of its field in O; over ℚ."""
+    order, d = given.order(parts[0]), a_whole_number(parts[1], "a discriminant")
+    x = given.element(given.data["element"])
+    if not order.holds(x.den, [x.row]):
+        reject("the element is not in the order")
+    (trace,), (norm,) = _trace_and_norm(given.algebra, x)
+    if trace * trace - 4 * norm != d:
+        reject("the element has another discriminant")
+    if not _is_optimal(order, x):
+        reject("the element does not generate all integral elements of its field in the order")
+    return Finding(FIELD, ELEMENT)
+
+
+def is_not_embedded(given: Given, parts: Parts) -> Finding:
+    """Of the elements with this discriminant, and the trace 0 or 1, none is optimal; over ℚ."""
+    order, d = given.order(parts[0]), a_whole_number(parts[1], "a discriminant")
+    if d >= 0 or d % 4 > 1:
+        reject("a negative discriminant is 0 or 1 modulo 4")
+    basis, trace = given.basis(order, given.data["basis"]), d % 2
+    for row in _with_rational_trace_and_norm(basis, trace, (trace - d) // 4):
+        if _is_optimal(order, Element(basis.den, row)):
+            reject("an element of the order has this discriminant, and is optimal")
+    return Finding(FIELD, ENUMERATION)
+
+
+def _is_optimal(order: Lattice, x: Element) -> bool:
+    """Tell whether no (x − m)/k with k > 1 is in the order: minors of 1 and x in coordinates are coprime."""
+    back, det = inverse(order.rows)
+    both = times(
+        [order.algebra.number([x.den * c for c in order.algebra.integers.one]), x.row], back
+    )
+    # coordinates are these, times den/(det·x.den)
+    u, v = (tuple(c * order.den // (det * x.den) for c in w) for w in both)
+    charge_products(u, v)
+    minors = [u[m] * v[n] - u[n] * v[m] for m in range(len(u)) for n in range(m)]
+    charge_products(minors, minors[:1])
+    return gcd(*minors) == 1
+
+
+# --- classes, and units of norm 1 ---------------------------------------------------------------------
+
+
+def is_class_set(given: Given, parts: Parts) -> Finding:
+    """The order has so many classes of locally principal right ideals."""
+    values, order = a_list(given.data["classes"], "classes", 1), given.order(parts[0])
+    if len(values) != a_whole_number(parts[1], "the number of classes"):
+        reject(f"{len(values)} classes are given, which is not the number that is stated")
+    total = mass(order, given.primes) * given.class_number
+    need_class_set(order, given.classes(values), given.units, total)
+    cites = (*given.unit_theorems, *given.zeta_theorems, given.mass_theorem)
+    return Finding(FIELD, BY_MASS).citing(*cites)
+
+
+def is_domain(given: Given, parts: Parts) -> Finding:
+    """The units g of norm 1 bound the domain of all around the centre."""
+    order, plane = given.order(parts[0]), given.real_algebra()
+    center = given.elements(parts[1])
+    if len(center) != 1:
+        reject(f"a domain has one centre, found {len(center)}")
+    Domain(order, plane, area(order, given.primes), center[0], given.elements(parts[2]))
+    return Finding(FIELD, BY_AREA).citing(*given.zeta_theorems, SHIMIZU)
+
+
+def is_group(given: Given, parts: Parts) -> Finding:
+    """The units of norm 1 modulo ±1 have this signature and this presentation."""
+    order, plane = given.order(parts[0]), given.real_algebra()
+    center = given.element(given.data["center"])
+    units = [given.element(x) for x in a_list(given.data["units"], "units")]
+    domain = Domain(order, plane, area(order, given.primes), center, units)
+    signature = (a_rational(parts[1]), list(numbers_of(parts[2])), a_rational(parts[3]))
+    domain.need_group(signature, given.elements(parts[4]), list(words_of(parts[5])))
+    return Finding(FIELD, BY_AREA).citing(*given.zeta_theorems, SHIMIZU, POINCARE)

@@ -1,11 +1,12 @@
-"""Lattices of rank 4 in an algebra over ℚ: four integer rows over a denominator, and their Hermite form."""
+"""Lattices of full rank in an algebra: integer rows over a denominator, and their Hermite form."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import gcd
+from math import gcd, prod
 
+from hfield.certificates.number_fields.ideals import ideal
 from hfield.certificates.number_fields.matrices import (
     Key,
     Row,
@@ -18,12 +19,21 @@ from hfield.certificates.number_fields.matrices import (
     transposed,
 )
 from hfield.certificates.orders.algebra import Algebra
+from hfield.certificates.rejection import reject
 from hfield.certificates.work import charge
 
 
 @dataclass(frozen=True)
+class Element:
+    """A row over a denominator."""
+
+    den: int
+    row: Row
+
+
+@dataclass(frozen=True)
 class Lattice:
-    """The integer combinations of four independent ``rows`` over ``den``; any basis."""
+    """The integer combinations of independent ``rows`` over ``den``; any basis."""
 
     algebra: Algebra
     den: int
@@ -34,17 +44,22 @@ class Lattice:
         """How long the numbers are, with those of the algebra."""
         return longest([(self.den,), *self.rows]) + self.algebra.bits
 
+    def pay(self, matrices: int, bits: int = 0) -> None:
+        """Charge for so many products of square matrices, with numbers longer by ``bits`` than those here."""
+        count, bits = matrices * self.algebra.size**3, self.bits + bits
+        charge(count // 4 + count * bits * bits // 2_000_000)
+
     @cached_property
     def key(self) -> Key:
         """The least denominator and the Hermite form: equal exactly for equal lattices."""
         return reduced(self.den, hermite(self.rows))
 
     @cached_property
-    def gram(self) -> Rows:
-        """The matrix of tr(x·conj(y)) on the rows, :attr:`unit` times too large."""
-        charge(20 + self.bits**2 // 8_000)
-        half = times(self.rows, self.algebra.form)
-        return tuple(times(half, transposed(self.rows)))
+    def gram(self) -> list[Rows]:
+        """The matrices of tr(x·conj(y)) on the rows, place by place, :attr:`unit` times too large."""
+        self.pay(2 * self.algebra.n)
+        columns = transposed(self.rows)
+        return [tuple(times(times(self.rows, form), columns)) for form in self.algebra.forms]
 
     @property
     def unit(self) -> int:
@@ -54,44 +69,68 @@ class Lattice:
     @cached_property
     def volume(self) -> Fraction:
         """The determinant of the rows, without its sign."""
-        h = hermite(self.rows)
-        charge(self.bits**2 // 10_000)
-        return Fraction(h[0][0] * h[1][1] * h[2][2] * h[3][3], self.den**4)
+        den, rows = self.key
+        charge(self.algebra.size * self.bits**2 // 40_000)
+        return Fraction(prod(row[n] for n, row in enumerate(rows)), den**self.algebra.size)
 
     @cached_property
-    def norm(self) -> Fraction:
-        """The greatest rational number of which all norms of elements are multiples."""
-        g = self.gram
-        charge(self.bits**2 // 10_000)
-        content = gcd(*(g[m][n] * (2 if m < n else 1) for m in range(4) for n in range(m, 4)))
-        return Fraction(content, 2 * self.unit)
+    def discriminant(self) -> int:
+        """The norm down to ℚ of the reduced discriminant of an order."""
+        found = self.algebra.volume * self.volume
+        if found.denominator != 1:
+            reject("this order has no integral discriminant")
+        return found.numerator
+
+    @cached_property
+    def norm(self) -> Key:
+        """The ideal of the field that the norms of all elements generate, by those of sums."""
+        size = self.algebra.size
+        self.pay(1)
+        values = [
+            tuple([g[m][n] * (2 if m < n else 1) for g in self.gram])
+            for m in range(size)
+            for n in range(m, size)
+        ]
+        return ideal(self.algebra.integers, 2 * self.unit, values)
 
     def holds(self, den: int, rows: Iterable[Sequence[int]]) -> bool:
         """Tell whether all of the rows over ``den`` lie in the lattice."""
-        own, h = self.key
+        own = self.key[0]
+        common = gcd(own, den)
+        up, down = own // common, den // common
         for row in rows:
-            rest = [x * own for x in row]
-            if any(x % den for x in rest):
-                return False
-            rest = [x // den for x in rest]
-            for n in range(4):
-                c, r = divmod(rest[n], h[n][n])
+            rest = [x * up for x in row]
+            if down != 1:
+                if any(x % down for x in rest):
+                    return False
+                rest = [x // down for x in rest]
+            for n, (pivot, others) in enumerate(self._steps):
+                c, r = divmod(rest[n], pivot)
                 if r:
                     return False
-                for m in range(n, 4):
-                    rest[m] -= c * h[n][m]
+                if c:
+                    for m, y in others:
+                        rest[m] -= c * y
         return True
 
-    def times(self, x: "Element", side: str) -> "Lattice":
+    @cached_property
+    def _steps(self) -> list[tuple[int, list[tuple[int, int]]]]:
+        """The pivots of the Hermite form, and what follows each in its row: places and numbers but 0."""
+        return [
+            (row[n], [(m, y) for m, y in enumerate(row) if y and m > n])
+            for n, row in enumerate(self.key[1])
+        ]
+
+    def times(self, x: Element, side: str) -> "Lattice":
         """Return L·x for the ``right`` side, x·L for the left."""
-        charge(50 + (self.bits + longest([x.row])) ** 2 // 30_000)
+        self.pay(2, longest([x.row]))
         multiply = self.algebra.right if side == "right" else self.algebra.left
         rows = tuple(times(self.rows, multiply(x.row)))
         return Lattice(self.algebra, self.den * x.den * self.algebra.scale, rows)
 
     def products_lie_in(self, other: "Lattice", inside: "Lattice") -> bool:
         """Tell whether all products of an element of this lattice and one of the other lie in a third."""
-        charge(200 + (self.bits + other.bits + inside.bits) ** 2 // 2_500)
+        self.pay(3 * self.algebra.size, other.bits + inside.bits)
         den = self.den * other.den * self.algebra.scale
         return all(
             inside.holds(den, times(self.rows, self.algebra.right(row))) for row in other.rows
@@ -99,30 +138,38 @@ class Lattice:
 
     def into(self, other: "Lattice", side: str) -> "Lattice":
         """Return {x: L·x ⊆ M} for the ``left`` side, {x: x·L ⊆ M} for the right, M being ``other``."""
-        charge(200 + (self.bits + 4 * other.bits) ** 2 // 2_500)
+        self.pay(2 * self.algebra.size, 4 * other.bits)
         # x is in it exactly where x·c is an integer for the columns c of these matrices
         multiply = self.algebra.left if side == "left" else self.algebra.right
         back, det = inverse(other.rows)
         columns: list[Row] = []
         for row in self.rows:
-            columns += transposed(tuple(times(multiply(row), back)))
-        h = hermite(columns)
-        found, d = inverse(transposed(h))
+            columns += transposed(times(multiply(row), back))
+        found, d = inverse(transposed(hermite(columns)))
         top = self.den * self.algebra.scale * abs(det)
         g = gcd(other.den * abs(d), top)
         up, down = top // g, other.den * abs(d) // g
         return Lattice(self.algebra, down, tuple(tuple(x * up for x in row) for row in found))
 
+    @property
+    def conjugate(self) -> "Lattice":
+        """The lattice of all conjugates."""
+        self.pay(1)
+        rows = tuple(map(self.algebra.conjugate, self.rows))
+        return Lattice(self.algebra, self.den * self.algebra.scale, rows)
 
-@dataclass(frozen=True)
-class Element:
-    """A row over a denominator."""
+    def form(self, weights: Sequence[int]) -> Rows:
+        """Return the matrix of a combination of the forms of :attr:`gram`."""
+        if tuple(weights) == (1,):
+            return self.gram[0]
+        self.pay(1)
+        size = range(self.algebra.size)
+        return tuple(
+            tuple([sum(w * g[m][k] for w, g in zip(weights, self.gram, strict=True)) for k in size])
+            for m in size
+        )
 
-    den: int
-    row: Row
-
-    def norm(self, algebra: Algebra) -> Fraction:
-        """Return the norm."""
-        (value,) = times([self.row], algebra.form)
-        total = sum(x * y for x, y in zip(value, self.row, strict=True))
-        return Fraction(total, 2 * algebra.scale * self.den * self.den)
+    def norm_of(self, x: Row) -> Row:
+        """Return the norm of an element, by coordinates in the rows; 2·``unit`` times too large."""
+        values = (sum(c * d for c, d in zip(times([x], g)[0], x, strict=True)) for g in self.gram)
+        return tuple(values)

@@ -56,7 +56,7 @@ class NumberField(Ring):
         self.words = (
             f"the field of degree {self.degree} over ℚ that a root {gen} of {shape} generates"
         )
-        if not 2 <= self.degree <= MAX_DEGREE:
+        if self.degree > MAX_DEGREE:
             reject(f"{shown(name)}: the degree is from 2 to {MAX_DEGREE}")
         self.modulus = modulus
         tops, self.scale = over_one_denominator(modulus)  # scale·s is an algebraic integer
@@ -105,14 +105,21 @@ class NumberField(Ring):
         rows, power = [], x
         for _ in range(self.degree):
             rows.append(list(power))
-            power = self.mul(power, (Fraction(0), Fraction(1), *self.zero[2:]))
+            power = self.mul(power, self.generator)
         found = inverse_matrix(rows)
         assert found is not None, "the modulus is irreducible"
         return tuple(found[0])
 
+    @property
+    def generator(self) -> Element:
+        """The root s; in degree 1 it is a rational number."""
+        if self.degree == 1:
+            return (-self.modulus[0],)
+        return (Fraction(0), Fraction(1), *self.zero[2:])
+
     def constant(self, tree: Tree) -> Any:
         """Return the generator."""
-        return (Fraction(0), Fraction(1), *self.zero[2:]) if tree == self.tree else None
+        return self.generator if tree == self.tree else None
 
     # --- real places -----------------------------------------------------------------------------
 
@@ -275,6 +282,8 @@ def _cyclotomic(data: Mapping[str, object], ring: ReadRing) -> Ring:
     real = data["kind"] == "real cyclotomic field"
     gen = f"c{n}" if real else f"zeta{n}"
     f = [Fraction(c) for c in (twice_cosine(n) if real else cyclotomic(n))]
+    if len(f) < 3:
+        reject(f"QQ(zeta{n}){'+' * real}: the degree is from 2 to {MAX_DEGREE}")
     field = NumberField(f"QQ(zeta{n}){'+' * real}", f, ("name", gen), gen, proved=True)
     zeta = "ζ" + str(n).translate(SUBSCRIPTS)
     field.words = f"the field of {f'{gen} = {zeta} + 1/{zeta}' if real else zeta} over ℚ"

@@ -7,8 +7,7 @@ The vocabulary, with P, Q for statements of any kind:
 ``level-above{2}`` · ``norm-criterion{>}`` · ``modulus-exists`` · ``modulus-law{*}`` · ``centre{2}`` ·
 ``basis{4; 1,0,0,0; …}`` · ``determined-by{all; 1,2,3}`` · ``curried-linear{1}`` ·
 ``last-argument{4; 1,2,3}`` · ``class-group{2,4}`` · ``unit-group{2; 1+s}`` ·
-``ideal-classes{O; 3}`` · and those about lattices, of :mod:`hfield.certificates.orders.words` and, over
-number fields, of :mod:`hfield.certificates.orders.answers` and ``class_set`` beside it.
+and those about orders, of :mod:`hfield.certificates.orders.words`.
 
 Lemmas that show relations between closed statements over all fields at once.
 """
@@ -31,11 +30,9 @@ from hfield.certificates.glossary import (
 )
 from hfield.certificates.kinds import establish
 from hfield.certificates.language import BLANKS, Tree, parse, split, walk
-from hfield.certificates.number_fields import classes, real_numbers
-from hfield.certificates.orders import answers, class_set
-from hfield.certificates.orders.algebra import Algebra
-from hfield.certificates.orders.words import PARTS as LATTICES
-from hfield.certificates.orders.words import establish_lattices, meaning_of_lattices
+from hfield.certificates.number_fields import classes
+from hfield.certificates.orders import words as orders
+from hfield.certificates.orders.words import PARTS as ORDERS
 from hfield.certificates.rejection import a_list, an_integer, an_object, kind_of, reject, shown
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.scalars.ring import Ring
@@ -63,9 +60,8 @@ class Proposition:
 
 
 Check = Callable[[tuple[str, ...], Setting, str, Any], Finding]
-ABOUT_LATTICES = (class_set, answers, real_numbers)
-"""Of any algebra; the other rooms are about H(F)."""
-ROOMS = (of_fields, linear_algebra, classes, *ABOUT_LATTICES)
+ROOMS = (of_fields, linear_algebra, classes, orders)
+"""Of orders in any algebra; the others are about H(F)."""
 SPECIAL: dict[str, Check] = {word: check for room in ROOMS for word, check in room.CHECKS.items()}
 FORMS = {word: form for room in ROOMS for word, form in room.FORMS.items()}
 
@@ -73,7 +69,7 @@ FORMS = {word: form for room in ROOMS for word, form in room.FORMS.items()}
 def read_proposition(text: str, depth: int = 0) -> Proposition | None:
     """Read a statement of the vocabulary; None for any other."""
     m = re.fullmatch(r"\s*([a-z]+(?:-[a-z]+)*)\s*(?:\{(.*)\}\s*)?", text, re.DOTALL | re.ASCII)
-    if m is None or not any(m[1] in words for words in (LOGIC, SPECIAL, LATTICES)):
+    if m is None or not any(m[1] in words for words in (LOGIC, SPECIAL, ORDERS)):
         return None
     if depth > MAX_DEPTH:
         reject("the statement nests too deeply")
@@ -114,15 +110,14 @@ def need_meaning(p: Proposition, setting: Setting, depth: int = 0) -> None:
                 read_statement(text, there)
         elif inner.word in LOGIC:
             need_meaning(inner, there, depth + 1)
-        elif inner.word in LATTICES:
-            meaning_of_lattices(inner.word, inner.parts)
-            Algebra(there)
+        elif inner.word in ORDERS:
+            orders.need_order_meaning(inner.word, inner.parts, there)
 
 
 def proposition_tree(p: Proposition, depth: int = 0) -> Tree:
     """Return what a statement of the vocabulary says, without blanks and superfluous parentheses."""
-    if p.word in LATTICES:
-        return meaning_of_lattices(p.word, p.parts)
+    if p.word in ORDERS:
+        return orders.order_meaning(p.word, p.parts)
     if p.word in SPECIAL:
         return (p.word, p.parts)
     out: list[Any] = []
@@ -163,9 +158,9 @@ def establish_any(
         if rings_named(p):
             setting, evidence = _with_rings(p, setting, evidence)
         need_meaning(p, setting)
-    if p.word in LATTICES:
-        return establish_lattices(p.word, p.parts, setting, verdict, evidence)
-    if setting.constants != HAMILTON and not any(p.word in room.CHECKS for room in ABOUT_LATTICES):
+    if p.word in ORDERS:
+        return orders.establish_order(p.word, p.parts, setting, verdict, evidence)
+    if setting.constants != HAMILTON and p.word not in orders.CHECKS:
         reject("statements about wholes are about H(F)")
     if p.word in SPECIAL:
         if setting.field is None and kind_of(evidence) == "over":
