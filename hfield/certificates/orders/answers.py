@@ -30,9 +30,8 @@ from hfield.certificates.orders.elements import of_norm, with_trace_and_norm
 from hfield.certificates.orders.fuchsian import Domain, area
 from hfield.certificates.orders.lattice import Element, Lattice
 from hfield.certificates.orders.local_types import mass, symbols
-from hfield.certificates.orders.reading import (
-    OverField,
-    OverQ,
+from hfield.certificates.orders.reading import OverField, OverQ
+from hfield.certificates.orders.texts import (
     a_rational,
     a_side,
     a_whole_number,

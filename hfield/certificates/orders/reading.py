@@ -1,10 +1,9 @@
 """How statements and evidence about orders are read, in two spellings: over ℚ, and over a number field.
 
-Over ℚ numbers are fractions, and the evidence leaves out what ℤ has by itself: an integral basis, the units,
+Over ℚ numbers are fractions, and the evidence leaves out what is known of ℤ: an integral basis, the units,
 the prime ideals. Over a number field it gives them.
 """
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
@@ -29,13 +28,12 @@ from hfield.certificates.orders.algebra import Algebra
 from hfield.certificates.orders.elements import need_definite
 from hfield.certificates.orders.lattice import Element, Lattice
 from hfield.certificates.orders.real_algebra import RealAlgebra
+from hfield.certificates.orders.texts import a_rational, elements_of
 from hfield.certificates.rejection import (
-    MAX_DIGITS,
     a_list,
     an_integer,
     an_object,
     reject,
-    shown,
     texts,
 )
 from hfield.certificates.scalars.names import a_rational as a_coefficient
@@ -45,80 +43,16 @@ from hfield.certificates.scalars.rationals import root
 from hfield.certificates.scalars.real_roots import real_roots
 from hfield.certificates.statement import Setting
 
-SIDES = ("left", "right")
 Data = Mapping[str, object]
-
-
-# --- texts ------------------------------------------------------------------------------------------
-
-
-def a_rational(text: str) -> Fraction:
-    """Read a rational number. Raises :class:`Rejected`."""
-    m = re.fullmatch(r"\s*(-?[0-9]+)(?:/([0-9]+))?\s*", text, re.ASCII)
-    if m is None or max(len(m[1]), len(m[2] or "")) > MAX_DIGITS:
-        reject(f"{shown(text)!r} is no rational number that is read")
-    denominator = int(m[2] or 1)
-    if not denominator:
-        reject(f"{shown(text)!r} divides by 0")
-    return Fraction(int(m[1]), denominator)
-
-
-def a_whole_number(text: str, what: str) -> int:
-    """Read an integer. Raises :class:`Rejected`."""
-    x = a_rational(text)
-    if x.denominator != 1:
-        reject(f"{what} must be an integer")
-    return x.numerator
-
-
-def a_side(text: str) -> str:
-    """Read a side. Raises :class:`Rejected`."""
-    if text not in SIDES:
-        reject(f"the side must be left or right, found {shown(text)!r}")
-    return text
-
-
-def numbers_of(text: str) -> tuple[int, ...]:
-    """Read integers between commas, or ``none``. Raises :class:`Rejected`."""
-    if text.strip() == "none":
-        return ()
-    return tuple(a_whole_number(x, "an order") for x in text.split(","))
-
-
-def words_of(text: str) -> tuple[tuple[int, ...], ...]:
-    """Read words, integers between blanks, separated by commas; or ``none``. Raises :class:`Rejected`."""
-    if text.strip() == "none":
-        return ()
-    return tuple(
-        tuple(a_whole_number(x, "a letter") for x in word.split()) for word in text.split(",")
-    )
-
-
-def elements_of(text: str) -> tuple[tuple[Fraction, ...], ...]:
-    """Read elements between bars, of four rational numbers each. Raises :class:`Rejected`."""
-    rows = tuple(tuple(a_rational(x) for x in row.split(",")) for row in text.split("|"))
-    if any(len(row) != 4 for row in rows):
-        reject("an element is written as four numbers")
-    return rows
-
-
-def rows_of(text: str) -> tuple[tuple[Fraction, ...], ...]:
-    """Read four rows of four rational numbers. Raises :class:`Rejected`."""
-    rows = tuple(tuple(a_rational(x) for x in row.split(",")) for row in text.split("|"))
-    if len(rows) != 4 or any(len(row) != 4 for row in rows):
-        reject("a lattice is written as four rows of four numbers")
-    return rows
-
-
-# --- what a check is given --------------------------------------------------------------------------
 
 
 class Given:
     """The parts of a statement and the keys of its evidence, over one base."""
 
     unit_theorems: tuple[str, ...] = ()
-    """What is cited for the units of the field, for ζ_K(−1), and for the mass of all classes."""
+    """What is cited for the units and the class number of the field."""
     zeta_theorems: tuple[str, ...] = ()
+    """What is cited for ζ_K(−1)."""
     mass_theorem = MASS
     class_number = 1
 

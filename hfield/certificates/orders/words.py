@@ -19,9 +19,8 @@ from typing import Any
 from hfield.certificates.finding import Finding
 from hfield.certificates.language import Tree
 from hfield.certificates.orders import answers
-from hfield.certificates.orders.reading import (
-    OverField,
-    OverQ,
+from hfield.certificates.orders.reading import OverField, OverQ
+from hfield.certificates.orders.texts import (
     a_rational,
     a_side,
     elements_of,
