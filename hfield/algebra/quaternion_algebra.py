@@ -1120,7 +1120,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> H("QQ").over_integers, H("QQ(sqrt(2))").over_integers
         (False, True)
         """
-        return isinstance(self.ring, WithIntegers) and self.ring.degree > 1
+        return isinstance(self.ring, WithIntegers) and self.ring != QQ
 
     def lattice(self, elements: Iterable[object]) -> Any:  # Lattice, or IntegersLattice
         """Return the lattice that elements span over ℤ, or over the integers of a number field.

@@ -22,6 +22,7 @@ from hfield.fields.number_fields.ideals import integers
 from hfield.hints import FORM, Hinted
 from hfield.orders.isomorphic_orders import reduced_bases
 from hfield.rings.base import Ring, WithIntegers
+from hfield.rings.integers import QQ
 from hfield.rings.printing import sum_text
 from hfield.rings.whole_numbers import square_class, squarefree
 
@@ -95,7 +96,7 @@ class TernaryForm(Hinted):
 
     def is_definite(self) -> bool:
         """Tell whether the field is totally real and the form has no zero but 0 at any real place."""
-        if self.ring.degree > 1:
+        if self.ring != QQ:
             return bool(self.order().is_definite())
         a, b, *_, t = self.coefficients
         return bool(4 * a * b > t * t and a * self.discriminant() > 0)
@@ -152,7 +153,7 @@ class TernaryForm(Hinted):
 
     def _square_part(self, x: Any) -> Any:
         """Return s with x/s² small: over ℚ a squarefree number, elsewhere integral."""
-        if self.ring.degree == 1:
+        if self.ring == QQ:
             m, *_ = squarefree(square_class(x))
             return self.ring.sqrt(x / m)
         return self.ring.one
@@ -259,11 +260,11 @@ class TernaryForm(Hinted):
             found = orders[kinds.index(kind)].ternary_form()
             u = self.discriminant() / found.discriminant()
             out.append(TernaryForm(self.ring, [u * x for x in found.coefficients], self._algebras))
-        return tuple(form.reduced() if self.ring.degree == 1 else form for form in out)
+        return tuple(form.reduced() if self.ring == QQ else form for form in out)
 
     def _reduced_bases(self) -> list[tuple[Any, tuple[int, ...]]]:
         sign = 1 if self.discriminant() > 0 else -1
-        if self.ring.degree > 1 or not self.is_definite():
+        if self.ring != QQ or not self.is_definite():
             raise IndefiniteError(
                 "forms are reduced, and automorphisms counted, where they are definite and over ℤ"
             )
@@ -296,7 +297,7 @@ def form_of(basis: Triple, algebras: Callable[..., Any]) -> TernaryForm:
     A = basis[0].algebra
     F: Any = A.ring
     dual, scale = dual_basis(basis)
-    if (scale if F.degree == 1 else integers(F).inside(scale).trace()) < 0:
+    if (scale if F == QQ else integers(F).inside(scale).trace()) < 0:
         scale = -scale  # of the basis in another order
     values = [scale * d.norm() for d in dual]
     pairs = [scale * (dual[m] * dual[n].conjugate()).trace() for m, n in ((1, 2), (0, 2), (0, 1))]
@@ -312,7 +313,7 @@ def dual_basis(basis: Triple) -> tuple[Triple, Any]:
 
 
 def _is_integer(ring: Any, x: Any) -> bool:
-    if ring.degree == 1:
+    if ring == QQ:
         return bool(x.q == 1)
     frame = integers(ring)
     return bool(frame.field.is_integral(frame.inside(x)))

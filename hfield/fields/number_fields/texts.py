@@ -39,8 +39,6 @@ def irreducible(polynomial: flint.fmpq_poly | str, name: str) -> flint.fmpq_poly
         raise RingError(
             f"{what}: {shown} is constant; expected an irreducible polynomial, as in QQ[s]/(s^3-2)"
         )
-    if f.degree() == 1:
-        raise RingError(f"{what}: the polynomial has degree 1, so this is QQ itself: write QQ")
     if f.degree() > MAX_DEGREE:
         raise RingError(f"{what}: the degree is {f.degree()}; at most {MAX_DEGREE} is taken")
     factors = f.factor()[1]

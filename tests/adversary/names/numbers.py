@@ -195,8 +195,8 @@ def number_field(variable: str, text: str) -> Data:
         refuse("a word of the language")
     if names == {variable} and 3 <= len(f) <= 21 and not irreducible_over_rationals(monic(QQ, f)):
         raise Unsure("a quotient of a polynomial ring, without data")
-    if len(names) > 1 or not 3 <= len(f) <= 65 or not irreducible_over_rationals(monic(QQ, f)):
-        refuse("irreducible, of degree 2 to 64, in one variable")
+    if len(names) > 1 or not 2 <= len(f) <= 65 or not irreducible_over_rationals(monic(QQ, f)):
+        refuse("irreducible, of degree 1 to 64, in one variable")
     modulus = [number_data(c) for c in monic(QQ, f)]
     return {"kind": "number field", "modulus": modulus, "variable": variable}
 

@@ -39,6 +39,8 @@ def zeta_minus_one(ring: Any) -> Fraction:
         raise RingError(
             f"ζ_K(−1) is 0 for {shorten(ring.name)}, which is not totally real; expected one that is"
         )
+    if n == 1:
+        return Fraction(-1, 12)  # of weight 2 Hecke's series is no modular form
     if math.isqrt(frame.field.discriminant()) * 2 ** (n - 2) > MAX_ELEMENTS:
         raise TooLargeError(
             f"ζ_K(−1) of {shorten(ring.name)} is a sum over too many elements: the discriminant is too large"

@@ -1,0 +1,172 @@
+"""Orders over the number field of degree 1, against those over ℚ and their tables."""
+
+import json
+import math
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from hfield import QuaternionAlgebra, ring
+from hfield.factorisation import factorise
+from hfield.orders import class_number
+from hfield.primality import is_prime
+
+VECTORS = Path(__file__).parent.parent / "vectors"
+K = ring("QQ[s]/(s-1)")
+
+
+def algebra(discriminant: int) -> QuaternionAlgebra:
+    A = QuaternionAlgebra(discriminant)
+    return QuaternionAlgebra(K, A.constants.a, A.constants.b, A.constants.t)
+
+
+def plain(A: QuaternionAlgebra) -> QuaternionAlgebra:
+    """The same algebra over ℚ."""
+    return QuaternionAlgebra(
+        "QQ", *(c.poly[0] for c in (A.constants.a, A.constants.b, A.constants.t))
+    )
+
+
+def rows(values):
+    return [tuple(K(x) for x in row) for row in values]
+
+
+PAIRS = [
+    (d, n) for d in (2, 3, 5, 11, 30, 42, 53) for n in (1, 2, 3, 4, 5, 9) if math.gcd(d, n) == 1
+]
+
+
+def test_class_numbers_masses_and_units() -> None:
+    for d, n in PAIRS:
+        C, D = (
+            algebra(d).eichler_order(n).class_set(),
+            QuaternionAlgebra(d).eichler_order(n).class_set(),
+        )
+        assert len(C) == len(D) == plain(C.order.algebra).class_number(n)
+        assert C.mass == D.mass == class_number.eichler_mass(d, n)
+        assert sorted(2 * u for u in C.units) == sorted(D.unit_counts)
+        assert C.type_number == D.type_number
+        assert C.order.stable_class_number() == D.order.stable_class_number() == 1
+
+
+def test_type_numbers_of_prime_discriminants() -> None:
+    """Pizer's table."""
+    primes = [p for p in range(100) if is_prime(p)]
+    for p, t in zip(primes, map(int, "1111212233324354644746775"), strict=True):
+        assert algebra(p).maximal_order().class_set().type_number == t, p
+
+
+def test_hecke_polynomials_of_sage() -> None:
+    for case in json.loads((VECTORS / "brandt.json").read_text())["cases"][::2]:
+        C = algebra(case["p"]).eichler_order(case["level"]).class_set()
+        for n, polynomial in case["hecke"].items():
+            if math.gcd(int(n), case["level"]) == 1:
+                assert C.hecke_polynomial(int(n)) == polynomial, (case["p"], case["level"], n)
+
+
+def test_newforms() -> None:
+    for d, n in ((11, 6), (67, 1), (26 * 3, 1)):
+        found, known = [
+            A.eichler_order(n).class_set().newforms() for A in (algebra(d), QuaternionAlgebra(d))
+        ]
+        assert [str(f) for f in found] == [str(f) for f in known]
+
+
+def test_ideals_of_sage() -> None:
+    for case in json.loads((VECTORS / "orders.json").read_text())["cases"][::3]:
+        A = QuaternionAlgebra(K, case["a"], case["b"])
+        O = A.order_from_basis(rows(case["order"]))
+        assert O.is_maximal()
+        assert O.discriminant() == case["discriminant"]
+        I, J = (O.left_ideal(A.lattice(rows(case[name])).basis) for name in "IJ")
+        assert I == A.lattice(rows(case["I"]))
+        assert all(I.norm() == K(n) for I, n in zip((I, J), case["norms"], strict=True))
+        assert I.right_order() == A.lattice(rows(case["right_order_I"]))
+        assert I.conjugate() * J == A.lattice(rows(case["conj_I_J"]))
+        assert I & J == A.lattice(rows(case["meet"]))
+        if "equivalent" in case:
+            found = I.equivalence(J)
+            assert bool(found) == case["equivalent"], case
+            assert not found or found.element is None or I * found.element == J
+        if "theta" in case:
+            found = I.theta_series(int(11 * Fraction(case["norms"][0])))
+            assert [found.get(m * K(case["norms"][0]), 0) for m in range(12)] == case["theta"]
+            assert 2 * O.unit_index() == case["units"]
+
+
+def test_lattices_against_those_over_the_rationals() -> None:
+    A = QuaternionAlgebra(K, -2, -5)
+    B = plain(A)
+    some = [[1, "1/2", 0, 3], [0, 2, "1/3", 1], [5, 0, 1, 0], [0, 1, 1, 7]]
+    other = [[1, 0, 0, 0], [0, 3, 0, 1], ["1/2", "1/2", 1, 0], [0, 0, 0, 2]]
+    L, M = (A.lattice(rows(x)) for x in (some, other))
+    P, Q = (B.lattice([tuple(map(Fraction, row)) for row in x]) for x in (some, other))
+    pairs = [(L, P), (M, Q), (L + M, P + Q), (L & M, P & Q), (L * M, P * Q), (L.dual(), P.dual())]
+    pairs += [
+        (L.conjugate(), P.conjugate()),
+        (L.colon(M), P.colon(Q)),
+        (L.right_order(), P.right_order()),
+    ]
+    for x, y in pairs:
+        assert x.hnf == y.hnf
+        assert x.norm() == K(y.norm())
+        assert x.is_invertible() == y.is_invertible()
+    assert L.index(M) == K(P.index(Q))
+
+
+def test_embeddings_and_represented_numbers() -> None:
+    for d in (11, 37, 30):
+        O, P = algebra(d).maximal_order(), QuaternionAlgebra(d).maximal_order()
+        for D in (-3, -4, -7, -8, -11, -12, -20, -27):
+            found, known = O.embeddings(D), P.embeddings(D)
+            assert len(found.elements) == len(known.elements)
+            assert found.orbits == known.orbits
+        for n in range(1, 12):
+            assert (O.represent_integer(n) is None) == (P.represent_integer(n) is None)
+
+
+@pytest.mark.parametrize(("d", "n"), [(6, 1), (10, 1), (15, 1), (6, 5)])
+def test_signatures_of_shimura_curves(d: int, n: int) -> None:
+    G = algebra(d).eichler_order(n).norm_one_group()
+    H = (
+        QuaternionAlgebra.from_ramification("QQ", list(factorise(d)))
+        .eichler_order(n)
+        .norm_one_group()
+    )
+    assert (G.area, G.signature) == (H.area, H.signature)
+
+
+def test_ternary_forms() -> None:
+    for d in (11, 37, 30):
+        f, g = (
+            algebra(d).maximal_order().ternary_form(),
+            QuaternionAlgebra(d).maximal_order().ternary_form(),
+        )
+        assert abs(K.norm(f.discriminant())) == abs(g.discriminant())
+        assert f.order().is_maximal()
+
+
+def test_the_field_itself() -> None:
+    for name, root in (("QQ[s]/(s-1)", 1), ("QQ[s]/(2*s+3)", Fraction(-3, 2))):
+        F = ring(name)
+        assert F.gen == F(root) == F("s")
+        assert (F.degree, F.signature, F.discriminant()) == (1, (1, 0), 1)
+        assert (F.class_group().order, F.narrow_class_group().order) == (1, 1)
+        assert (F.unit_group().rank, F.unit_group().torsion_order) == (0, 2)
+        assert F.zeta_minus_one() == Fraction(-1, 12)
+        (P,) = F.primes_above(7)
+        assert (P.e, P.f, P.residue_field.name, P.valuation(F(98))) == (1, 1, "GF(7)", 2)
+        assert F.ideal(6, 10) == F.ideal(2)
+        assert F.ideal("12/5").is_principal().generator == F("12/5")
+        assert QuaternionAlgebra(F, -1, -1).ramified_places() == (
+            F.primes_above(2)[0],
+            F.real_places()[0],
+        )
+
+
+def test_groups_with_cusps() -> None:
+    """Γ₀(N), of index, cusps and elliptic points that are known."""
+    M = QuaternionAlgebra(K, 1, 1)
+    for n, signature in ((1, (0, (2, 3), 1)), (4, (0, (), 3)), (11, (1, (), 2))):
+        assert M.eichler_order(n).norm_one_group().signature == signature
