@@ -120,7 +120,7 @@ def ours(sets: list[int]) -> tuple[dict[str, Any], dict[str, Any]]:
         return [[str(x) for x in q.coordinates] for q in lattice.basis]
 
     def fresh(L: Any) -> Any:
-        value = type(L.value)(L.algebra, L.value.den, L.value.matrix)
+        value = type(L.value)(L.value.ambient, L.value.den, L.value.matrix)
         return Ideal(value, L.side, fresh(L.order)) if isinstance(L, Ideal) else Order(value)
 
     data: dict[str, Any] = {"cases": {}, "sets": sets}

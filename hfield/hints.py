@@ -174,8 +174,8 @@ ORDER = LATTICE | {
 }
 """Sage, Magma: orders."""
 
-ONLY_OVER_Z = {"quadratic_form", "ternary_quadratic_form"}
-"""Names whose hint asks for a Gram matrix over ℤ, or for a ternary theta series."""
+ONLY_OVER_Z = {"ternary_quadratic_form"}
+"""Names whose hint asks for a ternary theta series."""
 
 
 def over_fields(hints: Mapping[str, str]) -> dict[str, str]:

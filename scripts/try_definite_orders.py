@@ -216,7 +216,7 @@ def describe(O: Any, ramified: list[Any]) -> Line:
     P = (
         next(p for p in primes() if O.discriminant() % p)
         if over_q
-        else C.frame.prime(next(C.good_primes()))
+        else C.ambient.base.prime(next(C.good_primes()))
     )
     if any(sum(row.values()) != (P if over_q else P.norm()) + 1 for row in C.neighbours(P)):
         wrong.append("rows of a Brandt matrix have other sums")

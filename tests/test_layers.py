@@ -49,7 +49,8 @@ FLOORS = [
     },
     {"hfield.exploring"},  # stands on the element and on maps, and the algebra hands over to it
     {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
-    {"hfield.orders.lattice", "hfield.orders.over_integers"},
+    {"hfield.orders.over_integers"},
+    {"hfield.orders.lattice"},
     {"hfield.orders.hurwitz_order"},
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},
@@ -104,7 +105,7 @@ FLOOR = {room: n for n, floor in enumerate(FLOORS) for room in floor}
 FACES = {"hfield", "hfield.rings", "rotation", "anim"}
 # Who asks for a kind of field by its name: lattices, which are over ℤ or the integers of a number field, so
 # that their places, ideals and integral bases are those of these fields.
-KNOW_KINDS = {"hfield.orders", "hfield.orders.over_integers"}
+KNOW_KINDS = {"hfield.orders", "hfield.orders.over_integers", "hfield.orders.lattice"}
 # Rooms in which no module looks into what another keeps to itself.
 DISCREET = {"hfield.orders"}
 

@@ -58,8 +58,7 @@ if TYPE_CHECKING:
     from hfield.modules.matrix import Matrix
     from hfield.modules.polynomials import Polynomials
     from hfield.orders.hurwitz_order import HurwitzOrder
-    from hfield.orders.lattice import Order
-    from hfield.orders.over_integers.lattices import IntegersOrder
+    from hfield.orders.lattice import IntegersOrder, Lattice, Order
     from hfield.orders.ternary_forms import TernaryForm
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
@@ -1122,16 +1121,15 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """
         return isinstance(self.ring, WithIntegers) and self.ring != QQ
 
-    def lattice(self, elements: Iterable[object]) -> Any:  # Lattice, or IntegersLattice
+    def lattice(self, elements: Iterable[object]) -> Lattice:
         """Return the lattice that elements span over ℤ, or over the integers of a number field.
 
-        There pairs (ideal, element), as of a pseudo-basis, are read too. Raises :class:`LatticeError` when
+        Pairs (ideal, element), as of a pseudo-basis, are read too. Raises :class:`LatticeError` when
         its rank is below 4, :class:`RingError` over another field.
         """
         from hfield.orders.lattice import Lattice
-        from hfield.orders.over_integers.orders import spanned
 
-        return spanned(self, elements) if self.over_integers else Lattice.spanned(self, elements)
+        return Lattice.spanned(self, elements)
 
     def order(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
         """Return the order that elements generate as a ring, or over the integers of a number field.
@@ -1142,21 +1140,24 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> O.discriminant(), O.maximal_overorder().index(O)
         (ideal(4), ideal(4))
         """
-        from hfield.orders.lattice import Order
+        from hfield.orders.lattice import IntegersOrder, Order
         from hfield.orders.over_integers.orders import generated
 
-        return generated(self, elements) if self.over_integers else Order.generated(self, elements)
+        if self.over_integers:
+            return IntegersOrder(generated(self, elements))
+        return Order.generated(self, elements)
 
     def order_from_basis(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
         """Return the order with a basis of four elements; over ℤ_K, that elements or a pseudo-basis span.
 
         Raises :class:`LatticeError` unless they span a ring with 1.
         """
-        from hfield.orders.lattice import Order
+        from hfield.orders.lattice import IntegersOrder, Order
         from hfield.orders.over_integers.orders import order_of_basis
 
-        over = self.over_integers
-        return order_of_basis(self, elements) if over else Order.from_basis(self, elements)
+        if self.over_integers:
+            return IntegersOrder(order_of_basis(self, elements))
+        return Order.from_basis(self, elements)
 
     def maximal_order(self, factors: Factors | None = None) -> Order | IntegersOrder:
         """Return a maximal order, of an algebra that is not degenerate: always the same.
@@ -1170,12 +1171,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         (ideal(1), 8)
         """
         from hfield.orders import named_orders
-        from hfield.orders.lattice import Order
+        from hfield.orders.lattice import IntegersOrder, Order
         from hfield.orders.over_integers import orders
 
         with known_primes(factors):
             if self.over_integers:
-                return orders.maximal_order(self)
+                return IntegersOrder(orders.maximal_order(self))
             return Order(named_orders.maximal_order(self))
 
     def eichler_order(self, level: object, factors: Factors | None = None) -> Any:
@@ -1190,12 +1191,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         (True, 2)
         """
         from hfield.orders import named_orders
-        from hfield.orders.lattice import Order
+        from hfield.orders.lattice import IntegersOrder, Order
         from hfield.orders.over_integers import orders
 
         with known_primes(factors):
             if self.over_integers:
-                return orders.eichler_order(self, level)
+                return IntegersOrder(orders.eichler_order(self, level))
             return Order(named_orders.eichler_order(self, level))
 
     def extremal_order(self) -> Order:

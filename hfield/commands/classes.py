@@ -23,8 +23,7 @@ from hfield.commands.parser import UsageError
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
-    from hfield.orders.lattice import ClassSet
-    from hfield.orders.over_integers.lattices import IntegersOrder
+    from hfield.orders.lattice import ClassSet, IntegersOrder
     from hfield.presenting import Part
 
 HELP = (

@@ -22,9 +22,8 @@ from hfield.commands.orders import (
 if TYPE_CHECKING:
     from hfield.evidence import Claim
     from hfield.orders.certificates import Answer as Verdict
-    from hfield.orders.lattice import Ideal
+    from hfield.orders.lattice import Ideal, IntegersIdeal
     from hfield.orders.over_integers.equivalence import Comparison
-    from hfield.orders.over_integers.lattices import IntegersIdeal
     from hfield.presenting import Part
 
 HELP = (

@@ -22,8 +22,7 @@ from hfield.errors import TooLargeError
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
-    from hfield.orders.lattice import Order
-    from hfield.orders.over_integers.lattices import IntegersOrder
+    from hfield.orders.lattice import IntegersOrder, Order
     from hfield.presenting import Part
 
 HELP = (

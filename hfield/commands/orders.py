@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.evidence import Claim
     from hfield.orders.certificates import Answer as Verdict
-    from hfield.orders.over_integers.lattices import IntegersLattice
+    from hfield.orders.lattice import Lattice
 
 PATIENCE = 10
 """Seconds: for what takes longer, one is told before how long it will be."""
@@ -122,13 +122,13 @@ def level_of(text: str, A: QuaternionAlgebra) -> Any:
     return int(text)
 
 
-def summands(L: IntegersLattice) -> list[tuple[str, str]]:
+def summands(L: Lattice) -> list[tuple[str, str]]:
     """Return the pairs of a pseudo-basis, an ideal and an element, as texts."""
     K: Any = L.algebra.ring
     return [(str(K.ideal(list(ideal))), str(q)) for ideal, q in L.pseudo_basis()]
 
 
-def sum_text(L: IntegersLattice) -> str:
+def sum_text(L: Lattice) -> str:
     """Return a lattice as the sum of ideals times elements."""
     return " + ".join(
         f"({q})" if ideal == "ideal(1)" else f"{ideal}·({q})" for ideal, q in summands(L)

@@ -10,7 +10,7 @@ from hfield.algebra.maps import matrix_text
 from hfield.errors import shorten
 from hfield.latex import words
 from hfield.notation import element_text
-from hfield.orders.over_integers.lattices import IntegersOrder
+from hfield.orders.lattice import IntegersOrder
 from hfield.presenting import Facts, Part, Piece, hanging
 from hfield.rings.base import Ring
 from hfield.rings.printing import is_sum, number_text, parentheses

@@ -16,8 +16,7 @@ from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
 from hfield.fields.names import RingName
 from hfield.notation import element_text
-from hfield.orders.lattice import Order
-from hfield.orders.over_integers.lattices import IntegersOrder
+from hfield.orders.lattice import IntegersOrder, Order
 from hfield.rings.base import INFINITY, Ring, WithIntegers
 from hfield.structure.global_field import global_field
 

@@ -44,7 +44,7 @@ def elliptic_points(order: ZOrder) -> dict[int, int] | None:
     """
     if not is_eichler(order):
         return None
-    D, level = order.regular.discriminant, order.level
+    D, level = order.ambient.discriminant, order.level
     return {
         m: prod(1 - kronecker(d, p) for p in factorise(D))
         * prod(1 + kronecker(d, q) for q in factorise(level))
@@ -55,7 +55,7 @@ def elliptic_points(order: ZOrder) -> dict[int, int] | None:
 
 def cusps(order: ZOrder) -> int | None:
     """Return how many cusps there are; None for an order in M₂(ℚ) that is not Eichler."""
-    if order.regular.discriminant > 1:
+    if order.ambient.discriminant > 1:
         return 0
     if not is_eichler(order):
         return None
@@ -73,7 +73,7 @@ def is_hyperbolic_trace(order: ZOrder, t: int) -> bool:
     field, and the polynomial has a root modulo N (Voight, theorems 28.5.5 and 30.6.16).
     """
     d = t * t - 4
-    for p in factorise(order.regular.discriminant):
+    for p in factorise(order.ambient.discriminant):
         e, rest = 0, d
         while rest % (p * p) == 0:
             e, rest = e + 1, rest // (p * p)

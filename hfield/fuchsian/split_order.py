@@ -17,7 +17,7 @@ from hfield.errors import IndefiniteError, LatticeError
 from hfield.evidence import Claim
 from hfield.factorisation import factorise
 from hfield.fuchsian import area
-from hfield.orders import z_lattice
+from hfield.orders import lattice_values
 from hfield.orders.certificates import element_json, text
 from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.z_order import ZOrder
@@ -146,7 +146,7 @@ class RationalOrder(SplitOrder):
     degree = 1
 
     def __init__(self, order: ZOrder) -> None:
-        if order.regular.definite:
+        if order.ambient.definite:
             raise IndefiniteError(
                 f"the units of an order in {order.algebra}, which is definite, are finitely many: "
                 "norm_one_group() asks for an algebra that splits at the real place, units() lists these"
@@ -157,7 +157,7 @@ class RationalOrder(SplitOrder):
         self.title = "maximal order" if self.level == 1 else f"order of level {self.level}"
 
     def __contains__(self, x: Quaternion) -> bool:
-        return z_lattice.contains(self.order, x)
+        return lattice_values.contains(self.order, x)
 
     def area(self) -> Fraction:
         return area.area(self.order)
@@ -201,7 +201,7 @@ class RationalOrder(SplitOrder):
                 )
             ideal: Any = order
             for p in factorise(m) if m > 1 else ():
-                ideal = z_lattice.meet(ideal, two_sided_prime(order, p))
+                ideal = lattice_values.meet(ideal, two_sided_prime(order, p))
             found.append((ideal.basis, self.scalar(Fraction(m))))
         return found
 

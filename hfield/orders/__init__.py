@@ -1,7 +1,9 @@
-"""Lattices, orders and ideals in quaternion algebras over ℚ: their arithmetic and their classes.
+"""Lattices, orders and ideals in quaternion algebras over ℚ and over number fields, and their classes.
 
-A lattice is a value: a Hermite form over its least denominator, in an algebra (``z_lattice``); an order is
-one that is a ring (``z_order``). What takes an algorithm is a function that is given such values and returns
+``base`` says what is asked of ℤ and of the integers of a field; ``basis`` has the multiplication of an
+algebra as integer matrices. A lattice is a value, a Hermite form over its least denominator over such a basis
+(``lattice_values``); an order over ℤ is one that is a ring (``z_order``). Where ℤ has a quicker way it is a
+function in ``kernels``. What takes an algorithm is a function that is given such values and returns
 values, elements, or what answers a question (``certificates``). Above them stand what a user holds, thin:
 ``lattice``, whose methods hand over to the functions, and ``hurwitz_order``. ``named_orders`` are those that
 an algebra has names for, ``over_integers`` those over the integers of number fields. Each module says which

@@ -192,5 +192,5 @@ def number_of_ideals(classes: Classes, n: int) -> int:
     """Return how many integral right ideals of norm n, prime to the level, an Eichler order has."""
     found = 1
     for p, e in factorise(n).items():
-        found *= sum(p**k for k in range(e + 1)) if classes.ring.regular.discriminant % p else 1
+        found *= sum(p**k for k in range(e + 1)) if classes.ring.ambient.discriminant % p else 1
     return found

@@ -12,7 +12,7 @@ from hfield.certificates.glossary import MASS
 from hfield.evidence import Claim
 from hfield.orders import enumeration
 from hfield.orders.hermite import tuples
-from hfield.orders.z_lattice import ZLattice
+from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.z_order import ZOrder
 
 DOUBLINGS = 6
@@ -30,7 +30,7 @@ def of_order(order: ZOrder) -> Claim:
     return Claim(order.algebra, whole + "}", {"kind": "order"}, "order")
 
 
-def of_ideal(ideal: ZLattice, side: str, order: ZOrder) -> Claim:
+def of_ideal(ideal: LatticeValue, side: str, order: ZOrder) -> Claim:
     """Return that this is a locally principal ideal of its order, and its norm."""
     statement = f"ideal{{{text(ideal)}; {_side(side)}; {text(order)}; {ideal.norm}}}"
     return Claim(ideal.algebra, statement, {"kind": "ideal"}, "ideal")
@@ -41,7 +41,7 @@ def _side(side: str) -> str:
     return "right" if side == "right" else "left"
 
 
-def of_class_set(order: ZOrder, classes: list[ZLattice]) -> Claim:
+def of_class_set(order: ZOrder, classes: list[LatticeValue]) -> Claim:
     """Return how many right ideal classes an order has, with one ideal of each."""
     statement = f"class-set{{{text(order)}; {len(classes)}}}"
     evidence = {"kind": "class-set", "classes": [basis_json(I) for I in classes]}
@@ -72,14 +72,14 @@ def of_answer(answer: Answer) -> Claim | None:
     return Claim(first.algebra, statement, {"kind": kind, **evidence}, method, "refuted")
 
 
-def _none_carries(between: ZLattice, size: str | None) -> tuple[str, dict[str, object]]:
+def _none_carries(between: LatticeValue, size: str | None) -> tuple[str, dict[str, object]]:
     """Return the method and the evidence that no element of a lattice has a norm."""
     if size is None or (Fraction(size) / between.norm).denominator != 1:
         return "norm", {}
     return "enumeration", {"between": basis_json(between)}
 
 
-def _told_apart(*orders: ZLattice) -> tuple[str, dict[str, object]] | None:
+def _told_apart(*orders: LatticeValue) -> tuple[str, dict[str, object]] | None:
     """Return the method and the evidence that two orders are not isomorphic: what one has more elements of.
 
     Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far enough.
@@ -87,7 +87,7 @@ def _told_apart(*orders: ZLattice) -> tuple[str, dict[str, object]] | None:
     rings = [order for order in orders if isinstance(order, ZOrder)]
     if len({order.discriminant for order in rings}) == 2:
         return "discriminant", {}
-    if not orders[0].regular.definite:
+    if not orders[0].ambient.definite:
         return None
     grams = [order.reduced_ternary[2] for order in rings]
     reach = min(gram[n][n] for gram in grams for n in range(3)) // 2
@@ -115,7 +115,7 @@ def of_embedding(order: ZOrder, d: int, element: Quaternion | None) -> Claim:
     return Claim(order.algebra, statement, evidence, "element")
 
 
-def text(lattice: ZLattice) -> str:
+def text(lattice: LatticeValue) -> str:
     """Write the Hermite form of a lattice as statements do."""
     den, rows = lattice.hnf
     return " | ".join(",".join(str(Fraction(x, den)) for x in row) for row in rows)
@@ -134,7 +134,7 @@ class Answer:
     element: Quaternion | None = None
     theorem: str | None = None
     evidence: dict[str, Any] = field(default_factory=dict, compare=False)
-    lattices: tuple[ZLattice, ...] = field(default=(), compare=False, repr=False)
+    lattices: tuple[LatticeValue, ...] = field(default=(), compare=False, repr=False)
     """The two that were compared, and that which was run through, if any: as values."""
 
     @property
@@ -183,7 +183,7 @@ def element_json(q: Quaternion) -> list[str]:
     return [q.ring.text(x) for x in q.coordinates]
 
 
-def basis_json(lattice: ZLattice) -> dict[str, object]:
+def basis_json(lattice: LatticeValue) -> dict[str, object]:
     """Return a reduced basis of a lattice: what is run through quickly."""
     rows, _ = lattice.reduced
     return {"den": lattice.den, "rows": [list(row) for row in tuples(rows)]}

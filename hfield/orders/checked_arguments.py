@@ -7,21 +7,10 @@ from collections.abc import Iterable
 
 import flint
 
-from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, shorten
-from hfield.orders import hermite
 from hfield.primality import is_prime
 from hfield.rings.rational import rational
-from hfield.rings.whole_numbers import fraction
-
-
-def element_row(algebra: Parent, x: object) -> tuple[int, list[int]]:
-    """Return what the algebra reads as an element as integer coordinates over a denominator."""
-    q = x if isinstance(x, Quaternion) and x.algebra is algebra else algebra(x)
-    if q.is_batch:
-        raise LatticeError("a lattice is spanned by single elements, and this is an array of them")
-    den, rows = hermite.integral([[fraction(c) for c in q.coordinates]])
-    return den, rows[0]
 
 
 def listed(elements: object) -> list[object]:

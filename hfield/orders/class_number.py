@@ -24,8 +24,8 @@ from hfield.errors import LatticeError
 from hfield.factorisation import factorise
 from hfield.orders import hermite
 from hfield.orders.checked_arguments import expect_coprime
+from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.modulo_primes import kronecker
-from hfield.orders.z_lattice import ZLattice
 from hfield.orders.z_order import ZOrder, eichler_symbol
 
 
@@ -161,7 +161,7 @@ def _norms(order: ZOrder) -> Iterator[int]:
         yield from (m for m in (n, 1 + 2 * t + 4 * n, 1 + 4 * t + 16 * n) if m % 2)
 
 
-def local_multiple(ideal: ZLattice, p: int) -> int:
+def local_multiple(ideal: LatticeValue, p: int) -> int:
     """Return N(x)/N(I) for an x that generates an invertible ideal I at p."""
     form = hermite.tuples(ideal.even)
     values = (form[n][n] // 2 for n in range(4))

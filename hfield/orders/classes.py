@@ -33,17 +33,18 @@ from hfield.orders.ideals_of_norm import (
     two_sided_prime,
 )
 from hfield.orders.isomorphic_orders import isomorphism
-from hfield.orders.short_elements import theta_series
-from hfield.orders.z_lattice import (
-    ZLattice,
+from hfield.orders.lattice_values import (
+    LatticeValue,
     conjugate,
-    divisor,
     meet,
+    order_of,
     product,
     rows_json,
+    scalars_into,
     scaled,
 )
-from hfield.orders.z_order import ZOrder, order_of
+from hfield.orders.short_elements import theta_series
+from hfield.orders.z_order import ZOrder
 from hfield.primality import is_prime, primes
 from hfield.progress import along, tell
 
@@ -51,16 +52,18 @@ Key = tuple[int, ...]
 Row = tuple[int, ...]
 
 
-def key_and_units(lattice: ZLattice) -> tuple[Key, int]:
+def key_and_units(lattice: LatticeValue) -> tuple[Key, int]:
     """Return the lattice of a right ideal class as a key, and how many units the left order has."""
     quotients, _ = _quotients(lattice)
     key = min(quotients)
     return key, 2 * len(quotients[key])
 
 
-def _quotients(lattice: ZLattice) -> tuple[dict[Key, list[Row]], Callable[[Row, ZLattice], Key]]:
+def _quotients(
+    lattice: LatticeValue,
+) -> tuple[dict[Key, list[Row]], Callable[[Row, LatticeValue], Key]]:
     """Return the conj(x) that give each x⁻¹·I, for the x of least norm in I; and M ↦ x⁻¹·M, of conj(x)."""
-    r, norm = lattice.regular, lattice.norm
+    r, norm = lattice.ambient, lattice.norm
     rows, gram = lattice.reduced
     least, short = enumeration.least_vectors(gram)
     # N(x) = least/2·norm, and x is over the denominator of the lattice
@@ -68,7 +71,7 @@ def _quotients(lattice: ZLattice) -> tuple[dict[Key, list[Row]], Callable[[Row, 
     up = 2 * norm.denominator
     den = lattice.den * r.conjugate_scale * r.scale * norm.numerator * least
 
-    def quotient(bar: Row, other: ZLattice) -> Key:
+    def quotient(bar: Row, other: LatticeValue) -> Key:
         found = hermite.hermite(den * other.den, other.matrix * (r.left_matrix(bar) * up))
         assert found is not None
         d, m = found
@@ -101,7 +104,7 @@ class Classes(Certified):
     """The classes as values: their lattices, units and neighbours."""
 
     def __init__(self, ring: ZOrder) -> None:
-        if not ring.regular.definite:
+        if not ring.ambient.definite:
             raise IndefiniteError(
                 f"{ring.algebra} is indefinite: by strong approximation an Eichler order has one right ideal "
                 "class there; class_set() enumerates in definite algebras"
@@ -116,7 +119,7 @@ class Classes(Certified):
         self.unit_counts: list[int] = []
         """How many units the left orders of the classes have."""
         self._keys: dict[Key, int] = {}
-        self._lattices: list[ZLattice] = []
+        self._lattices: list[LatticeValue] = []
         self._exchanged: dict[int, list[int]] = {}
         self.rows: dict[int, list[Counter[int]]] = {}
         """What :meth:`neighbours` has found, by primes."""
@@ -173,11 +176,11 @@ class Classes(Certified):
 
     def _add(self, key: Key, units: int) -> Fraction:
         self._keys[key] = len(self._lattices)
-        self._lattices.append(ZLattice(self.ring.algebra, key[0], fmpz_mat(4, 4, key[1:])))
+        self._lattices.append(LatticeValue(self.ring.ambient, key[0], fmpz_mat(4, 4, key[1:])))
         self.unit_counts.append(units)
         return Fraction(2, units)
 
-    def _neighbours(self, lattice: ZLattice, p: int) -> Iterator[tuple[Key, int]]:
+    def _neighbours(self, lattice: LatticeValue, p: int) -> Iterator[tuple[Key, int]]:
         return map(key_and_units, right_subideals(lattice, self.ring, p))
 
     # --- the classes -------------------------------------------------------------------------------
@@ -185,12 +188,12 @@ class Classes(Certified):
     def __len__(self) -> int:
         return len(self._lattices)
 
-    def _representative(self, n: int) -> ZLattice:
+    def _representative(self, n: int) -> LatticeValue:
         """Return the lattice of class n, made integral and primitive."""
         found = self._lattices[n]
-        return scaled(found, 1 / divisor(self.ring, found))
+        return scaled(found, scalars_into(found, self.ring))
 
-    def _index(self, lattice: ZLattice) -> int:
+    def _index(self, lattice: LatticeValue) -> int:
         """Return the number of the class of an invertible right ideal."""
         return self._keys[key_and_units(lattice)[0]]
 
@@ -326,7 +329,8 @@ class Classes(Certified):
                 f"there are {h} classes, numbered from 0: {i} and {j} are not both of them"
             )
         between = product(self._lattices[i], conjugate(self._lattices[j]))
-        return theta_series(between, n)
+        found: list[int] = theta_series(between, n)
+        return found
 
     def edges(self, p: int) -> Iterator[tuple[int, int, dict[str, int]]]:
         """Yield the edges of the graph of p-neighbours, ``networkx.from_edgelist`` reads them.
@@ -364,7 +368,7 @@ def types_by_isomorphism(classes: Classes) -> list[int]:
     found: list[ZOrder] = []
     kinds: list[int] = []
     for n in range(len(classes)):
-        order = order_of(classes._representative(n), "left")
+        order = ZOrder.of(order_of(classes._representative(n), "left"))
         known = next((n for n, other in enumerate(found) if isomorphism(order, other)), None)
         if known is None:
             known = len(found)

@@ -9,23 +9,27 @@ and no Hermite form of sixteen rows is needed.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import combinations
 from typing import Any
 
 from flint import fmpz, fmpz_mat
 
-from hfield.orders import hermite, z_lattice
-from hfield.orders.regular_representation import PAIRS
-from hfield.orders.z_lattice import ZLattice
+from hfield.orders import hermite, lattice_values
+from hfield.orders.lattice_values import LatticeValue
+
+PAIRS = list(combinations(range(4), 2))
 
 
-def product(first: ZLattice, second: ZLattice, order: ZLattice) -> ZLattice:
+def product(first: LatticeValue, second: LatticeValue, order: LatticeValue) -> LatticeValue:
     """Return ``first·second`` for a right ideal and a left ideal of an order."""
-    return modulo_norm(first, second, order) or z_lattice.product(first, second)
+    return modulo_norm(first, second, order) or lattice_values.product(first, second)
 
 
-def modulo_norm(first: ZLattice, second: ZLattice, order: ZLattice) -> ZLattice | None:
+def modulo_norm(
+    first: LatticeValue, second: LatticeValue, order: LatticeValue
+) -> LatticeValue | None:
     """Return the same product by linear algebra, or None where this way does not do."""
-    r = first.regular
+    r = first.ambient
     n = _index_root(second, order)
     # with 1 in n⁻¹·J the index tells that J is O wherever n is a unit, and O·α elsewhere
     if n is None or not hermite.contains(second.den, second.matrix, 1, (int(n), 0, 0, 0)):
@@ -42,7 +46,9 @@ def modulo_norm(first: ZLattice, second: ZLattice, order: ZLattice) -> ZLattice 
     steps = _echelon(rows, n)
     if steps is None:
         return None
-    return z_lattice.hermite_form(first.algebra, first.den, fmpz_mat(4, 4, steps) * first.matrix)
+    return lattice_values.hermite_form(
+        first.ambient, first.den, fmpz_mat(4, 4, steps) * first.matrix
+    )
 
 
 def _coordinates(row: list[fmpz], triangle: list[fmpz], n: fmpz) -> list[fmpz]:
@@ -57,7 +63,7 @@ def _coordinates(row: list[fmpz], triangle: list[fmpz], n: fmpz) -> list[fmpz]:
     return found
 
 
-def _index_root(ideal: ZLattice, order: ZLattice) -> fmpz | None:
+def _index_root(ideal: LatticeValue, order: LatticeValue) -> fmpz | None:
     """Return n > 1 with [O : J] = n², or None; the norm of J, if J is locally principal."""
     volume = hermite.volume(ideal.matrix) * order.den**4
     index, rest = divmod(volume, hermite.volume(order.matrix) * ideal.den**4)
@@ -65,13 +71,13 @@ def _index_root(ideal: ZLattice, order: ZLattice) -> fmpz | None:
     return n if n > 1 and not rest and n * n == index else None
 
 
-def _generator(ideal: ZLattice, n: fmpz) -> tuple[fmpz, ...] | None:
+def _generator(ideal: LatticeValue, n: fmpz) -> tuple[fmpz, ...] | None:
     """Return a row α of the ideal with N(α)/n prime to n; with another the two pivots would not be units."""
-    r, entries = ideal.regular, ideal.matrix.entries()
+    r, entries = ideal.ambient, ideal.matrix.entries()
     unit = r.scale * ideal.den**2 * n
     for m in (0, 4, 8, 12):
         row = entries[m : m + 4]
-        norm, rest = divmod(r.norm(row), unit)
+        norm, rest = divmod(r.norm_trace(row), unit)
         if not rest and norm.gcd(n) == 1:
             return tuple(row)
     return None

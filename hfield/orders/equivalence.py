@@ -21,26 +21,27 @@ from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
 from hfield.orders import compatible_products, enumeration, hermite
 from hfield.orders.certificates import STRONG_APPROXIMATION, Answer, element_json
-from hfield.orders.short_elements import up_to
-from hfield.orders.z_lattice import (
-    ZLattice,
+from hfield.orders.lattice_values import (
+    LatticeValue,
     colon,
     conjugate,
     index,
+    is_locally_principal,
     product,
     rows_json,
     scaled,
 )
-from hfield.orders.z_order import ZOrder, eichler_symbol, is_locally_principal
+from hfield.orders.short_elements import up_to
+from hfield.orders.z_order import ZOrder, eichler_symbol
 
 TRIED = 4_000
 """Short vectors tried for an element of given norm in an indefinite algebra, before others."""
-Search = Callable[[ZLattice, Fraction], Quaternion | None]
+Search = Callable[[LatticeValue, Fraction], Quaternion | None]
 """What looks for an element of norm ±n in a lattice of an indefinite algebra."""
 
 
 def equivalence(
-    first: ZLattice, second: ZLattice, order: ZOrder, side: str, search: Search
+    first: LatticeValue, second: LatticeValue, order: ZOrder, side: str, search: Search
 ) -> Answer:
     """Return c with ``second = first·c`` (left ideals) or ``c·first`` (right ones), or why there is none.
 
@@ -75,7 +76,7 @@ def equivalence(
     if element is not None:
         evidence["element"] = element_json(element)
         return answer(True, "the element is multiplied out", element)
-    if first.regular.definite:
+    if first.ambient.definite:
         return answer(False, reason)
     if not (invertible and one_class(order)):
         raise UndecidedError(
@@ -89,21 +90,21 @@ def one_class(order: ZOrder) -> bool:
     """Tell whether the local units of an order are known to have all unit norms as norms."""
     primes = factorise(order.discriminant)
     return all(
-        (order.regular.discriminant % p == 0 and order.discriminant % (p * p))
+        (order.ambient.discriminant % p == 0 and order.discriminant % (p * p))
         or eichler_symbol(order, p) in (1, -1)
         for p in primes
     )
 
 
 def element_of_norm(
-    lattice: ZLattice, size: Fraction, search: Search
+    lattice: LatticeValue, size: Fraction, search: Search
 ) -> tuple[Quaternion | None, str]:
     """Return an element of norm ``size`` (±size in an indefinite algebra), or None and what was tried."""
     multiple = size / lattice.norm
     if multiple.denominator != 1:
         return None, f"no element has norm {size}, as all norms are multiples of {lattice.norm}"
     m = multiple.numerator
-    if lattice.regular.definite:
+    if lattice.ambient.definite:
         rows, gram = lattice.reduced
         for n in range(4):  # in a reduced basis a vector of least length is usually there
             if gram[n][n] == 2 * m:
@@ -121,10 +122,10 @@ def element_of_norm(
     return found, "" if found else f"no element of norm ±{size} is among {where}"
 
 
-def _among_short(lattice: ZLattice, m: int) -> Quaternion | None:
+def _among_short(lattice: LatticeValue, m: int) -> Quaternion | None:
     """Return an element whose norm is ±m times that of the lattice, if one is among short vectors."""
     rows, _ = lattice.reduced
-    size = hermite.tuples(rows * lattice.regular.majorant * rows.transpose())
+    size = hermite.tuples(rows * lattice.ambient.majorant * rows.transpose())
     bound, tried = max(size[n][n] for n in range(4)), 0
     while tried < TRIED:
         vectors = enumeration.short_vectors(size, bound)

@@ -23,7 +23,7 @@ class RationalModule(Module):
         self.classes, order = classes, classes.ring
         expect_eichler(is_eichler(order))
         self.level = sorted(factorise(order.level).items())
-        self.ramified = sorted(factorise(order.regular.discriminant))
+        self.ramified = sorted(factorise(order.ambient.discriminant))
         self.weights = [flint.fmpq(1, units) for units in classes.unit_counts]
         self.narrow = [0] * len(classes)
 

@@ -1,4 +1,4 @@
-"""Lattices of rank 4 as integer matrices over a denominator: the Hermite form, and what follows from it.
+"""Lattices of full rank in ℚᵐ as integer matrices over a denominator: the Hermite form, and what follows.
 
 A lattice is ``(den, rows)``: the rows of a row Hermite normal form over the least denominator. It is
 unique, so two lattices are equal exactly when these are (Cohen, *A Course in Computational Algebraic
@@ -11,30 +11,31 @@ import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from flint import fmpz, fmpz_mat
+from flint import fmpq_mat, fmpz, fmpz_mat
 
-Rows = tuple[tuple[int, int, int, int], ...]
+Rows = tuple[tuple[int, ...], ...]
 
 
 def hermite(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat] | None:
     """Return the canonical form of what the rows of an integer matrix, over ``den``, generate.
 
-    None when the rank is below 4.
+    None when the rank is below the number of columns.
     """
-    n = matrix.nrows()
-    if n < 4:
+    n, size = matrix.nrows(), matrix.ncols()
+    if n < size:
         return None
     h = matrix.hnf()
-    top = h.entries() if n == 4 else [h[i, j] for i in range(4) for j in range(4)]
-    if not (top[0] and top[5] and top[10] and top[15]):
+    columns = range(size)
+    top = h.entries() if n == size else [h[i, j] for i in columns for j in columns]
+    if not all(top[:: size + 1]):
         return None
     g = fmpz(den)
     for x in top:
         if g == 1:
-            return den, h if n == 4 else fmpz_mat(4, 4, top)
+            return den, h if n == size else fmpz_mat(size, size, top)
         if x:
             g = g.gcd(x)
-    return den // int(g), fmpz_mat(4, 4, [x // g for x in top])
+    return den // int(g), fmpz_mat(size, size, [x // g for x in top])
 
 
 def integral(vectors: Iterable[Sequence[Fraction]]) -> tuple[int, list[list[int]]]:
@@ -44,9 +45,18 @@ def integral(vectors: Iterable[Sequence[Fraction]]) -> tuple[int, list[list[int]
     return den, [[x.numerator * (den // x.denominator) for x in row] for row in rows]
 
 
+def rational(rows: fmpq_mat) -> tuple[int, fmpz_mat]:
+    """Return a rational matrix as an integer matrix over a denominator."""
+    whole, den = rows.numer_denom()
+    return int(den), whole
+
+
 def volume(matrix: fmpz_mat) -> fmpz:
     """Return the determinant of a triangular matrix, the product of the diagonal, as flint's integer."""
-    return matrix[0, 0] * matrix[1, 1] * matrix[2, 2] * matrix[3, 3]
+    found = matrix[0, 0]
+    for n in range(1, matrix.ncols()):
+        found *= matrix[n, n]
+    return found
 
 
 def determinant(matrix: fmpz_mat) -> int:
@@ -67,7 +77,9 @@ def combination(x: Sequence[int], rows: fmpz_mat) -> tuple[int, ...]:
 
 def divided(rows: fmpz_mat, n: int) -> fmpz_mat:
     """Return an integer matrix divided by an integer that divides all entries."""
-    return rows if n == 1 else fmpz_mat(rows.nrows(), 4, [x // n for x in rows.entries()])
+    if n == 1:
+        return rows
+    return fmpz_mat(rows.nrows(), rows.ncols(), [x // n for x in rows.entries()])
 
 
 def in_coordinates(matrix: fmpz_mat, other: fmpz_mat) -> tuple[fmpz_mat, int]:
@@ -84,29 +96,37 @@ def contains(den: int, matrix: fmpz_mat, row_den: int, row: Sequence[int]) -> bo
         if r:
             return False
         rest.append(q)
-    for n in range(4):
+    size = len(rest)
+    for n in range(size):
         if not rest[n]:
             continue
         c, r = divmod(rest[n], matrix[n, n])
         if r:
             return False
         if c:
-            for m in range(n + 1, 4):
+            for m in range(n + 1, size):
                 rest[m] -= c * matrix[n, m]
     return True
 
 
 def tuples(matrix: fmpz_mat) -> Rows:
-    """Return the rows of a matrix with four columns as tuples of ints."""
-    e = [int(x) for x in matrix.entries()]
-    return tuple((e[n], e[n + 1], e[n + 2], e[n + 3]) for n in range(0, len(e), 4))
+    """Return the rows of a matrix as tuples of ints."""
+    numbers = map(int, matrix.entries())
+    return tuple(zip(*[numbers] * matrix.ncols(), strict=True))
+
+
+def stacked(*matrices: fmpz_mat) -> fmpz_mat:
+    """Return the rows of several matrices, one below the other."""
+    entries = [x for m in matrices for x in m.entries()]
+    size = matrices[0].ncols()
+    return fmpz_mat(len(entries) // size, size, entries)
 
 
 def span(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
     """Return the Hermite form of what the rows of an integer matrix, over ``den``, span, of any rank."""
-    h = matrix.hnf()
+    h, size = matrix.hnf(), matrix.ncols()
     entries = h.entries()
-    rank = max((n // 4 + 1 for n, x in enumerate(entries) if x), default=0)
-    entries = entries[: 4 * rank]
+    rank = max((n // size + 1 for n, x in enumerate(entries) if x), default=0)
+    entries = entries[: size * rank]
     g = math.gcd(den, *(int(x) for x in entries))
-    return den // g, fmpz_mat(rank, 4, [x // g for x in entries])
+    return den // g, fmpz_mat(rank, size, [x // g for x in entries])

@@ -22,19 +22,10 @@ from flint import fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise, remove
-from hfield.orders import hermite, z_lattice
+from hfield.orders import hermite, lattice_values
 from hfield.orders.class_number import local_factor
-from hfield.orders.maximal_orders import (
-    Line,
-    above,
-    left_multiples,
-    maximal_at,
-    small_lines,
-    with_two_roots,
-)
-from hfield.orders.modulo_primes import echelon, lead
-from hfield.orders.z_lattice import (
-    ZLattice,
+from hfield.orders.lattice_values import (
+    LatticeValue,
     add,
     contains,
     dual,
@@ -44,10 +35,19 @@ from hfield.orders.z_lattice import (
     multiple,
     scaled,
 )
+from hfield.orders.maximal_orders import (
+    Line,
+    above,
+    left_multiples,
+    maximal_at,
+    small_lines,
+    with_two_roots,
+)
+from hfield.orders.modulo_primes import echelon, lead
 from hfield.orders.z_order import ZOrder, eichler_symbol
 
 
-def two_sided_prime(order: ZOrder, p: int) -> ZLattice:
+def two_sided_prime(order: ZOrder, p: int) -> LatticeValue:
     """Return the two-sided ideal at p that generates the group of them there, up to the numbers.
 
     It is p·O, of norm p², where p does not divide the discriminant; else it has the norm pᵉ, the part of
@@ -66,7 +66,7 @@ def two_sided_prime(order: ZOrder, p: int) -> ZLattice:
 
 def is_maximal_or_eichler(order: ZOrder, p: int, e: int) -> bool:
     """Tell whether an order is maximal or Eichler at a prime, where pᵉ is the part of its discriminant."""
-    return e == 1 or bool(order.regular.discriminant % p and eichler_symbol(order, p) == 1)
+    return e == 1 or bool(order.ambient.discriminant % p and eichler_symbol(order, p) == 1)
 
 
 MOST = 10**5
@@ -80,7 +80,7 @@ def _units(order: ZOrder, p: int) -> tuple[fmpz_mat, fmpz_mat, int]:
     They are matrices from the right, the third number too large.
     """
     v, (x, y) = with_two_roots(order, p, product(range(min(p, 3)), repeat=4))
-    r, den = order.regular, order.den
+    r, den = order.ambient, order.den
     divisor = den * r.scale
 
     def small(rows: fmpz_mat) -> list[tuple[int, ...]]:
@@ -97,7 +97,7 @@ def _units(order: ZOrder, p: int) -> tuple[fmpz_mat, fmpz_mat, int]:
     return r.right_matrix(e), r.right_matrix(f), divisor
 
 
-def right_subideals(ideal: ZLattice, order: ZOrder, p: int) -> Iterator[ZLattice]:
+def right_subideals(ideal: LatticeValue, order: ZOrder, p: int) -> Iterator[LatticeValue]:
     """Yield the p + 1 right ideals of relative norm p in a right ideal; the order is M₂(ℤₚ) at p."""
     e, f, divisor = _units(order, p)
     rows = ideal.matrix
@@ -115,16 +115,16 @@ def right_subideals(ideal: ZLattice, order: ZOrder, p: int) -> Iterator[ZLattice
     pairs = ((first + second * c, along + across * c) for c in range(p))
     for y, z in (*pairs, (second, across)):
         yield hermite_form(
-            ideal.algebra, ideal.den, fmpz_mat(6, 4, y.entries() + z.entries() + tail)
+            ideal.ambient, ideal.den, fmpz_mat(6, 4, y.entries() + z.entries() + tail)
         )
 
 
-def ideals_of_norm(order: ZOrder, n: int) -> list[ZLattice]:
+def ideals_of_norm(order: ZOrder, n: int) -> list[LatticeValue]:
     """Return all invertible integral right ideals of an order of norm n, in a fixed order.
 
     Raises :class:`TooLargeError` for more than 10⁵.
     """
-    layer: dict[Any, ZLattice] = {order.hnf: order}
+    layer: dict[Any, LatticeValue] = {order.hnf: order}
     for p, e in sorted(factorise(n).items()):
         if len(layer) * number_maximal(p, e) > MOST:
             raise TooLargeError(f"there are too many ideals of norm {n} to list them")
@@ -133,11 +133,11 @@ def ideals_of_norm(order: ZOrder, n: int) -> list[ZLattice]:
     return [layer[key] for key in sorted(layer)]
 
 
-def of_prime_power_norm(order: ZOrder, p: int, e: int) -> list[ZLattice]:
+def of_prime_power_norm(order: ZOrder, p: int, e: int) -> list[LatticeValue]:
     """Return the invertible right ideals of an order of norm pᵉ, as lattices."""
     if order.level % p == 0:
         return _at_the_level(order, p, e)
-    layer: dict[Any, ZLattice] = {order.hnf: order}
+    layer: dict[Any, LatticeValue] = {order.hnf: order}
     for _ in range(e):
         layer = {J.hnf: J for K in layer.values() for J in of_prime_norm(K, order, p)}
     return list(layer.values())
@@ -148,15 +148,15 @@ def number_maximal(p: int, e: int) -> int:
     return int((p ** (e + 1) - 1) // (p - 1))
 
 
-def of_prime_norm(ideal: ZLattice, order: ZOrder, p: int) -> Iterator[ZLattice]:
+def of_prime_norm(ideal: LatticeValue, order: ZOrder, p: int) -> Iterator[LatticeValue]:
     """Yield the right ideals of relative norm p in a right ideal; the order is maximal at p."""
     if order.discriminant % p:
         yield from right_subideals(ideal, order, p)
     else:
-        yield z_lattice.product(ideal, two_sided_prime(order, p))
+        yield lattice_values.product(ideal, two_sided_prime(order, p))
 
 
-def _at_the_level(order: ZOrder, p: int, e: int) -> list[ZLattice]:
+def _at_the_level(order: ZOrder, p: int, e: int) -> list[LatticeValue]:
     """Return those at a prime of the level, through the ideals y·M of a maximal order M at p that contains O.
 
     An ideal x·O has the norm pᵉ where x·M has; then it is y·u·O with x·M = y·M, for a unit u of M modulo
@@ -181,7 +181,7 @@ def _at_the_level(order: ZOrder, p: int, e: int) -> list[ZLattice]:
 
 def _number_of_cosets(order: ZOrder, p: int) -> int:
     """Return the index of the units of O in those of a maximal order that contains it, at p."""
-    whole = local_factor(-1, p) if order.regular.discriminant % p == 0 else 1
+    whole = local_factor(-1, p) if order.ambient.discriminant % p == 0 else 1
     return int(local_factor(eichler_symbol(order, p), p) / whole * p ** remove(order.level, p)[0])
 
 
@@ -199,7 +199,7 @@ def _unit_cosets(
     return list(found.values())
 
 
-def _of_least_norm(lattice: ZLattice, p: int) -> tuple[int, ...]:
+def _of_least_norm(lattice: LatticeValue, p: int) -> tuple[int, ...]:
     """Return the row of an element whose norm, over that of the lattice, is prime to p."""
     rows, _ = lattice.reduced
     lines = hermite.tuples(rows)
@@ -208,13 +208,13 @@ def _of_least_norm(lattice: ZLattice, p: int) -> tuple[int, ...]:
     return next(x for x in (*lines, *sums) if lattice.multiple(x) % p)
 
 
-def prime_to(ideal: ZLattice, p: int) -> ZLattice:
+def prime_to(ideal: LatticeValue, p: int) -> LatticeValue:
     """Return a right ideal of integral norm prime to p in the class of a right ideal: ``conj(x)·I/N(I)``."""
     x = ideal.element(_of_least_norm(ideal, p))
     return scaled(multiple(ideal, x.conjugate(), "left"), 1 / ideal.norm)
 
 
-def random_ideal(order: ZOrder, n: int, rng: random.Random) -> ZLattice:
+def random_ideal(order: ZOrder, n: int, rng: random.Random) -> LatticeValue:
     """Return ``O·x + n·O`` of norm n, prime to the discriminant, for a random x; O/I is cyclic."""
     primes = factorise(n)
     for p in primes:

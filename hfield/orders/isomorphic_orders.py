@@ -26,8 +26,16 @@ from hfield.orders import enumeration, hermite
 from hfield.orders.certificates import STRONG_APPROXIMATION, Answer, element_json
 from hfield.orders.enumeration import Gram, Vector
 from hfield.orders.equivalence import Search, element_of_norm, root
+from hfield.orders.lattice_values import (
+    LatticeValue,
+    add,
+    meet,
+    product,
+    rows_json,
+    scalars_into,
+    scaled,
+)
 from hfield.orders.maximal_orders import endpoints
-from hfield.orders.z_lattice import ZLattice, add, divisor, meet, product, rows_json, scaled
 from hfield.orders.z_order import ZOrder, conductor, gorenstein_closure, is_eichler
 
 
@@ -57,7 +65,7 @@ def isomorphism(
         return answer(
             False, f"their discriminants are {first.discriminant} and {second.discriminant}"
         )
-    if first.regular.definite:
+    if first.ambient.definite:
         row, reason = _conjugator(first, second)
         if row is None:
             return answer(False, reason)
@@ -100,7 +108,7 @@ def _conjugator(first: ZOrder, second: ZOrder) -> tuple[list[int] | None, str]:
 
 def _conjugating(order: ZOrder, sources: fmpz_mat, targets: fmpz_mat) -> list[int]:
     """Return x ≠ 0 with x·s = ±t·x for the three rows s and t, one sign for all."""
-    r = order.regular
+    r = order.ambient
     s, t = hermite.tuples(sources), hermite.tuples(targets)
     for sign in (1, -1):
         columns = [r.right_matrix(u) - r.left_matrix(v) * sign for u, v in zip(s, t, strict=True)]
@@ -113,7 +121,7 @@ def _conjugating(order: ZOrder, sources: fmpz_mat, targets: fmpz_mat) -> list[in
     raise AssertionError("an isometry, or its negative, is a conjugation")
 
 
-def connecting_ideal(first: ZOrder, second: ZOrder) -> ZLattice:
+def connecting_ideal(first: ZOrder, second: ZOrder) -> LatticeValue:
     """Return the primitive integral ideal with left order ``first`` and right order ``second``.
 
     For maximal orders it is the only one up to two-sided ideals. Raises :class:`LatticeError` unless both
@@ -132,12 +140,12 @@ def connecting_ideal(first: ZOrder, second: ZOrder) -> ZLattice:
         if scale is None:
             raise AssertionError("the distances of the two ends have the same parity")
         found = meet(ideals[0], scaled(ideals[1], scale))
-    return scaled(found, 1 / divisor(first, found))
+    return scaled(found, scalars_into(found, first))
 
 
-def _ends(order: ZOrder) -> list[ZLattice]:
+def _ends(order: ZOrder) -> list[LatticeValue]:
     """Return two maximal orders with the given one as their intersection."""
-    ends: list[ZLattice] = [order, order]
+    ends: list[LatticeValue] = [order, order]
     for p, e in factorise(order.level).items():
         # locally at p the sum is the end at p, as all other summands are the order there
         ends = [add(x, y) for x, y in zip(ends, endpoints(order, p, e), strict=True)]

@@ -18,10 +18,10 @@ from flint import fmpz, fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders import hermite
+from hfield.orders.lattice_values import LatticeValue, includes, multiple, spanning_rows
 from hfield.orders.modulo_primes import kernel
 from hfield.orders.quadratic_orders import Frame, extremal_frame, in_frame, represent
 from hfield.orders.short_elements import expect_definite, least_norm, up_to
-from hfield.orders.z_lattice import ZLattice, element_rows, includes, multiple
 from hfield.orders.z_order import ZOrder
 from hfield.primality import is_prime, is_probable_prime
 from hfield.rings.whole_numbers import sqrt_mod
@@ -30,12 +30,12 @@ DOUBLINGS = 12
 LONGER = 20_000
 
 
-def to_prime_norm(ideal: ZLattice, avoid: frozenset[int]) -> Quaternion:
+def to_prime_norm(ideal: LatticeValue, avoid: frozenset[int]) -> Quaternion:
     """Return c by which an ideal becomes one of the least prime norm not in ``avoid``.
 
     Raises :class:`IndefiniteError`, and :class:`UndecidedError` when no such norm was found.
     """
-    expect_definite(ideal, "equivalent_of_prime_norm()")
+    expect_definite(ideal.ambient, "equivalent_of_prime_norm()")
     for row, m in by_norm(ideal):
         if m not in avoid and is_prime(m):
             found: Quaternion = ideal.element(row).conjugate() / ideal.norm
@@ -45,7 +45,7 @@ def to_prime_norm(ideal: ZLattice, avoid: frozenset[int]) -> Quaternion:
     )
 
 
-def by_norm(ideal: ZLattice) -> Iterator[tuple[tuple[int, ...], int]]:
+def by_norm(ideal: LatticeValue) -> Iterator[tuple[tuple[int, ...], int]]:
     """Yield elements as rows, and their norms as multiples of the norm of the ideal, by ascending norm."""
     low, high = 0, 2 * least_norm(ideal)
     for _ in range(DOUBLINGS):
@@ -55,7 +55,7 @@ def by_norm(ideal: ZLattice) -> Iterator[tuple[tuple[int, ...], int]]:
         low, high = high, 2 * high
 
 
-def longer(ideal: ZLattice, rng: random.Random) -> Iterator[tuple[tuple[int, ...], int]]:
+def longer(ideal: LatticeValue, rng: random.Random) -> Iterator[tuple[tuple[int, ...], int]]:
     """Yield random elements and their norms, as :func:`by_norm` does, of no small subspace.
 
     All that are short may lie in a plane, where the norms have a common divisor, such as that of ``O·R·n``, R
@@ -75,13 +75,13 @@ ATTEMPTS = 60
 
 
 def to_power_norm(
-    ideal: ZLattice, order: ZOrder, side: str, prime: int, seed: int
+    ideal: LatticeValue, order: ZOrder, side: str, prime: int, seed: int
 ) -> tuple[Quaternion, int]:
     """Return (c, e) with I·c of norm primeᵉ, for a left ideal of a p-extremal order.
 
     Raises :class:`LatticeError` for an order that is not p-extremal, :class:`UndecidedError`.
     """
-    expect_definite(ideal, "equivalent_of_power_norm()")
+    expect_definite(ideal.ambient, "equivalent_of_power_norm()")
     p = order.discriminant
     f = extremal_frame(order, LARGEST) if order.level == 1 else None
     if prime == p:
@@ -115,7 +115,7 @@ def to_power_norm(
 
 
 def _from_prime(
-    ideal: ZLattice, f: Frame, norm: int, prime: int, rng: random.Random
+    ideal: LatticeValue, f: Frame, norm: int, prime: int, rng: random.Random
 ) -> tuple[Quaternion, int] | None:
     """Return an element of norm N·primeᵉ in a left ideal of prime norm N, and e."""
     p = f.norm
@@ -139,9 +139,9 @@ def _from_prime(
     return None
 
 
-def _ratio(ideal: ZLattice, u: Quaternion, v: Quaternion, norm: int) -> tuple[int, int] | None:
+def _ratio(ideal: LatticeValue, u: Quaternion, v: Quaternion, norm: int) -> tuple[int, int] | None:
     """Return (C, D) ≠ 0 modulo N with C·u + D·v in the ideal, which contains N·O."""
-    den, both = element_rows(ideal.algebra, [u, v])
+    den, both = spanning_rows(ideal.ambient, [u, v])
     inside, d = hermite.in_coordinates(ideal.matrix, both)
     # coordinates over the ideal have the denominator N
     rows = [[int(x) * ideal.den * norm // (d * den) for x in row] for row in inside.tolist()]

@@ -9,18 +9,19 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
-from typing import Any, Self, overload
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any, Self, overload
 
 from flint import fmpq
 
 from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.errors import LatticeError, MixedParentsError, shorten
+from hfield.errors import IndefiniteError, LatticeError, MixedParentsError, TooLargeError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.fuchsian.group import NormOneGroup
 from hfield.fuchsian.split_order import RationalOrder
-from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
+from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted, over_fields
 from hfield.orders import (
     certificates,
     class_number,
@@ -30,11 +31,12 @@ from hfield.orders import (
     ideals_of_norm,
     isomorphic_orders,
     klpt,
+    lattice_values,
     maximal_orders,
+    pseudo_bases,
     quadratic_orders,
     short_elements,
     ternary_forms,
-    z_lattice,
     z_order,
 )
 from hfield.orders.certificates import Answer
@@ -51,13 +53,27 @@ from hfield.orders.class_number import ByStableClasses, StableClasses, WithStabl
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import WithForms
 from hfield.orders.hecke_modules import RationalModule
+from hfield.orders.lattice_values import LatticeValue, rows_json
+from hfield.orders.over_integers import certificates as certificates_over_fields
+from hfield.orders.over_integers import class_sets, local_orders, related_orders, stable_classes
+from hfield.orders.over_integers import equivalence as equivalence_over_fields
+from hfield.orders.over_integers import ideals_of_norm as ideals_over_fields
+from hfield.orders.over_integers import quadratic_orders as quadratic_orders_over_fields
+from hfield.orders.over_integers.hecke_modules import IntegersModule
+from hfield.orders.over_integers.local_orders import Local, Rows
+from hfield.orders.over_integers.quadratic_orders import IntegersEmbeddings
 from hfield.orders.quadratic_orders import Embeddings
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.ternary_forms import TernaryForm
-from hfield.orders.z_lattice import ZLattice, rows_json
 from hfield.orders.z_order import ZOrder
 from hfield.rings.whole_numbers import fraction
 from hfield.sympy_printing import PrintedBySympy
+
+if TYPE_CHECKING:
+    from hfield.fields.number_fields.ideals import Ideal as FieldIdeal
+    from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+    from hfield.orders.over_integers.indefinite_classes import IndefiniteClassSet
+    from hfield.orders.pseudo_bases import PseudoBasis
 
 UNIT_GROUPS = {2: "C2", 4: "C4", 6: "C6", 8: "Q8", 12: "Dic3", 24: "SL(2,3)"}
 """Which group the units are, by their number, in a definite algebra over ℚ (Voight, section 11.5)."""
@@ -65,54 +81,81 @@ OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
 
 class Lattice(Hinted, PrintedBySympy):
-    """The integer combinations of four independent elements of an algebra over ℚ.
+    """A module of rank 4 over ℤ, or over the integers ℤ_K of a number field, in an algebra over ℚ or K.
 
-    It is kept in its Hermite normal form over (1, i, j, k), so equal lattices are equal, and hash
-    alike, however they were given. ``x in L`` asks for membership, ``M <= L`` for containment.
+    It is kept in Hermite normal form over ℤ, so equal lattices are equal, and hash alike, however they were
+    given. ``x in L`` asks for membership, ``M <= L`` for containment.
 
-    >>> from hfield import H
+    >>> from hfield import H, QuaternionAlgebra
     >>> A = H("QQ")
     >>> L = A.lattice([1, "i", "j", "1/2 + 1/2*i + 1/2*j + 1/2*k"])
     >>> L.hnf
     (2, ((1, 1, 1, 1), (0, 2, 0, 0), (0, 0, 2, 0), (0, 0, 0, 2)))
     >>> L.theta_series(4)
     [1, 24, 24, 96, 24]
+    >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); i = O.algebra(0, 1, 0, 0)
+    >>> I = O.right_ideal([2, 1 + i]); J = O.left_ideal([3])
+    >>> I.norm(), I.right_order() == O, I * I.inverse() == I.left_order()
+    (ideal(2), True, True)
+    >>> I + J == O, O.index(I & J), 1 + i in I, I.conjugate().left_order() == O
+    (True, ideal(324), True, True)
     """
 
     elsewhere = LATTICE
     multiplied_by_elements = True  # so that ``q * L`` is asked of L
 
-    def __init__(self, value: ZLattice) -> None:
+    def __init__(self, value: LatticeValue) -> None:
         self.value = value
         self.algebra = value.algebra
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), self._arguments
+
+    @property
+    def _arguments(self) -> tuple[object, ...]:
+        """What the object is made of, without what it has computed."""
+        return (self.value,)
+
     @classmethod
     def spanned(cls, algebra: Parent, elements: Iterable[object]) -> Lattice:
-        """Return the lattice that elements span over ℤ.
+        """Return the lattice that elements, or pairs (ideal, element), span over the integers of the field.
 
-        Raises :class:`LatticeError` when its rank is below 4, :class:`RingError` for an algebra that
-        is not over ℚ.
+        Raises :class:`LatticeError` when its rank is below 4, or for an algebra over another ring.
         """
-        return Lattice(z_lattice.spanned(algebra, elements))
+        return Lattice(lattice_values.spanned(algebra, elements))
 
     # --- what it is ------------------------------------------------------------------------------
 
     @property
     def hnf(self) -> tuple[int, hermite.Rows]:
-        """The least denominator, and the rows of the Hermite normal form, integers."""
+        """The least denominator, and the rows of the Hermite normal form, integers.
+
+        Over ℚ they are coordinates over 1, i, j, k; over K coordinates in the integral basis times
+        1, I, J, IJ. I and J anticommute and have integral squares; they are i and j for t = 0 and integral
+        a and b.
+        """
         return self.value.hnf
 
     @cached_property
     def basis(self) -> tuple[Quaternion, ...]:
-        """The rows of the normal form as elements: a basis, the same for equal lattices."""
+        """The rows of the normal form as elements: a basis over ℤ, the same for equal lattices."""
         return self.value.basis
 
+    def pseudo_basis(self) -> PseudoBasis:
+        """Return four pairs (basis over ℤ of an ideal, quaternion): L is the direct sum of their products.
+
+        >>> from hfield import H
+        >>> [q for _, q in H("QQ").lipschitz_order().pseudo_basis()]
+        [1, i, j, k]
+        """
+        return pseudo_bases.pseudo_basis(self.value)
+
     def __contains__(self, x: object) -> bool:
-        return z_lattice.contains(self.value, x)
+        return lattice_values.contains(self.value, x)
 
     def coordinates(self, x: object) -> tuple[Any, ...]:
         """Return the rational coordinates of an element with respect to :attr:`basis`."""
-        return z_lattice.coordinates(self.value, x)
+        return lattice_values.coordinates(self.value, x)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Lattice) and self.value == other.value
@@ -122,18 +165,25 @@ class Lattice(Hinted, PrintedBySympy):
 
     def __le__(self, other: Lattice) -> bool:
         """Tell whether every element of this lattice lies in the other."""
-        return z_lattice.includes(self._same(other, "compare").value, self.value)
+        return lattice_values.includes(self._same(other, "compare").value, self.value)
 
     def __ge__(self, other: Lattice) -> bool:
-        return z_lattice.includes(self.value, self._same(other, "compare").value)
+        return lattice_values.includes(self.value, self._same(other, "compare").value)
 
     def __repr__(self) -> str:
         return f"ℤ⟨{', '.join(map(str, self.basis))}⟩ in {self.algebra}"
 
     def latex(self) -> str:
-        """Write the lattice by its basis over ℤ, and its algebra, in LaTeX."""
-        basis = ", ".join(q.text("latex") for q in self.basis)
-        return rf"\mathbb{{Z}}\left\langle {basis} \right\rangle \subset {self.algebra.latex()}"
+        """Write the lattice by its basis over ℤ, or as a sum of ideals times elements, in LaTeX."""
+        if self.value.ambient.base.is_rational:
+            basis = ", ".join(q.text("latex") for q in self.basis)
+            return rf"\mathbb{{Z}}\left\langle {basis} \right\rangle \subset {self.algebra.latex()}"
+        K: Any = self.algebra.ring
+        pairs = []
+        for ideal, q in self.pseudo_basis():
+            numbers = (K.text(x, "latex") for x in K.ideal(list(ideal)).generators)
+            pairs.append(rf"\left({', '.join(numbers)}\right)\left({q.text('latex')}\right)")
+        return rf"{' + '.join(pairs)} \subset {self.algebra.latex()}"
 
     def _repr_latex_(self) -> str:
         return f"${self.latex()}$"
@@ -154,121 +204,161 @@ class Lattice(Hinted, PrintedBySympy):
 
     def __add__(self, other: object) -> Lattice:
         """Return the sum, the least lattice that contains both."""
-        return Lattice(z_lattice.add(self.value, self._same(other, "add").value))
+        return Lattice(lattice_values.add(self.value, self._same(other, "add").value))
 
     def __and__(self, other: object) -> Lattice:
         """Return the intersection."""
-        return Lattice(z_lattice.meet(self.value, self._same(other, "intersect").value))
+        return Lattice(lattice_values.meet(self.value, self._same(other, "intersect").value))
 
     def __mul__(self, other: object) -> Lattice:
-        """Return the lattice spanned by all products, or the multiple by an element or a number."""
-        if isinstance(other, Lattice):
-            return Lattice(z_lattice.product(self.value, self._same(other, "multiply").value))
-        return Lattice(z_lattice.multiple(self.value, other, "right"))
+        """Return the product with a lattice, an element, a number or an ideal of the field."""
+        return Lattice(self._times(other, "right"))
 
     def __rmul__(self, other: object) -> Lattice:
-        return Lattice(z_lattice.multiple(self.value, other, "left"))
+        return Lattice(self._times(other, "left"))
+
+    def _times(self, other: object, side: str) -> LatticeValue:
+        if isinstance(other, Lattice):
+            return lattice_values.product(self.value, self._same(other, "multiply").value)
+        if self.value.ambient.base.is_ideal(other):
+            return lattice_values.times_ideal(self.value, other)
+        return lattice_values.multiple(self.value, other, side)
 
     def __truediv__(self, n: object) -> Lattice:
-        """Return the lattice divided by a rational number."""
-        x = fraction(n)
-        if not x:
-            raise LatticeError("a lattice cannot be divided by 0")
-        return Lattice(z_lattice.scaled(self.value, 1 / x))
+        """Return the lattice divided by a number or an ideal of the field."""
+        return Lattice(self._divided(n))
+
+    def _divided(self, n: object) -> LatticeValue:
+        base = self.value.ambient.base
+        return lattice_values.times_ideal(self.value, base.inverse(base.ideal(n)))
 
     def conjugate(self) -> Lattice:
         """Return the lattice of the conjugates."""
-        return Lattice(z_lattice.conjugate(self.value))
+        return Lattice(lattice_values.conjugate(self.value))
 
     def dual(self) -> Lattice:
-        """Return ``{x : tr(x·L) ⊆ ℤ}``, the codifferent of an order (Voight, definition 15.6.2)."""
-        return Lattice(z_lattice.dual(self.value))
+        """Return the x with tr(x·L) in the integers, the codifferent of an order (Voight, 15.6.2)."""
+        return Lattice(lattice_values.dual(self.value))
 
     def colon(self, other: object, side: str = "left") -> Lattice:
         """Return ``{x : x·M ⊆ L}`` for M = other, or ``{x : M·x ⊆ L}`` for ``side="right"``."""
         factor = self._same(other, "divide")
-        return Lattice(z_lattice.colon(self.value, factor.value, checked_side(side)))
+        return Lattice(lattice_values.colon(self.value, factor.value, checked_side(side)))
 
-    def index(self, other: object) -> int | Fraction:
-        """Return the index of the other lattice in this one: an int where it is contained.
+    def index(self, other: object) -> Any:
+        """Return the index of the other lattice in this one, over ℤ an int where it is contained.
 
-        Otherwise the ratio of the volumes, a Fraction (Voight, section 9.6).
+        Otherwise the ratio of the volumes, a Fraction (Voight, section 9.6). Over ℤ_K it is an ideal.
         """
-        ratio = z_lattice.index(self.value, self._same(other, "compare").value)
-        return ratio.numerator if ratio.denominator == 1 else ratio
+        ratio = lattice_values.index(self.value, self._same(other, "compare").value)
+        return self.value.ambient.base.shown_index(ratio)
 
-    def left_order(self) -> Order:
-        """Return ``{x : x·L ⊆ L}``, an order; in M₂(ℚ) as in division algebras."""
-        return Order(z_order.order_of(self.value, "left"))
+    def volume(self) -> Any:
+        """Return the index of L in ⟨1, i, j, k⟩, or ⟨1, I, J, IJ⟩ over ℤ_K, as :meth:`index` does.
 
-    def right_order(self) -> Order:
+        >>> from hfield import H
+        >>> H("QQ").lipschitz_order().volume(), H("QQ").hurwitz_order().volume()
+        (1, Fraction(1, 2))
+        """
+        return self.value.ambient.base.shown_index(self.value.volume)
+
+    def left_order(self) -> Any:
+        """Return ``{x : x·L ⊆ L}``, an order; in matrix algebras as in division algebras."""
+        return self._order_on("left")
+
+    def right_order(self) -> Any:
         """Return ``{x : L·x ⊆ L}``, an order."""
-        return Order(z_order.order_of(self.value, "right"))
+        return self._order_on("right")
+
+    def _order_on(self, side: str) -> Any:
+        return order_of_value(lattice_values.order_of(self.value, side))
 
     def is_invertible(self) -> bool:
         """Tell whether ``L·L⁻¹`` is the left order: whether L is locally principal (Voight, 16.7.7)."""
-        return z_order.is_locally_principal(self.value, self.left_order().value)
+        return lattice_values.is_locally_principal(self.value, self.left_order().value)
 
     def inverse(self) -> Lattice:
         """Return ``{x : L·x·L ⊆ L}``, the inverse. Raises :class:`LatticeError` where L has none."""
         if not self.is_invertible():
             raise LatticeError(f"{shorten(self)} is not invertible: it is not locally principal")
-        return Lattice(z_lattice.scaled(z_lattice.conjugate(self.value), 1 / self.value.norm))
+        return Lattice(lattice_values.inverse(self.value))
 
     def is_integral(self) -> bool:
         """Tell whether products of elements of the lattice lie in it."""
-        return z_lattice.includes(self.value, z_lattice.product(self.value, self.value))
+        return lattice_values.includes(self.value, lattice_values.product(self.value, self.value))
 
     # --- the norm --------------------------------------------------------------------------------
 
-    def norm(self) -> fmpq:
-        """Return the reduced norm of the lattice, the gcd of the norms of its elements, in QQ."""
-        value = self.value
-        return fmpq(value.content, value.regular.scale * value.den * value.den)
+    def norm(self) -> Any:
+        """Return the reduced norm of the lattice: over ℤ the gcd of the norms of its elements, in QQ.
 
-    def gram_matrix(self) -> tuple[tuple[fmpq, ...], ...]:
+        Over ℤ_K it is the ideal that they generate.
+        """
+        return self.value.ambient.base.shown_norm(self.value)
+
+    def gram_matrix(self) -> tuple[tuple[Any, ...], ...]:
         """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`: twice the norms are on the diagonal."""
-        F, norm = self.algebra.ring, self.value.norm
-        return tuple(tuple(F(x * norm) for x in row) for row in hermite.tuples(self.value.even))
+        base, grams = self.value.ambient.base, self.value.grams
+        below = self.value.ambient.scale * self.value.den**2
+        size = range(len(self.basis))
+
+        def entry(m: int, n: int) -> Any:
+            return base.outside(base.element_of([fmpq(g[m, n], below) for g in grams]))
+
+        return tuple(tuple(entry(m, n) for n in size) for m in size)
 
     def reduced_basis(self) -> tuple[Quaternion, ...]:
-        """Return an LLL-reduced basis for the norm, the shortest first in a definite algebra.
+        """Return an LLL-reduced basis over ℤ for Tr(N(x)), the shortest first in a definite algebra.
 
-        In an indefinite one the norm is replaced by ``|w² …|``, the sum of the absolute values of its terms.
+        In an indefinite one over ℚ the norm is replaced by ``|w² …|``, the sum of the absolute values of its
+        terms; over other fields :class:`IndefiniteError` is raised.
         """
         rows, gram = self.value.reduced
         found = self.value.elements(rows)
-        if not self.value.regular.definite:
+        if not self.value.ambient.definite:
             return found
-        return tuple(found[n] for n in sorted(range(4), key=lambda n: gram[n][n]))
+        return tuple(found[n] for n in sorted(range(len(found)), key=lambda n: gram[n][n]))
 
     def shortest(self) -> tuple[Quaternion, ...]:
-        """Return the nonzero elements of least norm, of a definite algebra, x and −x."""
-        expect_definite(self.value, "shortest()")
+        """Return the nonzero elements x of least Tr(N(x)), over ℤ of least norm, of a definite algebra.
+
+        Both x and −x. Raises :class:`IndefiniteError`.
+        """
+        expect_definite(self.value.ambient, "shortest()")
         return short_elements.shortest(self.value)
 
     def elements_of_norm(self, n: object) -> tuple[Quaternion, ...]:
-        """Return all elements of norm n, of a definite algebra.
+        """Return all elements of norm n, a number of the field, of a definite algebra.
 
         Raises :class:`IndefiniteError`, and :class:`TooLargeError` where there are more than a million.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+        >>> len(O.elements_of_norm(1)), len(O.units()), len(O.shortest()), O.shortest()[0].norm()
+        (120, 60, 120, 1)
         """
-        expect_definite(self.value, "elements_of_norm()")
-        return short_elements.of_norm(self.value, fraction(n))
+        expect_definite(self.value.ambient, "elements_of_norm()")
+        return short_elements.of_norm(self.value, self.value.ambient.base.inside(n))
 
     def elements_of_norm_at_most(self, n: object) -> tuple[Quaternion, ...]:
-        """Return all elements of norm at most n, 0 too, of a definite algebra, by ascending norm.
+        """Return all elements with Tr(N(x)) at most n, over ℤ of norm at most n, 0 too, ascending.
 
         Raises as :meth:`elements_of_norm` does.
         """
-        expect_definite(self.value, "elements_of_norm_at_most()")
+        expect_definite(self.value.ambient, "elements_of_norm_at_most()")
         return short_elements.of_norm_at_most(self.value, fraction(n))
 
-    def theta_series(self, n: int) -> list[int]:
+    def theta_series(self, n: int) -> Any:
         """Return [r(0), …, r(n)], where r(m) elements have the norm ``m·norm()``, in a definite algebra.
 
-        Raises :class:`IndefiniteError`.
+        Over ℤ_K return {ν: r(ν)} for the norms ν of trace at most n, ascending by traces. Raises
+        :class:`IndefiniteError`, and :class:`TooLargeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().theta_series(3)
+        {0: 1, 1: 120, 3/2+1/2*sqrt(5): 120, 3/2-1/2*sqrt(5): 120}
         """
-        expect_definite(self.value, "theta_series()")
+        expect_definite(self.value.ambient, "theta_series()")
         return short_elements.theta_series(self.value, n)
 
 
@@ -337,7 +427,7 @@ class Order(WithStableClasses, Certified, Lattice):
             "algebra": str(self.algebra),
             **rows_json(self.value),
             "discriminant": self.value.discriminant,
-            "discriminant_of_algebra": self.value.regular.discriminant,
+            "discriminant_of_algebra": self.value.ambient.discriminant,
         }
 
     # --- what it is as a ring --------------------------------------------------------------------
@@ -353,7 +443,7 @@ class Order(WithStableClasses, Certified, Lattice):
 
     def is_definite(self) -> bool:
         """Tell whether the algebra ramifies at the infinite place: the order has finitely many units."""
-        return bool(self.value.regular.definite)
+        return bool(self.value.ambient.definite)
 
     def is_maximal(self) -> bool:
         """Tell whether no larger order contains this one: whether its discriminant is that small."""
@@ -380,7 +470,7 @@ class Order(WithStableClasses, Certified, Lattice):
         Raises :class:`IndefiniteError` and :class:`TooLargeError`. It is Gross's ternary lattice ("Heights
         and the special values of L-series", 1987).
         """
-        expect_definite(self.value, "ternary_theta_series()")
+        expect_definite(self.value.ambient, "ternary_theta_series()")
         return short_elements.theta_series_of_form(self.value.reduced_ternary[2], n)
 
     def ternary_form(self) -> TernaryForm:
@@ -394,7 +484,7 @@ class Order(WithStableClasses, Certified, Lattice):
         (x²+y²+3·z²+y·z, 11, (x²+y²+3·z²+y·z, x²+y²+4·z²+x·z+x·y))
         """
         value = self.value
-        den, rows, _ = value.reduced_ternary if value.regular.definite else value.ternary
+        den, rows, _ = value.reduced_ternary if value.ambient.definite else value.ternary
         i, j, k = (self.algebra(*x) / (2 * den) for x in rows.tolist())  # up to scalars
         found = ternary_forms.form_of((i, j, k), type(self.algebra))
         return found.reduced() if found.is_definite() else found
@@ -425,12 +515,12 @@ class Order(WithStableClasses, Certified, Lattice):
 
         Raises :class:`NotFiniteError` for an indefinite algebra, whose orders have infinitely many.
         """
-        expect_definite(self.value, "units()")
+        expect_definite(self.value.ambient, "units()")
         return self.elements_of_norm(1)
 
     def unit_count(self) -> int:
         """Return how many units there are; at most 24. Raises as :meth:`units` does."""
-        expect_definite(self.value, "unit_count()")
+        expect_definite(self.value.ambient, "unit_count()")
         return 2 * sum(1 for _ in short_elements.up_to(self.value, 1))
 
     def unit_group(self) -> str:
@@ -438,7 +528,7 @@ class Order(WithStableClasses, Certified, Lattice):
 
         Of an indefinite algebra, ``"infinite"``: a finitely presented group that is not written down.
         """
-        return UNIT_GROUPS[self.unit_count()] if self.value.regular.definite else "infinite"
+        return UNIT_GROUPS[self.unit_count()] if self.value.ambient.definite else "infinite"
 
     def norm_one_group(self) -> NormOneGroup:
         """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
@@ -552,7 +642,7 @@ class Order(WithStableClasses, Certified, Lattice):
 
     def mass(self) -> Fraction:
         """Return ``Σ 1/[O_L(I)^× : ±1]`` over the right ideal classes, by a formula."""
-        expect_definite(self.value, "the mass of ideal classes")
+        expect_definite(self.value.ambient, "the mass of ideal classes")
         return class_number.mass(self.value)
 
 
@@ -570,10 +660,14 @@ class Ideal(Certified, Lattice):
 
     elsewhere = IDEAL
 
-    def __init__(self, value: ZLattice, side: str = "left", order: Order | None = None) -> None:
+    def __init__(self, value: LatticeValue, side: str = "left", order: Order | None = None) -> None:
         super().__init__(value)
         self.side = side
         self._order = order
+
+    @property
+    def _arguments(self) -> tuple[object, ...]:
+        return self.value, self.side, self._order
 
     @classmethod
     def generated(cls, order: Order, generators: Iterable[object], side: str) -> Self:
@@ -581,7 +675,9 @@ class Ideal(Certified, Lattice):
 
         Raises :class:`LatticeError` when its rank is below 4.
         """
-        return cls(z_order.generated_ideal(order.value, listed(generators), side), side, order)
+        return cls(
+            lattice_values.generated_ideal(order.value, listed(generators), side), side, order
+        )
 
     @classmethod
     def of(cls, lattice: Lattice, side: str, order: Order | None = None) -> Self:
@@ -592,7 +688,7 @@ class Ideal(Certified, Lattice):
     def like(cls, lattice: Lattice, order: Order, side: str) -> Self:
         """Return a lattice as an ideal of an order. Raises :class:`LatticeError` where it is none."""
         pair = (lattice.value, order.value) if side == "right" else (order.value, lattice.value)
-        if z_lattice.product(*pair) != lattice.value:
+        if lattice_values.product(*pair) != lattice.value:
             raise LatticeError(f"{shorten(lattice)} is no {side} ideal of {shorten(order)}")
         return cls(lattice.value, side, order)
 
@@ -607,7 +703,8 @@ class Ideal(Certified, Lattice):
 
     def colon_order(self, side: str) -> Order:
         """Return the left or the right order, as for any lattice."""
-        return Order(z_order.order_of(self.value, "right" if side == "right" else "left"))
+        found: Order = self._order_on("right" if side == "right" else "left")
+        return found
 
     def left_order(self) -> Order:
         """Return ``{x : x·I ⊆ I}``; for an invertible left ideal it is :attr:`order`."""
@@ -621,7 +718,7 @@ class Ideal(Certified, Lattice):
 
     def is_invertible(self) -> bool:
         """Tell whether the ideal is locally principal."""
-        return z_order.is_locally_principal(self.value, self.order.value)
+        return lattice_values.is_locally_principal(self.value, self.order.value)
 
     def is_integral(self) -> bool:
         """Tell whether the ideal lies in its order."""
@@ -666,7 +763,7 @@ class Ideal(Certified, Lattice):
 
         Raises :class:`LatticeError` unless the ideal is integral.
         """
-        m = z_lattice.divisor(self.order.value, self.value)
+        m = 1 / lattice_values.scalars_into(self.value, self.order.value)
         if m.denominator != 1:
             raise LatticeError("only an integral ideal has a primitive part, and this one is none")
         return self / m, m.numerator
@@ -679,7 +776,7 @@ class Ideal(Certified, Lattice):
         self._joint(other)
         self._coprime(other)
         return Ideal(
-            z_lattice.product(self.inverse().value, (self & other).value),
+            lattice_values.product(self.inverse().value, (self & other).value),
             "left",
             self.right_order(),
         )
@@ -692,8 +789,8 @@ class Ideal(Certified, Lattice):
             )
         self._coprime(other)
         order = self.order
-        rest = z_lattice.scaled(order.value, other.value.norm)
-        found = z_lattice.add(z_lattice.product(self.value, other.value), rest)
+        rest = lattice_values.scaled(order.value, other.value.norm)
+        found = lattice_values.add(lattice_values.product(self.value, other.value), rest)
         return Ideal(found, "left", order)
 
     def _coprime(self, other: Ideal) -> None:
@@ -764,7 +861,7 @@ class Ideal(Certified, Lattice):
         (Kohel, Lauter, Petit and Tignol, 2014).
         """
         c = klpt.to_prime_norm(self.value, frozenset(avoid))
-        found = z_lattice.multiple(self.value, c, "left" if self.side == "right" else "right")
+        found = lattice_values.multiple(self.value, c, "left" if self.side == "right" else "right")
         return Ideal(found, self.side, self.order), c
 
     def equivalent_of_power_norm(self, prime: int, seed: int = 0) -> tuple[Ideal, Quaternion, int]:
@@ -780,7 +877,7 @@ class Ideal(Certified, Lattice):
 def _from_the_plane(order: ZOrder) -> equivalence.Search:
     """Return a search for elements of an indefinite algebra that are short from points of its plane."""
 
-    def search(lattice: ZLattice, size: Fraction) -> Quaternion | None:
+    def search(lattice: LatticeValue, size: Fraction) -> Quaternion | None:
         from hfield.fuchsian.search import element_of_norm
 
         split, rows = RationalOrder(order), hermite.tuples(lattice.reduced[0])
@@ -859,3 +956,636 @@ class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
 
 def _is_number(x: object) -> bool:
     return not isinstance(x, (Lattice, Quaternion, tuple, list, str))
+
+
+@dataclass(frozen=True)
+class Because:
+    """True or false in an ``if``, with the ``reason``; it equals True or False."""
+
+    holds: bool
+    reason: str
+
+    def __bool__(self) -> bool:
+        return self.holds
+
+    def __eq__(self, other: object) -> bool:
+        return self.holds == bool(other) if isinstance(other, bool | Because) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.holds)
+
+    def __repr__(self) -> str:
+        return str(self.holds)
+
+
+class IntegersOrder(Lattice, WithStableClasses, Certified):
+    """A lattice over the integers of a number field that is a ring with 1.
+
+    >>> from hfield import QuaternionAlgebra
+    >>> A = QuaternionAlgebra("QQ[s]/(s^3-2)", -1, -1); O = A.maximal_order()
+    >>> O.discriminant(), len(O.basis), O.is_maximal()
+    (ideal(2, s), 12, True)
+    >>> M = A.order(["i", "j"])
+    >>> M.is_maximal().reason
+    'its discriminant ideal(4) is that of the algebra, ideal(2, s), times ideal(4, 2*s^2)'
+    >>> M.maximal_overorder() >= M, M.local_index(A.ring.primes_above(2)[0])
+    (True, 5)
+    """
+
+    elsewhere = over_fields(ORDER) | {"ternary_quadratic_form": "ternary_form()"}
+
+    # --- what it is as a ring ----------------------------------------------------------------------
+
+    def discriminant(self) -> FieldIdeal:
+        """Return the reduced discriminant, an ideal of the integers of the field."""
+        return self._discriminant
+
+    @cached_property
+    def _discriminant(self) -> FieldIdeal:
+        found: FieldIdeal = lattice_values.discriminant(self.value)
+        return found
+
+    def norm_of_discriminant(self) -> int:
+        """Return the absolute norm of the reduced discriminant."""
+        return int(self.discriminant().norm())
+
+    @property
+    def level(self) -> FieldIdeal:
+        """The index in a maximal order: the reduced discriminant over that of the algebra."""
+        found: FieldIdeal = self.discriminant() / self.value.ambient.discriminant
+        return found
+
+    def local_index(self, prime: object) -> int:
+        """Return v_P[M : O] for a maximal order M that contains O."""
+        P = self.value.ambient.base.prime(prime)
+        return self.discriminant().valuation(P) - (P in self.value.ambient.ramified)
+
+    def eichler_symbol(self, prime: object) -> int | None:
+        """Return the Eichler symbol (O | P): 1, 0 or −1; None where the order is M₂(ℤ_P).
+
+        It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2).
+        """
+        P = self.value.ambient.base.prime(prime)
+        if not self.discriminant().valuation(P):
+            return None
+        return Local(self.value.ambient, P).symbol(self.value)
+
+    def is_eichler(self) -> bool:
+        """Tell whether this is an intersection of two maximal orders (Voight, section 24.3)."""
+        level = self.level.factorisation()
+        ramified = self.value.ambient.ramified
+        return all(
+            self.value.ambient.base.prime(P) not in ramified and self.eichler_symbol(P) == 1
+            for P, _ in level
+        )
+
+    def is_maximal(self) -> Because:
+        """Tell whether no larger order contains this one, with a ``reason``: its discriminant decides."""
+        level = self.level
+        if level == 1:
+            return Because(True, f"its discriminant {self.discriminant()} is that of the algebra")
+        whole = f"its discriminant {self.discriminant()} is that of the algebra"
+        return Because(False, f"{whole}, {self.value.ambient.discriminant}, times {level}")
+
+    def ternary_form(self) -> TernaryForm:
+        """Return a form whose even Clifford algebra is the order; up to units its discriminant is that.
+
+        Raises :class:`LatticeError` for an order that is no free module, see :meth:`pseudo_basis`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> f = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().ternary_form()
+        >>> f.order().is_maximal().holds, f.ring.norm(f.discriminant())
+        (True, 1)
+        """
+        _, *pairs = self.pseudo_basis()  # the first are the integers of the field
+        i, j, k = pseudo_bases.free_basis(self.value.ambient, tuple(pairs))
+        return ternary_forms.form_of((i, j, k), type(self.algebra))
+
+    def maximal_overorder(self) -> IntegersOrder:
+        """Return a maximal order that contains this one, always the same.
+
+        Raises :class:`UnfactoredError`, and :class:`TooLargeError` at primes of 64 bits and more.
+        """
+        return IntegersOrder(local_orders.maximal(self.value, self.level))
+
+    def is_definite(self) -> bool:
+        """Tell whether the algebra is totally definite: units modulo those of the field are finitely many."""
+        return self.value.ambient.definite
+
+    def conductor(self) -> FieldIdeal:
+        """Return the largest ideal f with O = ℤ_K + f·G for an order G; 1 for a Gorenstein order."""
+        return related_orders.conductor(self.value)
+
+    def is_gorenstein(self) -> bool:
+        """Tell whether the codifferent is invertible: whether the conductor is 1 (Voight, section 24.2)."""
+        return self.conductor() == 1
+
+    def gorenstein_closure(self) -> IntegersOrder:
+        """Return the Gorenstein order G with O = ℤ_K + f·G, f the conductor (Voight, section 24.2)."""
+        return IntegersOrder(related_orders.gorenstein_closure(self.value))
+
+    def is_bass(self) -> bool:
+        """Tell whether every order that contains this one is Gorenstein (Voight, section 24.5)."""
+        return related_orders.is_bass(self.value)
+
+    def is_hereditary(self) -> bool:
+        """Tell whether all ideals are invertible: whether no square divides the discriminant."""
+        return all(e == 1 for _, e in self.discriminant().factorisation())
+
+    def suborders(self, prime: object, k: int = 1) -> list[IntegersOrder]:
+        """Return all orders of index Pᵏ in this one. Raises :class:`TooLargeError` for many candidates.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.maximal_order(); P = A.ring.primes_above(2)[0]
+        >>> [len(O.suborders(P, k)) for k in (1, 2)], len(O.suborders(P)[0].overorders(P))
+        ([5, 41], 2)
+        """
+        return self._related(related_orders.suborders, prime, k)
+
+    def overorders(self, prime: object, k: int = 1) -> list[IntegersOrder]:
+        """Return all orders in which this one has the index Pᵏ. Raises :class:`TooLargeError` likewise."""
+        return self._related(related_orders.overorders, prime, k)
+
+    def _related(self, search: Any, prime: object, k: int) -> list[IntegersOrder]:
+        local = Local(self.value.ambient, self.value.ambient.base.prime(prime))
+        found = search(local, self.value, natural(k, "the exponent of an index is"))
+        return [IntegersOrder(value) for value in found]
+
+    # --- elements ----------------------------------------------------------------------------------
+
+    def represent_integer(self, n: object) -> Quaternion | None:
+        """Return an element of norm n, an integer of the field, or None where there is none.
+
+        Decided by enumeration, or by a prime that forbids it. Raises :class:`IndefiniteError` unless the
+        algebra is totally definite, and :class:`UndecidedError` for large n.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(2))", -1, -1); M, s = A.maximal_order(), A.ring.gen
+        >>> A.order(["i", "j"]).represent_integer(2 + s), M.represent_integer(2 + s).norm()
+        (None, 2+sqrt(2))
+        """
+        return quadratic_orders_over_fields.represent(self.value, n)
+
+    def embeddings(self, discriminant: object) -> IntegersEmbeddings:
+        """Return the optimal embeddings of the quadratic order of a totally negative discriminant.
+
+        Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); found = O.embeddings(-3)
+        >>> len(found), found.orbits, found.element**3
+        (20, 1, −1)
+        """
+        return quadratic_orders_over_fields.embeddings(self.value, discriminant)
+
+    # --- ideals ------------------------------------------------------------------------------------
+
+    def two_sided_prime(self, prime: object) -> IntegersIdeal:
+        """Return the two-sided ideal at P that generates, with those of the field, all invertible ones there.
+
+        Its square is Pᵉ·O, the part of the discriminant at P; it is P·O where P does not divide that.
+        Raises :class:`LatticeError` where the order is neither maximal nor Eichler at P.
+        """
+        P = self.value.ambient.base.prime(prime)
+        e = self.discriminant().valuation(P)
+        if e > 1 and (P in self.value.ambient.ramified or self.eichler_symbol(P) != 1):
+            raise LatticeError(
+                f"the order is neither maximal nor an Eichler order at {shorten(prime)}: its two-sided "
+                "ideals there are not known"
+            )
+        found = self * self.value.ambient.base.prime_ideal(P) ** max(e, 1)
+        if e:
+            found = found + self.dual() * self.discriminant()
+        return IntegersIdeal(found.value, "right", self)
+
+    def connecting_ideal(self, other: IntegersOrder) -> IntegersIdeal:
+        """Return the primitive integral ideal with this left order and the right order ``other``.
+
+        Raises :class:`LatticeError` unless both are Eichler orders of one level.
+        """
+        self._same(other, "connect")
+        level = self.level
+        if (
+            not isinstance(other, IntegersOrder)
+            or other.level != level
+            or not (self.is_eichler() and other.is_eichler())
+        ):
+            raise LatticeError(
+                "connecting ideals exist here between Eichler orders of one level, and these are none"
+            )
+        value = related_orders.connecting(self.value, other.value, level)
+        return IntegersIdeal(value, "left", self)
+
+    def left_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
+        """Return the left ideal O·x + O·y + … . Raises :class:`LatticeError` for a rank below 4."""
+        return IntegersIdeal.generated(self, generators, "left")
+
+    def two_sided_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
+        """Return the ideal of the sums of all a·x·b, as a right ideal. Raises :class:`LatticeError`."""
+        return IntegersIdeal((self.left_ideal(generators) * self).value, "right", self)
+
+    def right_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
+        """Return the right ideal x·O + y·O + … . Raises :class:`LatticeError` for a rank below 4."""
+        return IntegersIdeal.generated(self, generators, "right")
+
+    def ideals_of_prime_norm(self, prime: PrimeIdeal) -> tuple[Local, list[Rows]]:
+        """Return what is needed to list right ideals of norm P, computed once."""
+        if prime not in self._known:
+            local = Local(self.value.ambient, prime)
+            exponent = self.discriminant().valuation(prime)
+            found = ideals_over_fields.generators(local, self.value, exponent)
+            self._known[prime] = local, found
+        return self._known[prime]
+
+    @cached_property
+    def _known(self) -> dict[PrimeIdeal, tuple[Local, list[Rows]]]:
+        return {}
+
+    def subideals(self, ideal: Lattice, prime: object) -> list[IntegersIdeal]:
+        """Return all invertible right ideals of relative norm P in an invertible right ideal of this order.
+
+        They are N(P) + 1 where P does not divide the discriminant. Raises :class:`TooLargeError`.
+        """
+        local, found = self.ideals_of_prime_norm(self.value.ambient.base.prime(prime))
+        values = ideals_over_fields.subideals(local, self._same(ideal, "compare").value, found)
+        return [IntegersIdeal(J, "right", self) for J in values]
+
+    def ideals_of_norm(self, norm: object, side: str = "left") -> list[IntegersIdeal]:
+        """Return all invertible integral ideals on a side whose norm is an ideal or a prime of the field.
+
+        Of prime norm P, off the discriminant, there are N(P) + 1. Raises :class:`LatticeError`,
+        and :class:`TooLargeError` for more than 10⁵.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.eichler_order(3)
+        >>> [len(O.ideals_of_norm(n)) for n in (1, 2, 3)]
+        [1, 5, 19]
+        """
+        wanted = self.value.ambient.base.ideal(norm)
+        if not wanted.is_integral():
+            raise LatticeError(f"expected an ideal of integers as the norm, not {wanted}")
+        layer = [IntegersIdeal(self.value, "right", self)]
+        for P, e in wanted.factorisation():
+            if e > 1 and self.discriminant().valuation(P) > 1:
+                raise LatticeError(
+                    f"ideals of norm {wanted} are not listed at {P}, whose square divides the discriminant; "
+                    "those of norm P are"
+                )
+            for _ in range(e):
+                if (
+                    len(layer) * (self.value.ambient.base.prime(P).norm() + 1)
+                    > ideals_over_fields.MOST
+                ):
+                    raise TooLargeError(f"there are too many ideals of norm {wanted} to list them")
+                layer = list({J: J for I in layer for J in self.subideals(I, P)})
+        return layer if checked_side(side) == "right" else [J.conjugate() for J in layer]
+
+    def __repr__(self) -> str:
+        kind = "a maximal order" if self.is_maximal() else "an order"
+        return f"{kind} of {self.algebra} with the discriminant {self.discriminant()}"
+
+    # --- units, in an algebra that splits at one real place -----------------------------------------
+
+    def norm_one_group(self) -> NormOneGroup:
+        """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
+
+        Raises :class:`IndefiniteError` unless the field is totally real and exactly one real place splits.
+
+        >>> from hfield import QuaternionAlgebra, ring
+        >>> K = ring("QQ[s]/(s^3+s^2-2*s-1)")
+        >>> A = QuaternionAlgebra.from_ramification(K, K.real_places()[:2])
+        >>> G = A.maximal_order().norm_one_group(); G.area, G.signature
+        (Fraction(1, 42), Signature(genus=0, orders=(2, 3, 7), cusps=0))
+        """
+        from hfield.orders.over_integers.split_order import SplitIntegersOrder
+
+        return NormOneGroup(SplitIntegersOrder(self))
+
+    # --- units and classes, in a totally definite algebra ------------------------------------------
+
+    def unit_index(self) -> int:
+        """Return [Oˣ : ℤ_Kˣ]. Raises :class:`IndefiniteError` where it is infinite.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+        >>> O.unit_index(), O.unit_group()
+        (60, 'A5')
+        """
+        return equivalence_over_fields.unit_index(self.value)
+
+    def units(self) -> tuple[Quaternion, ...]:
+        """Return one unit of each coset of ℤ_Kˣ. Raises :class:`IndefiniteError` where they are infinite."""
+        rows = equivalence_over_fields.units(self.value)
+        return tuple(self.value.ambient.quaternion(row.entries()) for row in rows)
+
+    def unit_group(self) -> str:
+        """Return the name of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on. Raises :class:`IndefiniteError`."""
+        return equivalence_over_fields.unit_group(self.value)
+
+    def isomorphism(self, other: Lattice) -> equivalence_over_fields.Comparison:
+        """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
+
+        Raises :class:`IndefiniteError`.
+        """
+        ring = self._same(other, "compare").left_order()
+        if ring != other:
+            raise LatticeError(f"{shorten(repr(other))} is no order")
+        if self.discriminant() != ring.discriminant():
+            found = equivalence_over_fields.Comparison(False, "their discriminants differ")
+        else:
+            found = equivalence_over_fields.conjugator(self.value, ring.value)
+        return replace(found, claimed=partial(certificates_over_fields.of_isomorphism, self, ring))
+
+    @property
+    def claim(self) -> Claim:
+        """That this is an order of its discriminant, as a statement with its evidence."""
+        return certificates_over_fields.of_order(self)
+
+    @property
+    def units_claim(self) -> Claim:
+        """How many units there are modulo those of the field, likewise."""
+        return certificates_over_fields.of_unit_index(self)
+
+    def mass(self) -> Fraction:
+        """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, by a formula. Raises likewise."""
+        return class_sets.mass(self)
+
+    @cached_property
+    def _stable(self) -> StableClasses:
+        return stable_classes.stable_classes(self)
+
+    def _units_modulo_scalars(self) -> int:
+        return self.unit_index()
+
+    def class_set(self) -> IntegersClassSet:
+        """Return the invertible right ideal classes, complete by the mass formula. Raises likewise."""
+        if not self.is_definite():
+            number = class_sets.number_by_signs(self.algebra)
+            raise IndefiniteError(
+                f"{self.algebra} is split at an infinite place: by strong approximation an Eichler order "
+                f"has as many right ideal classes as the ideals of {self.algebra.ring.name} have modulo "
+                f"generators that are positive where the algebra ramifies, {number}, told by the reduced "
+                "norm, and classes_by_norm() has representatives; class_set() enumerates in totally definite "
+                "algebras"
+            )
+        return IntegersClassSet(self)
+
+    def classes_by_norm(self) -> IndefiniteClassSet:
+        """Return the right ideal classes where the algebra splits at an infinite place, with representatives.
+
+        Raises :class:`IndefiniteError` for a totally definite algebra, and for orders of which local units do
+        not have all norms.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra("QQ(sqrt(10))", -1, 3).maximal_order().classes_by_norm()
+        >>> len(C), [I.norm() for I in C], [C.index(I) for I in C], C.type_number
+        (2, [ideal(1), ideal(2, sqrt(10))], [0, 1], 1)
+        """
+        from hfield.orders.over_integers.indefinite_classes import IndefiniteClassSet
+
+        return IndefiniteClassSet(self)
+
+    def expect_right_ideal(self, ideal: object) -> None:
+        """Raise :class:`LatticeError` unless this is an invertible right ideal of the order."""
+        if not isinstance(ideal, IntegersIdeal) or ideal.side != "right":
+            raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
+        if ideal.order != self or not ideal.is_invertible():
+            raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of {self}")
+
+
+class IntegersIdeal(Lattice, Certified):
+    """A lattice with O·I = I for the order O (``side="left"``), or I·O = I (``side="right"``).
+
+    >>> from hfield import QuaternionAlgebra
+    >>> O = QuaternionAlgebra("QQ(sqrt(10))", -1, -1).maximal_order()
+    >>> I = O.left_ideal([3, "1 + i + j"])
+    >>> I.norm(), I.left_order() == O, I * I.inverse() == O, I.side
+    (ideal(3), True, True, 'left')
+    """
+
+    elsewhere = over_fields(IDEAL)
+
+    def __init__(self, value: LatticeValue, side: str, order: IntegersOrder | None = None) -> None:
+        super().__init__(value)
+        self.side, self._order = side, order
+
+    @property
+    def _arguments(self) -> tuple[object, ...]:
+        return self.value, self.side, self._order
+
+    @classmethod
+    def generated(cls, order: IntegersOrder, generators: Iterable[object], side: str) -> Self:
+        """Return the ideal O·x + O·y + …, or x·O + y·O + …. Raises :class:`LatticeError`."""
+        return cls(
+            lattice_values.generated_ideal(order.value, listed(generators), side), side, order
+        )
+
+    @property
+    def order(self) -> IntegersOrder:
+        """The order of which this is an ideal."""
+        if self._order is None:
+            self._order = self._order_on(self.side)
+        return self._order
+
+    def left_order(self) -> IntegersOrder:
+        """Return the x with x·I ⊂ I; for an invertible left ideal it is :attr:`order`."""
+        known = self.side == "left" and self.is_invertible()
+        return self.order if known else super().left_order()
+
+    def right_order(self) -> IntegersOrder:
+        """Return the x with I·x ⊂ I; for an invertible right ideal it is :attr:`order`."""
+        known = self.side == "right" and self.is_invertible()
+        return self.order if known else super().right_order()
+
+    def is_invertible(self) -> bool:
+        """Tell whether the ideal is locally principal."""
+        return lattice_values.is_locally_principal(self.value, self.order.value)
+
+    def is_integral(self) -> bool:
+        """Tell whether the ideal lies in its order."""
+        return self <= self.order
+
+    def is_two_sided(self) -> bool:
+        """Tell whether the left and the right order are the same."""
+        return self.left_order() == self.right_order()
+
+    def primitive_part(self) -> tuple[IntegersIdeal, FieldIdeal]:
+        """Return (J, a) with I = a·J, a an ideal of the field, and J integral and not in b·O for any other b.
+
+        Raises :class:`LatticeError` unless the ideal is integral.
+        """
+        inverse = lattice_values.scalars_into(self.value, self.order.value)
+        if not self.is_integral():
+            raise LatticeError("only an integral ideal has a primitive part, and this one is none")
+        return self._with(self * inverse), inverse.inverse()
+
+    # --- arithmetic --------------------------------------------------------------------------------
+
+    def _with(self, lattice: Lattice) -> IntegersIdeal:
+        return IntegersIdeal(lattice.value, self.side, self._order)
+
+    def __add__(self, other: object) -> Lattice:
+        return self._joint(other, super().__add__(other))
+
+    def __and__(self, other: object) -> Lattice:
+        return self._joint(other, super().__and__(other))
+
+    def _joint(self, other: object, found: Lattice) -> Lattice:
+        """Return a lattice made of two ideals as an ideal, where they are of one side and order."""
+        if isinstance(other, IntegersIdeal) and (self.side, self.order) == (
+            other.side,
+            other.order,
+        ):
+            return IntegersIdeal(found.value, self.side, self.order)
+        return found
+
+    def __mul__(self, other: object) -> Lattice:
+        """Return the product with a lattice, an element, a number or an ideal of the field."""
+        known = self._order
+        if self.side == "right" and isinstance(other, Lattice | Quaternion):
+            known = None
+            if isinstance(other, IntegersIdeal) and other.side == "right":
+                known = other.order
+        return IntegersIdeal(self._times(other, "right"), self.side, known)
+
+    def __rmul__(self, other: object) -> Lattice:
+        known = self.side == "right" or not isinstance(other, Quaternion)
+        return IntegersIdeal(self._times(other, "left"), self.side, self._order if known else None)
+
+    def conjugate(self) -> IntegersIdeal:
+        """Return the ideal of the conjugates, on the other side."""
+        return IntegersIdeal(super().conjugate().value, OTHER[self.side], self._order)
+
+    def inverse(self) -> IntegersIdeal:
+        """Return ``conj(I)/N(I)``. Raises :class:`LatticeError` unless I is locally principal."""
+        return IntegersIdeal(super().inverse().value, OTHER[self.side], self._order)
+
+    # --- classes, in a totally definite algebra ----------------------------------------------------
+
+    def is_principal(self) -> equivalence_over_fields.Comparison:
+        """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
+        return IntegersIdeal(self.order.value, self.side, self.order).equivalence(self)
+
+    def equivalence(self, other: IntegersIdeal) -> equivalence_over_fields.Comparison:
+        """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
+
+        Where there is none it is false, and ``reason`` says why. Where the algebra splits at several infinite
+        places, or at a complex one, strong approximation decides, and no element is told. Raises
+        :class:`LatticeError` for ideals that are not invertible, or of different orders or sides,
+        :class:`IndefiniteError` where an Eichler symbol is 0 in such an algebra.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order()
+        >>> I = O.left_ideal([11, "1 + 3*i + j"]); answer = I.is_principal()
+        >>> I.norm(), bool(answer), O.left_ideal([answer.element]) == I
+        (ideal(11), True, True)
+        """
+        same = isinstance(other, IntegersIdeal) and (self.side, self.order) == (
+            other.side,
+            other.order,
+        )
+        if not same or not (self.is_invertible() and other.is_invertible()):
+            raise LatticeError(
+                f"expected two invertible {self.side} ideals of one order, not {shorten(repr(other))}"
+            )
+        norm = other.norm() / self.norm()
+        if not (self.value.ambient.definite or self.value.ambient.is_fuchsian):
+            from hfield.orders.over_integers import indefinite_classes
+
+            return indefinite_classes.equivalence(self.order, norm)
+        pair = (self.inverse(), other) if self.side == "left" else (other, self.inverse())
+        between = pair[0] * pair[1]
+        if self.value.ambient.definite:
+            found = equivalence_over_fields.element_generating(between.value, norm)
+        else:
+            from hfield.orders.over_integers.split_order import element_generating
+
+            found = element_generating(self.order, between.value, norm)
+        return replace(found, claimed=partial(certificates_over_fields.of_equivalence, self, other))
+
+    def is_equivalent(self, other: IntegersIdeal) -> bool:
+        """Tell whether J = I·c, or c·I, for some c. Raises as :meth:`equivalence` does."""
+        return bool(self.equivalence(other))
+
+    @property
+    def claim(self) -> Claim:
+        """That this is a locally principal ideal of its order, as a statement with its evidence."""
+        return certificates_over_fields.of_ideal(self)
+
+    def __repr__(self) -> str:
+        return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
+
+
+class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified, Hinted):
+    """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
+
+    >>> from hfield import QuaternionAlgebra
+    >>> C = QuaternionAlgebra("QQ(sqrt(6))", -1, -1).maximal_order().class_set()
+    >>> len(C), C.mass, C.type_number
+    (3, Fraction(1, 4), 3)
+    """
+
+    elsewhere = CLASSES
+    order: IntegersOrder
+
+    def __init__(self, order: IntegersOrder) -> None:
+        super().__init__(order)
+        self.order = order
+
+    @property
+    def claim(self) -> Claim:
+        """How many classes there are, as a statement with its evidence."""
+        return certificates_over_fields.of_class_set(self)
+
+    def __getitem__(self, n: int) -> IntegersIdeal:
+        """Return the representative of class n, a right ideal that contains 1; class 0 is that of O."""
+        return IntegersIdeal(self.lattices[n], "right", self.order)
+
+    def __iter__(self) -> Iterator[IntegersIdeal]:
+        return (self[n] for n in range(len(self)))
+
+    def left_ideals(self) -> Iterator[IntegersIdeal]:
+        """Yield representatives of the left ideal classes, the conjugates of the right ones."""
+        return (I.conjugate() for I in self)
+
+    def index(self, ideal: IntegersIdeal) -> int:
+        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
+        self.order.expect_right_ideal(ideal)
+        return self.class_of(ideal.value)
+
+    def left_orders(self) -> list[IntegersOrder]:
+        """Return the left orders of the representatives, one a class."""
+        return [I.left_order() for I in self]
+
+    def _stable_class(self, n: int) -> tuple[int, int]:
+        stable, norm, ambient = self.order._stable, self.norms[n], self.ambient
+        local = (
+            ideals_over_fields.local_generator(Local(ambient, place.prime), self.lattices[n])
+            for place in stable.places
+        )
+        values = (ambient.norm(x.entries()) / norm.element for x in local)
+        return norm.number, stable.reduced(values)
+
+    @cached_property
+    def _forms(self) -> IntegersModule:
+        """The functions on the classes as a module of Hecke operators."""
+        ambient = self.ambient
+
+        def of_level(level: list[tuple[PrimeIdeal, int]]) -> IntegersClassSet:
+            primes = [ambient.base.prime_ideal(P) ** e for P, e in level]
+            ideal = math.prod(primes, start=ambient.base.one)
+            return IntegersClassSet(IntegersOrder(local_orders.eichler(self._maximal.value, ideal)))
+
+        return IntegersModule(self, of_level)
+
+    @cached_property
+    def _maximal(self) -> IntegersOrder:
+        return self.order.maximal_overorder()
+
+    def __repr__(self) -> str:
+        return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
+
+
+def order_of_value(value: LatticeValue) -> Any:
+    """Return a lattice that is known to be a ring with 1 as an order."""
+    return Order(ZOrder.of(value)) if value.ambient.base.is_rational else IntegersOrder(value)

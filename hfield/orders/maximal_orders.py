@@ -18,11 +18,11 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise
-from hfield.orders import hermite, z_lattice
+from hfield.orders import hermite, lattice_values
 from hfield.orders.checked_arguments import expect_coprime
+from hfield.orders.lattice_values import LatticeValue, hermite_form, order_of
 from hfield.orders.modulo_primes import kernel, lifted, roots, simple_root
-from hfield.orders.z_lattice import ZLattice, hermite_form
-from hfield.orders.z_order import ZOrder, order_of
+from hfield.orders.z_order import ZOrder
 from hfield.rings.whole_numbers import crt
 
 Line = tuple[int, list[int]]
@@ -32,7 +32,7 @@ MOST = 10_000
 Value = TypeVar("Value")
 
 
-def radical(order: ZOrder, p: int) -> ZLattice:
+def radical(order: ZOrder, p: int) -> LatticeValue:
     """Return the elements of O that are in the Jacobson radical modulo p; p·O where O is M₂(ℤₚ).
 
     They are those with ``tr(x·O) ≡ 0`` and ``N(x) ≡ 0`` modulo p.
@@ -47,10 +47,10 @@ def radical(order: ZOrder, p: int) -> ZLattice:
     return above(order, fmpz_mat([*vectors, [0] * 4]) * order.matrix, p)
 
 
-def above(lattice: ZLattice, rows: fmpz_mat, n: int) -> ZLattice:
+def above(lattice: LatticeValue, rows: fmpz_mat, n: int) -> LatticeValue:
     """Return the lattice of some rows, over the denominator of the given one, and n times this one."""
     entries = rows.entries() + (lattice.matrix * n).entries()
-    return hermite_form(lattice.algebra, lattice.den, fmpz_mat(len(entries) // 4, 4, entries))
+    return hermite_form(lattice.ambient, lattice.den, fmpz_mat(len(entries) // 4, 4, entries))
 
 
 def overorder(order: ZOrder) -> ZOrder:
@@ -62,12 +62,12 @@ def overorder(order: ZOrder) -> ZOrder:
 
 def maximal_at(order: ZOrder, p: int) -> ZOrder:
     """Return an order that contains the given one, is maximal at p, and the same elsewhere."""
-    wanted = order.regular.discriminant % p == 0
+    wanted = order.ambient.discriminant % p == 0
     while True:
         discriminant = order.discriminant
         if (discriminant % p == 0) == wanted and discriminant % (p * p):
             return order
-        larger = order_of(radical(order, p), "left")
+        larger = ZOrder.of(order_of(radical(order, p), "left"))
         if larger == order:  # hereditary, of level p
             return endpoints(order, p, 1)[0]
         order = larger
@@ -99,10 +99,10 @@ def with_two_roots(
 
 def _end(order: ZOrder, v: tuple[int, ...], root: int, q: int) -> ZOrder:
     """Return the left order of the two-sided ideal of x − root and q, x with the coordinates v."""
-    r, (w, *rest) = order.regular, order.row(v)
+    r, (w, *rest) = order.ambient, order.row(v)
     ideal = r.products(fmpz_mat([[w - root * order.den, *rest]]), order.matrix)
     rows = hermite.divided(r.products(order.matrix, ideal), (order.den * r.scale) ** 2)
-    return order_of(above(order, rows, q), "left")
+    return ZOrder.of(order_of(above(order, rows, q), "left"))
 
 
 def eichler_suborder(order: ZOrder, level: int) -> ZOrder:
@@ -124,7 +124,7 @@ def left_multiples(
     """
     found = [(zero_divisor(order, p, e, lines(p**e)), p**e) for p, e in sorted(primes.items())]
     x = [crt((y[n], q) for y, q in found)[0] for n in range(4)]
-    r = order.regular
+    r = order.ambient
     return hermite.divided(order.matrix * r.right_matrix(order.row(x)), order.den * r.scale)
 
 
@@ -182,7 +182,7 @@ def _maximal_suborders(order: ZOrder, p: int) -> Iterator[tuple[int, ZOrder]]:
     if p * p + p + 1 > MOST:
         raise TooLargeError(f"there are too many candidates for orders at {p} to try them")
     one = [order.den, 0, 0, 0]
-    first = z_lattice.coordinates(order, 1)
+    first = lattice_values.coordinates(order, 1)
     pivot = next(n for n, c in enumerate(first) if int(c.p) % p)
     b, c, d = (row for n, row in enumerate(order.hnf[1]) if n != pivot)
 
@@ -197,7 +197,7 @@ def _maximal_suborders(order: ZOrder, p: int) -> Iterator[tuple[int, ZOrder]]:
     planes += [*((plus(b, (x, c)), d) for x in digits), (c, d)]
     for pair in planes:
         found = spanned(*pair)
-        if z_lattice.add(found, z_lattice.product(found, found)) == found:
+        if lattice_values.add(found, lattice_values.product(found, found)) == found:
             yield 1, found
     lines = [plus(b, (x, c), (y, d)) for x, y in product(digits, repeat=2)]
     for v in (*lines, *(plus(c, (y, d)) for y in digits), d):

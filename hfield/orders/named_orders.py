@@ -24,11 +24,11 @@ from hfield.factorisation import factorise
 from hfield.fields.rationals.residues import PrimePlace
 from hfield.orders import class_number as class_numbers
 from hfield.orders import hermite
+from hfield.orders.basis import basis_of
 from hfield.orders.checked_arguments import expect_coprime, positive
+from hfield.orders.lattice_values import hermite_form
 from hfield.orders.maximal_orders import eichler_suborder, overorder
 from hfield.orders.modulo_primes import kronecker
-from hfield.orders.regular_representation import regular
-from hfield.orders.z_lattice import hermite_form
 from hfield.orders.z_order import ZOrder, generated
 from hfield.primality import is_prime
 from hfield.product import Constants, Coordinates, multiply
@@ -42,9 +42,10 @@ def maximal_order(algebra: Parent) -> ZOrder:
 
     Raises :class:`UndecidedError` when the constants are too hard to factor.
     """
-    constants = regular(algebra).constants
+    ambient = basis_of(algebra)
+    constants = Constants(*map(fraction, ambient.constants))
     den, rows = hermite.integral(maximal_basis(constants))
-    order = ZOrder.of(hermite_form(algebra, den, fmpz_mat(rows)))
+    order = ZOrder.of(hermite_form(ambient, den, fmpz_mat(rows)))
     if order.level != 1:  # also remembers the primes, which the caller may have named
         raise AssertionError("the even Clifford algebra of a minimal form is maximal")
     return order
@@ -66,26 +67,28 @@ def lipschitz_order(algebra: Parent) -> ZOrder:
 
     Raises :class:`CoercionError` unless a, t and b are integers.
     """
-    constants = regular(algebra).constants
+    constants = Constants(*map(fraction, basis_of(algebra).constants))
     if any(x.denominator != 1 for x in constants):
         raise CoercionError(
             "e, i, j, k span an order over the integers only if a, t and b are integers"
         )
-    return ZOrder(algebra, 1, fmpz_mat([[int(m == n) for n in range(4)] for m in range(4)]))
+    return ZOrder(
+        basis_of(algebra), 1, fmpz_mat([[int(m == n) for n in range(4)] for m in range(4)])
+    )
 
 
 def hurwitz_order(algebra: Parent) -> ZOrder:
     """Return the Hurwitz order. Raises :class:`CoercionError` except for (−1,−1|ℚ)."""
-    if tuple(regular(algebra).constants) != (-1, 0, -1):
+    if tuple(basis_of(algebra).constants) != (-1, 0, -1):
         raise CoercionError(f"the Hurwitz order belongs to (-1,-1|QQ), not to {algebra}")
     rows = [[1, 1, 1, 1], [0, 2, 0, 0], [0, 0, 2, 0], [0, 0, 0, 2]]
-    return ZOrder(algebra, 2, fmpz_mat(rows))
+    return ZOrder(basis_of(algebra), 2, fmpz_mat(rows))
 
 
 def class_number(algebra: Parent, level: object) -> int:
     """Return the number of ideal classes of an Eichler order of the given level."""
     n = positive(level, "level")
-    r = regular(algebra)
+    r = basis_of(algebra)
     if r.definite:
         return class_numbers.class_number(r.discriminant, n)
     expect_coprime(n, r.discriminant)
@@ -146,7 +149,7 @@ def extremal_order(algebra: Parent) -> ZOrder:
 
     Raises :class:`LatticeError` for another algebra.
     """
-    r = regular(algebra)
+    r = basis_of(algebra)
     if not r.definite or len(r.ramified) != 1:
         raise LatticeError(
             f"{algebra} has no p-extremal order: expected a definite algebra of prime discriminant"

@@ -70,7 +70,7 @@ def embeddings(order: ZOrder, d: int) -> tuple[tuple[Quaternion, ...], int]:
 
     Raises :class:`LatticeError` for a d that is no negative discriminant, :class:`IndefiniteError`.
     """
-    expect_definite(order, "embeddings()")
+    expect_definite(order.ambient, "embeddings()")
     if d >= 0 or d % 4 not in (0, 1):
         raise LatticeError(
             f"{d} is no discriminant of an imaginary quadratic order: expected d < 0, 0 or 1 modulo 4"
@@ -148,8 +148,8 @@ def _frame(order: ZOrder, x: tuple[int, ...]) -> Frame:
     d = -int(str(element.norm()))
     alpha = (element + d % 2) / 2
     # elements with trace 0 and orthogonal to s
-    r = order.regular
-    forms = order.matrix * r.form
+    r = order.ambient
+    forms = order.matrix * r.trace_form
     conditions = forms * fmpz_mat([[1, s[0]], [0, s[1]], [0, s[2]], [0, s[3]]])
     stacked = [
         [*row, *(int(m == n) for n in range(4))] for m, row in enumerate(conditions.tolist())
@@ -157,7 +157,7 @@ def _frame(order: ZOrder, x: tuple[int, ...]) -> Frame:
     h = fmpz_mat(stacked).hnf()
     kernel = fmpz_mat([row[2:] for row in h.tolist()[2:]])
     plane = kernel * order.matrix
-    small, steps = (plane * r.form * plane.transpose()).lll(transform=True, rep="gram")
+    small, steps = (plane * r.trace_form * plane.transpose()).lll(transform=True, rep="gram")
     rows2 = hermite.tuples(steps * plane)
     beta = order.element(rows2[0] if small[0, 0] <= small[1, 1] else rows2[1])
     return Frame(d, int(str(beta.norm())), alpha, beta)
@@ -247,7 +247,7 @@ def represent_integer(order: ZOrder, n: int, seed: int | None = None) -> Quatern
     Raises :class:`IndefiniteError`, and :class:`UndecidedError` where n is too large to enumerate and nothing
     was found.
     """
-    expect_definite(order, "represent_integer()")
+    expect_definite(order.ambient, "represent_integer()")
     rows, gram = order.reduced
     if enumeration.volume(gram, 2 * n, 3) < ENUMERATED:
         for x in enumeration.vectors_of_length(gram, 2 * n):

@@ -1,106 +1,206 @@
-"""The norm on a lattice of a definite algebra: short elements, elements of given norm, theta series."""
+"""The norm on a lattice of a totally definite algebra: short elements, elements of given norm, theta series.
+
+The forms Tr(c·N(x)) are positive definite over ℤ for totally positive c. An element of norm ν has the value
+n = [K : ℚ] in the form with c = 1/ν; by the inequality of the means every x ≠ 0 with N(x)/ν integral has at
+least that. So equivalences, generators and units are vectors of least conceivable length: they are there, or
+an exhausted enumeration says that they are not (J. Voight, *Quaternion Algebras*, section 17.6; M. Kirschmer
+and J. Voight, *SIAM J. Comput.* 39, 2010). All is integral.
+"""
 
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Iterator
-from fractions import Fraction
+from typing import Any
+
+from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import IndefiniteError, TooLargeError
+from hfield.errors import IndefiniteError, TooLargeError, shorten
 from hfield.orders import enumeration, hermite
+from hfield.orders.basis import AlgebraBasis
 from hfield.orders.checked_arguments import natural
-from hfield.orders.z_lattice import ZLattice
-from hfield.rings.whole_numbers import fraction
+from hfield.orders.lattice_values import LatticeValue
 
 Row = tuple[int, ...]
-MANY = 10**6
+MAX_LISTED = 10**6
 """More vectors than this are not listed."""
-MOST_STEPS = 2 * 10**7
+MAX_STEPS = 2 * 10**7
 """More vectors than this are not run through."""
 
 
-def expect_definite(lattice: ZLattice, what: str) -> None:
-    """Raise :class:`IndefiniteError` unless the algebra is definite."""
-    if not lattice.regular.definite:
-        raise IndefiniteError(
-            f"{lattice.algebra} is indefinite, so infinitely many elements may have one norm: "
-            f"{what} asks for a definite algebra, a < 0 and b < 0 where t = 0"
-        )
+def expect_definite(ambient: AlgebraBasis, what: str) -> None:
+    """Raise :class:`IndefiniteError` unless the algebra is totally definite."""
+    if ambient.definite:
+        return
+    algebra = shorten(ambient.algebra)
+    if not ambient.base.is_totally_real:
+        why = f"{shorten(algebra)} is indefinite, as its field is not totally real"
+    else:
+        why = f"{algebra} is indefinite, split at a real place"
+    raise IndefiniteError(
+        f"{why}, so infinitely many elements may have one norm: {what} asks for a totally definite algebra, "
+        "a < 0 and b < 0 where t = 0"
+    )
 
 
 def expect_affordable(vectors: float, what: str) -> None:
     """Raise :class:`TooLargeError` where so many vectors are not run through."""
-    if vectors > MOST_STEPS:
+    if vectors > MAX_STEPS:
         raise TooLargeError(
             f"about {vectors:.0e} {what} the one asked for would have to be run through, and at most "
-            f"{MOST_STEPS:.0e} are; O.represent_integer(n) finds one element of large norm"
+            f"{MAX_STEPS:.0e} are; O.represent_integer(n) finds one element of large norm"
         )
 
 
-def up_to(lattice: ZLattice, bound: int) -> Iterator[tuple[Row, int]]:
-    """Yield one of ±x for the nonzero elements of norm at most ``bound·norm``, and their multiples.
+# --- one lattice, its form Tr(N(x)) ----------------------------------------------------------------
+
+
+def up_to(lattice: LatticeValue, bound: int) -> Iterator[tuple[Row, int]]:
+    """Yield one of ±x for the x ≠ 0 with Tr(N(x)) at most ``bound`` times the content, and their multiples.
 
     Elements are rows over the denominator of the lattice.
     """
     rows, gram = lattice.reduced
-    a, b, c, d = hermite.tuples(rows)
-    for (p, q, r, s), value in enumeration.short_vectors(gram, 2 * bound):
-        yield tuple(p * a[n] + q * b[n] + r * c[n] + s * d[n] for n in range(4)), value // 2
+    columns = list(zip(*hermite.tuples(rows), strict=True))
+    combination = lattice.ambient.kernels.combination
+    for x, value in enumeration.short_vectors(gram, 2 * bound):
+        yield combination(x, columns), value // 2
 
 
-def least_norm(lattice: ZLattice) -> int:
-    """Return the least norm of a nonzero element, as a multiple of the norm of the lattice."""
+def least_norm(lattice: LatticeValue) -> int:
+    """Return the least Tr(N(x)) for x ≠ 0, as a multiple of the content: over ℤ of the norm."""
     return enumeration.least_vectors(lattice.reduced[1])[0] // 2
 
 
-def shortest(lattice: ZLattice) -> tuple[Quaternion, ...]:
-    """Return the nonzero elements of least norm, x and −x."""
+def shortest(lattice: LatticeValue) -> tuple[Quaternion, ...]:
+    """Return the x ≠ 0 with the least Tr(N(x)), x and −x."""
     rows, gram = lattice.reduced
     return _signed(
         lattice, (hermite.combination(x, rows) for x in enumeration.least_vectors(gram)[1])
     )
 
 
-def of_norm(lattice: ZLattice, n: Fraction) -> tuple[Quaternion, ...]:
-    """Return all elements of norm n. Raises :class:`TooLargeError`."""
-    multiple = n / lattice.norm
-    if multiple.denominator != 1 or multiple < 0:
+def _multiple_of_content(lattice: LatticeValue, n: Any) -> fmpq:
+    """Return a rational number as a multiple of the content of Tr(N(x))."""
+    ambient = lattice.ambient
+    return (
+        fmpq(n.numerator, n.denominator) * (ambient.scale * lattice.den**2) / fmpq(lattice.content)
+    )
+
+
+def of_norm(lattice: LatticeValue, norm: Any) -> tuple[Quaternion, ...]:
+    """Return all elements with a norm, a number of the field. Raises :class:`TooLargeError`."""
+    base = lattice.ambient.base
+    if not norm:
+        return (lattice.element([0] * lattice.ambient.size),)
+    if not base.is_totally_positive(norm):
         return ()
-    if not multiple:
-        return (lattice.algebra(0, 0, 0, 0),)
-    rows, gram = lattice.reduced
-    wanted = 2 * multiple.numerator
-    expect_affordable(enumeration.volume(gram, wanted, 3), "elements of norm at most")
-    vectors = enumeration.vectors_of_length(gram, wanted)
-    return _signed(lattice, (hermite.combination(x, rows) for x in vectors))
+    form = _form_of_norm(lattice, norm)
+    if form is None:
+        return ()
+    gram, _, length = form
+    expect_affordable(enumeration.volume(gram, length, len(gram) - 1), "elements of norm at most")
+    return _signed(lattice, (tuple(map(int, row.entries())) for row in _rows(lattice, norm, form)))
 
 
-def of_norm_at_most(lattice: ZLattice, n: Fraction) -> tuple[Quaternion, ...]:
-    """Return all elements of norm at most n, 0 too, by ascending norm. Raises :class:`TooLargeError`."""
-    bound = math.floor(n / lattice.norm)
+Form = tuple[list[list[int]], fmpz_mat, int]
+
+
+def _form_of_norm(lattice: LatticeValue, norm: Any) -> Form | None:
+    """Return a multiple of Tr(N(x)/ν) on a reduced basis, rows over the denominator, and its value.
+
+    The value is that for N(x) = ν; None where there is no such x.
+    """
+    ambient = lattice.ambient
+    rational = ambient.base.as_rational(norm)
+    if rational is not None:  # the form is a multiple of Tr(N(x))
+        rows, gram = lattice.reduced
+        length = 2 * ambient.degree * _multiple_of_content(lattice, rational)
+        return (gram, rows, int(length.p)) if length.q == 1 else None
+    gram, basis, den = reduced(ambient, lattice.rows, 1 / norm)
+    return gram, (basis * lattice.den).numer_denom()[0], 2 * ambient.degree * den
+
+
+def _rows(lattice: LatticeValue, norm: Any, form: Form) -> Iterator[fmpz_mat]:
+    gram, basis, length = form
+    ambient, below = lattice.ambient, fmpq(1, lattice.den)
+    for x in enumeration.vectors_of_length(gram, length):
+        row = fmpz_mat(1, len(x), x) * basis
+        # over ℤ the form is the norm
+        if ambient.degree == 1 or ambient.norm((row * below).entries()) == norm:
+            yield row
+
+
+def rows_of_norm(lattice: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
+    """Yield one of ±x for each x with a norm, totally positive."""
+    form = _form_of_norm(lattice, norm)
+    if form is not None:
+        yield from (row * fmpq(1, lattice.den) for row in _rows(lattice, norm, form))
+
+
+def of_norm_at_most(lattice: LatticeValue, n: Any) -> tuple[Quaternion, ...]:
+    """Return all x with Tr(N(x)) at most a rational number, 0 too, ascending. Raises likewise."""
+    bound = math.floor(_multiple_of_content(lattice, n))
     if bound < 0:
         return ()
+    base = lattice.ambient.base
     found = _signed(lattice, (row for row, _ in up_to(lattice, bound)))
-    zero = lattice.algebra(0, 0, 0, 0)
-    return (zero, *sorted(found, key=lambda q: fraction(q.norm())))
+    zero = lattice.element([0] * lattice.ambient.size)
+    return (zero, *sorted(found, key=lambda q: base.trace(base.inside(q.norm()))))
 
 
-def _signed(lattice: ZLattice, rows: Iterable[Row]) -> tuple[Quaternion, ...]:
+def _signed(lattice: LatticeValue, rows: Iterable[Row]) -> tuple[Quaternion, ...]:
     """Return the elements of some rows and their negatives, in a fixed order."""
     both: list[Row] = []
     for row in rows:
         both += (row, tuple(-x for x in row))
-        if len(both) > MANY:
+        if len(both) > MAX_LISTED:
             raise TooLargeError(
-                f"more than {MANY} elements have so small a norm; theta_series(n) counts them"
+                f"more than {MAX_LISTED} elements have so small a norm; theta_series(n) counts them"
             )
     return tuple(lattice.element(row) for row in sorted(both, reverse=True))
 
 
-def theta_series(lattice: ZLattice, n: object) -> list[int]:
-    """Return [r(0), …, r(n)], where r(m) elements have the norm ``m·norm``. Raises :class:`TooLargeError`."""
-    return theta_series_of_form(lattice.reduced[1], n)
+def theta_series(lattice: LatticeValue, n: object) -> Any:
+    """Return how many elements have which norm. Raises :class:`TooLargeError`.
+
+    Over ℤ it is the list [r(0), …, r(n)], r(m) for the norm ``m·norm``; else {ν: r(ν)} for the norms of trace
+    at most n, ascending by traces.
+    """
+    if lattice.ambient.base.is_rational:
+        return theta_series_of_form(lattice.reduced[1], n)
+    bound = natural(n, "a theta series goes up to the trace")
+    base, ambient = lattice.ambient.base, lattice.ambient
+    counts = norm_counts(lattice, bound)
+    norms = {base.element_of(values): count for values, count in counts.items()}
+    ordered = sorted(norms.items(), key=lambda pair: (base.trace(pair[0]), str(pair[0])))
+    return {ambient.base.outside(norm): count for norm, count in ordered}
+
+
+def norm_counts(lattice: LatticeValue, bound: int) -> dict[tuple[fmpq, ...], int]:
+    """Return how many elements have each norm of trace at most a bound, by its coordinates."""
+    ambient = lattice.ambient
+    rows, gram = lattice.reduced
+    length = math.floor(2 * _multiple_of_content(lattice, bound))
+    if (estimate := enumeration.volume(gram, length, len(gram))) > 8 * MAX_LISTED:
+        raise TooLargeError(
+            f"about {estimate:.0e} elements have norms of trace at most {bound}, and at most "
+            f"{2 * MAX_LISTED} are counted; expected a smaller bound"
+        )
+    forms = [[list(map(int, row)) for row in form.tolist()] for form in ambient.grams(rows)]
+    counts = Counter({(0,) * len(forms): 1})
+    for number, (x, _) in enumerate(enumeration.short_vectors(gram, length), 1):
+        if number > MAX_LISTED:
+            raise TooLargeError(
+                f"more than {2 * MAX_LISTED} elements have norms of trace at most {bound}"
+            )
+        places = [(k, c) for k, c in enumerate(x) if c]
+        values = (sum(c * d * form[k][m] for k, c in places for m, d in places) for form in forms)
+        counts[tuple(values)] += 2
+    below = 2 * ambient.scale * lattice.den**2
+    return {tuple(fmpq(v, below) for v in values): count for values, count in counts.items()}
 
 
 def theta_series_of_form(gram: enumeration.Gram, n: object) -> list[int]:
@@ -108,3 +208,25 @@ def theta_series_of_form(gram: enumeration.Gram, n: object) -> list[int]:
     m = natural(n, "a theta series goes up to")
     expect_affordable(enumeration.volume(gram, 2 * m, len(gram)), "elements as short as")
     return enumeration.theta_series(gram, m)
+
+
+# --- rows of any rank, other forms -----------------------------------------------------------------
+
+
+def reduced(ambient: AlgebraBasis, rows: fmpq_mat, c: Any) -> tuple[list[list[int]], fmpq_mat, int]:
+    """Return ``Tr(c·tr(x·conj(y)))`` times a number for a reduced basis, the basis, and the number.
+
+    Rows are a basis of a lattice of any rank.
+    """
+    whole, den = (rows * ambient.form(c) * rows.transpose()).numer_denom()
+    gram, change = whole.lll(transform=True, rep="gram")
+    return [list(map(int, row)) for row in gram.tolist()], change * rows, int(den)
+
+
+def of_norm_among(ambient: AlgebraBasis, rows: fmpq_mat, norm: Any) -> Iterator[fmpq_mat]:
+    """Yield one of ±x for each x with a norm, totally positive, among the combinations of rows."""
+    gram, basis, den = reduced(ambient, rows, 1 / norm)
+    for x in enumeration.vectors_of_length(gram, 2 * ambient.degree * den):
+        row = fmpz_mat(1, len(x), x) * basis
+        if ambient.norm(row.entries()) == norm:
+            yield row

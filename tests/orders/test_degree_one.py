@@ -29,7 +29,7 @@ def plain(A: QuaternionAlgebra) -> QuaternionAlgebra:
 
 
 def rows(values):
-    return [tuple(K(x) for x in row) for row in values]
+    return tuple(tuple(K(x) for x in row) for row in values)
 
 
 PAIRS = [
@@ -112,6 +112,16 @@ def test_lattices_against_those_over_the_rationals() -> None:
         assert x.hnf == y.hnf
         assert x.norm() == K(y.norm())
         assert x.is_invertible() == y.is_invertible()
+        assert x.gram_matrix() == rows(y.gram_matrix())
+        assert x.volume() == K(y.volume())
+        assert x.reduced_basis() == tuple(A(*q.coordinates) for q in y.reduced_basis())
+        assert x.shortest() == tuple(A(*q.coordinates) for q in y.shortest())
+        least = y.shortest()[0].norm()
+        for name in ("elements_of_norm", "elements_of_norm_at_most"):
+            found, known = (getattr(z, name)(least * 2) for z in (x, y))
+            assert found == tuple(A(*q.coordinates) for q in known)
+        assert [A(*q.coordinates) for _, q in y.pseudo_basis()] == [q for _, q in x.pseudo_basis()]
+    assert type(L) is type(P)
     assert L.index(M) == K(P.index(Q))
 
 

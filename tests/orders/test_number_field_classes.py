@@ -116,7 +116,7 @@ def test_powers_of_primes_of_the_level(name: str, p: int) -> None:
     q = P.p**P.f
     for e in (1, 2, 3) if q < 4 else (1, 2):
         B = flint.fmpz_mat(C.brandt_matrix(A.ring.ideal(P) ** e))
-        assert B == C._by_elements(C.frame.ideal(P) ** e)
+        assert B == C._by_elements(C.ambient.base.ideal(P) ** e)
         total = sum(q ** abs(e - 2 * b) for b in range(e + 1))
         total += sum(q ** abs(2 * b - e - 1) for b in range(1, e + 1))
         assert {sum(map(int, row)) for row in B.tolist()} == {total}

@@ -3,15 +3,14 @@
 import pytest
 
 from hfield import IndefiniteError, LatticeError, QuaternionAlgebra, TooLargeError, ring
+from hfield.orders import short_elements
 from hfield.orders.over_integers import quadratic_orders
-from hfield.orders.over_integers import trace_forms as forms
 from hfield.orders.over_integers.local_orders import Local
-from hfield.orders.over_integers.trace_forms import trace_forms
 
 
 def elements_of_norm(O, n):
-    found = trace_forms(O.frame).elements_of_norm(O.rows, O.frame.integers.inside(n))
-    both = (sign * O.frame.quaternion(row.entries()) for row in found for sign in (1, -1))
+    found = short_elements.rows_of_norm(O.value, O.value.ambient.base.inside(n))
+    both = (sign * O.value.ambient.quaternion(row.entries()) for row in found for sign in (1, -1))
     return set(both)
 
 
@@ -39,9 +38,9 @@ def _lies_in_a_larger_order(O, x, d) -> bool:
     """Tell whether (x − c)/π is in O for all 1/π in P⁻¹, for some c modulo P."""
     K = O.algebra.ring
     for P, _ in K.ideal(d).factorisation():
-        local = Local(O.frame, O.frame.prime(P))
+        local = Local(O.value.ambient, O.value.ambient.base.prime(P))
         inverses = (K.ideal(P) ** -1).basis
-        for c in map(O.frame.integers.outside, local.representatives):
+        for c in map(O.value.ambient.base.outside, local.representatives):
             if all((x - c) * y in O for y in inverses):
                 return True
     return False
@@ -73,13 +72,15 @@ def test_norms_small_and_large(name: str) -> None:
     for O in (M, A.order([2 * x for x in M.basis]), A.order(["i", "j"])):
         for n in small:
             x = O.represent_integer(n)
-            places = O.frame.field.real_places()
-            positive = all(v.sign(O.frame.integers.inside(n)) > 0 for v in places)
+            places = O.value.ambient.base.field.real_places()
+            positive = all(v.sign(O.value.ambient.base.inside(n)) > 0 for v in places)
             assert (x is not None) == (positive and bool(elements_of_norm(O, n)))
             assert x is None or (x in O and x.norm() == n)
             obstructed = any(
                 quadratic_orders.is_obstructed(
-                    Local(O.frame, O.frame.prime(P)), O.rows, O.frame.integers.inside(n)
+                    Local(O.value.ambient, O.value.ambient.base.prime(P)),
+                    O.value,
+                    O.value.ambient.base.inside(n),
                 )
                 for P, _ in O.discriminant().factorisation()
             )
@@ -99,10 +100,11 @@ def test_what_a_prime_forbids() -> None:
     A = QuaternionAlgebra("(-1,-1|QQ(sqrt(17)))")
     M = A.maximal_order()
     O = A.order([8 * x for x in M.basis])  # ℤ_K + 8M: odd norms are 1 modulo 8
-    local = Local(O.frame, O.frame.prime(A.ring.primes_above(2)[0]))
+    local = Local(O.value.ambient, O.value.ambient.base.prime(A.ring.primes_above(2)[0]))
     for n, forbidden in ((1, False), (4, False), (5, True), (9, False)):
         assert (
-            quadratic_orders.is_obstructed(local, O.rows, O.frame.integers.inside(n)) == forbidden
+            quadratic_orders.is_obstructed(local, O.value, O.value.ambient.base.inside(n))
+            == forbidden
         )
 
 
@@ -117,7 +119,7 @@ def test_short_elements_and_units() -> None:
     short = I.shortest()
 
     def trace(n):
-        return O.frame.integers.inside(n).trace()
+        return O.value.ambient.base.inside(n).trace()
 
     least = {trace(x.norm()) for x in short}
     assert len(least) == 1
@@ -159,6 +161,6 @@ def test_theta_series_of_lattices(monkeypatch: pytest.MonkeyPatch) -> None:
             assert len(L.elements_of_norm(x)) == count
     with pytest.raises(IndefiniteError):
         QuaternionAlgebra("(-1,3|QQ(sqrt(5)))").maximal_order().theta_series(3)
-    monkeypatch.setattr(forms, "MANY", 2)
+    monkeypatch.setattr(short_elements, "MAX_LISTED", 2)
     with pytest.raises(TooLargeError, match="more than 4 elements have norms of trace at most 6"):
         O.theta_series(6)

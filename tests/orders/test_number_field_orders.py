@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
-from hfield.orders.over_integers.lattices import IntegersLattice, IntegersOrder
+from hfield.orders.lattice import IntegersOrder, Lattice
 from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.over_integers.orders import checked_ring
 
@@ -30,7 +30,7 @@ def test_eichler_orders(name: str) -> None:
     M = A.maximal_order()
     P, Q = split_primes(A, 2, 3, 5, 7, 11)[:2]
     O = A.eichler_order([(P, 3), (Q, 1)])
-    assert checked_ring(O) == O
+    assert checked_ring(O.value) == O.value
     assert M >= O
     assert M.index(O) == O.level == A.ring.ideal(P) ** 3 * A.ring.ideal(Q)
     assert O.discriminant() == M.discriminant() * O.level
@@ -91,12 +91,12 @@ def by_brute_force(O: IntegersOrder, P: object) -> set:
 # --- above and below -------------------------------------------------------------------------------
 
 
-def lattices_of_index(O: IntegersOrder, P: object, k: int) -> Iterator[IntegersLattice]:
+def lattices_of_index(O: IntegersOrder, P: object, k: int) -> Iterator[Lattice]:
     """All lattices of index Pᵏ in O, for P of norm 2, by Hermite forms over the integers."""
     A = O.algebra
-    local = Local(O.frame, O.frame.prime(P))
-    one, *rest = local.independent(O.rows, local.times_prime(O.rows))
-    basis = [O.frame.quaternion(row) for row in (one, *rest)]
+    local = Local(O.value.ambient, O.value.ambient.base.prime(P))
+    one, *rest = local.independent(O.value.rows, local.times_prime(O.value))
+    basis = [O.value.ambient.quaternion(row) for row in (one, *rest)]
     below = (O * A.ring.ideal(P) ** k).basis
     for powers in product(range(k + 1), repeat=4):
         if sum(powers) != k:
@@ -109,7 +109,7 @@ def lattices_of_index(O: IntegersOrder, P: object, k: int) -> Iterator[IntegersL
             yield A.lattice([*rows, *below])
 
 
-def is_ring(L: IntegersLattice) -> bool:
+def is_ring(L: Lattice) -> bool:
     return 1 in L and L * L == L
 
 
@@ -160,7 +160,7 @@ def test_duals(name: str) -> None:
     A = QuaternionAlgebra(name)
     O = A.maximal_order()
     dual = O.dual()
-    n = O.frame.n
+    n = O.value.ambient.degree
     traces = [(x * y).trace() for x in dual.basis[: 2 * n] for y in O.basis]
     assert all(x in A.ring.ideal(1) for x in traces if x)
     assert dual.dual() == O

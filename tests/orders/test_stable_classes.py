@@ -30,7 +30,7 @@ def test_square_classes(polynomial: str, p: int) -> None:
     K: Any = ring(f"QQ[s]/({polynomial})")
     rng, basis = Random(1), K.integral_basis()
     for P in K.primes_above(p):
-        Q = QuaternionAlgebra(K, -1, -1).maximal_order().frame.prime(P)
+        Q = QuaternionAlgebra(K, -1, -1).maximal_order().value.ambient.base.prime(P)
         size = Q.e * Q.f + 1 if p == 2 else 1
         units = [x for x in (sum(rng.randrange(-9, 10) * b for b in basis) for _ in range(60)) if x]
         units = [x for x in map(Q.field, units) if not Q.valuation(x)]

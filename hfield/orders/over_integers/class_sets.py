@@ -19,7 +19,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from heapq import heappop, heappush
 from itertools import count
 from typing import TYPE_CHECKING, Any
@@ -31,15 +31,21 @@ from hfield.orders.brandt import of_power
 from hfield.orders.class_number import local_factor
 from hfield.orders.classes import orbits, renumbered
 from hfield.orders.enumeration import Vector, least_vectors
+from hfield.orders.lattice_values import (
+    LatticeValue,
+    inverse,
+    order_of,
+    product,
+    times_ideal,
+)
 from hfield.orders.over_integers import ideals_of_norm
-from hfield.orders.over_integers.dedekind_modules import unique_rows
 from hfield.orders.over_integers.equivalence import conjugator
 from hfield.orders.over_integers.positive_generators import (
     narrow_classes,
     totally_positive_generator,
     units_modulo_squares,
 )
-from hfield.orders.over_integers.trace_forms import trace_forms
+from hfield.orders.short_elements import expect_definite, rows_of_norm
 from hfield.primality import primes
 from hfield.progress import along, tell
 
@@ -47,7 +53,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import Ideal
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-    from hfield.orders.over_integers.frames import Frame
+    from hfield.orders.basis import AlgebraBasis
     from hfield.orders.over_integers.local_orders import Local
 
 Key = tuple[int, ...]
@@ -62,15 +68,15 @@ def mass(order: Any) -> Fraction:
     It is 2^(1−n)·|ζ_K(−1)|·h_K·N(discrd)·Π λ(O, P), λ from Eichler symbols (Voight, 26.1.5). Raises
     :class:`IndefiniteError`, :class:`TooLargeError`.
     """
-    frame = order.frame
-    trace_forms(frame)
-    ring = frame.integers.ring
+    ambient = order.value.ambient
+    expect_definite(ambient, "the mass of ideal classes")
+    ring = ambient.base.ring
     found: Fraction = Fraction(
-        abs(ring.zeta_minus_one()) * ring.class_group().order, 2 ** (frame.n - 1)
+        abs(ring.zeta_minus_one()) * ring.class_group().order, 2 ** (ambient.degree - 1)
     )
     found *= order.norm_of_discriminant()
     for P, _ in order.discriminant().factorisation():
-        found *= local_factor(order.eichler_symbol(P), frame.prime(P).norm())
+        found *= local_factor(order.eichler_symbol(P), ambient.base.prime(P).norm())
     return found
 
 
@@ -99,10 +105,10 @@ class Norm:
 class Keys:
     """What finds keys of ideals of one algebra."""
 
-    def __init__(self, frame: Frame) -> None:
-        self.frame, self.forms = frame, trace_forms(frame)
-        self.narrow = narrow_classes(frame.integers.ring)
-        self.units = units_modulo_squares(frame.integers.ring)
+    def __init__(self, ambient: AlgebraBasis) -> None:
+        self.ambient = ambient
+        self.narrow = narrow_classes(ambient.base.ring)
+        self.units = units_modulo_squares(ambient.base.ring)
 
 
 class Around:
@@ -112,14 +118,14 @@ class Around:
     common divisor.
     """
 
-    def __init__(self, keys: Keys, norm: Norm, rows: flint.fmpq_mat) -> None:
+    def __init__(self, keys: Keys, norm: Norm, lattice: LatticeValue) -> None:
         self.keys, self.norm = keys, norm
-        self.rows, self.den = rows.numer_denom()
-        back = rows.transpose()
+        self.rows, self.den = lattice.matrix, lattice.den
+        rows, back = lattice.rows, lattice.rows.transpose()
         every = []
         # the first form is there whether or not 1 is in the integral basis
-        for w in (keys.frame.field.one, *keys.frame.omega):
-            forms = (keys.forms.form(u * w / norm.element) for u in keys.units)
+        for w in (keys.ambient.base.field.one, *keys.ambient.base.integral_basis):
+            forms = (keys.ambient.form(u * w / norm.element) for u in keys.units)
             every.append(_without_content([rows * form * back for form in forms]))
         self.ways = list(zip(*every, strict=True))
 
@@ -150,32 +156,32 @@ class Around:
         The first of them tell the group. Where units have several norms, u·x may have to be divided by a unit
         of the field; then some x⁻¹·I come more than once.
         """
-        frame = self.keys.frame
+        ambient = self.keys.ambient
         first, rest = self._orbit(matrix, rows)
         yield first[0], len(first)
         if not rest:
             return
-        units = flint.fmpq_mat(flint.fmpz_mat(first)) * frame.right(first[0]).inv()
-        group = [frame.left(u).transpose().tolist() for u in units.tolist()]
+        units = flint.fmpq_mat(flint.fmpz_mat(first)) * ambient.times(first[0]).inv()
+        group = [ambient.times(u, "left").transpose().tolist() for u in units.tolist()]
         whole, den = flint.fmpq_mat([line for lines in group for line in lines]).numer_denom()
         seen: set[tuple[int, ...]] = set()
         for x in rest:
             if tuple(x) not in seen:
                 column = whole * flint.fmpz_mat([[c] for c in x])  # den·u·x, one u after another
                 image = [int(c) // int(den) for c in column.entries()]
-                for k in range(0, len(image), frame.size):
-                    y = image[k : k + frame.size]
+                for k in range(0, len(image), ambient.size):
+                    y = image[k : k + ambient.size]
                     seen |= {tuple(y), tuple(-c for c in y)}
                 yield x, len(first)
 
     def rest(self, row: Row) -> Norm:
         """Return the norm of the lattice that is the key."""
-        size = self.keys.frame.norm([flint.fmpq(c, self.den) for c in row])
+        size = self.keys.ambient.norm([flint.fmpq(c, self.den) for c in row])
         return Norm(self.norm.number, self.norm.element / size)
 
     def _key(self, matrix: flint.fmpz_mat, row: Row) -> Key:
         """Return x⁻¹·I in Hermite normal form, the denominator first."""
-        inverse, den = self.keys.frame.left(row).inv().numer_denom()
+        inverse, den = self.keys.ambient.times(row, "left").inv().numer_denom()
         entries = list(map(int, (matrix * inverse).hnf().entries()))
         common = math.gcd(int(den), *entries)
         return int(den) // common, *(c // common for c in entries)
@@ -184,12 +190,12 @@ class Around:
         """Return the y that give the same x⁻¹·I as the first, x, and the others: x⁻¹·y is a unit there."""
         if len(rows) == 1:
             return rows, []
-        inverse = self.keys.frame.left(rows[0]).inv()
+        inverse = self.keys.ambient.times(rows[0], "left").inv()
         basis = flint.fmpq_mat(matrix) * inverse
         quotients = flint.fmpq_mat(flint.fmpz_mat(rows)) * inverse
         back, inside, outside = basis.inv(), rows, []
         for row in basis.tolist():
-            products = quotients * (self.keys.frame.right(row) * back)
+            products = quotients * (self.keys.ambient.times(row) * back)
             if products.numer_denom()[1] == 1:
                 continue
             good = [all(c.q == 1 for c in product) for product in products.tolist()]
@@ -262,7 +268,7 @@ def good_primes(order: Any) -> Iterator[PrimeIdeal]:
     for p in primes():
         while waiting and waiting[0][0] < p:
             yield heappop(waiting)[2]
-        for _, prime in order.frame.integers.primes_above(p):
+        for _, prime in order.value.ambient.base.primes_above(p):
             if not order.discriminant().valuation(prime):
                 heappush(waiting, (prime.norm(), next(number), prime))
 
@@ -271,16 +277,16 @@ class Classes:
     """The classes as values: keys, norms, units of left orders, and neighbours."""
 
     def __init__(self, ring: Any) -> None:
-        self.ring, self.frame = ring, ring.frame
+        self.ring, self.ambient = ring, ring.value.ambient
         self.mass = mass(ring)
         if self.mass > MOST_CLASSES:
             raise TooLargeError(
                 f"the mass is {self.mass}, so there are more than {MOST_CLASSES} classes: too many"
             )
-        self.keys = Keys(self.frame)
+        self.keys = Keys(self.ambient)
         self.units: list[int] = []
         """[O_L(I)ˣ : ℤ_Kˣ], class by class."""
-        self.lattices: list[flint.fmpq_mat] = []
+        self.lattices: list[LatticeValue] = []
         self.norms: list[Norm] = []
         self._numbers: dict[Key, int] = {}
         self._rows: dict[PrimeIdeal, list[Counter[int]]] = {}
@@ -291,8 +297,8 @@ class Classes:
 
     def _enumerate(self) -> None:
         self._left = self.mass
-        one = Norm(*self.keys.narrow.split(self.frame.integers.one))
-        self._index(self.ring.rows, one)
+        one = Norm(*self.keys.narrow.split(self.ambient.base.one))
+        self._index(self.ring.value, one)
         for prime in self.good_primes():
             if not self._left:
                 return
@@ -311,10 +317,10 @@ class Classes:
         """Return the number of the class of a sublattice, which may be new."""
         key, units, row = around.find(coordinates)
         if key not in self._numbers:
-            size = self.frame.size
+            size = self.ambient.size
             self._numbers[key] = len(self.lattices)
             whole = flint.fmpz_mat(size, size, key[1:])
-            self.lattices.append(flint.fmpq_mat(whole) * flint.fmpq(1, key[0]))
+            self.lattices.append(LatticeValue(self.ambient, key[0], whole))
             self.units.append(units)
             self.norms.append(around.rest(row))
             self._left -= Fraction(1, units)
@@ -322,11 +328,11 @@ class Classes:
                 raise AssertionError("the classes found exceed the mass")
         return self._numbers[key]
 
-    def _index(self, rows: flint.fmpq_mat, norm: Norm) -> int:
+    def _index(self, lattice: LatticeValue, norm: Norm) -> int:
         """Return the number of the class of an invertible right ideal."""
-        size = self.frame.size
+        size = self.ambient.size
         whole = flint.fmpz_mat([[int(k == m) for m in range(size)] for k in range(size)])
-        return self._look_up(Around(self.keys, norm, rows), whole)
+        return self._look_up(Around(self.keys, norm, lattice), whole)
 
     def neighbours_of(self, n: int, prime: PrimeIdeal) -> Counter[int]:
         """Return how many ideals of relative norm P in class n belong to which class."""
@@ -343,7 +349,7 @@ class Classes:
         """Return what :func:`coordinates_of_subideals` asks, for a prime."""
         if prime not in self._local:
             local, found = self.ring.ideals_of_prime_norm(prime)
-            scalars = self.frame.scalars
+            scalars = self.ambient.scalars
             spans = [
                 [(flint.fmpq_mat([x]) * m).entries() for x in pair for m in scalars]
                 for pair in found
@@ -356,7 +362,7 @@ class Classes:
         before = self.norms[n]
         known = prime, before.number
         if known not in self._steps:
-            ideal = self.keys.narrow.ideals[before.number] * self.frame.integers.prime(prime)
+            ideal = self.keys.narrow.ideals[before.number] * self.ambient.base.prime_ideal(prime)
             self._steps[known] = Norm(*self.keys.narrow.split(ideal))
         step = self._steps[known]
         return Norm(step.number, step.element * before.element)
@@ -366,11 +372,11 @@ class Classes:
     def __len__(self) -> int:
         return len(self.lattices)
 
-    def class_of(self, rows: flint.fmpq_mat, norm: Ideal) -> int:
+    def class_of(self, lattice: LatticeValue) -> int:
         """Return the number of the class of an invertible right ideal."""
-        return self._index(rows, Norm(*self.keys.narrow.split(norm)))
+        return self._index(lattice, Norm(*self.keys.narrow.split(lattice.norm)))
 
-    def _times(self, n: int, by: Callable[[flint.fmpq_mat], flint.fmpq_mat], norm: Ideal) -> int:
+    def _times(self, n: int, by: Callable[[LatticeValue], LatticeValue], norm: Ideal) -> int:
         """Return which class class n becomes when a change of lattices multiplies norms by an ideal."""
         before = self.norms[n]
         whole = self.keys.narrow.ideals[before.number] * norm
@@ -380,12 +386,9 @@ class Classes:
     @cached_property
     def central(self) -> list[list[int]]:
         """Which class each becomes by ideals of K that generate the class group."""
-        frame, size, moves = self.frame, range(len(self)), []
-        for a in frame.integers.ring.class_group().generators:
-
-            def by(rows: flint.fmpq_mat, a: Ideal = a) -> flint.fmpq_mat:
-                return unique_rows(frame.multiple(rows, a))
-
+        ambient, size, moves = self.ambient, range(len(self)), []
+        for a in ambient.base.ring.class_group().generators:
+            by = partial(times_ideal, ideal=a)
             moves.append([self._times(n, by, a * a) for n in size])
         return moves
 
@@ -394,13 +397,11 @@ class Classes:
 
         Raises :class:`LatticeError` where the order is neither maximal nor Eichler there.
         """
-        P = self.frame.prime(prime)
+        P = self.ambient.base.prime(prime)
         if P not in self._exchanged:
             ideal = self.ring.two_sided_prime(P)
-            rows, norm = ideal.rows, ideal.norm()
-            product = self.frame.product
             self._exchanged[P] = [
-                self._times(n, lambda I: product(I, rows), norm)
+                self._times(n, lambda I: product(I, ideal.value), ideal.norm())
                 for n in along(range(len(self)), len(self), "types")
             ]
         return self._exchanged[P]
@@ -417,30 +418,22 @@ class Classes:
         if self.ring.is_eichler():
             return orbits(len(self), [*self.central, *map(self.exchanged, primes)])
         kinds = orbits(len(self), self.central)
-        firsts: dict[
-            int, tuple[int, flint.fmpq_mat]
-        ] = {}  # a type: units and left order of a class
+        firsts: dict[int, tuple[int, LatticeValue]] = {}  # a type: units and left order of a class
         names: dict[int, int] = {}
         for n, kind in enumerate(kinds):
             if kind in names:
                 continue
-            units, order = self.units[n], self._left_order(n)
+            units, order = self.units[n], order_of(self.lattices[n], "left")
             names[kind] = next(
                 (
                     other
-                    for other, (count, rows) in firsts.items()
-                    if count == units and conjugator(self.frame, rows, order)
+                    for other, (count, known) in firsts.items()
+                    if count == units and conjugator(known, order)
                 ),
                 kind,
             )
             firsts.setdefault(names[kind], (units, order))
         return renumbered([names[kind] for kind in kinds])
-
-    def _left_order(self, n: int) -> flint.fmpq_mat:
-        """Return the left order of class n, I·conj(I)/N(I)."""
-        frame, rows = self.frame, self.lattices[n]
-        whole = frame.product(rows, flint.fmpq_mat(frame.conjugate(rows.tolist())))
-        return unique_rows(frame.multiple(whole, frame.norm_ideal(rows).inverse()))
 
     @property
     def type_number(self) -> int:
@@ -451,7 +444,7 @@ class Classes:
 
     def neighbours(self, prime: object) -> list[Counter[int]]:
         """Return for each class how many right ideals of relative norm P in it belong to which class."""
-        P = self.frame.prime(prime)
+        P = self.ambient.base.prime(prime)
         if P not in self._rows:
             self._rows[P] = [
                 self.neighbours_of(n, P) for n in along(range(len(self)), len(self), "rows")
@@ -464,12 +457,12 @@ class Classes:
         They are the invertible ideals of that relative norm. It may be given as a number that generates it.
         Raises :class:`LatticeError` for what is no ideal of the integers.
         """
-        size, ideal = range(len(self)), self.frame.ideal(norm)
+        size, ideal = range(len(self)), self.ambient.base.ideal(norm)
         if not ideal.is_integral():
             raise LatticeError(f"expected an ideal of the integers, not {shorten(ideal)}")
         found = flint.fmpz_mat([[int(i == j) for j in size] for i in size])
         for P, e in ideal.factorisation():
-            found = found * self._prime_power(self.frame.prime(P), e)
+            found = found * self._prime_power(self.ambient.base.prime(P), e)
         return [[int(x) for x in row] for row in found.tolist()]
 
     def _prime_power(self, P: PrimeIdeal, e: int) -> flint.fmpz_mat:
@@ -478,18 +471,16 @@ class Classes:
         Where the algebra ramifies and the order is maximal it is a power. Elements are counted for orders
         that are at P neither maximal nor Eichler of level P.
         """
-        exponent, ramified = self.ring.discriminant().valuation(P), P in self.frame.ramified
+        exponent, ramified = self.ring.discriminant().valuation(P), P in self.ambient.ramified
         if e == 1 or (exponent == 1 and ramified):
             return self._matrix(self.neighbours(P)) ** e
-        ideal = self.frame.integers.prime(P)
+        ideal = self.ambient.base.prime_ideal(P)
         if exponent > 1:
             return self._by_elements(ideal**e)
         size = range(len(self))
 
-        def by(rows: flint.fmpq_mat) -> flint.fmpq_mat:
-            return unique_rows(self.frame.multiple(rows, ideal))
-
-        central = self._matrix([Counter([self._times(n, by, ideal**2)]) for n in size])
+        moved = [self._times(n, lambda I: times_ideal(I, ideal), ideal**2) for n in size]
+        central = self._matrix([Counter([n]) for n in moved])
         if exponent:
             return self._at_level(P, central, e)
         return of_power(self._matrix(self.neighbours(P)), central * P.norm(), e)
@@ -523,31 +514,23 @@ class Classes:
                 f"there are too many ideals of norm {shorten(norm)} in an order neither maximal nor of "
                 "level P at its primes: there they are counted by their elements"
             )
-        frame, keys, size = self.frame, self.keys, range(len(self))
+        keys, size = self.keys, range(len(self))
         ideals = keys.narrow.ideals
         generators = {
             (m, n): totally_positive_generator(norm * a / b)
             for m, a in enumerate(ideals)
             for n, b in enumerate(ideals)
         }
-        inverses = [
-            unique_rows(
-                frame.multiple(
-                    flint.fmpq_mat(frame.conjugate(rows.tolist())),
-                    frame.norm_ideal(rows).inverse(),
-                )
-            )
-            for rows in self.lattices
-        ]
+        inverses = list(map(inverse, self.lattices))
         table = [[0] * len(self) for _ in size]
         for i in along(size, len(self), "rows"):
             for j in size:
                 I, J = self.norms[i], self.norms[j]
                 generator = generators[I.number, J.number]
                 if generator is not None:
-                    between = frame.product(self.lattices[i], inverses[j])
+                    between = product(self.lattices[i], inverses[j])
                     values = (generator * u * I.element / J.element for u in keys.units)
-                    found = sum(1 for x in values for _ in keys.forms.elements_of_norm(between, x))
+                    found = sum(1 for x in values for _ in rows_of_norm(between, x))
                     table[i][j] = found // self.units[j]
         return flint.fmpz_mat(table)
 

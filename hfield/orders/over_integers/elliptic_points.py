@@ -17,7 +17,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import product
 from math import prod
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import flint
 
@@ -33,21 +33,20 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.fields.number_fields.ring import NumberField
-    from hfield.orders.over_integers.frames import Frame
-    from hfield.orders.over_integers.lattices import IntegersOrder
+    from hfield.orders.basis import AlgebraBasis
 
 MAX_RESIDUES = 10_000
 """At primes whose square divides the level, roots of polynomials are listed modulo primes up to this norm."""
 
 
-def elliptic_points(order: IntegersOrder) -> dict[int, int] | None:
+def elliptic_points(order: Any) -> dict[int, int] | None:
     """Return how many elliptic points there are of each order; None for an order that is not Eichler.
 
     The algebra is a division algebra over a totally real field and splits at one real place.
     """
     if not order.is_eichler():
         return None
-    found = [_Rotations(order, q, t) for q, t in _traces(order.frame.field)]
+    found = [_Rotations(order, q, t) for q, t in _traces(order.value.ambient.base.field)]
     counts = {x.q: x.count([y for y in found if y.q % x.q == 0 and y.q > x.q]) for x in found}
     return {q: n for q, n in counts.items() if n}
 
@@ -66,13 +65,13 @@ def _traces(field: NumberField) -> Iterator[tuple[int, FieldElement]]:
 class _Rotations:
     """The embeddings of the orders with a root of unity of order 2q, of trace t."""
 
-    def __init__(self, order: IntegersOrder, q: int, t: FieldElement) -> None:
-        frame = order.frame
-        self.frame, self.q, self.d = frame, q, t * t - 4
-        several = [P for P, e in frame.integers.principal(self.d).factorisation() if e > 1]
-        self.level = {frame.prime(P): e for P, e in order.level.factorisation()}
-        primes = [*frame.ramified, *self.level, *map(frame.prime, several)]
-        self.primes = {P: _LocalField(frame, P, self.d) for P in primes}
+    def __init__(self, order: Any, q: int, t: FieldElement) -> None:
+        ambient = order.value.ambient
+        self.ambient, self.q, self.d = ambient, q, t * t - 4
+        several = [P for P, e in ambient.base.principal(self.d).factorisation() if e > 1]
+        self.level = {ambient.base.prime(P): e for P, e in order.level.factorisation()}
+        primes = [*ambient.ramified, *self.level, *map(ambient.base.prime, several)]
+        self.primes = {P: _LocalField(ambient, P, self.d) for P in primes}
 
     def count(self, larger: list[_Rotations]) -> int:
         """Return how many points have this order, and none of the larger ones."""
@@ -84,7 +83,7 @@ class _Rotations:
                 total += prod(self._local(P, k) for P, k in conductor.items())
         if not total:
             return 0
-        found = 2 * self.q * total * relative_class_number(self.frame.field, self.q, self.d)
+        found = 2 * self.q * total * relative_class_number(self.ambient.base.field, self.q, self.d)
         if found.denominator > 1:
             raise ArithmeticError("the number of elliptic points is no integer")
         return int(found)
@@ -99,7 +98,7 @@ class _Rotations:
         """Return the index of local units times the number of embeddings, for a conductor Pᵏ."""
         local = self.primes[P]
         index = P.norm() ** k * (1 - Fraction(local.symbol, P.norm())) if k else Fraction(1)
-        if P in self.frame.ramified:
+        if P in self.ambient.ramified:
             return Fraction(0 if k else 1 - local.symbol)
         e = self.level.get(P, 0)
         if e < 2:
@@ -113,8 +112,8 @@ class _LocalField:
     The order of discriminant d has the conductor P to the power ``conductor``.
     """
 
-    def __init__(self, frame: Frame, P: PrimeIdeal, d: FieldElement) -> None:
-        self.frame, self.P, self.d = frame, P, d
+    def __init__(self, ambient: AlgebraBasis, P: PrimeIdeal, d: FieldElement) -> None:
+        self.ambient, self.P, self.d = ambient, P, d
         v, unit = P.unit_part(d)
         e = self.e = P.e if P.p == 2 else 0
         exponent = 2 * e + 1  # of the discriminant of the field
@@ -132,7 +131,7 @@ class _LocalField:
 
     @cached_property
     def local(self) -> Local:
-        return Local(self.frame, self.P)
+        return Local(self.ambient, self.P)
 
     def embeddings(self, k: int, e: int) -> int:
         """Return how many classes of optimal embeddings Eichler's order of level Pᵉ has, for a conductor Pᵏ.
@@ -146,7 +145,7 @@ class _LocalField:
             )
         d = self.d * P.inverse_uniformiser ** (2 * (self.conductor - k))
         trace = next(t for t in self._residues(self.e) if self._is_root(t, d, 2 * self.e))
-        roots = [[self.frame.field.zero]]  # modulo P⁰, P¹, …
+        roots = [[self.ambient.base.field.zero]]  # modulo P⁰, P¹, …
         for s in range(e + 1):
             step = P.uniformiser**s
             roots.append(
@@ -168,7 +167,7 @@ class _LocalField:
         steps = [self.P.uniformiser**s for s in range(count)]
         for digits in product(self.local.representatives, repeat=count):
             pairs = zip(digits, steps, strict=True)
-            yield sum((r * step for r, step in pairs), self.frame.field.zero)
+            yield sum((r * step for r, step in pairs), self.ambient.base.field.zero)
 
     def _is_root(self, x: FieldElement, d: FieldElement, count: int) -> bool:
         """Tell whether x² ≡ d modulo P^count."""

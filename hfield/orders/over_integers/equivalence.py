@@ -2,7 +2,7 @@
 
 ``J = c·I`` means that c lies in J·I⁻¹ and that N(c) generates N(J)/N(I). For each totally positive generator,
 modulo squares of units, c would be a vector of least conceivable length of a positive form
-(:mod:`hfield.orders.over_integers.trace_forms`). An isomorphism of orders is a conjugation (Skolem and
+(:mod:`hfield.orders.short_elements`). An isomorphism of orders is a conjugation (Skolem and
 Noether), hence an isometry of trace-0 parts, and is known by the images of two elements that do not commute.
 """
 
@@ -18,17 +18,18 @@ import flint
 
 from hfield.evidence import Certified, Claim
 from hfield.orders.enumeration import short_vectors, vectors_of_length
+from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.over_integers.positive_generators import (
     totally_positive_generator,
     units_modulo_squares,
 )
-from hfield.orders.over_integers.trace_forms import trace_forms
+from hfield.orders.short_elements import expect_definite, reduced, rows_of_norm
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import Ideal
-    from hfield.orders.over_integers.frames import Frame
+    from hfield.orders.basis import AlgebraBasis
 
 
 @dataclass(frozen=True)
@@ -56,24 +57,25 @@ class Comparison(Certified):
         return f"{'yes' if self.holds else 'no'}{shown}: {self.reason}"
 
 
-def element_generating(frame: Frame, rows: flint.fmpq_mat, norm: Ideal) -> Comparison:
+def element_generating(lattice: LatticeValue, norm: Ideal) -> Comparison:
     """Return an element of a lattice whose norm generates an ideal, or why there is none.
 
     Raises :class:`IndefiniteError` unless the algebra is totally definite.
     """
-    forms, ring = trace_forms(frame), frame.integers.ring
+    ambient, base = lattice.ambient, lattice.ambient.base
+    expect_definite(ambient, "equivalence()")
     generator = totally_positive_generator(norm)
     if generator is None:
         return Comparison(
             False, f"the norm would be a totally positive generator of {norm}, which has none"
         )
-    units = units_modulo_squares(ring)
+    units = units_modulo_squares(base.ring)
     for u in units:
-        for row in forms.elements_of_norm(rows, generator * u):
+        for row in rows_of_norm(lattice, generator * u):
             return Comparison(
-                True, "the element is multiplied out", frame.quaternion(row.entries())
+                True, "the element is multiplied out", ambient.quaternion(row.entries())
             )
-    shown = ", ".join(ring.text(frame.integers.outside(generator * u)) for u in units)
+    shown = ", ".join(base.ring.text(base.outside(generator * u)) for u in units)
     return Comparison(
         False,
         f"no element of the lattice between them has a norm among {shown}, up to squares of units",
@@ -83,13 +85,15 @@ def element_generating(frame: Frame, rows: flint.fmpq_mat, norm: Ideal) -> Compa
 # --- isomorphisms of orders ------------------------------------------------------------------------
 
 
-def conjugator(frame: Frame, first: flint.fmpq_mat, second: flint.fmpq_mat) -> Comparison:
+def conjugator(first: LatticeValue, second: LatticeValue) -> Comparison:
     """Return x with x·O·x⁻¹ = O' for two orders, or why there is none. Raises :class:`IndefiniteError`."""
-    one, other = _Ternary(frame, first), _Ternary(frame, second)
+    ambient = first.ambient
+    expect_definite(ambient, "isomorphism()")
+    one, other = _Ternary(first), _Ternary(second)
     a, b = one.two_generators()
-    norms = [frame.norm(x.entries()) for x in (a, b)]
+    norms = [ambient.norm(x.entries()) for x in (a, b)]
     images = [other.of_norm(norm) for norm in norms]
-    between, inverse, tried = one.pairing(a, b), second.inv(), 0
+    between, inverse, tried = one.pairing(a, b), second.inverse_rows, 0
     for s in images[0]:
         for t in images[1]:
             product = one.pairing(s, t)
@@ -98,15 +102,15 @@ def conjugator(frame: Frame, first: flint.fmpq_mat, second: flint.fmpq_mat) -> C
             for sign in (1, -1):
                 for u in (t, -t) if not between else (t if product == between else -t,):
                     tried += 1
-                    x = _intertwiner(frame, (a, b), (s * sign, u * sign))
+                    x = _intertwiner(ambient, (a, b), (s * sign, u * sign))
                     # x·O ⊂ O'·x, and the discriminants are the same
-                    moved = first * frame.left(x.entries())
-                    back = moved * frame.right(x.entries()).inv() * inverse
+                    moved = first.rows * ambient.times(x, "left")
+                    back = moved * ambient.times(x.entries()).inv() * inverse
                     if back.numer_denom()[1] == 1:
                         return Comparison(
                             True,
                             "the element conjugates one into the other",
-                            frame.quaternion(x.entries()),
+                            ambient.quaternion(x.entries()),
                         )
     return Comparison(
         False,
@@ -118,23 +122,16 @@ def conjugator(frame: Frame, first: flint.fmpq_mat, second: flint.fmpq_mat) -> C
 class _Ternary:
     """The elements 2x − tr(x) for x in an order, a lattice of rank 3n over ℤ."""
 
-    def __init__(self, frame: Frame, rows: flint.fmpq_mat) -> None:
-        self.frame, self.n, self.forms = frame, frame.n, trace_forms(frame)
-        doubled = [[0] * frame.n + [2 * c for c in row[frame.n :]] for row in rows.tolist()]
+    def __init__(self, order: LatticeValue) -> None:
+        self.ambient, n = order.ambient, order.ambient.degree
+        doubled = [[0] * n + [2 * c for c in row[n:]] for row in order.rows.tolist()]
         whole, den = flint.fmpq_mat(doubled).numer_denom()
         table = [row for row in whole.hnf().tolist() if any(row)]
         self.basis = flint.fmpq_mat(flint.fmpz_mat(table)) * flint.fmpq(1, int(den))
 
-    def _reduced(self, c: FieldElement) -> tuple[list[list[int]], flint.fmpq_mat, int]:
-        form = self.basis * self.forms.form(c) * self.basis.transpose()
-        whole, den = form.numer_denom()
-        reduced, change = whole.lll(transform=True, rep="gram")
-        gram = [list(map(int, row)) for row in reduced.tolist()]
-        return gram, flint.fmpq_mat(change) * self.basis, int(den)
-
     def two_generators(self) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
         """Return two short elements that do not commute, the first of them as short as possible."""
-        gram, basis, _ = self._reduced(self.frame.field.one)
+        gram, basis, _ = reduced(self.ambient, self.basis, self.ambient.base.field.one)
         least = min(gram[k][k] for k in range(len(gram)))
         for bound in count(1):
             found = sorted(short_vectors(gram, bound * least), key=lambda pair: pair[1])
@@ -145,12 +142,12 @@ class _Ternary:
         raise AssertionError("a quaternion algebra is not commutative")
 
     def _commute(self, x: flint.fmpq_mat, y: flint.fmpq_mat) -> bool:
-        right = self.frame.right
-        return bool(x * right(y.entries()) == y * right(x.entries()))
+        times = self.ambient.times
+        return bool(x * times(y) == y * times(x))
 
     def of_norm(self, norm: FieldElement) -> list[flint.fmpq_mat]:
         """Return one of ±x for each element of a norm."""
-        gram, basis, den = self._reduced(self.frame.field.one)
+        gram, basis, den = reduced(self.ambient, self.basis, self.ambient.base.field.one)
         length = 2 * den * norm.trace()
         if length.q != 1:
             return []
@@ -158,51 +155,51 @@ class _Ternary:
             flint.fmpq_mat(flint.fmpz_mat(1, len(x), x)) * basis
             for x in vectors_of_length(gram, int(length.p))
         )
-        return [row for row in rows if self.frame.norm(row.entries()) == norm]
+        return [row for row in rows if self.ambient.norm(row.entries()) == norm]
 
     def pairing(self, x: flint.fmpq_mat, y: flint.fmpq_mat) -> Any:
         """Return N(x + y) − N(x) − N(y)."""
-        norm = self.frame.norm
+        norm = self.ambient.norm
         return norm((x + y).entries()) - norm(x.entries()) - norm(y.entries())
 
 
-def two_generators(frame: Frame, rows: flint.fmpq_mat) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
+def two_generators(order: LatticeValue) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
     """Return two elements of an order that do not commute: they generate the algebra."""
-    return _Ternary(frame, rows).two_generators()
+    return _Ternary(order).two_generators()
 
 
 def _intertwiner(
-    frame: Frame, sources: tuple[flint.fmpq_mat, ...], targets: tuple[flint.fmpq_mat, ...]
+    ambient: AlgebraBasis, sources: tuple[flint.fmpq_mat, ...], targets: tuple[flint.fmpq_mat, ...]
 ) -> flint.fmpq_mat:
     """Return x ≠ 0 with x·s = t·x for two pairs s, t with the same norms and inner products."""
     columns: list[Any] = []
     for s, t in zip(sources, targets, strict=True):
-        columns += (frame.right(s.entries()) - frame.left(t.entries())).transpose().tolist()
+        columns += (ambient.times(s.entries()) - ambient.times(t, "left")).transpose().tolist()
     whole = flint.fmpq_mat(columns).numer_denom()[0]
     kernel, rank = whole.nullspace()
-    assert rank == frame.n, "two elements that do not commute generate the algebra"
-    return flint.fmpq_mat([[kernel[k, 0] for k in range(frame.size)]])
+    assert rank == ambient.degree, "two elements that do not commute generate the algebra"
+    return flint.fmpq_mat([[kernel[k, 0] for k in range(ambient.size)]])
 
 
-def unit_index(frame: Frame, rows: flint.fmpq_mat) -> int:
+def unit_index(order: LatticeValue) -> int:
     """Return [Oˣ : ℤ_Kˣ] for an order. Raises :class:`IndefiniteError` where it is infinite."""
-    return sum(1 for _ in units(frame, rows))
+    return sum(1 for _ in units(order))
 
 
-def units(frame: Frame, rows: flint.fmpq_mat) -> Iterator[flint.fmpq_mat]:
+def units(order: LatticeValue) -> Iterator[flint.fmpq_mat]:
     """Yield one of each coset of ℤ_Kˣ in the units of an order."""
-    forms = trace_forms(frame)
-    for u in units_modulo_squares(frame.integers.ring):
-        yield from forms.elements_of_norm(rows, u)
+    expect_definite(order.ambient, "units()")
+    for u in units_modulo_squares(order.ambient.base.ring):
+        yield from rows_of_norm(order, u)
 
 
-def unit_group(frame: Frame, rows: flint.fmpq_mat) -> str:
+def unit_group(order: LatticeValue) -> str:
     """Return the name of the group of units modulo those of the field: ``C4 D2 D6 A4 S4 A5`` and so on.
 
     It is a finite group of rotations; its order and the largest order of an element tell it.
     """
-    found = list(units(frame, rows))
-    size, largest = len(found), max(_order(frame, row) for row in found)
+    found = list(units(order))
+    size, largest = len(found), max(_order(order.ambient, row) for row in found)
     if largest == size:
         return f"C{size}"
     if 2 * largest == size:
@@ -210,9 +207,9 @@ def unit_group(frame: Frame, rows: flint.fmpq_mat) -> str:
     return {12: "A4", 24: "S4", 60: "A5"}[size]
 
 
-def _order(frame: Frame, row: flint.fmpq_mat) -> int:
+def _order(ambient: AlgebraBasis, row: flint.fmpq_mat) -> int:
     """Return the order of a unit modulo the field."""
-    matrix, power, n = frame.right(row.entries()), row, 1
-    while any(power.entries()[frame.n :]):
+    matrix, power, n = ambient.times(row.entries()), row, 1
+    while any(power.entries()[ambient.degree :]):
         power, n = power * matrix, n + 1
     return n

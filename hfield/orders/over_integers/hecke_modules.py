@@ -21,9 +21,9 @@ class IntegersModule(Module):
     def __init__(self, classes: Classes, make: Callable[[Any], Classes]) -> None:
         order, self.classes, self.make = classes.ring, classes, make
         expect_eichler(order.is_eichler())
-        self.frame = frame = classes.frame
-        self.level = [(frame.prime(P), e) for P, e in order.level.factorisation()]
-        self.ramified = frame.ramified
+        self.ambient = ambient = classes.ambient
+        self.level = [(ambient.base.prime(P), e) for P, e in order.level.factorisation()]
+        self.ramified = ambient.ramified
         self._kinds = orbits(len(classes), classes.central)
         count = len(set(self._kinds))
         self._of = [self._kinds.index(kind) for kind in range(count)]
@@ -53,12 +53,12 @@ class IntegersModule(Module):
 
     def prime(self, given: object) -> PrimeIdeal:
         """Return a prime ideal of QQ[s]/(f)."""
-        found: PrimeIdeal = self.frame.prime(given)
+        found: PrimeIdeal = self.ambient.base.prime(given)
         return found
 
     def shown(self, prime: Any) -> Any:
         """Return a prime as the base field has it."""
-        return next(P for P, Q in self.frame.integers.primes_above(prime.p) if prime == Q)
+        return next(P for P, Q in self.ambient.base.primes_above(prime.p) if prime == Q)
 
     def good_primes(self) -> Iterator[PrimeIdeal]:
         """Yield the primes that divide neither the level nor the discriminant."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import flint
 
@@ -22,12 +22,11 @@ from hfield.orders.over_integers.equivalence import Comparison
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ideals import Ideal
-    from hfield.orders.over_integers.lattices import IntegersIdeal, IntegersOrder
 
 REFUSAL = "the checker does not know that strong approximation decides"
 
 
-def equivalence(order: IntegersOrder, norm: Ideal) -> Comparison:
+def equivalence(order: Any, norm: Ideal) -> Comparison:
     """Tell whether right, or left, ideals of which the norms have this quotient are in one class.
 
     No element is told. Raises :class:`IndefiniteError` for a totally definite algebra, or where an Eichler
@@ -48,8 +47,8 @@ class IndefiniteClassSet(Hinted):
 
     elsewhere: ClassVar = {name: hint for name, hint in CLASSES.items() if "brandt" not in hint}
 
-    def __init__(self, order: IntegersOrder) -> None:
-        self.order, frame = order, order.frame
+    def __init__(self, order: Any) -> None:
+        self.order, ambient = order, order.value.ambient
         if order.is_definite():
             raise IndefiniteError(
                 f"{order.algebra} is totally definite: class_set() enumerates its classes, and norms tell "
@@ -61,35 +60,35 @@ class IndefiniteClassSet(Hinted):
                     f"classes are told by narrow classes of norms where all local units are norms; at {P} "
                     "the order has the Eichler symbol 0, which asks for a ray class group: none is computed"
                 )
-        places = frame.field.real_places()
-        ramified = tuple(v.index for v in places if v not in frame.split_places)
-        self.group = class_group(frame.integers.ring, ramified)
+        places = ambient.base.field.real_places()
+        ramified = tuple(v.index for v in places if v not in ambient.split_places)
+        self.group = class_group(ambient.base.ring, ramified)
 
     def __len__(self) -> int:
         return self.group.order
 
     @cached_property
-    def _ideals(self) -> dict[tuple[int, ...], IntegersIdeal]:
+    def _ideals(self) -> dict[tuple[int, ...], Any]:
         """A representative of each class, by its class in the group: O, and ideals of prime norms."""
-        order, ring = self.order, self.order.frame.integers.ring
+        order, ring = self.order, self.order.value.ambient.base.ring
         found = {self.group.class_of(ring.ideal(1)): order.right_ideal([1])}
         for P in good_primes(order):
             if len(found) == len(self):
                 break
-            ideal = order.frame.integers.prime(P)
+            ideal = order.value.ambient.base.prime_ideal(P)
             kind = self.group.class_of(ideal)
             if kind not in found:
                 found[kind] = order.ideals_of_norm(ideal, "right")[0]
         return found
 
-    def __getitem__(self, n: int) -> IntegersIdeal:
+    def __getitem__(self, n: int) -> Any:
         """Return the representative of class n, an integral right ideal; class 0 is that of O."""
         return list(self._ideals.values())[n]
 
-    def __iter__(self) -> Iterator[IntegersIdeal]:
+    def __iter__(self) -> Iterator[Any]:
         return iter(self._ideals.values())
 
-    def index(self, ideal: IntegersIdeal) -> int:
+    def index(self, ideal: Any) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
         self.order.expect_right_ideal(ideal)
         return list(self._ideals).index(self.group.class_of(ideal.norm()))
@@ -105,8 +104,8 @@ class IndefiniteClassSet(Hinted):
                 "types of indefinite orders are counted for Eichler orders, and this is none"
             )
         even = [k for k, d in enumerate(self.group.invariants) if d % 2 == 0]
-        frame = self.order.frame
-        norms = [frame.ideal(P) ** e for P, e in self.order.discriminant().factorisation()]
+        ambient = self.order.value.ambient
+        norms = [ambient.base.ideal(P) ** e for P, e in self.order.discriminant().factorisation()]
         rows = [[self.group.class_of(a)[k] % 2 for k in even] for a in norms]
         rank = flint.nmod_mat(rows, 2).rank() if rows and even else 0
         return 1 << (len(even) - rank)

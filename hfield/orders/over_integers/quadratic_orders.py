@@ -17,17 +17,18 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import LatticeError, UndecidedError, shorten
+from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.over_integers.equivalence import units
 from hfield.orders.over_integers.ideals_of_norm import generators, random_generators, subideals
 from hfield.orders.over_integers.local_orders import Local
-from hfield.orders.over_integers.trace_forms import trace_forms
+from hfield.orders.short_elements import expect_definite, of_norm_among, rows_of_norm
 from hfield.primality import WORD
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import Ideal
-    from hfield.orders.over_integers.frames import Frame
+    from hfield.orders.basis import AlgebraBasis
 
 ENUMERATED = 10**6
 """Ellipsoids with about so many integral points are run through."""
@@ -62,65 +63,72 @@ class IntegersEmbeddings:
         return bool(self.elements)
 
 
-def embeddings(frame: Frame, rows: flint.fmpq_mat, d: Any) -> IntegersEmbeddings:
+def embeddings(order: LatticeValue, d: Any) -> IntegersEmbeddings:
     """Return the optimal embeddings of the quadratic order of discriminant d, totally negative.
 
     Raises :class:`LatticeError` where d is no discriminant, :class:`IndefiniteError`.
     """
-    forms, field, x = trace_forms(frame), frame.field, frame.integers.inside(d)
-    t = _root_modulo_4(frame, x)
+    ambient, base = order.ambient, order.ambient.base
+    expect_definite(ambient, "embeddings()")
+    field, x = base.field, base.inside(d)
+    t = _root_modulo_4(ambient, x)
     if t is None or any(v.sign(x) >= 0 for v in field.real_places()):
         raise LatticeError(
             f"{shorten(d)} is no discriminant of a totally imaginary quadratic order over the integers of "
-            f"{shorten(frame.algebra.ring.name)}: expected a totally negative integer, a square modulo 4"
+            f"{shorten(ambient.algebra.ring.name)}: expected a totally negative integer, a square modulo 4"
         )
-    ternary = _ternary(frame, rows)
+    ternary = _ternary(order)
     # what would make an order of smaller discriminant d/b² contain the image
     inverses = [
-        frame.integers.prime(frame.prime(P)) ** -1
-        for P, e in frame.integers.principal(x).factorisation()
+        ambient.base.prime_ideal(ambient.base.prime(P)) ** -1
+        for P, e in ambient.base.principal(x).factorisation()
         if e > 1
     ]
     found = []
-    for s in forms.elements_of_norm(ternary, -x):
-        if not any(_inside(frame.multiple(s, b), ternary) for b in inverses):
+    for s in of_norm_among(ambient, ternary, -x):
+        multiples = ([s * ambient.scalar(c) for c in b.elements] for b in inverses)
+        if not any(_inside(some, ternary) for some in multiples):
             found += [s, -s]
-    shift = frame.row(1) * frame.scalar(t)
+    shift = ambient.row(1) * ambient.scalar(t)
     images = [(shift + s) * flint.fmpq(1, 2) for s in found]
-    elements = tuple(frame.quaternion(row.entries()) for row in images)
-    return IntegersEmbeddings(d, elements, _orbits(frame, rows, found))
+    elements = tuple(ambient.quaternion(row.entries()) for row in images)
+    return IntegersEmbeddings(d, elements, _orbits(order, found))
 
 
-def _root_modulo_4(frame: Frame, d: FieldElement) -> FieldElement | None:
+def _root_modulo_4(ambient: AlgebraBasis, d: FieldElement) -> FieldElement | None:
     """Return t with t² ≡ d modulo 4, or None."""
-    field = frame.field
-    for digits in product((0, 1), repeat=frame.n):
-        t = sum((w * c for w, c in zip(frame.omega, digits, strict=True)), field.zero)
+    field = ambient.base.field
+    for digits in product((0, 1), repeat=ambient.degree):
+        t: FieldElement = sum(
+            (w * c for w, c in zip(ambient.base.integral_basis, digits, strict=True)), field.zero
+        )
         if field.is_integral((t * t - d) * flint.fmpq(1, 4)):
             return t
     return None
 
 
-def _ternary(frame: Frame, rows: flint.fmpq_mat) -> flint.fmpq_mat:
+def _ternary(order: LatticeValue) -> flint.fmpq_mat:
     """Return a basis of the elements 2x − tr(x), of rank 3n over ℤ."""
-    doubled = [[0] * frame.n + [2 * c for c in row[frame.n :]] for row in rows.tolist()]
+    n = order.ambient.degree
+    doubled = [[0] * n + [2 * c for c in row[n:]] for row in order.rows.tolist()]
     whole, den = flint.fmpq_mat(doubled).numer_denom()
-    table = whole.hnf().tolist()[: 3 * frame.n]
+    table = whole.hnf().tolist()[: 3 * n]
     return flint.fmpq_mat(flint.fmpz_mat(table)) * flint.fmpq(1, int(den))
 
 
-def _inside(vectors: flint.fmpq_mat, ternary: flint.fmpq_mat) -> bool:
-    n = vectors.ncols() // 4
-    square, pure = (flint.fmpq_mat([r[n:] for r in m.tolist()]) for m in (ternary, vectors))
+def _inside(vectors: list[flint.fmpq_mat], ternary: flint.fmpq_mat) -> bool:
+    n = ternary.ncols() // 4
+    square = flint.fmpq_mat([r[n:] for r in ternary.tolist()])
+    pure = flint.fmpq_mat([v.entries()[n:] for v in vectors])
     return bool((pure * square.inv()).numer_denom()[1] == 1)
 
 
-def _orbits(frame: Frame, rows: flint.fmpq_mat, elements: list[flint.fmpq_mat]) -> int:
+def _orbits(order: LatticeValue, elements: list[flint.fmpq_mat]) -> int:
     """Return how many orbits there are under conjugation by the units of an order."""
     if not elements:
         return 0
-    every = (u.entries() for u in units(frame, rows))
-    maps = [frame.left(u) * frame.right(u).inv() for u in every]
+    times = order.ambient.times
+    maps = [times(u, "left") * times(u).inv() for u in units(order)]
     left, orbits = {str(s): s for s in elements}, 0
     while left:
         s = next(iter(left.values()))
@@ -133,31 +141,31 @@ def _orbits(frame: Frame, rows: flint.fmpq_mat, elements: list[flint.fmpq_mat]) 
 # --- norm equations --------------------------------------------------------------------------------
 
 
-def represent(frame: Frame, rows: flint.fmpq_mat, n: Any) -> Quaternion | None:
+def represent(order: LatticeValue, n: Any) -> Quaternion | None:
     """Return an element of an order with norm n, or None where there is none.
 
     Small n are decided by enumeration in the form Tr(N(x)/n). For others an obstruction at a prime is looked
     for, and a generator of norm n of random ideals of norm n, whose shortest vectors it is among.
     Raises :class:`IndefiniteError`, and :class:`UndecidedError`.
     """
-    forms, norm = trace_forms(frame), frame.integers.inside(n)
+    ambient, base = order.ambient, order.ambient.base
+    expect_definite(ambient, "represent_integer()")
+    norm = base.inside(n)
     if not norm:
-        return frame.quaternion([flint.fmpq(0)] * frame.size)
-    if not frame.field.is_integral(norm) or any(
-        v.sign(norm) < 0 for v in frame.field.real_places()
+        return ambient.quaternion([flint.fmpq(0)] * ambient.size)
+    if not ambient.base.field.is_integral(norm) or any(
+        v.sign(norm) < 0 for v in ambient.base.field.real_places()
     ):
         return None
-    small = _points(frame, rows, norm) < ENUMERATED
-    discriminant = frame.reduced_discriminant(rows)
+    small, whole = _points(order, norm) < ENUMERATED, discriminant(order)
     if not small and any(
-        is_obstructed(Local(frame, frame.prime(P)), rows, norm)
-        for P, _ in discriminant.factorisation()
+        is_obstructed(Local(ambient, base.prime(P)), order, norm) for P, _ in whole.factorisation()
     ):
         return None
-    lattices = [rows] if small else _random_ideals(frame, rows, norm, discriminant)
+    lattices = [order] if small else _random_ideals(order, norm, whole)
     for lattice in lattices:
-        for row in forms.elements_of_norm(lattice, norm):
-            return frame.quaternion(row.entries())
+        for row in rows_of_norm(lattice, norm):
+            return ambient.quaternion(row.entries())
     if small:
         return None
     raise UndecidedError(
@@ -166,59 +174,59 @@ def represent(frame: Frame, rows: flint.fmpq_mat, n: Any) -> Quaternion | None:
     )
 
 
-def _random_ideals(
-    frame: Frame, rows: flint.fmpq_mat, norm: FieldElement, discriminant: Ideal
-) -> Iterator[flint.fmpq_mat]:
+def _random_ideals(order: LatticeValue, norm: FieldElement, whole: Ideal) -> Iterator[LatticeValue]:
     """Yield some right ideals of an order whose norm is generated by a number."""
-    rng, steps = Random(1), []
-    for place, e in frame.integers.principal(norm).factorisation():
+    rng, steps, ambient = Random(1), [], order.ambient
+    for place, e in ambient.base.principal(norm).factorisation():
         if place.p >= WORD:
             raise UndecidedError(
-                f"whether the norm of an element is {shorten(frame.integers.outside(norm))} was not decided: "
+                f"whether the norm of an element is {shorten(ambient.base.outside(norm))} was not "
+                "decided: "
                 f"no small prime forbids it, and residues at {shorten(place)} exceed a machine's word"
             )
-        local, k = Local(frame, frame.prime(place)), discriminant.valuation(place)
-        steps += [(local, generators(local, rows, k) if k else [])] * e
+        local, k = Local(ambient, ambient.base.prime(place)), whole.valuation(place)
+        steps += [(local, generators(local, order, k) if k else [])] * e
     for _ in range(TRIALS):
-        ideal = rows
+        ideal = order
         for local, known in steps:
-            chosen = rng.choice(known) if known else random_generators(local, rows, rng)
+            chosen = rng.choice(known) if known else random_generators(local, order, rng)
             (ideal,) = subideals(local, ideal, [chosen])
         yield ideal
 
 
-def _points(frame: Frame, rows: flint.fmpq_mat, norm: FieldElement) -> float:
+def _points(order: LatticeValue, norm: FieldElement) -> float:
     """Return about how many elements of the lattice have Tr(N(x)/n) ≤ [K : ℚ]."""
-    form = rows * trace_forms(frame).form(norm.inverse()) * rows.transpose()
-    m = frame.size
+    ambient, rows = order.ambient, order.rows
+    form = rows * ambient.form(1 / norm) * rows.transpose()
+    m = ambient.size
     log_det = math.log(int(form.det().p)) - math.log(int(form.det().q))
     log_ball = m / 2 * math.log(math.pi) - math.lgamma(m / 2 + 1)
-    return math.exp(min(log_ball + m / 2 * math.log(2 * frame.n) - log_det / 2, 700.0))
+    return math.exp(min(log_ball + m / 2 * math.log(2 * ambient.degree) - log_det / 2, 700.0))
 
 
-def is_obstructed(local: Local, rows: flint.fmpq_mat, norm: FieldElement) -> bool:
+def is_obstructed(local: Local, order: LatticeValue, norm: FieldElement) -> bool:
     """Tell whether no element of the order has this norm in the completion at P; False where it is not seen.
 
     An element outside of P·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one
     of norm n (Hensel); one in P·O has the norm of one of norm n/π².
     """
-    frame, P = local.frame, local.prime
+    ambient, P = local.ambient, local.prime
     if P.norm() ** 4 > TRIED:
         return False
-    basis = [flint.fmpq_mat([r]) for r in local.independent(rows, local.times_prime(rows))]
-    values = [frame.norm(b.entries()) for b in basis]
+    basis = [flint.fmpq_mat([r]) for r in local.independent(order.rows, local.times_prime(order))]
+    values = [ambient.norm(b.entries()) for b in basis]
     classes = list(_vectors(local, basis))
 
     def solvable(target: FieldElement) -> bool:
-        level, power = [x for x in classes if any(x.entries())], frame.field.one
+        level, power = [x for x in classes if any(x.entries())], ambient.base.field.one
         for k in count(1):
             rest = []
             for x in level:
-                norm = frame.norm(x.entries())
+                norm = ambient.norm(x.entries())
                 if norm != target and P.valuation(norm - target) < k:
                     continue
                 slopes = (
-                    frame.norm((x + b).entries()) - norm - c
+                    ambient.norm((x + b).entries()) - norm - c
                     for b, c in zip(basis, values, strict=True)
                 )
                 slope = min((P.valuation(d) for d in slopes if d), default=math.inf)
@@ -228,7 +236,7 @@ def is_obstructed(local: Local, rows: flint.fmpq_mat, norm: FieldElement) -> boo
             if len(rest) * len(classes) > TRIED:
                 return True  # not known
             power = power * P.uniformiser
-            level = [x + v * frame.scalar(power) for x in rest for v in classes]
+            level = [x + v * ambient.scalar(power) for x in rest for v in classes]
             if not level:
                 break
         lower = target / (P.uniformiser * P.uniformiser)
@@ -239,9 +247,9 @@ def is_obstructed(local: Local, rows: flint.fmpq_mat, norm: FieldElement) -> boo
 
 def _vectors(local: Local, basis: list[flint.fmpq_mat]) -> Iterator[flint.fmpq_mat]:
     """Yield one element of each class of an order modulo P times it."""
-    frame = local.frame
+    ambient = local.ambient
     for digits in product(local.representatives, repeat=len(basis)):
-        total = flint.fmpq_mat(1, frame.size)
+        total = flint.fmpq_mat(1, ambient.size)
         for c, b in zip(digits, basis, strict=True):
-            total = total + b * frame.scalar(c)
+            total = total + b * ambient.scalar(c)
         yield total

@@ -9,7 +9,7 @@ from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from flint import arb, ctx, fmpq, fmpq_mat, fmpz_mat
+from flint import arb, ctx, fmpq, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, LatticeError, TooLargeError, UndecidedError, shorten
@@ -18,6 +18,7 @@ from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.number_fields.classes.zeta import zeta_minus_one
 from hfield.fuchsian.search import Sight, element_of_norm, first_plane, reduction
 from hfield.fuchsian.split_order import SplitOrder, TwoSided
+from hfield.orders.lattice_values import LatticeValue, multiple, scalars_into
 from hfield.orders.over_integers import certificates
 from hfield.orders.over_integers.elliptic_points import elliptic_points
 from hfield.orders.over_integers.equivalence import Comparison
@@ -30,7 +31,6 @@ from hfield.orders.over_integers.positive_generators import (
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.ideals import Ideal
-    from hfield.orders.over_integers.lattices import IntegersOrder
 
 MOST_IDEALS = 10_000
 """Products of a class of ideals and of two-sided primes, at most."""
@@ -38,29 +38,29 @@ SCALES = 20
 """So many numbers are looked at to find one of small norm in an ideal."""
 
 
-def element_generating(order: IntegersOrder, rows: Any, norm: Ideal) -> Comparison:
+def element_generating(order: Any, lattice: LatticeValue, norm: Ideal) -> Comparison:
     """Return an element of a locally principal lattice whose norm generates an ideal, or why there is none.
 
     By Eichler's theorem there is one where the ideal has a generator that is positive at the real places that
     ramify (Voight, theorem 28.5.5). ``order`` is an order of the lattice, of Eichler's kind. Raises
     :class:`IndefiniteError`, and :class:`UndecidedError` where no such element was found.
     """
-    split, frame = SplitIntegersOrder(order), order.frame
+    split, ambient = SplitIntegersOrder(order), order.value.ambient
     generator = norm.is_principal().generator
     if generator is None:
         return Comparison(False, f"the norm would generate {norm}, which is not principal")
-    group = order.algebra.ring.unit_group()
-    units = [frame.field.one]
-    for u in map(frame.integers.inside, (-1, *group.generators)):
+    group = ambient.base.ring.unit_group()
+    units = [ambient.base.field.one]
+    for u in map(ambient.base.inside, (-1, *group.generators)):
         units += [u * v for v in units]
-    norms = [frame.integers.inside(generator) * u for u in units]
+    norms = [ambient.base.inside(generator) * u for u in units]
     norms = [x for x in norms if all(value > 0 for value in split.elsewhere(x))]
     if not norms:
         return Comparison(
             False,
             f"the norm would be a generator of {norm} that is positive where the algebra ramifies",
         )
-    basis = [frame.quaternion(row) for row in rows.tolist()]
+    basis = list(lattice.basis)
     for x in norms:
         found = element_of_norm(split, basis, x)
         if found is not None:
@@ -76,30 +76,35 @@ class TwoSidedIdeals:
     its norm.
     """
 
-    def __init__(self, order: IntegersOrder) -> None:
+    def __init__(self, order: Any) -> None:
         if not order.is_eichler():
             raise LatticeError("the normaliser is known here for Eichler orders, and this is none")
         self.order, self._whole = order, order.discriminant()
         self.primes = [P for P, _ in self._whole.factorisation()]
-        integers, group = order.frame.integers, order.algebra.ring.class_group()
-        self.powers = [P**e for P, e in self._whole.factorisation() for P in [order.frame.ideal(P)]]
+        base, group = order.value.ambient.base, order.value.ambient.base.ring.class_group()
+        self.powers = [
+            P**e
+            for P, e in self._whole.factorisation()
+            for P in [order.value.ambient.base.ideal(P)]
+        ]
         if group.order << len(self.primes) > MOST_IDEALS:
             raise TooLargeError(
                 f"the field has {group.order} classes of ideals and the discriminant {len(self.primes)} "
                 f"prime ideals: products up to {MOST_IDEALS} are looked at"
             )
-        self.classes = [integers.one]
+        self.classes = [base.one]
         for a, d in zip(group.generators, group.invariants, strict=True):
             self.classes = [a**k * b for k in range(d) for b in self.classes]
 
     def norm(self, chosen: int) -> Ideal:
         """Return the norm of a product of J_P."""
         some = (p for k, p in enumerate(self.powers) if chosen >> k & 1)
-        return prod(some, start=self.order.frame.integers.one)
+        found: Ideal = prod(some, start=self.order.value.ambient.base.one)
+        return found
 
     def primes_of(self, norm: object) -> int:
         """Return the set of primes with a norm. Raises :class:`LatticeError` where there is none."""
-        ideal = self.order.frame.ideal(norm)
+        ideal = self.order.value.ambient.base.ideal(norm)
         chosen = sum(1 << k for k, P in enumerate(self.primes) if ideal.valuation(P) > 0)
         if self.norm(chosen) != ideal:
             raise LatticeError(
@@ -130,12 +135,13 @@ class SplitIntegersOrder(SplitOrder):
     Raises :class:`IndefiniteError` unless there are only real places and one splits.
     """
 
-    def __init__(self, order: IntegersOrder) -> None:
+    def __init__(self, order: Any) -> None:
         self.order, self.algebra = order, order.algebra
-        field, frame = order.field, order.frame
+        ambient = order.value.ambient
+        field = ambient.base.field
         real, n = field.real_places(), field.degree
-        split = [v.index for v in frame.split_places]
-        if not frame.is_fuchsian:
+        split = [v.index for v in ambient.split_places]
+        if not ambient.is_fuchsian:
             complex_ones = (n - len(real)) // 2
             raise IndefiniteError(
                 f"{shorten(self.algebra)} splits at {len(split)} of the {len(real)} real places"
@@ -153,8 +159,8 @@ class SplitIntegersOrder(SplitOrder):
         """A basis over ℤ that looks short from a point, so that products have small coordinates."""
         sight = Sight(first_plane(self), self.order.basis)
         steps = reduction(sight.forms(np.zeros(1), 1.0)[0]).tolist()
-        whole = fmpq_mat(fmpz_mat(steps)) * self.order.rows
-        return tuple(map(self.order.frame.quaternion, whole.tolist()))
+        value: LatticeValue = self.order.value
+        return value.elements(fmpz_mat(steps) * value.matrix)
 
     def __contains__(self, x: Quaternion) -> bool:
         return x in self.order
@@ -164,15 +170,15 @@ class SplitIntegersOrder(SplitOrder):
 
         These are divided by those of their norms (Voight, theorem 39.1.8 and lemma 26.6.7).
         """
-        order, frame = self.order, self.order.frame
-        found = abs(zeta_minus_one(self.algebra.ring)) * Fraction(4, 2**order.field.degree)
-        found *= order.norm_of_discriminant()
-        for place, _ in order.discriminant().factorisation():
-            local = Local(frame, frame.prime(place))
-            q, symbol = local.prime.norm(), local.symbol(order.rows)
+        order, ambient = self.order.value, self.order.value.ambient
+        found: Fraction = abs(zeta_minus_one(self.algebra.ring)) * Fraction(4, 2**self.degree)
+        found *= self.order.norm_of_discriminant()
+        for place, _ in self.order.discriminant().factorisation():
+            local = Local(ambient, ambient.base.prime(place))
+            q, symbol = local.prime.norm(), local.symbol(order)
             found *= (1 - Fraction(1, q * q)) / (1 - Fraction(symbol, q))
             if symbol == 0:
-                found /= local.norm_index(order.rows)
+                found /= local.norm_index(order)
         return found
 
     def elliptic_points(self) -> dict[int, int] | None:
@@ -180,10 +186,11 @@ class SplitIntegersOrder(SplitOrder):
         return elliptic_points(self.order) if self.degree > 1 else None
 
     def scalar(self, x: Any) -> FieldElement:
-        return self.order.frame.integers.inside(x)
+        found: FieldElement = self.order.value.ambient.base.inside(x)
+        return found
 
     def sign(self, x: FieldElement) -> int:
-        return self.order.field.sign(x, self.place)
+        return int(self.order.value.ambient.base.field.sign(x, self.place))
 
     def real(self, x: FieldElement) -> float:
         return self._near(x, self.place)
@@ -199,16 +206,15 @@ class SplitIntegersOrder(SplitOrder):
 
     def root(self, x: FieldElement) -> Any:
         found = x.sqrt()
-        return None if found is None else self.order.frame.integers.outside(found)
+        return None if found is None else self.order.value.ambient.base.outside(found)
 
     def primitive(self, x: Quaternion) -> Quaternion:
-        frame = self.order.frame
-        rows = frame.left(frame.row(x).entries())
-        into = frame.scalars_into(self.order.rows * rows, self.order.rows)
+        order, ambient = self.order.value, self.order.value.ambient
+        into = scalars_into(multiple(order, x, "left"), order)
         scales = s_units(self.algebra.ring).short(into, SCALES)
         norm = self.scalar(x.norm())
         scale = min(scales, key=lambda c: (abs(c.norm()), (c * c * norm).trace()))
-        found: Quaternion = x * frame.integers.outside(scale)
+        found: Quaternion = x * ambient.base.outside(scale)
         return found
 
     def normalising(self, norms: Sequence[object]) -> list[TwoSided]:
@@ -236,12 +242,12 @@ class SplitIntegersOrder(SplitOrder):
         return found
 
     def flat(self, q: Quaternion) -> list[fmpq]:
-        found: list[fmpq] = self.order.frame.row(q).entries()
+        found: list[fmpq] = self.order.value.ambient.row(q).entries()
         return found
 
     def written(self, g: Quaternion) -> dict[str, Any]:
-        frame = self.order.frame
-        return certificates.element_json(frame, frame.row(g))
+        ambient = self.order.value.ambient
+        return certificates.element_json(ambient, ambient.row(g))
 
     def claim(self, word: str, parts: list[str], shown: dict[str, Any], *cited: str) -> Claim:
         return certificates.of_units(self.order, word, parts, shown, *cited)

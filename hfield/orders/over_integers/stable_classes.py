@@ -15,36 +15,36 @@ import flint
 
 from hfield.fields.number_fields.symbols import square_class
 from hfield.orders.class_number import LocalNorms, StableClasses
+from hfield.orders.lattice_values import LatticeValue, includes, product, times_ideal
 from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.over_integers.positive_generators import units_modulo_squares
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-    from hfield.orders.over_integers.frames import Frame
 
 
 def stable_classes(order: Any) -> StableClasses:
     """Return the stable classes of a definite order."""
-    frame, places = order.frame, []
+    ambient, places = order.value.ambient, []
     for shown, _ in order.discriminant().factorisation():
         if order.eichler_symbol(shown) == 0:
-            P = frame.prime(shown)
+            P = ambient.base.prime(shown)
             size = P.e * P.f + 1 if P.p == 2 else 1
-            norms = {square_class(P, x) for x in _norms(frame, order.rows, P)}
+            norms = {square_class(P, x) for x in _norms(order.value, P)}
             places.append(LocalNorms(P, size, partial(square_class, P), tuple(norms)))
-    ring = frame.integers.ring
+    ring = ambient.base.ring
     return StableClasses(places, units_modulo_squares(ring), ring.narrow_class_group().order)
 
 
-def _norms(frame: Frame, rows: flint.fmpq_mat, P: PrimeIdeal) -> Iterator[FieldElement]:
+def _norms(order: LatticeValue, P: PrimeIdeal) -> Iterator[FieldElement]:
     """Yield norms that generate, with the squares, those of the units at P."""
     if P.p > 2:
         return
-    one, limit = frame.row(1), rows.inv()
-    divisor = frame.integers.prime(P) ** -(2 * P.e + 1)
-    radical = power = Local(frame, P).radical(rows)
-    while (frame.multiple(power, divisor) * limit).numer_denom()[1] != 1:
-        for row in power.tolist():
-            yield frame.norm((flint.fmpq_mat([row]) + one).entries())
-        power = frame.product(power, radical)
+    ambient = order.ambient
+    one, bound = ambient.row(1), times_ideal(order, ambient.base.prime_ideal(P) ** (2 * P.e + 1))
+    radical = power = Local(ambient, P).radical(order)
+    while not includes(bound, power):
+        for row in power.rows.tolist():
+            yield ambient.norm((flint.fmpq_mat([row]) + one).entries())
+        power = product(power, radical)

@@ -153,7 +153,7 @@ def reduced_basis(rng: Random) -> None:
     _, plain, L, _ = pair(rng, rng.choice((True, None)))
     basis = [vector(q) for q in L.reduced_basis()]
     assert span(basis) == rows(L)
-    if L.value.regular.definite:
+    if L.value.ambient.definite:
         lengths = [2 * plain.norm(x) for x in basis]
         assert lengths == sorted(lengths)
         # the bound of Lenstra, Lenstra and Lovász

@@ -1,0 +1,322 @@
+"""Bases of quaternion algebras over ℤ, and multiplication, conjugation and traces as integer matrices.
+
+An element is a row of 4n rational numbers: the coordinates in the integral basis ω of the base, n numbers
+each, of w, x, y, z in ``w + x·I + y·J + z·IJ``. Over ℚ these are the coordinates over (1, i, j, k), for any
+constants (a, t, b), fractions too. Matrices act on rows from the right.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from functools import cached_property, lru_cache
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
+
+from hfield.errors import IndefiniteError, LatticeError
+from hfield.orders.base import Base, base_of
+from hfield.orders.kernels import Kernels
+from hfield.product import conjugate, multiply, norm, trace
+
+if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Parent, Quaternion
+
+UNITS: list[Any] = [tuple(int(m == n) for n in range(4)) for m in range(4)]
+
+
+class AlgebraBasis:
+    """A basis of an algebra over ℚ, ``size`` = 4n elements ω·1, ω·I, ω·J, ω·IJ, and its products.
+
+    ``right[m]`` is the matrix of ``q ↦ q·(element m)`` and ``left[m]`` that of ``q ↦ (element m)·q``, and
+    ``traces[k]`` the matrix of the k-th coordinate of ``tr(x·conj(y))`` in ω; they are ``scale`` times too
+    large, so that they are integral. ``conjugation`` is ``conjugate_scale`` times too large.
+    """
+
+    def __init__(self, algebra: Parent, base: Base) -> None:
+        self.algebra, self.base = algebra, base
+        self.degree = n = base.degree
+        self.size = 4 * n
+        self.kernels = Kernels(base.is_rational)
+        self._quaternions = base.quaternion_basis(algebra)
+        self.constants = c = self._quaternions.constants
+        omega = base.integral_basis
+        products = [[multiply(c, u, v) for v in UNITS] for u in UNITS]
+        right = [self._matrix(column) for column in zip(*products, strict=True)]
+        left = [self._matrix(row) for row in products]
+        bars = self._matrix([conjugate(c, u) for u in UNITS])
+        pairings = [[trace(c, multiply(c, u, conjugate(c, v))) for v in UNITS] for u in UNITS]
+        traces = [[[fmpq(0)] * self.size for _ in range(self.size)] for _ in omega]
+        for u, v in ((u, v) for u in range(4) for v in range(4) if pairings[u][v] != 0):
+            numbers = [x * y * pairings[u][v] for x in omega for y in omega]
+            for m, row in enumerate(base.coordinate_rows(numbers).tolist()):
+                for table, x in zip(traces, row, strict=True):
+                    table[u * n + m // n][v * n + m % n] = x
+        forms = list(map(fmpq_mat, traces))
+        self.scale = math.lcm(*(int(m.numer_denom()[1]) for m in (*right, *left, *forms)))
+        self.scalars = [_integral(self._matrix([_scaled(u, w) for u in UNITS]), 1) for w in omega]
+        self.right = [_integral(m, self.scale) * s for m in right for s in self.scalars]
+        self.left = [_integral(m, self.scale) * s for m in left for s in self.scalars]
+        self.traces = [_integral(m, self.scale) for m in forms]
+        self.conjugation, below = bars.numer_denom()
+        self.conjugate_scale = int(below)
+
+    def _matrix(self, images: Iterable[Sequence[Any]]) -> fmpq_mat:
+        """Return the matrix of a linear map over the base by its images of 1, I, J, IJ."""
+        numbers = [w * x for q in images for w in self.base.integral_basis for x in q]
+        return fmpq_mat(self.size, self.size, self.base.coordinate_rows(numbers).entries())
+
+    @cached_property
+    def _coordinates(self) -> list[fmpz_mat]:
+        """The coordinates of a product, one after the other, as bilinear forms."""
+        size = range(self.size)
+        return [fmpz_mat([[self.right[y][x, m] for y in size] for x in size]) for m in size]
+
+    @cached_property
+    def _norms(self) -> dict[str, list[fmpz_mat]]:
+        """The coordinates of ``x·conj(y)``, and of ``conj(x)·y`` on the right."""
+        bars = self.conjugation
+        return {
+            "left": [form * bars.transpose() for form in self._coordinates],
+            "right": [bars * form for form in self._coordinates],
+        }
+
+    @cached_property
+    def pairs(self) -> list[tuple[int, int]]:
+        """The pairs of two numbers of basis elements."""
+        return list(combinations(range(self.size), 2))
+
+    # --- elements ----------------------------------------------------------------------------------
+
+    def parts(self, row: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
+        """Return w, x, y, z, numbers of the field."""
+        n, number = self.degree, self.base.element_of
+        w, x, y, z = (number(row[k : k + n]) for k in range(0, self.size, n))
+        return w, x, y, z
+
+    def element(self, row: Sequence[int | fmpz], den: int = 1) -> Quaternion:
+        """Return a row over a denominator as an element of the algebra."""
+        return self.quaternion([fmpq(c, den) for c in row])
+
+    def quaternion(self, row: Sequence[fmpq]) -> Quaternion:
+        """Return a row of rational numbers as an element of the algebra."""
+        found = self._quaternions.back(self.parts(row))
+        q: Quaternion = self.algebra(*map(self.base.outside, found))
+        return q
+
+    def row(self, x: Any) -> fmpq_mat:
+        """Return what the algebra reads as an element, a matrix of one row."""
+        q = x if getattr(x, "algebra", None) is self.algebra else self.algebra(x)
+        if q.is_batch:
+            raise LatticeError(
+                "a lattice is spanned by single elements, and this is an array of them"
+            )
+        parts = self._quaternions.into([self.base.inside(c) for c in q.coordinates])
+        return fmpq_mat(1, self.size, self.base.coordinate_rows(parts).entries())
+
+    def integral_row(self, x: object) -> tuple[int, list[fmpz]]:
+        """Return the same as integers over a denominator."""
+        row, den = self.row(x).numer_denom()
+        return int(den), row.entries()
+
+    def is_integral(self, row: Sequence[fmpq]) -> bool:
+        """Tell whether an element has an integral trace and norm."""
+        numbers = [trace(self.constants, self.parts(row)), self.norm(row)]
+        return bool(self.base.coordinate_rows(numbers).numer_denom()[1] == 1)
+
+    def norm(self, row: Sequence[fmpq]) -> Any:
+        """Return the reduced norm of an element, a number of the field."""
+        return norm(self.constants, self.parts(row))
+
+    # --- products ----------------------------------------------------------------------------------
+
+    def products(self, rows: fmpz_mat, others: fmpz_mat) -> fmpz_mat:
+        """Return the products of all rows with all others, one a row, ``scale`` times too large."""
+        columns = others.transpose()
+        found = zip(*((rows * form * columns).entries() for form in self._coordinates), strict=True)
+        return fmpz_mat(rows.nrows() * others.nrows(), self.size, [x for row in found for x in row])
+
+    def norm_products(self, rows: fmpz_mat, side: str) -> fmpz_mat:
+        """Return the products ``x·conj(y)`` of the pairs of a basis, ``conj(x)·y`` on the right.
+
+        They are ``scale·conjugate_scale`` times too large.
+        """
+        columns = rows.transpose()
+        found = [rows * form * columns for form in self._norms[side]]
+        entries = [m[pair] for pair in self.pairs for m in found]
+        return fmpz_mat(len(self.pairs), self.size, entries)
+
+    def left_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
+        """Return the matrix of ``q ↦ x·q`` for an integer row x, ``scale`` times too large."""
+        return _combined(self.left, row)
+
+    def right_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
+        """Return the matrix of ``q ↦ q·x`` for an integer row x, ``scale`` times too large."""
+        return _combined(self.right, row)
+
+    def times(self, x: fmpq_mat | Sequence[fmpq], side: str = "right") -> fmpq_mat:
+        """Return the matrix of ``q ↦ q·x`` for an element, one row; of ``q ↦ x·q`` for the side left."""
+        row, den = (x if isinstance(x, fmpq_mat) else fmpq_mat(1, self.size, list(x))).numer_denom()
+        matrix = (self.right_matrix if side == "right" else self.left_matrix)(row.entries())
+        return matrix * fmpq(1, int(den) * self.scale)
+
+    def scalar(self, x: Any) -> fmpq_mat:
+        """Return the matrix of the multiplication by a number of the field."""
+        row, den = self.base.coordinate_rows([x]).numer_denom()
+        return self.scalar_matrix(row.entries()) * fmpq(1, int(den))
+
+    def scalar_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
+        """Return the same for integer coordinates of a number in the integral basis."""
+        return _combined(self.scalars, row)
+
+    @cached_property
+    def identity(self) -> fmpz_mat:
+        """The lattice of 1, I, J, IJ."""
+        size = range(self.size)
+        return fmpz_mat([[int(m == k) for m in size] for k in size])
+
+    @cached_property
+    def integers(self) -> fmpz_mat:
+        """The integers of the base, one a row."""
+        n = self.degree
+        return fmpz_mat([[int(m == k) for m in range(self.size)] for k in range(n)])
+
+    @cached_property
+    def base_multiplications(self) -> list[fmpz_mat]:
+        """The matrices of the multiplication by the integral basis on its coordinates."""
+        omega = self.base.integral_basis
+        tables = (self.base.coordinate_rows([v * w for v in omega]) for w in omega)
+        return [_integral(table, 1) for table in tables]
+
+    @cached_property
+    def base_traces(self) -> list[int]:
+        """The traces of the integral basis."""
+        return [int(self.base.trace(w).p) for w in self.base.integral_basis]
+
+    # --- norms -------------------------------------------------------------------------------------
+
+    def grams(self, rows: fmpz_mat) -> list[fmpz_mat]:
+        """Return the matrices of the coordinates of ``tr(x·conj(y))`` on rows, ``scale`` times too large."""
+        columns = rows.transpose()
+        return [rows * form * columns for form in self.traces]
+
+    def form(self, c: Any) -> fmpq_mat:
+        """Return the matrix of the form ``Tr(c·tr(x·conj(y)))``, twice Tr(c·N(x)) for x = y."""
+        base = self.base
+        terms = [
+            form * base.trace(c * w)
+            for w, form in zip(base.integral_basis, self.traces, strict=True)
+        ]
+        return sum(terms[1:], terms[0]) * fmpq(1, self.scale)
+
+    def norm_trace(self, row: Sequence[int | fmpz]) -> fmpz:
+        """Return Tr(N(x)) for an integer row, ``scale`` times too large: over ℤ the norm."""
+        return sum(c * row[m] * row[n] for m, n, c in self._squares)
+
+    @cached_property
+    def _squares(self) -> list[tuple[int, int, fmpz]]:
+        form = self.trace_form
+        pairs = [*((k, k) for k in range(self.size)), *self.pairs]
+        entries = ((m, n, form[m, n] // (2 if m == n else 1)) for m, n in pairs)
+        return [(m, n, c) for m, n, c in entries if c]
+
+    @cached_property
+    def trace_form(self) -> fmpz_mat:
+        """The matrix of ``Tr(tr(x·conj(y)))``, ``scale`` times too large."""
+        found = self.form(self.base.field.one) * self.scale
+        return found.numer_denom()[0]
+
+    @cached_property
+    def definite(self) -> bool:
+        """Whether the algebra is totally definite."""
+        a, t, b = self.constants
+        positive = self.base.is_totally_positive
+        return self.base.is_totally_real and positive(-a - t * t / 4) and positive(-b)
+
+    @cached_property
+    def majorant(self) -> fmpz_mat:
+        """A positive definite form on the rows that Tr(N(x)) does not exceed, up to a scale.
+
+        Raises :class:`IndefiniteError` for an indefinite algebra over a field other than ℚ.
+        """
+        if self.definite:
+            return self.trace_form
+        if self.degree > 1:
+            raise IndefiniteError(
+                f"{self.algebra} is not totally definite: over a field other than QQ bases are reduced in "
+                "totally definite algebras"
+            )
+        a, t, b = self.constants
+        h, s = t / 2, abs(a + t * t / 4)
+        # over 1, i − t/2, j and their product the norm is diagonal
+        rows = fmpq_mat([[1, h, 0, 0], [0, 1, 0, 0], [0, 0, 1, h], [0, 0, 0, 1]])
+        norms = fmpq_mat([[1, 0, 0, 0], [0, s, 0, 0], [0, 0, abs(b), 0], [0, 0, 0, s * abs(b)]])
+        form, _ = (rows.transpose() * norms * rows).numer_denom()
+        return form
+
+    # --- where the algebra ramifies ----------------------------------------------------------------
+
+    @cached_property
+    def ramified(self) -> tuple[Any, ...]:
+        """The primes at which the algebra ramifies. Raises :class:`UnfactoredError`."""
+        return self.base.ramified_primes(self.constants)
+
+    @cached_property
+    def discriminant(self) -> Any:
+        """The product of the prime ideals at which the algebra ramifies."""
+        return math.prod(map(self.base.prime_ideal, self.ramified), start=self.base.one)
+
+    @cached_property
+    def unit_discriminant(self) -> Any:
+        """The reduced discriminant of the lattice of 1, I, J, IJ, an ideal: that of (t² + 4a)·b."""
+        a, t, b = self.constants
+        return self.base.principal((t * t + a * 4) * b)
+
+    @cached_property
+    def split_places(self) -> tuple[Any, ...]:
+        """The real places at which the algebra splits."""
+        a, t, b = self.constants
+        square = a + t * t / 4
+        places = self.base.field.real_places()
+        return tuple(v for v in places if max(v.sign(square), v.sign(b)) > 0)
+
+    @property
+    def is_fuchsian(self) -> bool:
+        """Whether the field is totally real and the algebra splits at one of its real places alone."""
+        return self.base.is_totally_real and len(self.split_places) == 1
+
+
+def _scaled(q: Sequence[Any], c: Any) -> tuple[Any, Any, Any, Any]:
+    w, x, y, z = q
+    return w * c, x * c, y * c, z * c
+
+
+def _integral(matrix: fmpq_mat, scale: int) -> fmpz_mat:
+    return (matrix * scale).numer_denom()[0]
+
+
+def _combined(matrices: list[fmpz_mat], row: Sequence[int | fmpz]) -> fmpz_mat:
+    """Return the sum of matrices times numbers."""
+    found = matrices[0] * row[0]
+    for n in range(1, len(matrices)):
+        if row[n]:
+            found += matrices[n] * row[n]
+    return found
+
+
+@lru_cache(maxsize=256)
+def _basis_of(algebra: Any) -> AlgebraBasis:
+    return AlgebraBasis(algebra, base_of(algebra.ring))
+
+
+def basis_of(algebra: Parent) -> AlgebraBasis:
+    """Return the basis of an algebra in which its lattices are kept.
+
+    Raises :class:`RingError` for an algebra over another ring, or a degenerate one.
+    """
+    found: AlgebraBasis | None = vars(algebra).get("_basis")  # every lattice asks for it
+    if found is None:
+        known: Any = algebra
+        found = vars(algebra)["_basis"] = _basis_of(known)
+    return found

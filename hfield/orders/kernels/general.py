@@ -1,0 +1,82 @@
+"""The functions for lattices over any base, of rank 4n over ℤ."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from operator import mul
+from typing import TYPE_CHECKING, Any
+
+from flint import fmpz, fmpz_mat, fmpz_poly
+
+from hfield.orders.hermite import hermite, stacked
+
+if TYPE_CHECKING:
+    from hfield.orders.basis import AlgebraBasis
+    from hfield.orders.lattice_values import LatticeValue
+
+
+def norm(ambient: AlgebraBasis, grams: Sequence[fmpz_mat], content: fmpz, den: int) -> Any:
+    """Return the ideal that norms generate, by the coordinates of ``tr(x·conj(y))`` on a basis."""
+    size = range(ambient.size)
+    squares = fmpz_mat([[g[k, k] // 2 for g in grams] for k in size])
+    entries = squares.entries()
+    for table in ambient.base_multiplications[1:]:
+        entries += (squares * table).entries()
+    # tr(x·conj(y)) is the norm of a sum less two norms; these are stable under the integers
+    entries += [g[pair] for pair in ambient.pairs for g in grams]
+    return ambient.base.ideal_spanned(entries, ambient.scale * den * den)
+
+
+def content(gram: fmpz_mat) -> fmpz:
+    """Return the gcd of half the diagonal of a matrix and its other entries: of the values of its form."""
+    size = range(gram.ncols())
+    values = [gram[k, k] // 2 for k in size] + [gram[m, n] for n in size for m in range(n)]
+    return fmpz_poly(values).content()  # the gcd of a list, as flint has it
+
+
+def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> Any:
+    """Return the index ideal of a lattice, in Hermite form over ``den``, in that of 1, I, J, IJ.
+
+    Where the first coordinates are 0 the next ones are an ideal; the index is the product of the four.
+    """
+    base, n, size = ambient.base, ambient.degree, ambient.size
+    rows = matrix.tolist()
+    blocks = ([x for row in rows[k : k + n] for x in row[k : k + n]] for k in range(0, size, n))
+    return math.prod((base.ideal_spanned(block, den) for block in blocks), start=base.one)
+
+
+def ideal_multiples(ambient: AlgebraBasis, rows: fmpz_mat, ideal: Any) -> tuple[int, fmpz_mat]:
+    """Return rows over a denominator: those given, times a basis of an ideal of the base."""
+    den, table = ambient.base.ideal_rows(ideal)
+    return den, stacked(*(rows * ambient.scalar_matrix(c) for c in table))
+
+
+def order_rows(lattice: LatticeValue, pairs: fmpz_mat) -> tuple[int, fmpz_mat]:
+    """Return rows over a denominator that span ``L·conj(L)/N(L)``.
+
+    ``pairs`` are the products of pairs of the basis (:meth:`AlgebraBasis.norm_products`): with the norms and
+    traces, which generate N(L), they span L·conj(L).
+    """
+    ambient, norm = lattice.ambient, lattice.norm
+    below, table = ambient.base.ideal_rows(norm)
+    whole = ambient.scale * ambient.conjugate_scale * lattice.den * lattice.den
+    common = math.lcm(below, whole)
+    numbers = fmpz_mat(table) * ambient.integers
+    rows = stacked(pairs * (common // whole), numbers * (common // below))
+    found = hermite(common, rows)
+    assert found is not None, "the products with one conjugate have full rank"
+    below, multiples = ideal_multiples(ambient, found[1], ambient.base.inverse(norm))
+    return below * found[0], multiples
+
+
+def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
+    """Tell whether the index of an ideal in its order is the square of its norm."""
+    index = volume(ideal.ambient, ideal.matrix, ideal.den)
+    whole = volume(order.ambient, order.matrix, order.den)
+    return bool(index == ideal.norm * ideal.norm * whole)
+
+
+def combination(x: Sequence[int], columns: Sequence[Sequence[int]]) -> tuple[int, ...]:
+    """Return a combination of the rows of a matrix with these columns."""
+    return tuple(sum(map(mul, x, column)) for column in columns)

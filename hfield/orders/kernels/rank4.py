@@ -1,0 +1,54 @@
+"""Quicker ways for lattices over ℤ, of rank 4."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from flint import fmpz, fmpz_mat, fmpz_poly
+
+if TYPE_CHECKING:
+    from hfield.orders.basis import AlgebraBasis
+    from hfield.orders.lattice_values import LatticeValue
+
+
+def content(gram: fmpz_mat) -> fmpz:
+    """Return the gcd of half the diagonal of a matrix and its other entries."""
+    g = gram
+    squares = [g[0, 0] // 2, g[1, 1] // 2, g[2, 2] // 2, g[3, 3] // 2]
+    mixed = [g[0, 1], g[0, 2], g[0, 3], g[1, 2], g[1, 3], g[2, 3]]
+    return fmpz_poly(squares + mixed).content()  # the gcd of a list, as flint has it
+
+
+def norm(ambient: AlgebraBasis, grams: Sequence[fmpz_mat], content: fmpz, den: int) -> Fraction:
+    """Return the gcd of all norms, which is the content."""
+    return Fraction(int(content), ambient.scale * den * den)
+
+
+def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> Fraction:
+    """Return the determinant of a triangular matrix over ``den``."""
+    return Fraction(int(_determinant(matrix)), den**4)
+
+
+def order_rows(lattice: LatticeValue, pairs: fmpz_mat) -> tuple[int, fmpz_mat]:
+    """Return seven rows over a denominator that span ``L·conj(L)/N(L)``."""
+    whole = int(lattice.content) * lattice.ambient.conjugate_scale
+    return whole, fmpz_mat(7, 4, [whole, 0, 0, 0, *pairs.entries()])
+
+
+def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
+    """Compare determinants, the products of diagonals."""
+    content, scale = ideal.content, order.den**4 * ideal.ambient.scale**2
+    index = _determinant(ideal.matrix) * scale
+    return bool(index == content * content * _determinant(order.matrix))
+
+
+def _determinant(matrix: fmpz_mat) -> fmpz:
+    return matrix[0, 0] * matrix[1, 1] * matrix[2, 2] * matrix[3, 3]
+
+
+def combination(x: Sequence[int], columns: Sequence[Sequence[int]]) -> tuple[int, ...]:
+    """Return a combination of four rows."""
+    p, q, r, s = x
+    return tuple([p * a + q * b + r * c + s * d for a, b, c, d in columns])

@@ -1,0 +1,49 @@
+"""What is quicker over ℤ against the functions for any rank, on random lattices."""
+
+from random import Random
+
+from flint import fmpz_mat
+
+from hfield.orders import hermite, lattice_values
+from hfield.orders.kernels import general, rank4
+from hfield.orders.lattice_values import LatticeValue
+from tests.orders.random_lattices import algebra
+
+
+def random_lattice(rng: Random) -> LatticeValue:
+    ambient = lattice_values.basis_of(algebra(rng))
+    while True:
+        rows = fmpz_mat([[rng.randint(-9, 9) for _ in range(4)] for _ in range(4)])
+        if rows.rank() == 4:
+            return lattice_values.hermite_form(ambient, rng.randint(1, 12), rows)
+
+
+def test_every_kernel_gives_what_the_general_function_gives() -> None:
+    rng = Random(1)
+    principal = set()
+    for _ in range(60):
+        L = random_lattice(rng)
+        ambient = L.ambient
+        given = (ambient, L.grams, L.content, L.den)
+        assert rank4.norm(*given) == general.norm(*given)
+        assert rank4.content(L.grams[0]) == general.content(L.grams[0])
+        assert rank4.volume(ambient, L.matrix, L.den) == general.volume(ambient, L.matrix, L.den)
+        for side in ("left", "right"):
+            given = (L, ambient.norm_products(L.matrix, side))
+            assert hermite.hermite(*rank4.order_rows(*given)) == hermite.hermite(
+                *general.order_rows(*given)
+            )
+        order = lattice_values.colon(L, L, "left")
+        left = lattice_values.generated_ideal(order, [L.basis[0] + 3 * L.basis[2] + 2], "left")
+        for ideal in (L, left):
+            found = rank4.is_locally_principal(ideal, order)
+            assert found == general.is_locally_principal(ideal, order)
+            principal.add(found)
+        x = [rng.randint(-9, 9) for _ in range(4)]
+        columns = list(zip(*hermite.tuples(L.matrix), strict=True))
+        assert rank4.combination(x, columns) == general.combination(x, columns)
+        assert rank4.combination(x, columns) == hermite.combination(x, L.matrix)
+    assert principal == {True, False}
+    names = {name for name in vars(rank4) if callable(getattr(rank4, name)) and name.islower()}
+    own = {name for name in names if getattr(rank4, name).__module__ == rank4.__name__}
+    assert {name for name in own if name[0] != "_"} <= set(vars(general))
