@@ -1140,12 +1140,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> O.discriminant(), O.maximal_overorder().index(O)
         (ideal(4), ideal(4))
         """
-        from hfield.orders.lattice import IntegersOrder, Order
-        from hfield.orders.over_integers.orders import generated
+        from hfield.orders.lattice import order_of_value
+        from hfield.orders.rings import generated
 
-        if self.over_integers:
-            return IntegersOrder(generated(self, elements))
-        return Order.generated(self, elements)
+        return order_of_value(generated(self, elements))
 
     def order_from_basis(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
         """Return the order with a basis of four elements; over ℤ_K, that elements or a pseudo-basis span.
@@ -1153,10 +1151,11 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         Raises :class:`LatticeError` unless they span a ring with 1.
         """
         from hfield.orders.lattice import IntegersOrder, Order
-        from hfield.orders.over_integers.orders import order_of_basis
+        from hfield.orders.lattice_values import spanned
+        from hfield.orders.rings import checked_ring
 
         if self.over_integers:
-            return IntegersOrder(order_of_basis(self, elements))
+            return IntegersOrder(checked_ring(spanned(self, elements)))
         return Order.from_basis(self, elements)
 
     def maximal_order(self, factors: Factors | None = None) -> Order | IntegersOrder:

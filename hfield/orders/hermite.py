@@ -122,6 +122,14 @@ def stacked(*matrices: fmpz_mat) -> fmpz_mat:
     return fmpz_mat(len(entries) // size, size, entries)
 
 
+def joined(d: int, m: fmpz_mat, e: int, n: fmpz_mat) -> tuple[int, fmpz_mat]:
+    """Return the rows of two matrices over a common denominator."""
+    den = math.lcm(d, e)
+    if d != e:
+        m, n = m * (den // d), n * (den // e)
+    return den, stacked(m, n)
+
+
 def span(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
     """Return the Hermite form of what the rows of an integer matrix, over ``den``, span, of any rank."""
     h, size = matrix.hnf(), matrix.ncols()

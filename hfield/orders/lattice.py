@@ -35,6 +35,7 @@ from hfield.orders import (
     maximal_orders,
     pseudo_bases,
     quadratic_orders,
+    rings,
     short_elements,
     ternary_forms,
     z_order,
@@ -384,7 +385,7 @@ class Order(WithStableClasses, Certified, Lattice):
         Raises :class:`LatticeError` when it has a rank below 4, or is no lattice, because it contains
         elements that are not integral.
         """
-        return cls(z_order.generated(algebra, elements))
+        return cls(ZOrder.of(rings.generated(algebra, elements)))
 
     @classmethod
     def from_basis(cls, algebra: Parent, elements: Iterable[object]) -> Order:
@@ -403,7 +404,7 @@ class Order(WithStableClasses, Certified, Lattice):
     @classmethod
     def from_lattice(cls, lattice: Lattice) -> Order:
         """Return a lattice as an order. Raises :class:`LatticeError` unless it is a ring with 1."""
-        return cls(z_order.checked_ring(lattice.value))
+        return cls(ZOrder.of(rings.checked_ring(lattice.value)))
 
     @overload
     def __and__(self, other: Order) -> Order: ...
@@ -600,7 +601,7 @@ class Order(WithStableClasses, Certified, Lattice):
     def _order_like(self, other: object) -> ZOrder:
         """Return an order of the same algebra, perhaps given as a lattice, ``x * O * x.inverse()``."""
         value = self._same(other, "compare").value
-        return value if isinstance(value, ZOrder) else z_order.checked_ring(value)
+        return value if isinstance(value, ZOrder) else ZOrder.of(rings.checked_ring(value))
 
     def is_isomorphic(self, other: Order) -> bool:
         """Tell whether two orders are isomorphic. Raises as :meth:`isomorphism` does."""

@@ -213,14 +213,14 @@ def includes(lattice: LatticeValue, other: LatticeValue) -> bool:
 
 def add(first: LatticeValue, second: LatticeValue) -> LatticeValue:
     """Return the sum, the least lattice that contains both."""
-    joined = _joined(first.den, first.matrix, second.den, second.matrix)
+    joined = hermite.joined(first.den, first.matrix, second.den, second.matrix)
     return hermite_form(first.ambient, *joined)
 
 
 def add_rows(lattice: LatticeValue, rows: fmpq_mat) -> LatticeValue:
     """Return the sum of a lattice and what rows of rational numbers span over ℤ."""
     den, whole = hermite.rational(rows)
-    joined = _joined(lattice.den, lattice.matrix, den, whole)
+    joined = hermite.joined(lattice.den, lattice.matrix, den, whole)
     return hermite_form(lattice.ambient, *joined)
 
 
@@ -228,22 +228,14 @@ def add_elements(lattice: LatticeValue, rows: fmpq_mat) -> LatticeValue:
     """Return the sum of a lattice and what rows span over the integers of the base."""
     den, whole = hermite.rational(rows)
     multiples = hermite.stacked(*(whole * m for m in lattice.ambient.scalars))
-    joined = _joined(lattice.den, lattice.matrix, den, multiples)
+    joined = hermite.joined(lattice.den, lattice.matrix, den, multiples)
     return hermite_form(lattice.ambient, *joined)
-
-
-def _joined(d: int, m: fmpz_mat, e: int, n: fmpz_mat) -> tuple[int, fmpz_mat]:
-    """Return the rows of two matrices over a common denominator."""
-    den = math.lcm(d, e)
-    if d != e:
-        m, n = m * (den // d), n * (den // e)
-    return den, hermite.stacked(m, n)
 
 
 def meet(first: LatticeValue, second: LatticeValue) -> LatticeValue:
     """Return the intersection, through the sum of the dual lattices for the dot product."""
     duals = (_dot_dual(L.den, L.matrix) for L in (first, second))
-    den, rows = _joined(*next(duals), *next(duals))
+    den, rows = hermite.joined(*next(duals), *next(duals))
     return hermite_form(first.ambient, *_dot_dual(den, _independent(rows)))
 
 

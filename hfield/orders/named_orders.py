@@ -29,7 +29,8 @@ from hfield.orders.checked_arguments import expect_coprime, positive
 from hfield.orders.lattice_values import hermite_form
 from hfield.orders.maximal_orders import eichler_suborder, overorder
 from hfield.orders.modulo_primes import kronecker
-from hfield.orders.z_order import ZOrder, generated
+from hfield.orders.rings import generated
+from hfield.orders.z_order import ZOrder
 from hfield.primality import is_prime
 from hfield.product import Constants, Coordinates, multiply
 from hfield.rings.rational import fmpq
@@ -158,7 +159,7 @@ def extremal_order(algebra: Parent) -> ZOrder:
     q = quadratic_part(p)
     i, j = _generators(algebra, q, p)
     w = (1 + i) / 2 if q % 4 == 3 else i
-    return overorder(generated(algebra, [w, j]))
+    return overorder(ZOrder.of(generated(algebra, [w, j])))
 
 
 def _generators(algebra: Parent, q: int, p: int) -> tuple[Any, Any]:

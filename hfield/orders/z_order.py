@@ -1,25 +1,18 @@
-"""Orders over ℤ as values, lattices that are rings: discriminant, level, Eichler symbols, ternary lattice.
-
-And the orders of a lattice, the ring that elements generate, and whether a lattice is one.
-"""
+"""Orders over ℤ as values, lattices that are rings: discriminant, level, Eichler symbols, ternary lattice."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
 
 from flint import fmpz_mat
 
-from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.errors import LatticeError, shorten
 from hfield.factorisation import factorise
 from hfield.orders import hermite, lattice_values
-from hfield.orders.basis import basis_of
-from hfield.orders.checked_arguments import listed
-from hfield.orders.lattice_values import LatticeValue, contains, discriminant, spanning_rows
+from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.modulo_primes import kronecker
 from hfield.rings.whole_numbers import fraction
 
@@ -122,68 +115,4 @@ def gorenstein_closure(order: ZOrder) -> ZOrder:
     for n, row in enumerate(hermite.tuples(rows)):
         odd = int(gram[n, n]) // 2 // f**2 % 2
         found.append([row[0] + odd * f * den, *row[1:]])
-    return checked_ring(lattice_values.hermite_form(order.ambient, 2 * f * den, fmpz_mat(found)))
-
-
-# --- rings -----------------------------------------------------------------------------------------
-
-
-def checked_ring(lattice: LatticeValue) -> ZOrder:
-    """Return a lattice as an order. Raises :class:`LatticeError` unless it is a ring with 1."""
-    if not contains(lattice, 1):
-        raise LatticeError("this lattice is no order: 1 is not in it")
-    for p, q in product(lattice.basis, repeat=2):
-        if not contains(lattice, p * q):
-            raise LatticeError(
-                f"this lattice is no order: the product of {shorten(p)} and {shorten(q)} is not in "
-                "it; A.order(elements) returns the ring that they generate"
-            )
-    return ZOrder.of(lattice)
-
-
-def generated(algebra: Parent, elements: Iterable[object]) -> ZOrder:
-    """Return the ring that elements generate. Raises :class:`LatticeError` where it is no order."""
-    r = basis_of(algebra)
-    den, letters = spanning_rows(r, [1, *listed(elements)])
-    span = hermite.span(den, letters)
-    while True:
-        words_den, words = span
-        _check_integral(algebra, words_den, words)
-        longer = r.products(words, letters)
-        scale = den * r.scale
-        rows = (words * scale).entries() + longer.entries()
-        wider = hermite.span(words_den * scale, fmpz_mat(len(rows) // 4, 4, rows))
-        if wider == span:
-            break
-        span = wider
-    if words.nrows() < 4:
-        raise LatticeError(
-            f"these elements generate a ring of rank {words.nrows()}, and orders have rank 4: give "
-            "elements that lie in no smaller algebra, such as two that do not commute"
-        )
-    return ZOrder(r, words_den, words)
-
-
-def _check_integral(algebra: Parent, den: int, rows: fmpz_mat) -> None:
-    """Raise :class:`LatticeError` unless all combinations of the rows have integral trace and norm."""
-    # the traces are those of x·conj(1)
-    ambient = basis_of(algebra)
-    (gram,) = ambient.grams(fmpz_mat([*rows.tolist(), [den, 0, 0, 0]]))
-    scale, last = ambient.scale * den * den, rows.nrows()
-
-    def element(n: int) -> Quaternion:
-        return algebra(*(Fraction(int(rows[n, m]), den) for m in range(4)))
-
-    for n in range(last):
-        if gram[n, last] % scale or gram[n, n] % (2 * scale):
-            q = element(n)
-            raise LatticeError(
-                f"these elements generate no order: {shorten(q)} has trace {q.trace()} and norm "
-                f"{q.norm()}, which are not both integers"
-            )
-        for m in range(n):
-            if gram[n, m] % scale:
-                raise LatticeError(
-                    f"these elements generate no order: the sum of {shorten(element(m))} and "
-                    f"{shorten(element(n))} has a norm that is no integer"
-                )
+    return ZOrder.of(lattice_values.hermite_form(order.ambient, 2 * f * den, fmpz_mat(found)))

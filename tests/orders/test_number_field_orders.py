@@ -10,7 +10,7 @@ import pytest
 from hfield import LatticeError, QuaternionAlgebra, ring
 from hfield.orders.lattice import IntegersOrder, Lattice
 from hfield.orders.over_integers.local_orders import Local
-from hfield.orders.over_integers.orders import checked_ring
+from hfield.orders.rings import checked_ring
 
 # class numbers 1 and more, algebras ramified at finite places and not; the last with a generator of K that is
 # no integer

@@ -1,0 +1,81 @@
+"""Lattices that are rings: what elements generate over the integers, and whether a lattice is one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from flint import fmpz_mat
+
+from hfield.algebra.quaternion import Parent
+from hfield.errors import LatticeError, shorten
+from hfield.orders import hermite
+from hfield.orders.basis import AlgebraBasis, basis_of
+from hfield.orders.checked_arguments import listed
+from hfield.orders.lattice_values import LatticeValue, contains, spanning_rows
+
+
+def checked_ring(lattice: LatticeValue) -> LatticeValue:
+    """Return a lattice that is a ring with 1. Raises :class:`LatticeError` for another one."""
+    if not contains(lattice, 1):
+        raise LatticeError("this lattice is no order: 1 is not in it")
+    for p, row in zip(lattice.basis, lattice.rows.tolist(), strict=True):
+        products = lattice.rows * lattice.ambient.times(row, "left") * lattice.inverse_rows
+        if products.numer_denom()[1] == 1:
+            continue
+        entries = products.tolist()
+        q = next(q for q, x in zip(lattice.basis, entries, strict=True) if any(c.q != 1 for c in x))
+        raise LatticeError(
+            f"this lattice is no order: the product of {shorten(p)} and {shorten(q)} is not in "
+            "it; A.order(elements) returns the ring that they generate"
+        )
+    return lattice
+
+
+def generated(algebra: Parent, elements: Iterable[object]) -> LatticeValue:
+    """Return the algebra over the integers that elements generate.
+
+    Raises :class:`LatticeError` where its rank is below 4, or where it has elements that are not integral.
+    """
+    ambient, given = basis_of(algebra), listed(elements)
+    span = hermite.span(*spanning_rows(ambient, [1, *given]))
+    found = [ambient.integral_row(x) for x in given]
+    letters = [(den * ambient.scale, ambient.right_matrix(row)) for den, row in found]
+    while True:
+        den, words = span
+        _check_integral(ambient, den, words)
+        wider = span
+        for below, matrix in letters:
+            wider = hermite.span(*hermite.joined(*wider, den * below, words * matrix))
+        if wider == span:
+            break
+        span = wider
+    if words.nrows() < ambient.size:
+        raise LatticeError(
+            f"these elements generate a ring of rank {words.nrows() // ambient.degree}, and orders have "
+            "rank 4: give elements that lie in no smaller algebra, such as two that do not commute"
+        )
+    return LatticeValue(ambient, den, words)
+
+
+def _check_integral(ambient: AlgebraBasis, den: int, rows: fmpz_mat) -> None:
+    """Raise :class:`LatticeError` unless all combinations of rows have integral trace and norm."""
+    one = ambient.integral_row(1)[1]
+    last = rows.nrows()
+    grams = ambient.grams(
+        hermite.stacked(rows, fmpz_mat([one]) * den)
+    )  # traces are those of x·conj(1)
+    scale = ambient.scale * den * den
+    for n in range(last):
+        if any(g[n, last] % scale or g[n, n] % (2 * scale) for g in grams):
+            q = ambient.element(rows.tolist()[n], den)
+            raise LatticeError(
+                f"these elements generate no order: {shorten(q)} has trace {q.trace()} and norm "
+                f"{q.norm()}, which are not both integers"
+            )
+        for m in range(n):
+            if any(g[n, m] % scale for g in grams):
+                p, q = (ambient.element(rows.tolist()[k], den) for k in (m, n))
+                raise LatticeError(
+                    f"these elements generate no order: the sum of {shorten(p)} and {shorten(q)} has a norm "
+                    "that is no integer"
+                )
