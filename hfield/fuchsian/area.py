@@ -9,8 +9,9 @@ from math import prod
 from flint import fmpz
 
 from hfield.factorisation import factorise
+from hfield.orders.invariants import eichler_symbol, is_eichler
 from hfield.orders.modulo_primes import kronecker
-from hfield.orders.z_order import ZOrder, eichler_symbol, is_eichler
+from hfield.orders.z_order import ZOrder
 
 
 def area(order: ZOrder) -> Fraction:

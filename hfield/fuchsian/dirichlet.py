@@ -24,7 +24,7 @@ from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, distinct, free_centers
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
 from hfield.orders import maximal_orders
-from hfield.orders.z_order import is_eichler
+from hfield.orders.invariants import is_eichler
 from hfield.progress import tell
 
 ROUNDS = 50

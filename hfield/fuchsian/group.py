@@ -16,7 +16,7 @@ from hfield.fuchsian import area, presentation
 from hfield.fuchsian.presentation import Word
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
 from hfield.hints import GROUP, Hinted
-from hfield.orders.z_order import is_eichler
+from hfield.orders.invariants import is_eichler
 
 if TYPE_CHECKING:
     from hfield.fuchsian import dirichlet

@@ -14,17 +14,21 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
 
-from hfield.errors import LatticeError, RingError, shorten
+from hfield.errors import LatticeError, RingError, TooLargeError, shorten
+from hfield.factorisation import factorise, remove
 from hfield.fields.number_fields import ideals
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.quadratic.places import QuadraticPlace
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified
 from hfield.fields.rationals.places import INFINITE
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.orders import checked_arguments
+from hfield.orders.modulo_primes import kronecker
+from hfield.primality import WORD
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
@@ -83,6 +87,15 @@ class Base(Protocol):
 
     def prime_ideal(self, prime: Any) -> Any:
         """Return a prime as an ideal."""
+
+    def valuation(self, ideal: Any, prime: Any) -> int:
+        """Return the exponent of a prime in an ideal."""
+
+    def factorisation(self, ideal: Any) -> list[tuple[Any, int]]:
+        """Return the primes of an ideal with their exponents, ascending. Raises :class:`UnfactoredError`."""
+
+    def quadratic_symbol(self, trace: Any, norm: Any, prime: Any) -> int:
+        """Return 1, 0 or −1 where x² − trace·x + norm has two roots, one or none modulo a prime."""
 
     def ramified_primes(self, constants: Constants) -> tuple[Any, ...]:
         """Return the primes at which an algebra ramifies. Raises :class:`UnfactoredError`."""
@@ -146,6 +159,18 @@ class RationalIntegers:
 
     def prime_ideal(self, prime: int) -> int:
         return prime
+
+    def valuation(self, ideal: Fraction | int, prime: int) -> int:
+        return remove(ideal.numerator, prime)[0] - remove(ideal.denominator, prime)[0]
+
+    def factorisation(self, ideal: Fraction | int) -> list[tuple[int, int]]:
+        found = dict(factorise(ideal.numerator))
+        for p, e in factorise(ideal.denominator).items() if ideal.denominator > 1 else ():
+            found[p] = found.get(p, 0) - e
+        return sorted(found.items())
+
+    def quadratic_symbol(self, trace: fmpq, norm: fmpq, prime: int) -> int:
+        return kronecker(int(trace.p) ** 2 - 4 * int(norm.p), prime)  # both are integers
 
     def ramified_primes(self, constants: Constants) -> tuple[int, ...]:
         a, t, b = map(fraction, constants)
@@ -244,6 +269,19 @@ class NumberFieldIntegers:
     def prime_ideal(self, prime: PrimeIdeal) -> ideals.Ideal:
         return self.integers.prime(prime)
 
+    def valuation(self, ideal: ideals.Ideal, prime: PrimeIdeal) -> int:
+        return ideal.valuation(prime)
+
+    def factorisation(self, ideal: ideals.Ideal) -> list[tuple[PrimeIdeal, int]]:
+        return [(self.prime(P), e) for P, e in ideal.factorisation()]
+
+    def quadratic_symbol(self, trace: Any, norm: Any, prime: PrimeIdeal) -> int:
+        expect_small(prime)
+        place, t, n = local_place(prime), prime.residue_of(trace), prime.residue_of(norm)
+        if (t if place.even else (t * t - n * 4) % place.modulus) == 0:
+            return 0
+        return -1 if place.quadratic_root(place.one, place.zero - t, n) is None else 1
+
     def ramified_primes(self, constants: Constants) -> tuple[PrimeIdeal, ...]:
         a, _, b = constants
         some = {2} | candidates(self.field, a) | candidates(self.field, b)
@@ -331,6 +369,14 @@ class NumberFieldIntegers:
 
     def shown_index(self, ideal: ideals.Ideal) -> ideals.Ideal:
         return ideal
+
+
+def expect_small(prime: PrimeIdeal) -> None:
+    """Raise :class:`TooLargeError` for a prime ideal whose residues exceed a machine's word."""
+    if prime.p >= WORD:
+        raise TooLargeError(
+            f"orders are not looked at {shorten(prime)}, whose residues exceed a machine's word"
+        )
 
 
 INTEGERS = RationalIntegers()

@@ -9,7 +9,7 @@ from flint import fmpz_mat, fmpz_poly, nmod_mat
 
 from hfield.factorisation import factorise
 from hfield.orders.ideals_of_norm import MOST, number_maximal
-from hfield.orders.z_order import eichler_symbol
+from hfield.orders.invariants import eichler_symbol
 from hfield.primality import is_prime, primes
 from hfield.progress import along
 

@@ -24,9 +24,10 @@ from hfield.errors import LatticeError
 from hfield.factorisation import factorise
 from hfield.orders import hermite
 from hfield.orders.checked_arguments import expect_coprime
+from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.modulo_primes import kronecker
-from hfield.orders.z_order import ZOrder, eichler_symbol
+from hfield.orders.z_order import ZOrder
 
 
 def eichler_mass(discriminant: int, level: int) -> Fraction:

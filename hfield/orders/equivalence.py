@@ -21,6 +21,7 @@ from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
 from hfield.orders import compatible_products, enumeration, hermite
 from hfield.orders.certificates import STRONG_APPROXIMATION, Answer, element_json
+from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import (
     LatticeValue,
     colon,
@@ -32,7 +33,7 @@ from hfield.orders.lattice_values import (
     scaled,
 )
 from hfield.orders.short_elements import up_to
-from hfield.orders.z_order import ZOrder, eichler_symbol
+from hfield.orders.z_order import ZOrder
 
 TRIED = 4_000
 """Short vectors tried for an element of given norm in an indefinite algebra, before others."""

@@ -11,8 +11,8 @@ from hfield.factorisation import factorise
 from hfield.orders import checked_arguments
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Module, expect_eichler
+from hfield.orders.invariants import is_eichler
 from hfield.orders.named_orders import eichler_order
-from hfield.orders.z_order import is_eichler
 from hfield.primality import primes
 
 

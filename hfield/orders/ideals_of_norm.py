@@ -24,6 +24,7 @@ from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise, remove
 from hfield.orders import hermite, lattice_values
 from hfield.orders.class_number import local_factor
+from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import (
     LatticeValue,
     add,
@@ -44,7 +45,7 @@ from hfield.orders.maximal_orders import (
     with_two_roots,
 )
 from hfield.orders.modulo_primes import echelon, lead
-from hfield.orders.z_order import ZOrder, eichler_symbol
+from hfield.orders.z_order import ZOrder
 
 
 def two_sided_prime(order: ZOrder, p: int) -> LatticeValue:

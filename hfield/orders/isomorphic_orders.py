@@ -26,6 +26,7 @@ from hfield.orders import enumeration, hermite
 from hfield.orders.certificates import STRONG_APPROXIMATION, Answer, element_json
 from hfield.orders.enumeration import Gram, Vector
 from hfield.orders.equivalence import Search, element_of_norm, root
+from hfield.orders.invariants import conductor, is_eichler
 from hfield.orders.lattice_values import (
     LatticeValue,
     add,
@@ -36,7 +37,7 @@ from hfield.orders.lattice_values import (
     scaled,
 )
 from hfield.orders.maximal_orders import endpoints
-from hfield.orders.z_order import ZOrder, conductor, gorenstein_closure, is_eichler
+from hfield.orders.z_order import ZOrder, gorenstein_closure
 
 
 def isomorphism(

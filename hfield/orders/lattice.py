@@ -29,6 +29,7 @@ from hfield.orders import (
     equivalence,
     hermite,
     ideals_of_norm,
+    invariants,
     isomorphic_orders,
     klpt,
     lattice_values,
@@ -452,18 +453,18 @@ class Order(WithStableClasses, Certified, Lattice):
 
     def is_eichler(self) -> bool:
         """Tell whether this is an intersection of two maximal orders (Voight, section 24.3)."""
-        return z_order.is_eichler(self.value)
+        return invariants.is_eichler(self.value)
 
     def eichler_symbol(self, p: int) -> int | None:
         """Return the Eichler symbol (O | p): 1, 0 or −1; None where the order is M₂(ℤₚ).
 
         It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2).
         """
-        return z_order.eichler_symbol(self.value, prime(p))
+        return invariants.eichler_symbol(self.value, prime(p))
 
     def conductor(self) -> int:
         """Return the largest f with O = ℤ + f·G for an order G; 1 for a Gorenstein order."""
-        return z_order.conductor(self.value)
+        return int(invariants.conductor(self.value))
 
     def ternary_theta_series(self, n: int) -> list[int]:
         """Return [r(0), …, r(n)], where r(m) elements of norm m are in the trace-0 part of ℤ + 2O.
@@ -1027,18 +1028,11 @@ class IntegersOrder(Lattice, WithStableClasses, Certified):
         It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2).
         """
         P = self.value.ambient.base.prime(prime)
-        if not self.discriminant().valuation(P):
-            return None
-        return Local(self.value.ambient, P).symbol(self.value)
+        return invariants.eichler_symbol(self.value, P)
 
     def is_eichler(self) -> bool:
         """Tell whether this is an intersection of two maximal orders (Voight, section 24.3)."""
-        level = self.level.factorisation()
-        ramified = self.value.ambient.ramified
-        return all(
-            self.value.ambient.base.prime(P) not in ramified and self.eichler_symbol(P) == 1
-            for P, _ in level
-        )
+        return invariants.is_eichler(self.value)
 
     def is_maximal(self) -> Because:
         """Tell whether no larger order contains this one, with a ``reason``: its discriminant decides."""
@@ -1075,7 +1069,8 @@ class IntegersOrder(Lattice, WithStableClasses, Certified):
 
     def conductor(self) -> FieldIdeal:
         """Return the largest ideal f with O = ℤ_K + f·G for an order G; 1 for a Gorenstein order."""
-        return related_orders.conductor(self.value)
+        found: FieldIdeal = invariants.conductor(self.value)
+        return found
 
     def is_gorenstein(self) -> bool:
         """Tell whether the codifferent is invertible: whether the conductor is 1 (Voight, section 24.2)."""

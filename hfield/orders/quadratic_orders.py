@@ -29,8 +29,9 @@ from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.factorisation import factorise, remove
 from hfield.orders import certificates, enumeration, hermite
+from hfield.orders.invariants import is_eichler
 from hfield.orders.short_elements import expect_affordable, expect_definite, of_norm
-from hfield.orders.z_order import ZOrder, is_eichler
+from hfield.orders.z_order import ZOrder
 from hfield.primality import is_probable_prime, primes
 from hfield.rings.whole_numbers import sqrt_mod
 

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
-from itertools import product
 
 from flint import fmpz_mat
 
-from hfield.factorisation import factorise
 from hfield.orders import hermite, lattice_values
+from hfield.orders.invariants import conductor
 from hfield.orders.lattice_values import LatticeValue, discriminant
-from hfield.orders.modulo_primes import kronecker
 from hfield.rings.whole_numbers import fraction
 
 
@@ -77,38 +74,9 @@ class ZOrder(LatticeValue):
 # --- what an order is ------------------------------------------------------------------------------
 
 
-def is_eichler(order: ZOrder) -> bool:
-    """Tell whether an order is an intersection of two maximal orders (Voight, section 24.3)."""
-    level = order.level
-    return math.gcd(level, order.ambient.discriminant) == 1 and all(
-        eichler_symbol(order, p) == 1 for p in factorise(level)
-    )
-
-
-def eichler_symbol(order: ZOrder, p: int) -> int | None:
-    """Return the Eichler symbol (O | p): 1, 0 or −1; None where the order is M₂(ℤₚ).
-
-    It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2).
-    """
-    if order.discriminant % p:
-        return None
-    # the discriminant of x changes by a square unit, or stays 0, when x changes modulo p
-    pairs = (order.trace_and_norm(x) for x in product((0, 1), repeat=4))
-    symbols = {kronecker(t * t - 4 * n, p) for t, n in pairs} - {0}
-    return symbols.pop() if symbols else 0
-
-
-def conductor(order: ZOrder) -> int:
-    """Return the largest f with O = ℤ + f·G for an order G; 1 for a Gorenstein order."""
-    m, d = hermite.inverse(order.ternary[2])
-    # the norm times the discriminant on the trace-0 part of the codifferent (Voight, 24.2)
-    form = [[4 * order.discriminant * int(x) // d for x in row] for row in m.tolist()]
-    return math.gcd(*(form[r][c] // (2 if r == c else 1) for r in range(3) for c in range(3)))
-
-
 def gorenstein_closure(order: ZOrder) -> ZOrder:
     """Return the Gorenstein order G with O = ℤ + f·G, f the conductor (Voight, section 24.2)."""
-    f = conductor(order)
+    f = int(conductor(order))
     den, rows, gram = order.ternary
     # ℤ + 2G has the trace-0 part of ℤ + 2O, divided by f
     found = [[2 * f * den, 0, 0, 0]]

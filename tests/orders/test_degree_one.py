@@ -180,3 +180,18 @@ def test_groups_with_cusps() -> None:
     M = QuaternionAlgebra(K, 1, 1)
     for n, signature in ((1, (0, (2, 3), 1)), (4, (0, (), 3)), (11, (1, (), 2))):
         assert M.eichler_order(n).norm_one_group().signature == signature
+
+
+def test_symbols_and_conductors_over_both() -> None:
+    A = QuaternionAlgebra(K, -1, -11)
+    B = plain(A)
+    seen = set()
+    for i, j in (("i", "j"), ("3*i", "j"), ("2*i", "3*j"), ("i + j", "2*k + i"), ("4*i", "4*j")):
+        O, P = A.order([i, j]), B.order([i, j])
+        assert O.conductor() == P.conductor()
+        assert O.level == P.level
+        assert O.is_eichler() == P.is_eichler()
+        for p in (2, 3, 5, 11):
+            assert O.eichler_symbol(p) == P.eichler_symbol(p)
+            seen.add(P.eichler_symbol(p))
+    assert seen == {None, 0, 1, -1}

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.errors import LatticeError, TooLargeError
+from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import LatticeValue, add_elements, add_rows
 from hfield.orders.over_integers.local_orders import Local, Rows
 
@@ -32,7 +33,7 @@ def generators(local: Local, order: LatticeValue, exponent: int) -> list[Rows]:
     """
     if local.prime.norm() > MOST:
         raise TooLargeError(f"there are too many ideals of norm {local.prime} to list them")
-    if not exponent or local.symbol(order) == 1:
+    if not exponent or eichler_symbol(order, local.prime) == 1:
         return _split(local, order, exponent)
     radical, below = local.radical(order), local.times_prime(order)
     if exponent == 1:  # ramified, of one maximal ideal

@@ -16,12 +16,13 @@ from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.errors import LatticeError
 from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.symbols import square_class
+from hfield.orders.base import expect_small
 from hfield.orders.basis import AlgebraBasis
 from hfield.orders.hermite import stacked
 from hfield.orders.lattice_values import (
@@ -34,7 +35,6 @@ from hfield.orders.lattice_values import (
     times_ideal,
 )
 from hfield.orders.lattice_values import product as lattice_product
-from hfield.primality import WORD
 from hfield.rings.residue_polynomials import coefficients
 
 if TYPE_CHECKING:
@@ -64,10 +64,7 @@ class Local:
 
     def __init__(self, ambient: AlgebraBasis, prime: PrimeIdeal) -> None:
         self.ambient, self.prime, self.p = ambient, prime, prime.p
-        if self.p >= WORD:
-            raise TooLargeError(
-                f"orders are not looked at {shorten(prime)}, whose residues exceed a machine's word"
-            )
+        expect_small(prime)
         self.place = local_place(prime)
         self._residues = [self._digits(prime.residue_of(w)) for w in ambient.base.integral_basis]
 
@@ -197,20 +194,6 @@ class Local:
             moved = [c - s for c, s in zip(row, [*shift, *[0] * (3 * ambient.degree)], strict=True)]
             return moved, self.lift((other - root) % place.modulus)
         raise LatticeError(f"no idempotent was found in the residues of an order at {self.prime}")
-
-    def symbol(self, order: LatticeValue) -> int:
-        """Return 1, 0 or −1 where the residues modulo the radical are split, ramified or inert at P.
-
-        Outside of what is central modulo the radical a polynomial x² − tr(x)·x + N(x) is separable.
-        """
-        place = self.place
-        for row in order.rows.tolist():
-            trace = self.prime.residue_of(self.ambient.parts(row)[0] * 2)
-            norm = self.prime.residue_of(self.ambient.norm(row))
-            if (trace if place.even else (trace * trace - norm * 4) % place.modulus) != 0:
-                root = place.quadratic_root(place.one, place.zero - trace, norm)
-                return -1 if root is None else 1
-        return 0
 
     def norm_index(self, order: LatticeValue) -> int:
         """Return the index of the norms of units of an order with the symbol 0 in the units of ℤ_P.

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.errors import TooLargeError
+from hfield.orders.invariants import conductor, eichler_symbol
 from hfield.orders.lattice_values import (
     LatticeValue,
     add,
@@ -107,15 +108,6 @@ def _generated(lattice: LatticeValue, limit: LatticeValue) -> LatticeValue | Non
 # --- Gorenstein and Bass orders --------------------------------------------------------------------
 
 
-def conductor(order: LatticeValue) -> Ideal:
-    """Return the largest ideal f with O = ℤ_K + f·G for an order G.
-
-    It is N(O#)·discrd(O): for Gorenstein orders the dual is locally principal, and f⁻² comes from f⁻¹·G#.
-    """
-    found: Ideal = dual(order).norm * discriminant(order)
-    return found
-
-
 def gorenstein_closure(order: LatticeValue) -> LatticeValue:
     """Return the Gorenstein order G with O = ℤ_K + f·G, f the conductor."""
     ambient, found = order.ambient, order
@@ -160,7 +152,7 @@ def is_bass(order: LatticeValue) -> bool:
         while exponent > 1:
             if conductor(larger).valuation(prime):
                 return False
-            if local.symbol(larger):
+            if eichler_symbol(larger, prime):
                 break
             larger = local.left_order(local.radical(larger))
             exponent = discriminant(larger).valuation(prime)

@@ -1,0 +1,47 @@
+"""What an order is at the primes of its discriminant, over any base: level, Eichler symbols, conductor."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from hfield.orders.lattice_values import LatticeValue, discriminant, dual
+from hfield.product import trace
+
+
+def level(order: LatticeValue) -> Any:
+    """Return the index in a maximal order: the reduced discriminant over that of the algebra."""
+    return discriminant(order) / order.ambient.discriminant
+
+
+def eichler_symbol(order: LatticeValue, prime: Any) -> int | None:
+    """Return the Eichler symbol (O | P): 1, 0 or −1; None where the order is maximal and split at P.
+
+    It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2). Outside of what is
+    central modulo the radical a polynomial x² − tr(x)·x + N(x) is separable.
+    """
+    ambient, base = order.ambient, order.ambient.base
+    if not base.valuation(discriminant(order), prime):
+        return None
+    for row in order.rows.tolist():
+        t = trace(ambient.constants, ambient.parts(row))
+        symbol = base.quadratic_symbol(t, ambient.norm(row), prime)
+        if symbol:
+            return symbol
+    return 0
+
+
+def is_eichler(order: LatticeValue) -> bool:
+    """Tell whether an order is an intersection of two maximal orders (Voight, section 24.3)."""
+    ramified = order.ambient.ramified
+    return all(
+        P not in ramified and eichler_symbol(order, P) == 1
+        for P, _ in order.ambient.base.factorisation(level(order))
+    )
+
+
+def conductor(order: LatticeValue) -> Any:
+    """Return the largest ideal f with O = R + f·G for an order G, R being the integers of the base.
+
+    It is N(O#)·discrd(O): for Gorenstein orders the dual is locally principal, and f⁻² comes from f⁻¹·G#.
+    """
+    return dual(order).norm * discriminant(order)
