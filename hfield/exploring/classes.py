@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -24,7 +25,7 @@ MAX_CLASSES = 200_000
 """The greatest number of classes that are listed."""
 
 
-class ConjugacyClass:
+class ConjugacyClass(ABC):
     """The conjugates of ``representative`` under a group of units.
 
     >>> from hfield import H
@@ -38,9 +39,9 @@ class ConjugacyClass:
         self.algebra, self._size, self._contains = algebra, size, contains
 
     @property
+    @abstractmethod
     def representative(self) -> Quaternion:
         """An element of the class."""
-        raise NotImplementedError
 
     @cached_property
     def minimal_polynomial(self) -> Coefficients:

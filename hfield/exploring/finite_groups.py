@@ -13,10 +13,13 @@ if TYPE_CHECKING:
     import numpy as np
 
 MAX_PRUNED = 4096
-"""Groups up to this order have no generator that the others generate."""
+"""Groups up to this order have no generator that the others generate, and generators of greatest order."""
 
 MAX_NORMAL = 600
 """So many normal subgroups are listed, and those that one more class makes."""
+
+MAX_NUMBER = 4 * 10**6
+"""The greatest number of a member up to which the places of all numbers are kept."""
 
 Multiply = Callable[["np.ndarray", "np.ndarray"], "np.ndarray"]
 
@@ -42,7 +45,23 @@ class FiniteGroup:
         if "table" in self.__dict__:
             looked_up: np.ndarray = self.table[x, y]
             return looked_up
-        return np.searchsorted(self.members, self._multiply(self.members[x], self.members[y]))
+        found = self._multiply(self.members[x], self.members[y])
+        if self._places is None:
+            return np.searchsorted(self.members, found)
+        places: np.ndarray = self._places[found]
+        return places
+
+    @cached_property
+    def _places(self) -> np.ndarray | None:
+        """The place of each number, None where the numbers are too large for such a table."""
+        import numpy as np
+
+        greatest = int(self.members[-1])
+        if greatest > MAX_NUMBER:
+            return None
+        places = np.zeros(greatest + 1, dtype=np.int64)
+        places[self.members] = self.places
+        return places
 
     @cached_property
     def places(self) -> np.ndarray:
@@ -71,14 +90,28 @@ class FiniteGroup:
 
     @cached_property
     def orders(self) -> np.ndarray:
-        """The order of each element."""
+        """The order of each element; in a large group that of one element of each class is computed."""
         import numpy as np
 
-        orders = np.ones(self.order, dtype=np.int64)
+        if self.order <= MAX_PRUNED:
+            return self.orders_of(self.places)
+        orders = np.zeros(self.order, dtype=np.int64)
+        representatives = np.array([places[0] for places in self.classes])
+        for places, n in zip(self.classes, self.orders_of(representatives), strict=True):
+            orders[places] = n
+        return orders
+
+    def orders_of(self, elements: np.ndarray) -> np.ndarray:
+        """Return the orders of some elements."""
+        import numpy as np
+
+        orders = np.ones(len(elements), dtype=np.int64)
         for p, exponent in factorise(self.order).items():
-            x = self.power(self.places, self.order // p**exponent)
+            x = self.power(elements, self.order // p**exponent)
             for _ in range(exponent):
                 rest = x != self.identity
+                if not rest.any():
+                    break
                 orders[rest] *= p
                 x = self.power(x, p)
         return orders
@@ -98,9 +131,7 @@ class FiniteGroup:
 
     def inverse(self, x: int) -> int:
         """Return the place of the inverse."""
-        import numpy as np
-
-        return int(self.power(np.array([x]), int(self.orders[x]) - 1)[0])
+        return int(self.power(np_array(x), self.order - 1)[0])
 
     def generated(self, generators: Sequence[int]) -> np.ndarray:
         """Return a bool array: which elements these generate."""
@@ -119,13 +150,12 @@ class FiniteGroup:
     @cached_property
     def generators(self) -> tuple[int, ...]:
         """The places of generators, those of large order first."""
-        import numpy as np
-
         found: list[int] = []
         inside = self.generated(found)
-        by_order = np.argsort(-self.orders, kind="stable")
         while not inside.all():
-            found.append(int(by_order[np.argmin(inside[by_order])]))
+            outside = self.places[~inside]
+            tried = outside[:: -(-len(outside) // MAX_PRUNED)]
+            found.append(int(tried[self.orders_of(tried).argmax()]))
             inside = self.generated(found)
         if self.order <= MAX_PRUNED:
             for g in found[:-1]:

@@ -6,8 +6,9 @@ known by formulas. Over ℤ/n an algebra is the product of those over its prime 
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 from math import lcm
 from typing import TYPE_CHECKING, Any
 
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     import numpy as np
 
 
-class UnitGroup:
+class UnitGroup(ABC):
     """A finite group of units of an algebra: iterate over it, ask ``in`` and ``len``.
 
     >>> from hfield import H
@@ -48,17 +49,17 @@ class UnitGroup:
         self.title = title
 
     @property
+    @abstractmethod
     def order(self) -> int:
         """The number of elements."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def structure(self) -> str:
         """The name of the group, ``GL(2,3)``, else its structure in the notation of GAP, ``C2 x C2``.
 
         Raises :class:`hfield.errors.TooLargeError` for groups without a name that are too large.
         """
-        raise NotImplementedError
 
     @property
     def exponent(self) -> int:
@@ -66,24 +67,24 @@ class UnitGroup:
         return lcm(*self.element_orders)
 
     @property
+    @abstractmethod
     def center(self) -> UnitGroup:
         """The centre, a group too."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def generators(self) -> tuple[Quaternion, ...]:
         """Elements that generate the group."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def element_orders(self) -> dict[int, int]:
         """How many elements there are of each order."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def conjugacy_classes(self) -> tuple[ConjugacyClass, ...]:
         """The classes of conjugate elements."""
-        raise NotImplementedError
 
     def is_abelian(self) -> bool:
         """Tell whether all elements commute.
@@ -112,11 +113,11 @@ class UnitGroup:
     def __len__(self) -> int:
         return self.order
 
-    def __iter__(self) -> Iterator[Quaternion]:
-        raise NotImplementedError
+    @abstractmethod
+    def __iter__(self) -> Iterator[Quaternion]: ...
 
-    def __contains__(self, x: object) -> bool:
-        raise NotImplementedError
+    @abstractmethod
+    def __contains__(self, x: object) -> bool: ...
 
     def __repr__(self) -> str:
         return f"<the {self.title} of {self.algebra}: order {self.order}>"
@@ -283,10 +284,16 @@ class LinearGroup(UnitGroup):
 def unit_group(algebra: Parent, special: bool = False) -> UnitGroup:
     """Return the group of all units of a finite algebra, or of the elements of norm 1.
 
-    Raises :class:`NotFiniteError` over infinite rings; what has to list too much raises
-    :class:`TooLargeError`.
+    It is the same object for equal algebras. Raises :class:`NotFiniteError` over infinite rings; what has
+    to list too much raises :class:`TooLargeError`.
     """
     order_of_ring(algebra)
+    key: Any = algebra  # which is hashable, as a Parent need not be
+    return _unit_group(key, special)
+
+
+@lru_cache(maxsize=4)
+def _unit_group(algebra: Any, special: bool) -> UnitGroup:
     if structure.is_central_simple(algebra.ring, algebra.constants):
         return LinearGroup(algebra, special)
     return ListedUnitGroup(

@@ -12,7 +12,9 @@ import pytest
 
 from hfield import GF, QQ, H, QuaternionAlgebra
 from hfield.errors import NotFiniteError, RingError, TooLargeError
+from hfield.exploring.labels import labelled
 from hfield.exploring.unit_groups import LinearGroup, ListedUnitGroup
+from hfield.structure.counting.tally import MIN_COMPILED
 from tests.exploring.brute_force import CASES, BruteForce, Case
 
 
@@ -160,6 +162,34 @@ def test_large_linear_groups_are_known_by_formulas() -> None:
     assert len(G.conjugacy_classes) == 31**2 - 1
     assert sum(map(len, G.conjugacy_classes)) == G.order
     assert sum(map(len, H(GF(31)).conjugacy_classes())) == 31**4
+
+
+def test_large_groups_that_are_listed() -> None:
+    # of more elements than make compiled loops pay
+    A = QuaternionAlgebra("GF(19)", 2, 0)  # modulo its radical the field of 361 elements
+    labels = labelled(A)
+    assert labels.size >= MIN_COMPILED
+    everything = np.arange(labels.size)
+    elements = [A.random_element(n) for n in range(40)]
+    units = [q for q in elements if q.is_unit()]
+    for u in units:
+        one = np.array([labels.number(u)])
+        left, right = labels.products(one, everything), labels.products(everything, one)
+        permutation = labels.conjugation(u)
+        for q in elements:
+            n = labels.number(q)
+            assert labels.element(left[n]) == u * q
+            assert labels.element(right[n]) == q * u
+            assert labels.element(permutation[n]) == u * q * u.inverse()
+    G = A.unit_group()
+    assert G is A.unit_group()
+    assert G.order == 360 * 361
+    assert sum(G.element_orders.values()) == G.order == sum(map(len, G.conjugacy_classes))
+    assert G._group.generated(G._group.generators).all()
+    for u in units:
+        order = int(G._group.orders[np.searchsorted(G._group.members, labels.number(u))])
+        assert u**order == 1
+        assert all(u ** (order // p) != 1 for p in (2, 3, 5, 19) if order % p == 0)
 
 
 def test_what_is_refused() -> None:

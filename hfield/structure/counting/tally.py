@@ -26,9 +26,8 @@ Rows = tuple["np.ndarray", ...]
 
 LIMIT = 2 * 10**6
 """The greatest number of elements that are gone through, in a second or, by tables, three."""
-MANY = (
-    10**5
-)  # elements, from which on loops that are compiled, or read from the disk, pay for themselves
+MIN_COMPILED = 10**5
+"""So many elements pay for loops that are compiled, or read from the disk."""
 
 MANY_SCALARS = 64
 """The order from which on tables of sums and products are computed by compiled loops."""
@@ -118,7 +117,8 @@ def tally(ring: Ring, c: Constants) -> Tally:
         )
     elements = list(ring.elements())
     q = len(elements)
-    work = (_loops(ring, c) if q**4 >= MANY else None) or _ByTables(ring, c)
+    loops = compiled_loops(ring, c) if q**4 >= MIN_COMPILED else None
+    work = _ByTables(ring, c) if loops is None else _ByLoops(loops)
     x, y, z = (v.ravel() for v in np.indices((q, q, q), dtype=work.dtype))
     norms, squares = np.zeros(q, dtype=np.int64), np.zeros(q, dtype=np.int64)
     result = Tally(elements=q**4)
@@ -180,12 +180,12 @@ class _ByLoops:
         return self.how.product(rows, rows)
 
 
-def _loops(ring: Ring, c: Constants) -> _ByLoops | None:
-    """Return the compiled loops of a ring that lists its elements by labels, if it has some."""
+def compiled_loops(ring: Ring, c: Constants) -> LabelArrays | None:
+    """Return the compiled loops of an algebra over a ring that lists its elements by labels, if any."""
     from hfield.rings.array_held.finite import LabelArrays
 
     how = ring.array_holding(c)
-    return _ByLoops(how) if isinstance(how, LabelArrays) and how.compiles else None
+    return how if isinstance(how, LabelArrays) and how.compiles else None
 
 
 def confirm(ring: Ring, c: Constants) -> Tally:
