@@ -874,21 +874,23 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return AutomorphismGroup(self)
 
     def left_ideals(self) -> tuple[AlgebraIdeal, ...]:
-        """Return all left ideals over a finite field, 0 and the algebra included, small ones first.
+        """Return all left ideals over a finite field or ℤ/n, 0 and the algebra included, small ones first.
 
-        In a split algebra they are q + 1 points of a projective line, between 0 and all. Over an infinite
-        field a division algebra has 0 and all; others raise :class:`NotFiniteError`. Raises
-        :class:`RingError` over rings that are no fields.
+        In a split algebra they are q + 1 points of a projective line, between 0 and all. Over ℤ/n they are
+        found modulo the prime powers of n. Over an infinite field a division algebra has 0 and all; others
+        raise :class:`NotFiniteError`. Raises :class:`RingError` over other rings, :class:`TooLargeError`.
 
         >>> [I.dimension for I in H("GF(3)").left_ideals()], len(H("QQ").left_ideals())
         ([0, 2, 2, 2, 2, 4], 2)
+        >>> [I.cardinality() for I in H("ZZ/4").left_ideals()]
+        [1, 2, 4, 4, 4, 8, 16, 16, 16, 32, 64, 64, 64, 128, 256]
         """
         from hfield.exploring.ideals import ideals
 
         return ideals(self, "left")
 
     def right_ideals(self) -> tuple[AlgebraIdeal, ...]:
-        """Return all right ideals over a finite field, as :meth:`left_ideals` does.
+        """Return all right ideals over a finite field or ℤ/n, as :meth:`left_ideals` does.
 
         >>> I, J = H("GF(2)").right_ideals()[1:3]; I < J, I.generator, J.basis
         (True, 1 + i + j + k, (1 + i, j + k))
@@ -908,19 +910,18 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return ideals(self, "two-sided")
 
     def subalgebras(self, dimension: int = 2) -> tuple[Subalgebra, ...]:
-        """Return the subalgebras of a dimension that contain 1, over a finite field, up to conjugation.
+        """Return the subalgebras that contain 1, over a finite field or ℤ/n, up to conjugation by units.
 
-        Raises :class:`NotFiniteError`, :class:`RingError` over rings that are no fields,
-        :class:`TooLargeError`, and :class:`CoercionError` for another dimension than 1 to 4.
+        ``dimension`` is that over the field; over ℤ/n, the least number of generators as a module. Raises
+        :class:`NotFiniteError`, :class:`RingError` over other rings, :class:`TooLargeError`, and
+        :class:`CoercionError` for another dimension than 1 to 4.
 
         >>> [(S.kind, len(S.conjugates)) for S in H("GF(5)").subalgebras(dimension=2)]
         [('split', 15), ('field', 10), ('dual numbers', 6)]
         """
         from hfield.exploring.subalgebras import subalgebras
-        from hfield.exploring.subspaces import check_finite_field
 
-        check_finite_field(self, "subalgebras")
-        return subalgebras(self, dimension, self.unit_group().generators)
+        return subalgebras(self, dimension)
 
     def is_simple(self) -> bool:
         """Tell whether there are no two-sided ideals but 0 and all.

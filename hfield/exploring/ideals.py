@@ -1,13 +1,15 @@
-"""Left, right and two-sided ideals of an algebra over a finite field.
+"""Left, right and two-sided ideals of an algebra over a finite field or ℤ/n.
 
 The left ideals of M₂(F) other than 0 and all are the points of the projective line: the matrices whose rows
 are multiples of one row. In other algebras every ideal is a sum of principal ones, which zero divisors
-generate.
+generate. Over ℤ/n an ideal is the product of ideals modulo the prime powers of n.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from itertools import product
+from math import prod
 from typing import Any
 
 from hfield import structure
@@ -15,15 +17,18 @@ from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import TooLargeError
 from hfield.exploring.classes import splitting
 from hfield.exploring.elements import Elements
-from hfield.exploring.labels import labelled
+from hfield.exploring.labels import labelled, order_of_ring
 from hfield.exploring.properties import Condition
-from hfield.exploring.subspaces import Subspace, check_finite_field, products
+from hfield.exploring.submodules import Submodule, check_listed, products
+from hfield.exploring.unit_groups import prime_power_parts
+from hfield.factorisation import factorise
+from hfield.rings.modular import Modular
 
 MAX_GENERATORS = 100_000
 """The greatest number of generators of principal ideals that are tried, or points of the projective line."""
 
 
-class AlgebraIdeal(Subspace):
+class AlgebraIdeal(Submodule):
     """An ideal of an algebra: ``side`` is ``left``, ``right`` or ``two-sided``.
 
     ``generator`` generates it as such an ideal; it is None for one that is not principal.
@@ -49,26 +54,55 @@ class AlgebraIdeal(Subspace):
 
 
 def ideals(algebra: Parent, side: str) -> tuple[AlgebraIdeal, ...]:
-    """Return all ideals of a side over a finite field, 0 and the algebra included, small ones first.
+    """Return all ideals of a side over a finite field or ℤ/n, 0 and the algebra included, small ones first.
 
     Over an infinite field those of a division algebra, and the two-sided ones of a simple algebra, are 0
-    and all; others raise :class:`NotFiniteError`. Raises :class:`RingError` over rings that are no fields.
+    and all; others raise :class:`NotFiniteError`. Raises :class:`RingError` over other rings, and
+    :class:`TooLargeError`.
     """
     nothing = AlgebraIdeal(algebra, side, [], algebra.zero)
     everything = AlgebraIdeal(algebra, side, algebra.basis, algebra.one)
     ring, c = algebra.ring, algebra.constants
-    simple = structure.is_central_simple(ring, c)
+    simple = bool(ring.is_field) and structure.is_central_simple(ring, c)
     if side == "two-sided" and simple:
         return nothing, everything
     if ring.order is None and ring.is_field and structure.is_division(ring, c):
         return nothing, everything
-    q = check_finite_field(algebra, f"{side} ideals")
+    q = check_listed(algebra, f"{side} ideals")
+    parts = prime_power_parts(algebra)
+    if len(parts) > 1:
+        return _products_of_parts(algebra, side, [ideals(part, side) for part in parts])
     if simple:
         _check_number(algebra, q + 1)
         between = [_generated(algebra, side, x) for x in _projective_line(algebra, side)]
     else:
         between = _proper(algebra, side)
     return nothing, *between, everything
+
+
+def _products_of_parts(
+    algebra: Parent, side: str, parts: list[tuple[AlgebraIdeal, ...]]
+) -> tuple[AlgebraIdeal, ...]:
+    """Return the ideals over ℤ/n from those modulo its prime powers, of which n is the product."""
+    total = prod(map(len, parts))
+    if total > MAX_GENERATORS:
+        raise TooLargeError(
+            f"{algebra} has {total} {side} ideals, more than the {MAX_GENERATORS} that are listed"
+        )
+    found = []
+    for chosen in product(*parts):
+        elements = [_lifted(algebra, x) for ideal in chosen for x in ideal.basis]
+        generators = [_lifted(algebra, x) for ideal in chosen if (x := ideal.generator) is not None]
+        generator = sum(generators, algebra.zero) if len(generators) == len(chosen) else None
+        found.append(AlgebraIdeal(algebra, side, elements, generator))
+    return tuple(sorted(found, key=lambda ideal: ideal.cardinality()))
+
+
+def _lifted(algebra: Parent, x: Quaternion) -> Quaternion:
+    """Return the element over ℤ/n that is x modulo a prime power q of n, and 0 modulo n/q."""
+    n, q = order_of_ring(algebra), order_of_ring(x.algebra)
+    idempotent = n // q * pow(n // q, -1, q)
+    return algebra(*(idempotent * int(c) for c in x.coordinates))
 
 
 def _check_number(algebra: Parent, n: int) -> None:
@@ -106,7 +140,7 @@ def _proper(algebra: Parent, side: str) -> list[AlgebraIdeal]:
     found: dict[Any, AlgebraIdeal] = {}
     for x in _up_to_scalars(algebra):
         ideal = _generated(algebra, side, x)
-        if ideal.dimension < 4:  # a two-sided ideal may contain units
+        if algebra.one not in ideal:  # a two-sided ideal may contain units
             found.setdefault(ideal.key, ideal)
     principal = list(found.values())
     queue = list(principal)
@@ -115,22 +149,28 @@ def _proper(algebra: Parent, side: str) -> list[AlgebraIdeal]:
         for other in principal:
             if not other <= one:
                 total = AlgebraIdeal(algebra, side, [*one.basis, *other.basis], None)
-                if total.dimension < 4 and total.key not in found:
+                if algebra.one not in total and total.key not in found:
                     found[total.key] = total
                     queue.append(total)
-    return sorted(found.values(), key=lambda ideal: ideal.dimension)
+    return sorted(found.values(), key=lambda ideal: ideal.length)
 
 
 def _up_to_scalars(algebra: Parent) -> list[Quaternion]:
-    """Return the zero divisors whose first coordinate that is not 0 is 1."""
+    """Return the zero divisors whose first coordinate that is not 0 is 1, or over ℤ/pᵏ a power of p."""
     labels = labelled(algebra)
     elements = Elements(algebra, Condition("zero divisors"))
     q = labels.q
-    _check_number(algebra, elements.cardinality() // max(q - 1, 1))
+    leading, scalars = [1], q - 1
+    if isinstance(algebra.ring, Modular):
+        ((p, k),) = factorise(q).items()
+        leading = [p**n for n in range(k)]
+        scalars = q - q // p
+    _check_number(algebra, elements.cardinality() // scalars)
     found: list[Quaternion] = []
     for numbers in elements.numbers():
-        # the numbers with a leading digit 1 lie in [1, 2), [q, 2q), [q², 2q²), [q³, 2q³)
+        # the numbers with a leading digit d lie in [d, d + 1), [dq, (d + 1)q), … [dq³, (d + 1)q³)
         for power in (1, q, q**2, q**3):
-            inside = numbers[(numbers >= power) & (numbers < 2 * power)]
-            found += [labels.element(int(n)) for n in inside]
+            for d in leading:
+                inside = numbers[(numbers >= d * power) & (numbers < (d + 1) * power)]
+                found += [labels.element(int(n)) for n in inside]
     return found

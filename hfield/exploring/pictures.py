@@ -186,15 +186,15 @@ def _norms(labels: LabelledAlgebra, look: Look) -> Any:
 def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], look: Look) -> Any:
     if len(found) > MAX_NODES:
         raise TooLargeError(f"{algebra} has {len(found)} ideals, and at most {MAX_NODES} are drawn")
-    levels = sorted({ideal.dimension for ideal in found})
-    rows = {d: [ideal for ideal in found if ideal.dimension == d] for d in levels}
+    levels = sorted({ideal.length for ideal in found})
+    rows = {n: [ideal for ideal in found if ideal.length == n] for n in levels}
     places: dict[AlgebraIdeal, tuple[float, float]] = {}
     for height, d in enumerate(levels):
         row = rows[d]
         for n, ideal in enumerate(row):
             places[ideal] = ((n + 0.5) / len(row), height / max(len(levels) - 1, 1))
     side = found[0].side.capitalize()
-    counts = ", ".join(f"{len(rows[d])} of dimension {d}" for d in levels)
+    counts = ", ".join(f"{len(row)} {_size(row[0])}" for row in rows.values())
     page, axes = _page(look, f"{side} ideals of {algebra}", counts, (7, 6.3))
     axes.set_aspect("auto")
     axes.set_xlim(-0.02, 1.02)
@@ -204,11 +204,11 @@ def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], look: Look) -> Any:
         axes.plot([x, u], [y, v], color=look.quiet, linewidth=1.1, zorder=1)
     hues = _hues(len(levels))
     for ideal, (x, y) in places.items():
-        color = colorsys.hls_to_rgb(hues[levels.index(ideal.dimension)], 0.5, 0.6)
+        color = colorsys.hls_to_rgb(hues[levels.index(ideal.length)], 0.5, 0.6)
         axes.plot(
             [x], [y], marker="o", markersize=9, color=color, markeredgecolor=look.page, zorder=3
         )
-        row = rows[ideal.dimension]
+        row = rows[ideal.length]
         if len(row) <= NAMED:
             upright = len(row) > 4
             axes.annotate(_name(ideal), (x, y), xytext=(0, 10 if y else -10), textcoords="offset points",
@@ -218,9 +218,17 @@ def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], look: Look) -> Any:
     return page
 
 
+def _size(ideal: AlgebraIdeal) -> str:
+    if ideal.algebra.ring.is_field:
+        return f"of dimension {ideal.dimension}"
+    return f"of {ideal.cardinality()}"
+
+
 def _name(ideal: AlgebraIdeal) -> str:
-    if ideal.dimension in (0, 4):
-        return "A" if ideal.dimension else "0"
+    if not ideal.basis:
+        return "0"
+    if ideal.algebra.one in ideal:
+        return "A"
     if ideal.generator is None:
         return f"⟨{', '.join(x.text('unicode') for x in ideal.basis)}⟩"
     x = ideal.basis[0].text("unicode") if ideal.dimension == 1 else ideal.generator.text("unicode")

@@ -1,28 +1,34 @@
-"""Subalgebras that contain 1, over a finite field, up to conjugation by units.
+"""Subalgebras that contain 1, over a finite field or ℤ/n, up to conjugation by units.
 
-Of dimension 2 they are F[x], one for each point of the projective plane of A/F. Of dimension 3 they are lines
-in it that are closed under the product.
+Over a field those of dimension 2 are F[x], one for each point of the projective plane of A/F, and those of
+dimension 3 are lines in it that are closed under the product. Over ℤ/n they are the submodules of A/(ℤ/n)
+whose elements, with 1, are closed under the product.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import combinations, product
 from typing import Any
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import CoercionError, TooLargeError
-from hfield.exploring.subspaces import Subspace, check_finite_field, products
+from hfield.exploring.elements import Elements
+from hfield.exploring.labels import order_of_ring
+from hfield.exploring.properties import Condition
+from hfield.exploring.submodules import Submodule, check_listed, products
+from hfield.exploring.unit_groups import unit_group
 
-MAX_SUBSPACES = 50_000
-"""The greatest number of subspaces that are looked at."""
+MAX_SUBMODULES = 50_000
+"""The greatest number of submodules that are looked at."""
 
 
-class Subalgebra(Subspace):
+class Subalgebra(Submodule):
     """A subalgebra: ``kind`` says what it is, ``conjugates`` are its images u·S·u⁻¹, itself first.
 
     Of dimension 2 it is a ``field``, ``split`` (F × F), or the ``dual numbers`` F[ε], ε² = 0; of dimension 3
-    ``triangular matrices`` or ``local``.
+    ``triangular matrices`` or ``local``. Over ℤ/n it is ``local``, a ``product of 2 local rings`` where it is
+    commutative, or ``neither local nor commutative``.
 
     >>> from hfield import H
     >>> for S in H("GF(3)").subalgebras(dimension=2):
@@ -37,6 +43,8 @@ class Subalgebra(Subspace):
     @property
     def kind(self) -> str:
         """What it is."""
+        if not self.algebra.ring.is_field:
+            return self._kind_over_residues()
         if self.dimension == 1:
             return "field"
         if self.dimension == 4:
@@ -48,6 +56,17 @@ class Subalgebra(Subspace):
                 len({self.algebra.ring.key(r) for r in roots})
             ]
         return "triangular matrices" if self._has_separable_element() else "local"
+
+    def _kind_over_residues(self) -> str:
+        """Say what it is over ℤ/n: a finite ring is local when 0 and 1 are its only idempotents."""
+        if all(q in self for q in self.algebra.basis):
+            return "the algebra"
+        idempotents = sum(q in self for q in Elements(self.algebra, Condition("idempotents")))
+        if idempotents == 2:
+            return "local"
+        if all(x * y == y * x for x, y in combinations(self.basis, 2)):
+            return f"product of {idempotents.bit_length() - 1} local rings"
+        return "neither local nor commutative"
 
     def _has_separable_element(self) -> bool:
         """Tell whether some element has no double eigenvalue: a quadratic form that is not 0."""
@@ -63,24 +82,24 @@ def _discriminant(x: Quaternion) -> Any:
     return t * t - x.ring(4) * n
 
 
-def subalgebras(
-    algebra: Parent, dimension: int, generators: tuple[Quaternion, ...]
-) -> tuple[Subalgebra, ...]:
-    """Return one subalgebra of a dimension for each class under the group that units generate.
+def subalgebras(algebra: Parent, dimension: int) -> tuple[Subalgebra, ...]:
+    """Return one subalgebra of a dimension for each class under conjugation by units.
 
-    Raises :class:`NotFiniteError`, :class:`RingError`, :class:`TooLargeError`, and :class:`CoercionError` for
-    a dimension that is not 1, 2, 3 or 4.
+    The dimension over ℤ/n is the least number of generators of the module. Raises :class:`NotFiniteError`,
+    :class:`RingError`, :class:`TooLargeError`, and :class:`CoercionError` for a dimension that is not 1, 2, 3
+    or 4.
     """
     if dimension not in (1, 2, 3, 4):
         raise CoercionError(f"subalgebras have dimension 1, 2, 3 or 4, found {dimension!r}")
-    q = check_finite_field(algebra, "subalgebras")
-    if q * q + q + 1 > MAX_SUBSPACES:
+    q = check_listed(algebra, "subalgebras")
+    candidates = q * q + q + 1 if algebra.ring.is_field else _number_of_forms(q)
+    if candidates > MAX_SUBMODULES:
         raise TooLargeError(
-            f"the subalgebras of {algebra} are among {q * q + q + 1} subspaces, more than the "
-            f"{MAX_SUBSPACES} that are looked at"
+            f"the subalgebras of {algebra} are among {candidates} submodules, more than the {MAX_SUBMODULES} "
+            "that are looked at"
         )
     found = {s.key: s for s in _candidates(algebra, dimension) if _is_closed(s)}
-    conjugations = [(u, u.inverse()) for u in generators]
+    conjugations = [(u, u.inverse()) for u in unit_group(algebra).generators]
     out = []
     while found:
         first = next(iter(found.values()))
@@ -104,8 +123,14 @@ def _is_closed(s: Subalgebra) -> bool:
 
 
 def _candidates(algebra: Parent, dimension: int) -> Iterator[Subalgebra]:
-    """Yield the subspaces of a dimension that contain 1."""
+    """Yield the submodules of a dimension that contain 1."""
     one = algebra.one
+    if not algebra.ring.is_field:
+        for rows in _hermite_forms(order_of_ring(algebra)):
+            found = Subalgebra(algebra, [one, *(algebra(0, *row) for row in rows)])
+            if found.dimension == dimension:
+                yield found
+        return
     if dimension in (1, 4):
         yield Subalgebra(algebra, algebra.basis[:dimension])
         return
@@ -124,3 +149,23 @@ def _candidates(algebra: Parent, dimension: int) -> Iterator[Subalgebra]:
         a, b, c = point
         vectors = [(b, -a, o), (c, o, -a), (o, c, -b)]
         yield Subalgebra(algebra, [one, *(algebra(o, *v) for v in vectors)])
+
+
+def _number_of_forms(n: int) -> int:
+    """Return how many triples of rows :func:`_hermite_forms` tries."""
+    divisors = [d for d in range(1, n + 1) if n % d == 0]
+    return len(divisors) * sum(divisors) * sum(d * d for d in divisors)
+
+
+def _hermite_forms(n: int) -> Iterator[tuple[tuple[int, int, int], ...]]:
+    """Yield a basis of each lattice between n·ℤ³ and ℤ³, in Hermite's normal form."""
+    divisors = [d for d in range(1, n + 1) if n % d == 0]
+    for d, e, f in product(divisors, repeat=3):
+        for z in range(f):
+            if n // e * z % f:
+                continue  # n/e times the second row, without its pivot, is a multiple of the third
+            for x, y in product(range(e), range(f)):
+                # n/d times the first row, without its pivot, is a combination of the others
+                times, left = divmod(n // d * x, e)
+                if not left and (n // d * y - times * z) % f == 0:
+                    yield (d, x, y), (0, e, z), (0, 0, f)

@@ -10,6 +10,8 @@ from hfield import GF, QQ, ZZ, H, QuaternionAlgebra
 from hfield.errors import CoercionError, NotFiniteError, RingError, TooLargeError, UndecidedError
 from hfield.rings.base import Ring
 from tests.exploring.brute_force import CASES, FIELDS, BruteForce, Case
+from tests.exploring.test_elements import DualNumbers
+from tests.thorough import part
 
 
 def sums(brute: BruteForce, left: frozenset[int], right: frozenset[int]) -> frozenset[int]:
@@ -48,13 +50,13 @@ def all_ideals(brute: BruteForce, side: str) -> set[frozenset[int]]:
 def members(space, number: dict) -> frozenset[int]:
     """The numbers of the elements of a subspace, by linear combinations of its basis."""
     A = space.algebra
-    choices = product(list(A.ring.elements()), repeat=space.dimension)
+    choices = product(list(A.ring.elements()), repeat=len(space.basis))
     return frozenset(
         number[sum((q * s for q, s in zip(space.basis, c, strict=True)), A.zero)] for c in choices
     )
 
 
-@pytest.mark.parametrize("case", FIELDS, ids=str)
+@pytest.mark.parametrize("case", CASES, ids=str)
 def test_ideals_by_brute_force(case: Case) -> None:
     A, brute = case.algebra, BruteForce(case)
     number = {q: n for n, q in enumerate(A.elements())}
@@ -70,6 +72,7 @@ def test_ideals_by_brute_force(case: Case) -> None:
         assert found[-1].dimension == 4
         for ideal, inside in zip(found, sets, strict=True):
             assert ideal.side == side
+            assert ideal.cardinality() == len(inside)
             assert all((q in ideal) == (n in inside) for q, n in list(number.items())[::7])
             assert [ideal <= other for other in found] == [inside <= other for other in sets]
             if ideal.generator is not None:
@@ -107,6 +110,128 @@ def test_subalgebras_by_brute_force(case: Case) -> None:
             for one in found:
                 idempotents = sum(int(table[x, x]) == x for x in members(one, number))
                 assert one.kind == ("local" if idempotents == 2 else "triangular matrices")
+
+
+Numbers = tuple[int, ...]
+
+
+class Residues:
+    """An algebra over ℤ/n by formulas on rows of integers, its submodules as ascending numbers."""
+
+    def __init__(self, n: int, a: int, t: int, b: int) -> None:
+        self.n, self.constants = n, (a, t, b)
+        self.elements = np.array(list(product(range(n), repeat=4)))
+        self.weights = np.array([n**3, n**2, n, 1])
+
+    def times(self, p: np.ndarray, q: np.ndarray) -> np.ndarray:
+        """(w + xi + (y + zi)j)(c + di + (e + fi)j), with ju = (conjugate of u)j, i² = a + ti, j² = b."""
+        a, t, b = self.constants
+        w, x, y, z = p
+        c, d, e, f = q
+
+        def multiply(u, v):
+            return np.array(
+                [u[0] * v[0] + a * u[1] * v[1], u[0] * v[1] + u[1] * v[0] + t * u[1] * v[1]]
+            )
+
+        def bar(u):
+            return u[0] + t * u[1], -u[1]
+
+        scalar = multiply((w, x), (c, d)) + b * multiply((y, z), bar((e, f)))
+        vector = multiply((w, x), (e, f)) + multiply((y, z), bar((c, d)))
+        return np.concatenate([scalar, vector])
+
+    def span(self, rows) -> Numbers:
+        """All sums of multiples of rows."""
+        found = np.zeros((1, 4), dtype=int)
+        for row in rows:
+            multiples = np.arange(self.n)[:, None] * np.asarray(row)[None]
+            sums = (found[:, None] + multiples[None]).reshape(-1, 4) % self.n
+            found = self.elements[np.unique(sums @ self.weights)]
+        return tuple((found @ self.weights).tolist())
+
+    def principal(self, side: str) -> dict[Numbers, list[np.ndarray]]:
+        """The ideals that one element generates, with rows that span them."""
+        found, basis = {}, np.eye(4, dtype=int)
+        for x in self.elements:
+            if any(x) and self.n % next(c for c in x if c):
+                continue  # a unit of ℤ/n times another x
+            rows = [self.times(u, x) if side == "left" else self.times(x, u) for u in basis]
+            found.setdefault(self.span(rows), rows)
+        return found
+
+    def sums(self, principal: dict[Numbers, list[np.ndarray]]) -> set[Numbers]:
+        """All sums of ideals."""
+        found, queue = dict(principal), list(principal)
+        while queue:
+            one = queue.pop()
+            for rows in principal.values():
+                both = [*found[one], *rows]
+                if (total := self.span(both)) not in found:
+                    found[total] = both
+                    queue.append(total)
+        return set(found)
+
+
+@pytest.mark.parametrize(
+    ("n", "a", "t", "b"), part([(6, -1, 0, -1), (8, -1, 0, -1), (9, 3, 0, -1), (6, 0, 1, 3)], 2)
+)
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_ideals_over_residues_by_brute_force(n: int, a: int, t: int, b: int, side: str) -> None:
+    A, brute = QuaternionAlgebra(f"ZZ/{n}", a, b, t), Residues(n, a, t, b)
+    found = A.left_ideals() if side == "left" else A.right_ideals()
+    spans = [brute.span([[int(x) for x in q.coordinates] for q in ideal.basis]) for ideal in found]
+    principal = brute.principal(side)
+    assert set(spans) == brute.sums(principal)
+    assert len(spans) == len(set(spans))
+    for ideal, span in zip(found, spans, strict=True):
+        assert len(span) == ideal.cardinality()
+        assert (ideal.generator is not None) == (span in principal)
+
+
+@pytest.mark.parametrize("ring", ["ZZ/4", "ZZ/6", "ZZ/9"])
+def test_two_sided_ideals_over_residues(ring: str) -> None:
+    for abt in ((-1, -1, 0), (0, 0, 0), (1, 3, 1)):
+        A = QuaternionAlgebra(ring, *abt)
+        both = set(A.left_ideals()) & set(A.right_ideals())  # equal as modules
+        assert set(A.two_sided_ideals()) == both
+
+
+@pytest.mark.parametrize("case", [c for c in CASES if c.ring == "ZZ/4"], ids=str)
+def test_subalgebras_over_residues_by_brute_force(case: Case) -> None:
+    A, brute = case.algebra, BruteForce(case)
+    number = {q: n for n, q in enumerate(A.elements())}
+    table, scalars = brute.table, brute.one * np.arange(4)
+    # subgroups that contain 1, one more generator at a time; then those closed under the product
+    subgroups = {frozenset(scalars.tolist())}
+    queue = list(subgroups)
+    while queue:
+        one = queue.pop()
+        for x in set(range(256)) - one:
+            multiples = frozenset(int(brute.scale(s, np.array(x))) for s in range(4))
+            if (total := sums(brute, one, multiples)) not in subgroups:
+                subgroups.add(total)
+                queue.append(total)
+    expected = {s for s in subgroups if set(table[np.ix_(sorted(s), sorted(s))].ravel()) <= s}
+    found = [s for d in (1, 2, 3, 4) for s in A.subalgebras(dimension=d)]
+    sets = [frozenset(members(s, number) for s in one.conjugates) for one in found]
+    assert frozenset().union(*sets) == expected
+    assert sum(map(len, sets)) == len(expected)
+    units = sorted(brute.inverses)
+    for one, orbit in zip(found, sets, strict=True):
+        inside = sorted(members(one, number))
+        conjugates = (table[table[u, inside], brute.inverses[u]] for u in units)
+        assert orbit == {frozenset(c.tolist()) for c in conjugates}
+        idempotents = sum(int(table[x, x]) == x for x in inside)
+        if len(inside) < 256:
+            assert (one.kind == "local") == (idempotents == 2)
+    assert sum(s.kind == "the algebra" for s in found) == 1
+
+
+def test_kinds_of_subalgebras_over_residues() -> None:
+    kinds = Counter(s.kind for s in H("ZZ/6").subalgebras())
+    assert kinds == {"product of 2 local rings": 23, "product of 3 local rings": 8}
+    assert "neither local nor commutative" in {s.kind for s in H("ZZ/9").subalgebras(dimension=3)}
 
 
 @pytest.mark.parametrize("case", [c for c in FIELDS if c.ring in ("GF(2)", "GF(3)")], ids=str)
@@ -195,8 +320,12 @@ def test_over_infinite_fields() -> None:
 
 
 def test_what_is_refused() -> None:
-    with pytest.raises(RingError, match="finite fields"):
-        H("ZZ/4").left_ideals()
+    with pytest.raises(RingError, match="finite fields and ZZ/n"):
+        H(DualNumbers()).left_ideals()
+    with pytest.raises(TooLargeError, match="among 262144"):
+        H("ZZ/64").left_ideals()
+    with pytest.raises(TooLargeError, match=r"among \d+ submodules"):
+        H("ZZ/60").subalgebras()
     with pytest.raises(NotFiniteError):
         H(ZZ).left_ideals()
     with pytest.raises(CoercionError, match="dimension"):

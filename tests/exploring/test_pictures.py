@@ -38,6 +38,21 @@ def test_pictures_are_written(tmp_path, what: str, dark: bool) -> None:
     assert any(A.name in line for line in words)
 
 
+def test_ideals_over_residues_stand_by_their_number_of_elements() -> None:
+    drawn = figure(H("ZZ/4"), "ideals", False)
+    counts = {
+        n: len([x for x in H("ZZ/4").left_ideals() if x.cardinality() == n]) for n in (1, 2, 8)
+    }
+    assert (
+        drawn.texts[1]
+        .get_text()
+        .startswith(", ".join(f"{m} of {n}" for n, m in counts.items() if n < 4))
+    )
+    names = [text.get_text() for text in drawn.axes[0].texts]
+    assert names[0] == "0"
+    assert names[-1] == "A"
+
+
 def test_the_table_of_products_is_that_of_the_algebra() -> None:
     A = H(GF(2))
     order = sorted(A.elements(), key=lambda q: int(q.norm()))
