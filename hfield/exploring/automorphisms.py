@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING
 from hfield import structure
 from hfield.algebra.maps import Isomorphism
 from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.errors import TooLargeError
+from hfield.errors import TooLargeError, UndecidedError
 from hfield.exploring import group_names
 from hfield.exploring.finite_groups import FiniteGroup
+from hfield.exploring.group_names import GroupInvariants
 from hfield.exploring.labels import LabelledAlgebra, Rows, labelled, order_of_ring
 from hfield.exploring.unit_groups import linear_name, prime_power_parts, unit_group
 
@@ -52,17 +53,36 @@ class AutomorphismGroup:
 
     @cached_property
     def structure(self) -> str:
-        """The name ``PGL(2,q)``, else the structure in the notation of GAP.
+        """The name ``PGL(2,q)``, else the structure in the notation of GAP, or the invariants as a text.
 
-        Raises :class:`TooLargeError` for groups without a name that are too large.
+        Raises :class:`TooLargeError` for groups that are too large to be listed.
         """
+        try:
+            return self.find_name()
+        except (TooLargeError, UndecidedError):
+            return str(self.invariants)
+
+    @cached_property
+    def _parts(self) -> list[AutomorphismGroup]:
+        """The groups modulo the prime powers of n, of which one over ℤ/n is the product."""
+        parts = prime_power_parts(self.algebra)
+        return [AutomorphismGroup(part) for part in parts] if len(parts) > 1 else []
+
+    def find_name(self) -> str:
+        """Return the name or structure. Raises :class:`TooLargeError`, :class:`UndecidedError`."""
         name = linear_name(self.algebra, "PGL")
         if name is not None:
             return name
-        parts = prime_power_parts(self.algebra)
-        if len(parts) > 1:
-            return group_names.joined([AutomorphismGroup(part).structure for part in parts])
+        if self._parts:
+            return group_names.joined([part.find_name() for part in self._parts])
         return group_names.structure(self._group)
+
+    @cached_property
+    def invariants(self) -> GroupInvariants:
+        """Order, exponent, centre, abelian quotient, and the orders of the derived series."""
+        if self._parts:
+            return group_names.product_invariants([part.invariants for part in self._parts])
+        return group_names.group_invariants(self._group)
 
     @cached_property
     def generators(self) -> tuple[Isomorphism, ...]:

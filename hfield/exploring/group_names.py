@@ -9,8 +9,9 @@ found. What is written is true of the group; GAP may choose another such decompo
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import islice, pairwise, product
-from math import gcd, prod
+from math import gcd, lcm, prod
 from typing import TYPE_CHECKING
 
 from hfield.errors import TooLargeError, UndecidedError
@@ -20,10 +21,67 @@ from hfield.factorisation import factorise
 if TYPE_CHECKING:
     import numpy as np
 
-MAX_ORDER = 1000
+MAX_ORDER = 2048
 """The greatest order of a group without a name of its own, not abelian, whose structure is found."""
 MAX_TRIALS = 3000
 """So many complements are tried."""
+
+
+@dataclass(frozen=True)
+class GroupInvariants:
+    """What is computed of a group that may have no name: orders, and abelian groups as texts.
+
+    ``abelian_quotient`` is the group modulo its commutators, ``derived_series`` the orders of the group, of
+    its commutator subgroup, of that of this one and so on, down to 1 or to a perfect group.
+
+    >>> from hfield import H
+    >>> print(H("GF(3)").unit_group().invariants)
+    order 48, exponent 24, centre C2, abelian quotient C2, derived series 48 > 24 > 8 > 2 > 1
+    """
+
+    order: int
+    exponent: int
+    center: str
+    abelian_quotient: str
+    derived_series: tuple[int, ...]
+
+    def __str__(self) -> str:
+        series = " > ".join(map(str, self.derived_series))
+        return (
+            f"order {self.order}, exponent {self.exponent}, centre {self.center}, "
+            f"abelian quotient {self.abelian_quotient}, derived series {series}"
+        )
+
+
+def group_invariants(group: FiniteGroup) -> GroupInvariants:
+    """Return the invariants of a group."""
+    import numpy as np
+
+    series = [group]
+    while not series[-1].commutators.all():  # of the group of order 1 they are all
+        series.append(series[-1].subgroup(series[-1].commutators))
+    center = np.zeros(group.order, dtype=bool)
+    center[group.center] = True
+    return GroupInvariants(
+        group.order,
+        group.exponent,
+        cyclic_factors(invariants(group.subgroup(center))),
+        cyclic_factors(invariants(group)),
+        tuple(part.order for part in series),
+    )
+
+
+def product_invariants(parts: Sequence[GroupInvariants]) -> GroupInvariants:
+    """Return the invariants of a direct product."""
+    length = max(len(part.derived_series) for part in parts)
+    ends = [[*part.derived_series, *[part.derived_series[-1]] * length] for part in parts]
+    return GroupInvariants(
+        prod(part.order for part in parts),
+        lcm(*(part.exponent for part in parts)),
+        joined([part.center for part in parts]),
+        joined([part.abelian_quotient for part in parts]),
+        tuple(prod(series[n] for series in ends) for n in range(length)),
+    )
 
 
 def structure(group: FiniteGroup) -> str:
@@ -45,20 +103,22 @@ def structure(group: FiniteGroup) -> str:
 
 
 def invariants(group: FiniteGroup) -> list[int]:
-    """Return the orders of cyclic factors of an abelian group, each divided by the next."""
-    return merged_invariants(
-        {p: _exponents(group, p, e) for p, e in factorise(group.order).items()}
-    )
+    """Return the orders of cyclic factors of a group modulo its commutators, each divided by the next."""
+    import numpy as np
 
-
-def _exponents(group: FiniteGroup, p: int, most: int) -> list[int]:
-    """Return the exponents of the cyclic factors of p-power order of an abelian group, descending."""
-    logs = [0]
-    for k in range(1, most + 1):
-        killed = sum(n for m, n in group.element_orders.items() if p**k % m == 0)
-        logs.append(_log(killed, p))
-    ranks = [high - low for low, high in pairwise(logs)]  # factors of order ≥ p^k
-    return [sum(rank > n for rank in ranks) for n in range(ranks[0])]
+    inside = group.commutators
+    size = int(np.count_nonzero(inside))
+    found = {}
+    for p, exponent in factorise(group.order // size).items():
+        rest = group.order // size // p**exponent
+        x = group.power(group.places, rest)
+        logs = [0]
+        for _ in range(exponent):
+            x = group.power(x, p)
+            logs.append(_log(int(np.count_nonzero(inside[x])) // (size * rest), p))
+        ranks = [high - low for low, high in pairwise(logs)]  # factors of order ≥ p^k
+        found[p] = [sum(rank > n for rank in ranks) for n in range(ranks[0])]
+    return merged_invariants(found)
 
 
 def _log(n: int, p: int) -> int:
@@ -154,8 +214,7 @@ def _direct_product(group: FiniteGroup) -> str | None:
 
 def direct_product(groups: Sequence[FiniteGroup]) -> str:
     """Write a direct product: abelian factors together, before the others."""
-    names = [structure(group) for group in groups]
-    return joined(names)
+    return joined([structure(group) for group in groups])
 
 
 def joined(names: Sequence[str]) -> str:

@@ -9,12 +9,12 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from functools import cached_property, lru_cache
-from math import lcm
+from math import gcd, lcm
 from typing import TYPE_CHECKING, Any
 
 from hfield import structure
 from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.errors import RingError
+from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.exploring import group_names
 from hfield.exploring.classes import (
     ConjugacyClass,
@@ -25,6 +25,7 @@ from hfield.exploring.classes import (
 )
 from hfield.exploring.elements import Elements
 from hfield.exploring.finite_groups import FiniteGroup
+from hfield.exploring.group_names import GroupInvariants
 from hfield.exploring.labels import LabelledAlgebra, labelled, order_of_ring
 from hfield.exploring.properties import Condition
 from hfield.factorisation import factorise
@@ -53,12 +54,30 @@ class UnitGroup(ABC):
     def order(self) -> int:
         """The number of elements."""
 
-    @property
-    @abstractmethod
+    @cached_property
     def structure(self) -> str:
         """The name of the group, ``GL(2,3)``, else its structure in the notation of GAP, ``C2 x C2``.
 
-        Raises :class:`hfield.errors.TooLargeError` for groups without a name that are too large.
+        Of a group for which neither is found it is the text of its :attr:`invariants`. Raises
+        :class:`hfield.errors.TooLargeError` where they are not found either.
+        """
+        try:
+            return self.find_name()
+        except (TooLargeError, UndecidedError):
+            return str(self.invariants)
+
+    @abstractmethod
+    def find_name(self) -> str:
+        """Return the name or structure. Raises :class:`TooLargeError`, :class:`UndecidedError`."""
+
+    @property
+    @abstractmethod
+    def invariants(self) -> GroupInvariants:
+        """Order, exponent, centre, abelian quotient, and the orders of the derived series.
+
+        >>> from hfield import H
+        >>> found = H("ZZ/4").unit_group().invariants; found.center, found.derived_series
+        ('C2 x C2 x C2 x C2', (128, 8, 1))
         """
 
     @property
@@ -150,17 +169,31 @@ class ListedUnitGroup(UnitGroup):
         return self._given.cardinality() if isinstance(self._given, Elements) else len(self._given)
 
     @cached_property
-    def structure(self) -> str:
-        """The name or structure of the group. Raises :class:`hfield.errors.TooLargeError`."""
+    def _parts(self) -> list[UnitGroup]:
+        """The groups modulo prime powers, of which the group of all units, or of norm 1, is the product."""
+        if not isinstance(self._given, Elements):
+            return []
+        special = self._given.property.name == "norm"
+        parts = prime_power_parts(self.algebra)
+        return [unit_group(part, special) for part in parts] if len(parts) > 1 else []
+
+    def find_name(self) -> str:
+        """Return the name or structure. Raises :class:`TooLargeError`, :class:`UndecidedError`."""
         if isinstance(self._given, Elements):
             special = self._given.property.name == "norm"
             name = linear_name(self.algebra, "SL" if special else "GL")
             if name is not None:
                 return name
-            parts = prime_power_parts(self.algebra)
-            if len(parts) > 1:
-                return group_names.joined([unit_group(part, special).structure for part in parts])
+        if self._parts:
+            return group_names.joined([part.find_name() for part in self._parts])
         return group_names.structure(self._group)
+
+    @cached_property
+    def invariants(self) -> GroupInvariants:
+        """Order, exponent, centre, abelian quotient, and the orders of the derived series."""
+        if self._parts:
+            return group_names.product_invariants([part.invariants for part in self._parts])
+        return group_names.group_invariants(self._group)
 
     def _elements(self, places: Sequence[int]) -> tuple[Quaternion, ...]:
         return tuple(self._labels.element(int(self._group.members[n])) for n in places)
@@ -208,10 +241,26 @@ class LinearGroup(UnitGroup):
         """The number of elements."""
         return self.elements.cardinality()
 
-    @property
-    def structure(self) -> str:
-        """The name of the group."""
+    def find_name(self) -> str:
+        """Return the name of the group."""
         return f"{'SL' if self.special else 'GL'}(2,{self.q})"
+
+    @property
+    def invariants(self) -> GroupInvariants:
+        """Order, exponent, centre, abelian quotient, and the orders of the derived series."""
+        q = self.q
+        special_order = q**3 - q
+        # SL(2, q) is perfect but for q = 2, where it is S3, and q = 3
+        series = {2: [6, 3, 1], 3: [24, 8, 2, 1]}.get(q, [special_order])
+        center = quotient = q - 1
+        if self.special:
+            center, quotient = gcd(2, q - 1), {2: 2, 3: 3}.get(q, 1)
+        elif q > 2:
+            series = [self.order, *series]
+        else:
+            quotient = 2
+        cyclic = [group_names.cyclic_factors([n] if n > 1 else []) for n in (center, quotient)]
+        return GroupInvariants(self.order, self.exponent, cyclic[0], cyclic[1], tuple(series))
 
     @cached_property
     def center(self) -> UnitGroup:

@@ -12,6 +12,8 @@ import pytest
 
 from hfield import GF, QQ, H, QuaternionAlgebra
 from hfield.errors import NotFiniteError, RingError, TooLargeError
+from hfield.exploring.finite_groups import FiniteGroup
+from hfield.exploring.group_names import MAX_ORDER, group_invariants, joined
 from hfield.exploring.labels import labelled
 from hfield.exploring.unit_groups import LinearGroup, ListedUnitGroup
 from hfield.structure.counting.tally import MIN_COMPILED
@@ -156,6 +158,55 @@ def test_names(algebra, units: str, special: str, automorphisms: str) -> None:
     assert algebra.automorphism_group().structure == automorphisms
 
 
+def test_groups_without_a_name_have_invariants() -> None:
+    H16 = H("ZZ/16").special_unit_group()
+    assert H16.order > MAX_ORDER
+    assert H16.structure == str(H16.invariants)
+    assert H16.structure.startswith(f"order {H16.order}, exponent {H16.exponent}, centre C")
+
+
+@pytest.mark.parametrize(
+    "algebra",
+    [
+        H("GF(3)"),
+        H("GF(5)"),
+        QuaternionAlgebra("GF(2)", 1, 1, 1),
+        QuaternionAlgebra("GF(4)", 1, 1, 1),
+    ],
+    ids=str,
+)
+def test_invariants_of_linear_groups_against_listing(algebra) -> None:
+    for G in (algebra.unit_group(), algebra.special_unit_group()):
+        assert (
+            group_invariants(ListedUnitGroup(algebra, "listed", G.elements)._group) == G.invariants
+        )
+
+
+def test_invariants_of_products() -> None:
+    G = H("ZZ/6").unit_group()
+    listed = FiniteGroup(G._group.members, G._labels.products, G._labels.number(G.algebra.one))
+    assert G.invariants == group_invariants(listed)
+    automorphisms = H("ZZ/6").automorphism_group().invariants
+    assert automorphisms.derived_series == (576, 144, 16, 1)
+
+
+def test_invariants_against_gap() -> None:
+    groups = [H("ZZ/4").unit_group(), QuaternionAlgebra("GF(3)", -1, 0).unit_group()]
+    groups += [QuaternionAlgebra("GF(3)", 0, 0).unit_group(), H("GF(4)").unit_group()]
+    numbers = (
+        "(g -> [[Order(g), Exponent(g)], AbelianInvariants(Centre(g)), AbelianInvariants(g), "
+        "List(DerivedSeriesOfGroup(g), Order)])"
+    )
+    answers = gap(*(f"{numbers}(Image(IsomorphismPermGroup({G.text_for('gap')})))" for G in groups))
+    for G, answer in zip(groups, answers, strict=True):
+        numbers, center, quotient, series = json.loads(answer)
+        found = G.invariants
+        assert [found.order, found.exponent] == numbers
+        assert found.center == joined([f"C{n}" for n in center])
+        assert found.abelian_quotient == joined([f"C{n}" for n in quotient])
+        assert list(found.derived_series) == series
+
+
 def test_large_linear_groups_are_known_by_formulas() -> None:
     G = H(GF(31)).unit_group()
     assert sum(G.element_orders.values()) == G.order == 892_800
@@ -197,7 +248,7 @@ def test_what_is_refused() -> None:
         with pytest.raises(NotFiniteError):
             getattr(H(QQ), name)()
     with pytest.raises(TooLargeError):
-        _ = H("ZZ/8").unit_group().structure
+        _ = H("ZZ/64").unit_group().structure
     with pytest.raises(TooLargeError):
         H("ZZ/60").conjugacy_classes()
     assert H("ZZ/60").unit_group().order == H("ZZ/60").count("units")
