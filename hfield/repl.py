@@ -40,7 +40,7 @@ LESSON = (
     ("groups", ".order, .structure, .generators", """
         unit_group special_unit_group conjugacy_classes automorphism_group"""),
     ("inside", "ideals, subalgebras, graphs", """
-        center radical left_ideals right_ideals two_sided_ideals subalgebras graph"""),
+        center radical quotient left_ideals right_ideals two_sided_ideals subalgebras graph"""),
     ("kind", "what sort of algebra it is", """
         is_commutative is_central_simple is_simple is_semisimple is_local is_division_algebra"""),
     ("matrices", "A as 2 x 2 matrices", "split to_matrix from_matrix zero_norm_element matrix"),

@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from hfield.algebra.brauer import Corestriction, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.algebra.quadratic_fields import Embedding
+    from hfield.algebra.quotients import Quotient
     from hfield.exploring.automorphisms import AutomorphismGroup
     from hfield.exploring.classes import ConjugacyClass
     from hfield.exploring.elements import Elements
@@ -551,6 +552,22 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         ((1 + i, 1 + j, 1 + k), (3, 3i, 3j, 3k))
         """
         return tuple(self(*c) for c in structure.radical(*self._here()))
+
+    def quotient(self, elements: Iterable[object]) -> Quotient:
+        """Return the quotient by the two-sided ideal that elements generate, over a field, and the map to it.
+
+        The quotient is a :class:`StructureAlgebra` whose basis are the images of some of e, i, j, k, the
+        first that are independent. ``projection(q)`` is the image of q, ``projection.lift(x)`` an element
+        with the image x. Raises :class:`RingError` over a ring that is no field, :class:`CoercionError`
+        where the quotient is 0.
+
+        >>> A = QuaternionAlgebra("GF(3)", -1, 0)
+        >>> B, phi = A.quotient(A.radical()); A.radical(), B.basis, phi("1 + i + j"), B("i")**2
+        ((j, k), (e, i), e + i, −e)
+        """
+        from hfield.algebra.quotients import quotient
+
+        return quotient(self, elements)
 
     def is_central_simple(self) -> bool:
         """Tell whether the algebra is central simple: whether ``(t² + 4a)·b ≠ 0``, over a field."""

@@ -150,12 +150,13 @@ def _rows(A: QuaternionAlgebra, what: str) -> tuple[list[str], list[list[str]]]:
         ]
         return ["dimension", "kind", "conjugates", "basis"], rows
     ideals = getattr(A, what.replace("-", "_"))()
+    over_field = A.ring.is_field
     rows = [
         [
-            str(ideal.dimension),
+            str(ideal.dimension if over_field else ideal.cardinality()),
             "none" if ideal.generator is None else str(ideal.generator),
             "; ".join(map(str, ideal.basis)),
         ]
         for ideal in ideals
     ]
-    return ["dimension", "generator", "basis"], rows
+    return ["dimension" if over_field else "elements", "generator", "basis"], rows

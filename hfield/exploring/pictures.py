@@ -194,7 +194,11 @@ def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], look: Look) -> Any:
         for n, ideal in enumerate(row):
             places[ideal] = ((n + 0.5) / len(row), height / max(len(levels) - 1, 1))
     side = found[0].side.capitalize()
-    counts = ", ".join(f"{len(row)} {_size(row[0])}" for row in rows.values())
+    if algebra.ring.is_field:
+        counts = ", ".join(f"{len(row)} of dimension {n}" for n, row in rows.items())
+    else:
+        counts = ", ".join(f"{len(row)} of {row[0].cardinality()}" for row in rows.values())
+        counts = f"by numbers of elements: {counts}"
     page, axes = _page(look, f"{side} ideals of {algebra}", counts, (7, 6.3))
     axes.set_aspect("auto")
     axes.set_xlim(-0.02, 1.02)
@@ -216,12 +220,6 @@ def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], look: Look) -> Any:
                           color=look.ink, fontsize=9, zorder=4,
                           bbox={"facecolor": look.page, "edgecolor": "none", "pad": 1.5})  # fmt: skip
     return page
-
-
-def _size(ideal: AlgebraIdeal) -> str:
-    if ideal.algebra.ring.is_field:
-        return f"of dimension {ideal.dimension}"
-    return f"of {ideal.cardinality()}"
 
 
 def _name(ideal: AlgebraIdeal) -> str:

@@ -104,17 +104,20 @@ class Submodule:
             rest = [u - factor * v for u, v in zip(rest, row, strict=True)]
         return all(map(ring.is_zero, rest))
 
-    def __le__(self, other: Submodule) -> bool:
+    def _lies_in(self, other: Submodule) -> bool:
         return self.algebra == other.algebra and all(q in other for q in self.basis)
 
+    def __le__(self, other: Submodule) -> bool:
+        return self._lies_in(other)
+
     def __lt__(self, other: Submodule) -> bool:
-        return self <= other and self != other
+        return self != other and self._lies_in(other)
 
     def __ge__(self, other: Submodule) -> bool:
-        return other <= self
+        return other._lies_in(self)
 
     def __gt__(self, other: Submodule) -> bool:
-        return other < self
+        return self != other and other._lies_in(self)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Submodule):

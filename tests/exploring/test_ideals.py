@@ -22,20 +22,22 @@ def sums(brute: BruteForce, left: frozenset[int], right: frozenset[int]) -> froz
     )
 
 
+def principal_ideal(brute: BruteForce, side: str, x: int) -> frozenset[int]:
+    """The ideal that an element generates, as a set of numbers."""
+    table = brute.table
+    if side == "left":
+        return frozenset(table[:, x].tolist())
+    if side == "right":
+        return frozenset(table[x, :].tolist())
+    found = frozenset(np.unique(table[np.unique(table[:, x]), :]).tolist())
+    while len(found) < brute.q**4 and len(bigger := sums(brute, found, found)) > len(found):
+        found = bigger
+    return found
+
+
 def all_ideals(brute: BruteForce, side: str) -> set[frozenset[int]]:
     """All sums of principal ideals, as sets of numbers."""
-    table = brute.table
-    principal = set()
-    for x in range(brute.q**4):
-        if side == "left":
-            principal.add(frozenset(table[:, x].tolist()))
-        elif side == "right":
-            principal.add(frozenset(table[x, :].tolist()))
-        else:
-            products = frozenset(table[table[:, x], :].ravel().tolist())
-            while len(bigger := sums(brute, products, products)) > len(products):
-                products = bigger
-            principal.add(products)
+    principal = {principal_ideal(brute, side, x) for x in range(brute.q**4)}
     found = set(principal)
     queue = list(found)
     while queue:
@@ -270,7 +272,8 @@ def test_kinds_of_rings_by_brute_force(case: Case) -> None:
     assert A.is_semisimple() == (radical == [0])
     others = np.flatnonzero(~units)
     assert A.is_local() == (not units[brute.add(others[:, None], others[None, :])].any())
-    assert A.is_simple() == (len(all_ideals(brute, "two-sided")) == 2)
+    generated = (principal_ideal(brute, "two-sided", x) for x in range(1, brute.q**4))
+    assert A.is_simple() == all(len(ideal) == brute.q**4 for ideal in generated)
 
 
 @pytest.mark.parametrize(
