@@ -3,6 +3,7 @@ from .bands import apparent_spin as apparent_spin
 from .errors import AnimationError as AnimationError
 from .film import Clip as Clip
 from .film import clip as clip
+from .given_motion import motion_of as motion_of
 from .model import Model as Model
 from .motion import Motion as Motion
 from .output import Film as Film

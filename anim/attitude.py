@@ -6,6 +6,7 @@ Quaternions are scalar first, (…, 4), matrices (…, 3, 3).
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rotation.matrices import to_matrix
 from rotation.quaternions import inverse, power, product
 
 Floats = NDArray[np.float64]
@@ -44,6 +45,11 @@ def angle_between(m: Floats, n: Floats) -> Floats:
 def angle_between_directions(u: Floats, v: Floats) -> Floats:
     """Return the angles in radians between unit vectors (…, 3), accurate for small ones too."""
     return np.asarray(2 * np.arcsin(np.minimum(np.linalg.norm(u - v, axis=-1) / 2, 1.0)))
+
+
+def axes(q: Floats) -> Floats:
+    """Return the directions (n, 3) into which attitudes (n, 4) turn the top's own axis."""
+    return np.asarray(np.asarray(to_matrix(q))[:, :, 2])
 
 
 def tilts(axes: Floats) -> Floats:

@@ -1,19 +1,24 @@
-"""The top's shape (thesis, section 3.3): two cones joined by a band, their tip on the ground at the origin.
+"""The top's shape: an outline turned about the z axis, its lowest point on the ground at the origin.
 
-The outline, turned about the z axis, is ``(radius, z)`` = (0, 0), (1, 1), (ρ, 11/10), (0, 3). Of the
-circles P₁ (radius 1) and P₂ (radius ρ) ``ring`` equally spaced points are taken each.
+That of the thesis (section 3.3), two cones joined by a band, is ``(radius, z)`` = (0, 0), (1, 1),
+(ρ, 11/10), (0, 3). Of each circle, P₁ (radius 1) and P₂ (radius ρ) there, ``ring`` equally spaced points
+are taken.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from math import hypot
+from pathlib import Path
 from types import MappingProxyType
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from anim.checks import one_of, real, whole
+from anim.errors import AnimationError
+from anim.outline import Profile, checked_outline, read_outline
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -42,7 +47,8 @@ class Model:
     ``ring`` is the number of points on each circle (3 to 1 000 000), ``bands`` the number of sectors (up to
     10 000), coloured yellow and black by turns (by default 10, or fewer where the ring is small, always
     even), ``p2`` the radius of P₂: "printed" (3^(−3/2), the text as it stands), "third" (1/3), or a positive
-    number. Lengths are in the thesis's unit. Raises :class:`~anim.errors.AnimationError` for anything else.
+    number. Lengths are in the thesis's unit. :meth:`from_outline` makes a top of any other shape. Raises
+    :class:`~anim.errors.AnimationError` for anything else.
 
     >>> top = Model(ring=10)
     >>> top.points.shape, len(top.polygons)
@@ -51,60 +57,135 @@ class Model:
 
     ring: int
     bands: int
-    radius: float
-    """The radius of P₂."""
+    profile: Profile
+    """The outline as pairs ``(radius, z)`` from the tip (0, 0) to the axis again."""
 
     def __init__(
         self, ring: int = 1000, bands: int | None = None, p2: str | float = "printed"
     ) -> None:
+        collar = (_radius(p2), COLLAR_HEIGHT)
+        self._fill(ring, bands, ((0.0, 0.0), SHOULDER, collar, (0.0, APEX_HEIGHT)))
+
+    @classmethod
+    def from_outline(
+        cls,
+        outline: Iterable[Iterable[float]] | str | Path,
+        ring: int = 1000,
+        bands: int | None = None,
+    ) -> "Model":
+        """Return the solid of revolution of an outline: pairs ``(z, radius)`` from the lowest point up.
+
+        ``outline`` is a sequence of two pairs or more, an array (n, 2), or the path of a file with two
+        numbers a line. Heights do not fall, radii are 0 or more, and both are in one unit of your choice:
+        pictures fit any size, and ``Body.turned(model.profile, scale=…)`` takes the length of the unit in
+        metres. The lowest point is put on the ground; where the outline begins or ends off the axis, a flat
+        disc closes it. Raises :class:`~anim.errors.AnimationError`, which names the point, or the file and
+        its line.
+
+        >>> egg = Model.from_outline([(0, 0), (1, 0.8), (2, 1), (3, 0.6), (3.5, 0)], ring=12)
+        >>> egg.height, len(egg.polygons)
+        (3.5, 48)
+        >>> Model.from_outline([(0, 1), (2, 1)]).profile  # a cylinder
+        ((0.0, 0.0), (1.0, 0.0), (1.0, 2.0), (0.0, 2.0))
+        """
+        of_file = isinstance(outline, (str, Path))
+        profile = read_outline(outline) if of_file else checked_outline(outline)  # type: ignore[arg-type]
+        return cls._of(ring, bands, profile)
+
+    @classmethod
+    def _of(cls, ring: int, bands: int | None, profile: Profile) -> "Model":
+        """Return the model of a profile that needs no check."""
+        model = cls.__new__(cls)
+        model._fill(ring, bands, profile)
+        return model
+
+    def _fill(self, ring: int, bands: int | None, profile: Profile) -> None:
         ring = whole("ring", ring, 3, MOST_POINTS)
         wanted = min(10, ring - ring % 2) if bands is None else bands
-        object.__setattr__(self, "ring", ring)
-        object.__setattr__(self, "bands", whole("bands", wanted, 1, min(ring, MOST_BANDS)))
-        object.__setattr__(self, "radius", _radius(p2))
+        bands = whole("bands", wanted, 1, min(ring, MOST_BANDS))
+        circles = len(profile) - 2
+        if ring * circles > 2 * MOST_POINTS:
+            raise AnimationError(
+                f"{ring} points on each of {circles} circles are too many; expected a ring of at most "
+                f"{2 * MOST_POINTS // circles}"
+            )
+        for name, value in (("ring", ring), ("bands", bands), ("profile", profile)):
+            object.__setattr__(self, name, value)
 
-    def __reduce__(self) -> tuple[type["Model"], tuple[int, int, float]]:
-        """Travel to another process as three numbers, without the arrays made of them."""
-        return Model, (self.ring, self.bands, self.radius)
+    def __reduce__(self) -> tuple[Any, tuple[int, int, Profile]]:
+        """Travel to another process as numbers, without the arrays made of them."""
+        return Model._of, (self.ring, self.bands, self.profile)
 
     @property
-    def profile(self) -> tuple[tuple[float, float], ...]:
-        """The outline as pairs ``(radius, z)`` from the tip to the apex."""
-        return ((0.0, 0.0), SHOULDER, (self.radius, COLLAR_HEIGHT), (0.0, APEX_HEIGHT))
+    def radius(self) -> float:
+        """The radius at the outline's third point; that of P₂ for the thesis's top."""
+        return self.profile[2][0]
+
+    @property
+    def height(self) -> float:
+        """The height of the apex above the tip."""
+        return self.profile[-1][1]
+
+    @property
+    def extent(self) -> float:
+        """How far from the tip the farthest point of the top is."""
+        return max(hypot(r, z) for r, z in self.profile)
+
+    @property
+    def magnified(self) -> float:
+        """How many times as large as the model its picture is; there the farthest point is 3 from the tip.
+
+        So cameras, ground and shadows fit a top of any size.
+        """
+        return APEX_HEIGHT / self.extent
+
+    def with_profile(self, profile: Profile) -> "Model":
+        """Return a model of another profile with as many points on each circle and as many bands."""
+        return self if profile == self.profile else self._of(self.ring, self.bands, profile)
+
+    def with_ring(self, ring: int) -> "Model":
+        """Return the model of the same profile with so many points on each circle."""
+        return self._of(ring, None, self.profile)
+
+    def scaled(self, factor: float) -> "Model":
+        """Return the same shape, so many times as large."""
+        return self.with_profile(tuple((r * factor, z * factor) for r, z in self.profile))
 
     @cached_property
     def points(self) -> Floats:
-        """The vertices, (2·ring + 2, 3): tip, P₁, P₂, apex. Read-only."""
+        """The vertices, (circles·ring + 2, 3): tip, the circles from below (P₁, P₂), apex. Read-only."""
         angle = np.arange(self.ring) * (2 * np.pi / self.ring)
-        points = np.zeros((2 * self.ring + 2, 3))
         circle = np.column_stack([np.cos(angle), np.sin(angle)])
-        lower, upper = points[1 : self.ring + 1], points[self.ring + 1 : -1]
-        lower[:, :2], lower[:, 2] = SHOULDER[0] * circle, SHOULDER[1]
-        upper[:, :2], upper[:, 2] = self.radius * circle, COLLAR_HEIGHT
-        points[-1, 2] = APEX_HEIGHT
+        circles = self.profile[1:-1]
+        points = np.zeros((len(circles) * self.ring + 2, 3))
+        for k, (radius, height) in enumerate(circles):
+            rim = points[1 + k * self.ring : 1 + (k + 1) * self.ring]
+            rim[:, :2], rim[:, 2] = radius * circle, height
+        points[-1, 2] = self.height
         return _frozen(points)
 
     @cached_property
     def lower(self) -> Indices:
-        """The triangles of the lower cone, (ring, 3) indices of points, counter-clockwise from outside."""
+        """The triangles from the tip, (ring, 3) indices of points, counter-clockwise from outside."""
         here, there = self._neighbours()
         return _frozen(np.column_stack([np.zeros_like(here), 1 + there, 1 + here]))
 
     @cached_property
     def sides(self) -> Indices:
-        """The quadrilaterals between P₁ and P₂, (ring, 4), counter-clockwise from outside."""
+        """The quadrilaterals between neighbouring circles, (k·ring, 4), counter-clockwise from outside."""
         here, there = self._neighbours()
         n = self.ring
-        return _frozen(np.column_stack([1 + here, 1 + there, 1 + n + there, 1 + n + here]))
+        first = np.column_stack([1 + here, 1 + there, 1 + n + there, 1 + n + here])
+        starts = n * np.arange(len(self.profile) - 3)
+        return _frozen((first + starts[:, None, None]).reshape(-1, 4))
 
     @cached_property
     def upper(self) -> Indices:
-        """The triangles of the upper cone, (ring, 3), counter-clockwise from outside."""
+        """The triangles to the apex, (ring, 3), counter-clockwise from outside."""
         here, there = self._neighbours()
-        n = self.ring
-        return _frozen(
-            np.column_stack([1 + n + here, 1 + n + there, np.full_like(here, 2 * n + 1)])
-        )
+        last = len(self.points) - 1
+        start = last - self.ring
+        return _frozen(np.column_stack([start + here, start + there, np.full_like(here, last)]))
 
     @cached_property
     def polygons(self) -> tuple[tuple[int, ...], ...]:
@@ -121,7 +202,7 @@ class Model:
     @cached_property
     def polygon_bands(self) -> Indices:
         """The colour band of each of :attr:`polygons`; the colour is :attr:`palette` [band mod 2]."""
-        return _frozen(np.tile(self.sectors, 3))
+        return _frozen(np.tile(self.sectors, len(self.profile) - 1))
 
     @property
     def palette(self) -> tuple[Colour, Colour]:
@@ -129,9 +210,15 @@ class Model:
         return (YELLOW, BLACK)
 
     def triangles(self) -> tuple[Indices, Indices]:
-        """Return the surface as triangles (4·ring, 3), outward, and the colour band of each (4·ring,)."""
-        first, second = self.sides[:, [0, 1, 2]], self.sides[:, [0, 2, 3]]
-        return np.concatenate([self.lower, first, second, self.upper]), np.tile(self.sectors, 4)
+        """Return the surface as triangles (2·circles·ring, 3), outward, and the colour band of each.
+
+        They come piece by piece from the tip: ``ring`` triangles of a piece that ends on the axis, and of
+        another twice as many, the one half of each quadrilateral and then the other.
+        """
+        between = self.sides.reshape(-1, self.ring, 4)
+        halves = [faces[:, corners] for faces in between for corners in ([0, 1, 2], [0, 2, 3])]
+        groups = [self.lower, *halves, self.upper]
+        return np.concatenate(groups), np.tile(self.sectors, len(groups))
 
     def counts(self) -> dict[str, int]:
         """Return the numbers of points, triangles, quadrilaterals and polygons, counted.

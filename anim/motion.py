@@ -91,7 +91,7 @@ class Motion:
             raise AnimationError(f"attitudes of shape {q.shape}; expected ({clip.frames}, 4)")
         if not (np.isfinite(q).all() and np.all(np.any(q != 0, axis=-1))):
             raise AnimationError("attitudes hold a quaternion that is 0 or not finite")
-        return cls.sample(name, clip, Shortest(normalised(q), clip))
+        return cls.sample(name, clip, Shortest(normalised(q), clip.times))
 
     @property
     def frames(self) -> int:
@@ -157,15 +157,17 @@ class Shortest:
     """The sampler that turns the shortest way from each attitude (frames, 4) to the next."""
 
     attitudes: Floats
-    clip: Clip
+    times: Floats
+    """When each is taken, (frames,), in seconds, rising."""
 
     def __call__(self, times: Floats) -> Floats:
         """Return the quaternions (n, 4) at ``times`` (n,)."""
-        if self.clip.frames == 1:
+        if len(self.times) == 1:
             return np.repeat(self.attitudes, len(times), axis=0)
-        place = times / self.clip.interval
-        frame = np.clip(place.astype(np.int64), 0, self.clip.frames - 2)
-        return attitude.between(self.attitudes[frame], self.attitudes[frame + 1], place - frame)
+        last = len(self.times) - 2
+        here = np.clip(np.searchsorted(self.times, times, "right") - 1, 0, last)
+        share = (times - self.times[here]) / (self.times[here + 1] - self.times[here])
+        return attitude.between(self.attitudes[here], self.attitudes[here + 1], share)
 
 
 def _both(values: Floats) -> tuple[Floats, Floats]:

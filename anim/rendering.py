@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from anim import attitude
 from anim.checks import one_of, real, whole
 from anim.errors import AnimationError
-from anim.model import APEX_HEIGHT, Model
+from anim.model import Model
 from anim.motion import Motion
 from anim.picture import Look, painter
 from anim.picture.captions import WIDEST, WORDS, caption, captioned, strip
@@ -30,21 +31,63 @@ FINE = 5000
 """At how many instants, at least, the apex's path is followed."""
 FRAMED = 500
 """At so many instants a motion is looked at to decide how close a picture may be."""
+CALM = 0.4
+"""The seconds of the film over which a camera that follows the top evens out its way."""
+LONG = 1.5
+"""A camera follows a top that goes farther than this many times its own extent."""
+MOST_TRACKED = 5000
 UNSEEN = 0.1
 """How many pixels the line of the trace may stray from the apex's path."""
 
 Progress = Callable[[int, int], None]
 
 
-def framed(look: Look, model: Model, motion: Motion) -> Look:
-    """Return the look, as close as all places of a top in motion allow."""
+def framed(look: Look, model: Model, motion: Motion, follow: bool | None = None) -> Look:
+    """Return the look, as close as all places of a top in motion allow.
+
+    ``follow`` is whether the camera goes along with the top; None: where the top would otherwise be small,
+    and the style can.
+    """
     from anim.picture.projection import outermost, swept
     from rotation.matrices import to_matrix
 
-    times = np.linspace(0.0, motion.clip.seconds, FRAMED)
-    attitudes = np.asarray(to_matrix(motion.at(times)))
-    places = outermost(swept(model, attitudes, motion.tips(times)))
-    return replace(look, reach=tuple(map(tuple, places.tolist())))
+    track = Track(model, motion)
+    attitudes = np.asarray(to_matrix(motion.at(track.times)))
+    tips = motion.tips(track.times)
+    chosen = track.is_long and not STYLES[look.style].fixed_axes if follow is None else follow
+    if chosen:
+        tips[:, :2] -= track.centres
+    places = outermost(swept(model, attitudes, tips))
+    return replace(look, reach=tuple(map(tuple, places.tolist())), follow=chosen)
+
+
+class Track:
+    """Where a camera goes that follows the top: over the middle of its axis, without its quick swings."""
+
+    def __init__(self, model: Model, motion: Motion) -> None:
+        self._extent = model.extent
+        count = max(FRAMED, min(motion.frames, MOST_TRACKED))
+        self.times: NDArray[np.float64] = np.linspace(0.0, motion.clip.seconds, count)
+        middles = motion.tips(self.times)
+        if motion.places is not None:
+            middles += model.height / 2 * attitude.axes(motion.at(self.times))
+        # A Gaussian mean over the film's time; beyond its ends the top stands still.
+        width = CALM * count / motion.duration
+        reach = min(count, int(4 * width) + 1)
+        weights = np.exp(-((np.arange(-reach, reach + 1) / width) ** 2) / 2)
+        padded = np.pad(middles[:, :2], ((reach, reach), (0, 0)), "edge")
+        means = [np.convolve(way, weights / weights.sum(), "valid") for way in padded.T]
+        self.centres: NDArray[np.float64] = np.column_stack(means)
+        """(k, 2), in the model's unit, at :attr:`times`."""
+
+    @property
+    def is_long(self) -> bool:
+        """Whether the way is so long that the top would be small in a picture of all of it."""
+        return bool(np.ptp(self.centres, axis=0).max() > LONG * self._extent)
+
+    def at(self, time: float) -> NDArray[np.float64]:
+        """Return where the camera is (2,) at an instant."""
+        return np.array([np.interp(time, self.times, way) for way in self.centres.T])
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,24 +121,59 @@ class Scene:
 
     def task(self, number: int) -> Task:
         """Return what it takes to draw one frame; small, so that it travels to another process."""
+        return self._task(float(self.motion.times[number]), self.motion.matrices[number][None])
+
+    def task_at(self, time: float) -> Task:
+        """Return what it takes to draw the picture at an instant in seconds of the motion.
+
+        At the instant of a frame it is that frame. Raises :class:`~anim.errors.AnimationError` for an instant
+        outside the motion.
+        """
         from rotation.matrices import to_matrix
 
-        motion, instants = self.motion, self.motion.times[number][None]
-        matrices = motion.matrices[number][None]
+        motion, instant = self.motion, real("t", time, least=0)
+        if instant > motion.clip.seconds:
+            raise AnimationError(
+                f"t is {instant:g}; the motion lasts {motion.clip.seconds:g} seconds"
+            )
+        number = int(np.argmin(np.abs(motion.times - instant)))
+        if abs(motion.times[number] - instant) <= 1e-9 * motion.clip.seconds:
+            return self.task(number)
+        return self._task(instant, np.asarray(to_matrix(motion.at([instant]))))
+
+    def _task(self, instant: float, matrices: NDArray[np.float64]) -> Task:
+        """Return the task of an instant, at which the top has the attitude ``matrices`` (1, 3, 3)."""
+        from rotation.matrices import to_matrix
+
+        motion, instants = self.motion, np.array([instant])
+        trail, ages = self._trail(instant)
+        task = Task(
+            self.model,
+            self._scene_look,
+            matrices,
+            trail,
+            ages,
+            motion.tips(instants),
+            self._track.at(instant) if self.look.follow else np.zeros(2),
+        )
+        if self.captions:
+            tilt = float(np.degrees(attitude.tilts(matrices[:, :, 2]))[0])
+            said = caption(self.captions, motion.name, tilt, self._spin(instant))
+            task = replace(task, said=said, widest=self._widest, strip=self._strip)
         if self.blur:
             fractions = self.blur * ((np.arange(self.steps) + 0.5) / self.steps - 0.5)
             instants = instants + fractions * motion.clip.interval
-            matrices = np.asarray(to_matrix(motion.at(instants)))
-        words, spin = (
-            self.captions,
-            self._told[number][1] * float(np.ptp(instants)) if self.blur else 0.0,
-        )
-        said = (
-            (caption(words, motion.name, *self._told[number]), self._widest) if words else ((), ())
-        )
-        trail = self._trail(number)
-        places = motion.tips(instants)
-        return Task(self.model, self._scene_look, matrices, trail, places, *said, self._strip, spin)
+            task = replace(
+                task,
+                matrices=np.asarray(to_matrix(motion.at(instants))),
+                places=motion.tips(instants),
+                spin=self._spin(instant) * float(np.ptp(instants)),
+            )
+        return task
+
+    @cached_property
+    def _track(self) -> Track:
+        return Track(self.model, self.motion)
 
     @cached_property
     def _widest(self) -> tuple[str, ...]:
@@ -115,59 +193,65 @@ class Scene:
         width, height = self.look.size
         return replace(self.look, size=(width, height - self._strip))
 
+    def _spin(self, instant: float) -> float:
+        """Return the spin at an instant in rad/s, between frames in proportion."""
+        return float(np.interp(instant, self.motion.times, self._spins))
+
     @cached_property
-    def _told(self) -> list[tuple[float, float]]:
-        """Tilt in degrees and spin in rad/s of each frame."""
+    def _spins(self) -> NDArray[np.float64]:
+        """The spin of each frame in rad/s."""
         motion = self.motion
-        spins = motion.record.spins if motion.record else motion.spin_rates(motion.times)
-        return list(zip(np.degrees(motion.tilts).tolist(), spins.tolist(), strict=True))
+        return motion.record.spins if motion.record else motion.spin_rates(motion.times)
 
-    def _trail(self, number: int) -> NDArray[np.float64] | None:
-        """Return the apex's path (k, 3) up to a frame, if it is to be drawn."""
+    def _trail(
+        self, instant: float
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]] | tuple[None, None]:
+        """Return the apex's path (k, 3) up to an instant and the ages (k,), if it is to be drawn."""
         if not self.look.trace:
-            return None
-        places, points = self._path
-        here = self._apexes[number]
-        return np.vstack([points[: np.searchsorted(places, number)], here])
-
-    @cached_property
-    def _apexes(self) -> NDArray[np.float64]:
-        return self.motion.apex()
+            return None, None
+        times, points = self._path
+        passed = int(np.searchsorted(times, instant))
+        now = np.array([instant])
+        here = self.motion.tips(now) + self.model.height * attitude.axes(self.motion.at(now))
+        ages = (instant - np.append(times[:passed], instant)) / self.motion.clip.time_scale
+        return np.vstack([points[:passed], here]), ages
 
     @cached_property
     def _path(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The apex's path as far as a picture can show it: places (k,) counted in frames, and points (k, 3).
+        """The apex's path as far as a picture can show it: instants (k,) and points (k, 3).
 
         Between few frames it is followed too; of many, those that make no difference are left out, so that
         what a frame costs does not grow with the film.
         """
         from anim.picture.trace import thinned
-        from rotation.matrices import to_matrix
 
         clip = self.motion.clip
         between = -(-FINE // clip.frames)
         places = np.linspace(0, clip.frames - 1, (clip.frames - 1) * between + 1)
-        turned = np.asarray(to_matrix(self.motion.at(places * clip.interval)))
-        path = APEX_HEIGHT * turned[:, :, 2] + self.motion.tips(places * clip.interval)
-        # The top is about two units wide at least, and no wider than the picture.
-        pixel = 2 / (max(self._scene_look.size) * self.look.camera.zoom)
+        times = places * clip.interval
+        path = self.model.height * attitude.axes(self.motion.at(times)) + self.motion.tips(times)
+        # The top is two thirds of its extent wide at least, and no wider than the picture.
+        pixel = 2 / (max(self._scene_look.size) * self.look.camera.zoom * self.model.magnified)
         kept = thinned(path, pixel * UNSEEN)
-        return places[kept], path[kept]
+        return times[kept], path[kept]
 
 
 @dataclass(frozen=True, eq=False)
 class Task:
     """One frame: attitudes (steps, 3, 3) and places (steps, 3) of the tip to draw and average.
 
-    ``trail`` is the apex's path so far, (k, 3); ``said`` the lines to be written above the picture,
-    in a strip of so many pixels; ``widest`` lines that take the most room.
+    ``trail`` is the apex's path so far, (k, 3), ``ages`` (k,) how many seconds of the film ago it was there;
+    ``centre`` (2,) is where a camera has gone that follows. ``said`` are the lines to be written above the
+    picture, in a strip of so many pixels; ``widest`` lines that take the most room.
     """
 
     model: Model
     look: Look
     matrices: NDArray[np.float64]
     trail: NDArray[np.float64] | None
+    ages: NDArray[np.float64] | None
     places: NDArray[np.float64]
+    centre: NDArray[np.float64]
     said: tuple[str, ...] = ()
     widest: tuple[str, ...] = ()
     strip: int = 0
@@ -179,9 +263,11 @@ def draw(task: Task) -> Frame:
     """Draw one frame, uint8 (height, width, 3)."""
     brush = _own.painter(task.model, task.look)
     if len(task.matrices) == 1:
-        picture = brush.draw(task.matrices[0], task.trail, task.places[0])
+        path = task.trail, task.places[0], task.ages
+        picture = brush.draw(task.matrices[0], *path, task.centre)
     else:
-        picture = brush.expose(task.matrices, task.trail, task.places, task.spin)
+        path_of_all = task.trail, task.places, task.spin, task.ages
+        picture = brush.expose(task.matrices, *path_of_all, task.centre)
     if task.said:
         paper = STYLES[task.look.style].paper_of(task.look)
         return captioned(picture, task.said, task.widest, task.strip, paper)

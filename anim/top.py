@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from functools import lru_cache
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from anim.film import Clip
+from anim.given_motion import motion_of
 from anim.model import Model
 from anim.motion import Motion
-from anim.pipelines import kinematic
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
     from anim.picture import Look
+    from anim.rendering import Scene
+
+Pixels = NDArray[np.uint8]
 
 FRAME_HEIGHT = 480
 
@@ -19,17 +31,55 @@ FRAME_HEIGHT = 480
 class Top:
     """A model in motion. In Jupyter it shows itself, as does :meth:`show`.
 
-    ``motion`` is a :class:`~anim.motion.Motion`, or the name of one of the thesis's pipelines. Raises
-    :class:`~anim.errors.AnimationError` for another name.
+    ``motion`` is a :class:`~anim.motion.Motion`, the name of one of the thesis's pipelines, quaternions
+    (n, 4), a :class:`~rotation.Rotation`, a function of time, or the path of a file of quaternions;
+    :func:`~anim.given_motion.motion_of` says more. ``clip`` is its film, where the motion has none of its own.
+    Raises :class:`~anim.errors.AnimationError` for what is no motion.
 
     >>> from anim import Model, Top
     >>> Top("product", Model(ring=60))
     Top('product', 60 points on a ring, 500 frames at 50 a second)
+    >>> from rotation import Rotation
+    >>> turns = Rotation.from_rotvec([[0, 0, 0.1 * n] for n in range(100)])
+    >>> Top(turns, Model.from_outline([(0, 0), (1, 1), (3, 0)])).frame(0.5).shape
+    (480, 640, 3)
     """
 
-    def __init__(self, motion: Motion | str = "quaternions", model: Model | None = None) -> None:
-        self.motion = kinematic(motion) if isinstance(motion, str) else motion
+    def __init__(
+        self, motion: Any = "quaternions", model: Model | None = None, clip: Clip | None = None
+    ) -> None:
+        self.motion = motion_of(motion, clip)
         self.model = Model() if model is None else model
+
+    def frame(self, t: float, look: Look | None = None) -> Pixels:
+        """Return the picture at ``t`` seconds of the motion, uint8 (height, width, 3), top row first.
+
+        Without ``look`` it is shaded, 640 × 480 pixels, with trace and shadow, as films are; where ``t`` is a
+        frame of the film, it is that frame. Raises :class:`~anim.errors.AnimationError` for ``t`` outside
+        the motion.
+        """
+        from anim.rendering import draw
+
+        return draw(self._scene(look).task_at(t))
+
+    def frames(self, look: Look | None = None) -> Iterator[Pixels]:
+        """Yield the frames of the film in order, each uint8 (height, width, 3)."""
+        from anim.rendering import frames
+
+        return frames(self._scene(look))
+
+    def draw(self, ax: Axes, t: float = 0.0, look: Look | None = None) -> Artist:
+        """Draw the top at ``t`` seconds of the motion into matplotlib axes of yours; return the artist.
+
+        Into plain axes goes the picture that :meth:`frame` makes, without ``look`` as many pixels as the axes
+        have. Into three-dimensional ones goes the surface, in the model's unit; it hides itself rightly from
+        wherever the axes are seen, and ``ax.set_aspect("equal")`` keeps its shape. Raises
+        :class:`~anim.errors.AnimationError` for ``t`` outside the motion, and for a look in
+        three-dimensional axes, which have their own.
+        """
+        from anim.picture.in_axes import draw_in_axes
+
+        return draw_in_axes(self, ax, t, look)
 
     def page(self) -> str:
         """Return the web page in which the top turns, as HTML; one that obeys physics is live on it."""
@@ -55,16 +105,14 @@ class Top:
         from anim.output.destination import file_place, write_text
         from anim.output.pictures import save_png
         from anim.output.writing import Kind, kind_of
-        from anim.picture.look import FILM_LOOK
-        from anim.rendering import Scene, draw, framed, render
+        from anim.rendering import draw, render
 
         place = Path(path)
         kind = kind_of(place)
         if kind is Kind.PAGE:
             check(place, None, force)
             return write_text(place, self.page(), force)
-        chosen = framed(FILM_LOOK, self.model, self.motion) if look is None else look
-        scene = Scene(self.model, self.motion, chosen)
+        scene = self._scene(look)
         if kind is Kind.PICTURE:
             number = whole("frame", frame, 0, self.motion.frames - 1)
             check(place, None, force)
@@ -72,8 +120,12 @@ class Top:
                 save_png(draw(scene.task(number)), part)
             return None
         return render(
-            scene, place, Film(chosen.size, self.motion.frames, self.motion.fps), force=force
+            scene, place, Film(scene.look.size, self.motion.frames, self.motion.fps), force=force
         )
+
+    def _scene(self, look: Look | None) -> Scene:
+        """Return what decides the frames; the last ones are kept."""
+        return _scene(self.model, self.motion, look)
 
     def show(self) -> None:
         """Display the top in a notebook; elsewhere it is written as a page and opened in the browser."""
@@ -109,3 +161,11 @@ class Top:
             f"Top({self.motion.name!r}, {self.model.ring} points on a ring, "
             f"{self.motion.frames} frames at {self.motion.fps:g} a second)"
         )
+
+
+@lru_cache(maxsize=4)
+def _scene(model: Model, motion: Motion, look: Look | None) -> Scene:
+    from anim.picture.look import FILM_LOOK
+    from anim.rendering import Scene, framed
+
+    return Scene(model, motion, framed(FILM_LOOK, model, motion) if look is None else look)

@@ -74,6 +74,12 @@ def _motion(group: _ArgumentGroup) -> None:
         + ", ".join(MODELS[2:])
         + ": the four motions of the thesis (an .html shows all four)",
     )
+    group.add_argument(
+        "--motion",
+        metavar="FILE",
+        help="text or CSV file of the attitudes: w, x, y, z of a quaternion on each line, one line a frame, "
+        "or the seconds before them",
+    )
     group.add_argument("--frames", type=int, metavar="N", help="number of frames (default: 500)")
     group.add_argument("--fps", type=float, metavar="X", help="frames per second (default: 50)")
     group.add_argument(
@@ -134,6 +140,17 @@ def _picture(group: _ArgumentGroup) -> None:
         help="radius of the circle P₂ (default: printed)",
     )
     group.add_argument(
+        "--outline",
+        metavar="FILE",
+        help="text or CSV file of another shape: z and the radius on each line, from the tip up, in one unit "
+        "(--scale says how long it is)",
+    )
+    group.add_argument(
+        "--follow",
+        action=BooleanOptionalAction,
+        help="let the camera go along with the top (default: where it goes far)",
+    )
+    group.add_argument(
         "--style",
         metavar="|".join(STYLES),
         help="; ".join(f"{name}: {STYLES.summary(name)}" for name in STYLES) + " (default: shaded)",
@@ -187,7 +204,10 @@ def _physics(group: _ArgumentGroup) -> None:
         ("gravity", "m/s² (default: 9.80665)"),
         ("mass", "kg (default: 1)"),
         ("density", "kg/m³, in place of the mass"),
-        ("scale", "m, the radius of the rim (default: 0.5)"),
+        (
+            "scale",
+            "m, the radius of the rim, or the unit of --outline (default: 0.5, or as large a top)",
+        ),
         (
             "spin-decay",
             "s in which friction slows the spin to 1/e; inf: none (default: 40; free: 30)",

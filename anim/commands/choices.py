@@ -9,13 +9,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from anim.commands.arguments import MODELS
+from anim.tables import is_number
 from hfield.commands.parser import UsageError
 
 if TYPE_CHECKING:
     from anim.film import Clip
+    from anim.given_motion import Recorded
     from anim.model import Model
     from anim.motion import Motion
-    from anim.physics import FreeTop, HeavyTop
+    from anim.physics import Body, Contact, FreeTop, HeavyTop, Launch
     from anim.picture import Camera, Look
     from anim.timeline import Timeline
 
@@ -34,14 +36,24 @@ def model_of(args: Namespace) -> Model:
     from anim.checks import real
     from anim.model import READINGS, Model
 
-    p2 = args.p2 if args.p2 in READINGS or not _is_number(args.p2) else real("--p2", args.p2)
+    if args.outline is not None:
+        if args.p2 != "printed":
+            raise UsageError("--p2 belongs to the thesis's top, not to --outline")
+        return Model.from_outline(args.outline, args.points, args.bands)
+    p2 = args.p2 if args.p2 in READINGS or not is_number(args.p2) else real("--p2", args.p2)
     return Model(args.points, args.bands, p2)
 
 
-def clip_of(args: Namespace) -> Clip:
-    """Return how many frames there are, and how fast."""
-    from anim.film import clip
+def clip_of(args: Namespace, recorded: Recorded | None = None) -> Clip:
+    """Return how many frames there are, and how fast; of a recorded motion, all of it."""
+    from anim.film import FPS, clip
 
+    if recorded is not None:
+        pace = 1.0 if args.time_scale is None else args.time_scale
+        length = args.duration
+        if length is None and (args.frames is None or args.fps is None) and pace > 0:
+            length = recorded.seconds(args.fps or FPS) / pace
+        return clip(args.frames, args.fps, length, pace)
     return clip(args.frames, args.fps, args.duration, args.time_scale)
 
 
@@ -60,7 +72,27 @@ def numbers_of(args: Namespace, clip: Clip) -> list[int]:
     return [number]
 
 
-def motions_of(args: Namespace, model: Model, film: Clip) -> list[Motion]:
+def recorded_of(args: Namespace) -> Recorded | None:
+    """Return the motion in a file that the flags name, if they do."""
+    from anim.given_motion import read_motion
+
+    if args.motion is None:
+        return None
+    others = [n for n, usual in READING.items() if getattr(args, n) != usual]
+    others += [
+        name
+        for name in ("model", "seed", *PHYSICS_ONLY, *FREE_ONLY)
+        if getattr(args, name) is not None
+    ]
+    if others:
+        flag = others[0].replace("_", "-")
+        raise UsageError(f"--motion has the whole motion; leave out --{flag}")
+    return read_motion(args.motion)
+
+
+def motions_of(
+    args: Namespace, model: Model, film: Clip, recorded: Recorded | None = None
+) -> list[Motion]:
     """Return the motion that the flags describe; for a page without ``--model``, all four of the thesis.
 
     Flags of the thesis's motion, or of the heavy top, choose the model where none is named.
@@ -68,6 +100,8 @@ def motions_of(args: Namespace, model: Model, film: Clip) -> list[Motion]:
     from anim.output.writing import Kind, kind_of
     from anim.pipelines import PIPELINES, kinematic
 
+    if recorded is not None:
+        return [recorded.motion(film)]
     read = any(getattr(args, name) != usual for name, usual in READING.items())
     heavy = any(getattr(args, name) is not None for name in PHYSICS_ONLY + FREE_ONLY)
     page = kind_of(Path(args.output)) is Kind.PAGE
@@ -86,15 +120,14 @@ def motions_of(args: Namespace, model: Model, film: Clip) -> list[Motion]:
 
 def simulated(args: Namespace, model: Model, motion: Motion) -> HeavyTop | FreeTop | None:
     """Return the top that a page computes live: that of physics, also beside the thesis's four ways."""
-    from anim.physics import Body, FreeTop, HeavyTop
-    from anim.physics.simulate import STORY
+    from anim.physics import FreeTop, HeavyTop
 
     if isinstance(motion.sampler, (HeavyTop, FreeTop)):
         return motion.sampler
-    if args.model is not None:
+    if args.model is not None or args.motion is not None:
         return None
-    launch, contact = STORY
-    return FreeTop(Body.turned(model.profile), launch, motion.clip.seconds, contact)
+    body, launch, contact = _usual(args, model, True)
+    return FreeTop(body, launch, motion.clip.seconds, contact) if contact else None
 
 
 def encoding_of(args: Namespace, path: Path) -> dict[str, Any]:
@@ -135,14 +168,13 @@ def look_of(args: Namespace, size: tuple[int, int]) -> Look:
 def _reading(args: Namespace) -> Timeline:
     from anim.timeline import Timeline
 
-    angle = float(args.angle) if _is_number(args.angle) else args.angle
+    angle = float(args.angle) if is_number(args.angle) else args.angle
     return Timeline(args.spin, args.order, angle, args.euler)
 
 
 def _heavy(args: Namespace, model: Model, film: Clip, free: bool) -> Motion:
     """Return the film of the heavy top, with the flags in place of its defaults."""
-    from anim.physics import Body, Launch, physical
-    from anim.physics.simulate import STORY
+    from anim.physics import physical
 
     given = {
         "spin": args.spin_rate,
@@ -156,10 +188,8 @@ def _heavy(args: Namespace, model: Model, film: Clip, free: bool) -> Motion:
         from random import Random
 
         given["heading"] = Random(args.seed).uniform(-pi, pi)
-    sizes = {"scale": args.scale, "mass": args.mass, "density": args.density}
     touching = {"radius": args.tip_radius, "friction": args.friction, "rolling": args.rolling}
-    launch, contact = STORY if free else (Launch(), None)
-    body = Body.turned(model.profile, **_given(sizes))
+    body, launch, contact = _usual(args, model, free)
     return physical(
         film,
         body,
@@ -168,13 +198,20 @@ def _heavy(args: Namespace, model: Model, film: Clip, free: bool) -> Motion:
     )
 
 
+def _usual(args: Namespace, model: Model, free: bool) -> tuple[Body, Launch, Contact | None]:
+    """Return the body, and the launch and the ground that it has where the flags say nothing."""
+    from anim.physics import Body, Launch
+    from anim.physics.inertia import SCALE
+    from anim.physics.simulate import STORY, story_of
+
+    sizes = {"scale": args.scale, "mass": args.mass, "density": args.density}
+    if args.outline is None:
+        return Body.turned(model.profile, **_given(sizes)), *(STORY if free else (Launch(), None))
+    if args.scale is None:  # as large as the thesis's top
+        sizes["scale"] = SCALE * model.magnified
+    body = Body.turned(model.profile, **_given(sizes))
+    return body, *story_of(body, free)
+
+
 def _given(values: dict[str, float | None]) -> dict[str, Any]:
     return {name: value for name, value in values.items() if value is not None}
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True

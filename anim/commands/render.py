@@ -15,6 +15,7 @@ from hfield.commands.status import Progress
 
 if TYPE_CHECKING:
     from anim.film import Clip
+    from anim.given_motion import Recorded
     from anim.model import Model
     from anim.motion import Motion
     from anim.output import Film
@@ -55,20 +56,21 @@ def run(args: Namespace) -> int:
         return _figures(args, path)
     if args.quaternions:
         return _seeing(args, path)
-    from anim.commands.choices import clip_of, encoding_of, model_of
+    from anim.commands.choices import clip_of, encoding_of, model_of, recorded_of
     from anim.output.writing import Kind, kind_of
 
-    model, clip = model_of(args), clip_of(args)
+    model, recorded = model_of(args), recorded_of(args)
+    clip = clip_of(args, recorded)
     kind = kind_of(path)
     encoding_of(args, path)  # refuses at once what the format has not
     if args.sheet or args.frame is not None or kind is Kind.PICTURE:
-        return _picture(args, model, clip, path)
+        return _picture(args, model, clip, path, recorded)
     if kind is Kind.PAGE:
-        return _page(args, model, clip, path)
-    return _film(args, model, clip, path)
+        return _page(args, model, clip, path, recorded)
+    return _film(args, model, clip, path, recorded)
 
 
-def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
+def _film(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recorded | None) -> int:
     from anim.bands import apparent_spin
     from anim.commands.choices import encoding_of, look_of, motions_of
     from anim.output import Film, check
@@ -76,7 +78,7 @@ def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     look = look_of(args, FILM_SIZE)
     film = Film(look.size, clip.frames, clip.fps, **encoding_of(args, path))
     check(path, film, args.force)
-    (motion,) = motions_of(args, model, clip)
+    (motion,) = motions_of(args, model, clip, recorded)
     scene = _scene(args, model, motion, look)
     if motion.frames > 1 and not scene.blur:
         said = apparent_spin(motion, model.bands).message()
@@ -89,9 +91,8 @@ def _film(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
 def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
     from anim.rendering import Scene, framed
 
-    return Scene(
-        model, motion, framed(look, model, motion), args.motion_blur, captions=args.captions
-    )
+    seen = framed(look, model, motion, args.follow)
+    return Scene(model, motion, seen, args.motion_blur, captions=args.captions)
 
 
 def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
@@ -120,7 +121,9 @@ def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
             )
 
 
-def _picture(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
+def _picture(
+    args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recorded | None
+) -> int:
     """Write one picture: ten frames of the film, or the one asked for."""
     from anim.commands.choices import look_of, motions_of, numbers_of
     from anim.output.destination import file_place, refuse_early
@@ -136,7 +139,7 @@ def _picture(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     numbers = numbers_of(args, clip)
     look = look_of(args, size)
     refuse_early(path, args.force)
-    (motion,) = motions_of(args, model, clip)
+    (motion,) = motions_of(args, model, clip, recorded)
     scene = _scene(args, model, motion, look)
     picture = contact_sheet(scene, numbers) if args.sheet else draw(scene.task(numbers[0]))
     with file_place(path, args.force) as part:
@@ -144,7 +147,7 @@ def _picture(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     return _report(args, motion, path, look.size, numbers)
 
 
-def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
+def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recorded | None) -> int:
     """Write the page: the four models side by side, or the one named; for physics with curves."""
     from anim.commands.choices import camera_of, motions_of, simulated
     from anim.output import check
@@ -163,7 +166,7 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path) -> int:
     if args.background is not None:
         paper = "#{:02x}{:02x}{:02x}".format(*colour("background", args.background))
     check(path, None, args.force)
-    motions = motions_of(args, model, clip)
+    motions = motions_of(args, model, clip, recorded)
     text = page(
         model,
         [Show.of(motion) for motion in motions],

@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import atan2, pi
+from math import atan2, hypot, pi
 
 from numpy.polynomial import Polynomial
 
 from anim.checks import real
 from anim.errors import AnimationError
+from anim.outline import simplified
 
 Profile = Sequence[tuple[float, float]]
 
@@ -16,6 +17,8 @@ Profile = Sequence[tuple[float, float]]
 SCALE = 0.5
 # What mass and moments of inertia exceed, and their inverses too, so that products of three stay numbers.
 LEAST = 1e-90
+# How far the corners that touch the ground may be from the outline, as a part of its extent.
+CORNERS = 1e-3
 
 
 @dataclass(frozen=True)
@@ -38,7 +41,7 @@ class Body:
     reach: float
     """The tilt at which the surface touches the ground, in radians."""
     outline: Profile = ()
-    """Pairs (radius, z) from the tip up, in m; only a free top needs to know them."""
+    """Pairs (radius, z) from the tip up, in m, as many as the ground needs to know of a free top."""
     unit: float = SCALE
     """The length in m of the unit in which the outline was given."""
 
@@ -55,7 +58,8 @@ class Body:
         ``scale`` is the length of the profile's unit in m. Give the ``mass`` in kg or the ``density`` in
         kg/m³; without either the mass is 1 kg. The moments are integrals of the polynomials r², z·r², r⁴
         and z²·r² over each frustum, in closed form. Raises :class:`~anim.errors.AnimationError`
-        for both, for what is not positive, and for an outline that holds no volume above the ground.
+        for both, for what is not positive, and for an outline that holds no volume above the ground. One that
+        begins with a flat base has a body too, whose ``reach`` is 0: it cannot lean on its tip.
         """
         if mass is not None and density is not None:
             raise AnimationError("mass and density are both given; the size makes one of the other")
@@ -73,21 +77,23 @@ class Body:
                 f"a top of {weight:.3g} kg and {size:.3g} m has moments of inertia that cannot be "
                 "computed with; choose another mass or size"
             )
-        outline = tuple((size * r, size * z) for r, z in profile)
+        fine = CORNERS * max(hypot(r, z) for r, z in profile)
+        outline = tuple((size * r, size * z) for r, z in simplified(tuple(profile), fine))
         return cls(weight, size * moment / volume, *moments, reach(profile), outline, size)
 
 
 def reach(profile: Profile) -> float:
     """Return the tilt in radians at which the solid, tip on the ground, touches it a second time.
 
-    Tilted by θ, the lowest point of the circle of radius r at height z is at z·cos θ − r·sin θ.
+    Tilted by θ, the lowest point of the circle of radius r at height z is at z·cos θ − r·sin θ. A solid that
+    stands on a flat base does so at 0.
 
     >>> round(reach([(0, 0), (1, 1), (0.2, 1.1), (0, 3)]) / pi, 6)
     0.25
     """
     angles = [atan2(z, r) for r, z in profile if r > 0]
-    if not angles or min(angles) <= 0:
-        raise AnimationError(f"the outline {list(profile)} is not above the ground around its tip")
+    if not angles or min(angles) < 0:
+        raise AnimationError("the outline is not above the ground around its tip")
     return min(angles)
 
 
@@ -103,7 +109,7 @@ def _moments(profile: Profile) -> tuple[float, float, float, float]:
         axial += rise * fourths / 2
         equatorial += rise * (fourths / 4 + _integral(z**2 * r**2))
     if not volume > 0:
-        raise AnimationError(f"the outline {list(profile)} holds no volume")
+        raise AnimationError("the outline holds no volume")
     return volume, moment, axial, equatorial
 
 

@@ -1,8 +1,8 @@
 """A film of the heavy top: launched, and followed to the film's end or until its rim touches the ground."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from math import cos, degrees, inf, sin, sqrt
+from math import cos, degrees, hypot, inf, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -146,6 +146,25 @@ STORY = (
     Contact(radius=0.06, friction=0.5, rolling=0.01),
 )
 """A launch of the thesis's top, and a ground, that show in ten seconds all that a top does."""
+
+
+def story_of(body: Body, free: bool) -> tuple[Launch, Contact | None]:
+    """Return the launch and the ground of :data:`STORY`, or without a ground, for a body of another shape.
+
+    Its spin is as many times that at which it sleeps upright, its tip as large for its size, and it leans no
+    more than half of what brings its rim to the ground.
+    """
+    usual = Body.turned(Model().profile)
+    launch, contact = STORY if free else (Launch(), None)
+    lean = min(launch.tilt, body.reach / 2)
+    if contact is None:
+        return replace(launch, tilt=lean), None
+    pace = sqrt(body.mass * body.height * body.transverse) / body.axial
+    usual_pace = sqrt(usual.mass * usual.height * usual.transverse) / usual.axial
+    size, usual_size = (max(hypot(*corner) for corner in b.outline) for b in (body, usual))
+    spin = (launch.spin or 0.0) * pace / usual_pace
+    larger = {name: getattr(contact, name) * size / usual_size for name in ("radius", "rolling")}
+    return replace(launch, tilt=lean, spin=spin), replace(contact, **larger)
 
 
 def physical(

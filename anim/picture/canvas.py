@@ -35,9 +35,9 @@ class Canvas(Surface):
         self._context = GraphicsContextBase()
         self._context.set_snap(False)
         self._context.set_antialiased(smooth)
-        self._context.set_joinstyle("round")
-        self._context.set_capstyle("round")
+        self._context.set_linewidth(0)
         self._identity = IdentityTransform()
+        self._mask = np.zeros((self.height, self.width), np.float32)
         self._touched = (self.width, self.height, 0, 0)
 
     def clear(self) -> None:
@@ -56,21 +56,9 @@ class Canvas(Surface):
         path = _path(loops)
         if not touched:
             self.touch(path.vertices, 0)
-        self._context.set_linewidth(0)
         self._context.set_alpha(opacity)
         face = tuple(channel / 255 for channel in colour)
         self._renderer.draw_path(self._context, path, self._identity, face)
-
-    def stroke(self, lines: Sequence[Floats], colour: RGB, width: float) -> None:
-        """Draw open lines through points (k, 2), ``width`` pixels wide, with round ends."""
-        if not lines:
-            return
-        path = _path(lines)
-        self.touch(path.vertices, width)
-        self._context.set_alpha(1.0)
-        self._context.set_linewidth(width)
-        self._context.set_foreground(tuple(channel / 255 for channel in colour), isRGBA=False)
-        self._renderer.draw_path(self._context, path, self._identity)
 
     def touch(self, points: Floats, width: float) -> Box:
         """Note that the box around ``points`` (k, 2) is drawn on; return it: left, top, right, bottom."""

@@ -34,9 +34,18 @@ def noise(x: int, y: int) -> float:
 
 @kernel
 def lit_ground(
-    picture: Light, to_ground: Floats, paper: Floats, dark: float, numbers: Floats, above: bool
+    picture: Light,
+    to_ground: Floats,
+    paper: Floats,
+    dark: float,
+    numbers: Floats,
+    above: bool,
+    centre: Floats,
 ) -> None:
-    """Write the empty ground into ``picture``; ``numbers`` are near, far, shade, pool, ring."""
+    """Write the empty ground into ``picture``; ``numbers`` are near, far, shade, pool, ring.
+
+    The light is around the point that the camera looks at; ``centre`` (2,) is where that is on the ground.
+    """
     near, far, shade, pool, ring = numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]
     height, width, _ = picture.shape
     for y in range(height):
@@ -49,7 +58,11 @@ def lit_ground(
                 gy = (to_ground[1, 0] * u + to_ground[1, 1] * v + to_ground[1, 2]) / scale
                 r = math.sqrt(gx * gx + gy * gy)
                 seen = smoothstep(far, near, r)
-                line = smoothstep(0.03, 0.0, abs((r + 0.5) % 1.0 - 0.5)) * ring if r > 0.5 else 0.0
+                rx, ry = gx + centre[0], gy + centre[1]
+                out = math.sqrt(rx * rx + ry * ry)
+                line = 0.0
+                if seen > 0 and out > 0.5:
+                    line = smoothstep(0.03, 0.0, abs((out + 0.5) % 1.0 - 0.5)) * ring
                 down = 1 - (1 - dark) * (shade + line) * seen
                 up = dark * (pool - line / 2) * seen * 255
             for channel in range(3):

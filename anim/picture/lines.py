@@ -14,10 +14,11 @@ Samples = NDArray[np.float32]
 
 @kernel
 def draw_line(pixels: Bytes, mask: Samples, points: Floats, half: float, colour: Floats) -> None:
-    """Draw a line through ``points`` (k, 2), y upwards, with round ends; ``half`` is half its width.
+    """Draw a line through ``points`` (k, 3), y upwards, with round ends; ``half`` is half its width.
 
-    ``mask`` (height, width) is zero, and left so: how much of a pixel is covered, by the distance of its
-    middle. What the line covers twice it covers once.
+    The third coordinate is how much of the ink there is, from 0 to 1. ``mask`` (height, width) is zero, and
+    left so: how much of a pixel is covered, by the distance of its middle. What the line covers twice it
+    covers once.
     """
     height, width = mask.shape
     reach = half + 0.5
@@ -26,6 +27,7 @@ def draw_line(pixels: Bytes, mask: Samples, points: Floats, half: float, colour:
         x0, y0 = points[k, 0], height - points[k, 1]
         dx, dy = points[k + 1, 0] - x0, height - points[k + 1, 1] - y0
         square = max(dx * dx + dy * dy, 1e-12)
+        ink = (points[k, 2] + points[k + 1, 2]) / 2
         first = max(0, math.floor(min(y0, y0 + dy) - reach))
         last = min(height, math.ceil(max(y0, y0 + dy) + reach))
         top, bottom = min(top, first), max(bottom, last)
@@ -43,7 +45,7 @@ def draw_line(pixels: Bytes, mask: Samples, points: Floats, half: float, colour:
                 t = min(1.0, max(0.0, (u * dx + v * dy) / square))
                 across, along = u - t * dx, v - t * dy
                 near = reach - math.sqrt(across * across + along * along)
-                mask[y, x] = max(mask[y, x], min(1.0, near))
+                mask[y, x] = max(mask[y, x], ink * min(1.0, near))
     for y in range(top, bottom):
         for x in range(left, right):
             share = mask[y, x]

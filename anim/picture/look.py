@@ -87,7 +87,8 @@ class Look:
     ``colours`` replaces the model's two. ``trace`` draws the path of the apex, ``shadow`` the shadow on the
     ground. ``quality`` is 1 (jagged edges) to 4 (smooth from 2 on). The picture shows
     all of ``reach``, points of the scene in the model's unit, or without them the whole top on the origin
-    wherever it leans, up to ``tilt`` degrees from the vertical.
+    wherever it leans, up to ``tilt`` degrees from the vertical. With ``follow`` the camera goes along with a
+    top that wanders.
     Raises :class:`~anim.errors.AnimationError`.
 
     >>> Look(size=(1920, 1080), style="shaded", shadow=True).style
@@ -104,6 +105,7 @@ class Look:
     quality: int = 2
     tilt: float = 90.0
     reach: tuple[Point, ...] = ()
+    follow: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", _size(self.size))
@@ -123,6 +125,11 @@ class Look:
         if any(len(point) != 3 for point in reach):
             raise AnimationError("reach has a point without three coordinates; expected (x, y, z)")
         object.__setattr__(self, "reach", reach)
+        object.__setattr__(self, "follow", bool(self.follow))
+        if self.follow and STYLES[self.style].fixed_axes:
+            raise AnimationError(
+                f"the style {self.style} draws fixed axes, which no camera follows; choose another style"
+            )
 
 
 def colour(name: str, value: Any) -> RGB:

@@ -1,11 +1,10 @@
-"""The model as finely as a picture can show it: of a ring's points those that make a difference.
+"""The model as finely as a picture can show it: of its circles and of their points those that show.
 
 A thousand points a ring are more than pixels can tell apart. Neighbouring faces of one colour become one as
 long as the straight edge stays within ``INVISIBLE`` pixels of the points left out; what it costs to draw a
 top then depends on the picture, not on how finely its model was made.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -15,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.model import Model
+from anim.outline import Profile, simplified
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -25,7 +25,7 @@ INVISIBLE = 0.05
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A model's tip, apex, and of each ring the points numbered ``places`` (n,), rising from 0."""
+    """A model's tip, apex, and of each circle the points numbered ``places`` (n,), rising from 0."""
 
     model: Model
     places: Indices
@@ -33,6 +33,7 @@ class Mesh:
     @classmethod
     def of(cls, model: Model, magnification: float) -> "Mesh":
         """Return the mesh for a picture that shows a unit of length as so many pixels, or fewer."""
+        model = model.with_profile(simplified(model.profile, INVISIBLE / magnification))
         radius = magnification * max(r for r, _ in model.profile)
         step = int(model.ring * acos(max(0.0, 1 - INVISIBLE / radius)) / pi)
         step = min(step, model.ring // 3)
@@ -51,16 +52,16 @@ class Mesh:
         return len(self.places)
 
     @property
-    def profile(self) -> Sequence[tuple[float, float]]:
+    def profile(self) -> Profile:
         """The outline as pairs ``(radius, z)`` from the tip to the apex."""
         return self.model.profile
 
     @cached_property
     def points(self) -> Floats:
-        """The vertices, (2·ring + 2, 3): tip, P₁, P₂, apex."""
-        lower = 1 + self.places
-        ends = np.array([0]), np.array([2 * self.model.ring + 1])
-        chosen = np.concatenate([ends[0], lower, lower + self.model.ring, ends[1]])
+        """The vertices, (circles·ring + 2, 3): tip, the circles from below, apex."""
+        starts = 1 + self.model.ring * np.arange(len(self.profile) - 2)
+        rims = (starts[:, None] + self.places).ravel()
+        chosen = np.concatenate([[0], rims, [len(self.model.points) - 1]])
         return np.asarray(self.model.points[chosen])
 
     @cached_property
@@ -75,5 +76,15 @@ class Mesh:
 
     @property
     def triangles(self) -> Indices:
-        """The surface as triangles (4·ring, 3): four times round, each piece's from its lower end up."""
-        return Model(self.ring).triangles()[0]
+        """The surface as triangles (2·circles·ring, 3), as :meth:`~anim.model.Model.triangles` has them."""
+        return self.model.with_ring(self.ring).triangles()[0]
+
+    @cached_property
+    def groups(self) -> tuple[int, ...]:
+        """How many times ``ring`` triangles each piece between neighbouring circles has: 1 or 2."""
+        return tuple(int(low > 0) + int(high > 0) for (low, _), (high, _) in pairwise(self.profile))
+
+    @property
+    def heights(self) -> Floats:
+        """The heights of the planes between neighbouring pieces, rising, (pieces − 1,)."""
+        return np.array([z for _, z in self.profile[1:-1]])

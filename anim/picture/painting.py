@@ -1,20 +1,28 @@
 """One painter for all styles: background, shadow, the trace behind, the top, the trace before it."""
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from anim.errors import AnimationError
 from anim.model import Model
+from anim.outline import simplified
 from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import reached
 from anim.picture.room import direction, trace_of
 from anim.picture.style import Exposing
 from anim.picture.styles import STYLES
-from anim.picture.trace import near_and_far
+from anim.picture.trace import in_sight, near_and_far, on_near_side, strengths
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
+Path = tuple[Floats, Floats]
+"""The places of the apex (k, 3), and how much of its colour the path has there (k,)."""
+
+FINE = 0.003
+"""How far the outline that hides parts of the path may be from the top's, as a part of its extent."""
 
 
 class Painter:
@@ -27,62 +35,122 @@ class Painter:
     def __init__(self, model: Model, look: Look) -> None:
         self.model, self.look = model, look
         style = STYLES[look.style]
-        self.view, background = style.scene(model, look)
-        paper = style.paper_of(look)
-        self.trace = trace_of(paper)
+        self._magnified = 1.0 if style.fixed_axes else model.magnified
+        model = model.scaled(self._magnified)
+        if look.reach:
+            look = replace(look, reach=tuple(map(tuple, self._magnified * np.array(look.reach))))
+        self.view, self.canvas = style.scene(model, look)
+        self.trace = trace_of(style.paper_of(look))
         self.mesh = Mesh.of(model, self.view.magnification(reached(model, look)))
         self.light = direction(look.camera)
         self.body = style.body(self.mesh, _colours(model, look), self.light, look)
         self.shadow = style.shadow(self.mesh, self.light, self.view, look)
-        self.canvas = style.sheet(background, look)
         self._pen = max(1.0, min(look.size) / 320)
+        # The outline where it hides what the apex's sphere does not know of.
+        self._wide = (
+            () if model.extent <= model.height else simplified(model.profile, FINE * model.extent)
+        )
 
     def __reduce__(self) -> tuple[type["Painter"], tuple[Model, Look]]:
         return Painter, (self.model, self.look)
 
     def draw(
-        self, matrix: ArrayLike, trail: ArrayLike | None = None, place: ArrayLike = (0, 0, 0)
+        self,
+        matrix: ArrayLike,
+        trail: ArrayLike | None = None,
+        place: ArrayLike = (0, 0, 0),
+        ages: ArrayLike | None = None,
+        centre: ArrayLike = (0, 0),
     ) -> Pixels:
         """Return the picture, uint8 (height, width, 3), sRGB, top row first.
 
         ``matrix`` (3, 3) is the rotation that takes the model to its attitude, ``trail`` (k, 3) the
-        places of the apex up to now; they are drawn when the look asks for the trace. The tip is at
-        ``place`` (3,). Raises
+        places of the apex up to now; they are drawn when the look asks for the trace, and fade with their
+        ``ages`` (k,) in seconds, if these are given. The tip is at ``place`` (3,), and the camera has gone
+        to ``centre`` (2,) on the ground; lengths are in the model's unit. Raises
         :class:`~anim.errors.AnimationError` for anything but a rotation and finite points.
         """
-        return self._draw([_rotation(matrix)], [_place(place)], trail, 0.0)
+        return self._draw(
+            [_rotation(matrix)], [self._place(place)], self._path(trail, ages), centre, 0.0
+        )
 
     def expose(
-        self, matrices: ArrayLike, trail: ArrayLike | None, places: ArrayLike, spin: float
+        self,
+        matrices: ArrayLike,
+        trail: ArrayLike | None,
+        places: ArrayLike,
+        spin: float,
+        ages: ArrayLike | None = None,
+        centre: ArrayLike = (0, 0),
     ) -> Pixels:
         """Return the picture of an open shutter: attitudes (k, 3, 3) at places (k, 3).
 
         They are evenly apart in time; ``spin`` is the turn in radians about the top's own axis from the first
-        to the last. Shadow and trace are those of the middle. A style that cannot expose draws every moment,
-        of which the mean is taken.
+        to the last. Shadow, trace and camera are those of the middle. A style that cannot expose draws every
+        moment, of which the mean is taken.
         """
         rotations = [_rotation(matrix) for matrix in np.asarray(matrices, dtype=np.float64)]
-        tips = [_place(place) for place in np.asarray(places, dtype=np.float64)]
+        tips = [self._place(place) for place in np.asarray(places, dtype=np.float64)]
+        path = self._path(trail, ages)
         if isinstance(self.body, Exposing):
-            return self._draw(rotations, tips, trail, spin)
+            return self._draw(rotations, tips, path, centre, spin)
         total = np.zeros((*self.look.size[::-1], 3), dtype=np.uint32)
         for rotation, tip in zip(rotations, tips, strict=True):
-            total += self._draw([rotation], [tip], trail, 0.0)
+            total += self._draw([rotation], [tip], path, centre, 0.0)
         count = len(rotations)
         return ((2 * total + count) // (2 * count)).astype(np.uint8)
 
+    def _place(self, place: ArrayLike) -> Floats:
+        """Return a place of the tip in the picture's unit."""
+        values = np.asarray(place, dtype=np.float64)
+        if values.shape != (3,) or not np.isfinite(values).all():
+            raise AnimationError(f"the tip's place is {place!r}; expected three finite numbers")
+        return self._magnified * values
+
+    def _path(self, trail: ArrayLike | None, ages: ArrayLike | None) -> Path | None:
+        """Return the apex's path in the picture's unit, if it is to be drawn."""
+        if trail is None or not self.look.trace:
+            return None
+        points = _points(trail)
+        if ages is None:
+            return self._magnified * points, np.ones(len(points))
+        times = np.asarray(ages, dtype=np.float64)
+        if times.shape != points.shape[:1]:
+            raise AnimationError(
+                f"the ages have the shape {times.shape}; expected one for each point"
+            )
+        return self._magnified * points, strengths(times)
+
+    def _near(self, trail: Floats, rotation: Floats, tip: Floats) -> NDArray[np.bool_]:
+        """Return which points of the apex's path (k, 3) the top does not hide, and may be hidden by."""
+        if not self._wide:
+            return on_near_side(trail, self.view.eye, tip)
+        eye = self.view.moved(rotation, tip).eye
+        return in_sight((trail - tip) @ rotation, eye, self._wide)
+
     def _draw(
-        self, rotations: list[Floats], tips: list[Floats], trail: ArrayLike | None, spin: float
+        self,
+        rotations: list[Floats],
+        tips: list[Floats],
+        path: Path | None,
+        centre: ArrayLike,
+        spin: float,
     ) -> Pixels:
-        rotation, tip = rotations[len(rotations) // 2], tips[len(tips) // 2]
         canvas = self.canvas
+        if self.look.follow:
+            gone = self._magnified * np.append(centre, 0.0)
+            canvas.move(gone[:2])
+            tips = [tip - gone for tip in tips]
+            path = path and (path[0] - gone, path[1])
+        rotation, tip = rotations[len(rotations) // 2], tips[len(tips) // 2]
         canvas.clear()
         near: list[Floats] = []
         from_above = self.view.eye[2] >= 0
         if self.look.shadow and from_above:
             self.shadow.draw(canvas, rotation, tip)
-        if self.look.trace and trail is not None:
-            near, far = near_and_far(_points(trail), self.view, tip)
+        if path is not None:
+            trail, ink = path
+            near, far = near_and_far(trail, self.view, self._near(trail, rotation, tip), ink)
             canvas.stroke(far, self.trace, self._pen)
         views = [self.view.moved(*moment) for moment in zip(rotations, tips, strict=True)]
         if len(views) > 1 and isinstance(self.body, Exposing):
@@ -115,13 +183,6 @@ def _rotation(matrix: ArrayLike) -> Floats:
         raise AnimationError(f"the attitude has the shape {values.shape}; expected (3, 3)")
     if not (np.abs(values @ values.T - np.eye(3)).max() < 1e-6 and np.linalg.det(values) > 0):
         raise AnimationError("the attitude is not a rotation matrix: its rows are not orthonormal")
-    return values
-
-
-def _place(place: ArrayLike) -> Floats:
-    values = np.asarray(place, dtype=np.float64)
-    if values.shape != (3,) or not np.isfinite(values).all():
-        raise AnimationError(f"the tip's place is {place!r}; expected three finite numbers")
     return values
 
 

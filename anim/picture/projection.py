@@ -78,7 +78,8 @@ def view(camera: Camera, size: tuple[int, int], places: Floats) -> View:
     reach = float(np.linalg.norm(places, axis=1).max())
     if raw.eye[3] and np.linalg.norm(raw.eye[:3]) < 1.2 * reach:
         raise AnimationError(
-            f"a camera at a distance of {camera.distance:g} is too near to a top that reaches {reach:.3g} far"
+            f"a camera at a distance of {camera.distance:g} is too near to a top that "
+            f"reaches {reach:.3g} far; let it follow the top"
         )
     scale, shift = fitting(raw.project(places), size, MARGIN, camera.zoom)
     place = np.array(

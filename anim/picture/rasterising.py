@@ -25,7 +25,9 @@ ROWS = 32
 """Rows of pixels in a stripe."""
 
 
-def workspace(width: int, moments: int, triangles: int) -> tuple[Samples | Indices | Floats, ...]:
+def workspace(
+    width: int, moments: int, triangles: int, pieces: int
+) -> tuple[Samples | Indices | Floats, ...]:
     """Return what :func:`paint` reckons in, for a box of this width."""
     return (
         np.zeros((ROWS, width, 4), np.float32),
@@ -33,7 +35,7 @@ def workspace(width: int, moments: int, triangles: int) -> tuple[Samples | Indic
         np.empty((ROWS, width, 4), np.float32),
         np.empty((ROWS, 2), np.int64),
         np.empty((moments, triangles, 3), np.int64),
-        np.zeros((moments, 4), np.int64),
+        np.zeros((moments, pieces + 1), np.int64),
         np.empty((2, 3)),
     )
 
@@ -45,6 +47,7 @@ def paint(
     smooth: bool,
     corners: Floats,
     order: Indices,
+    starts: Indices,
     triangles: Indices,
     lit: Indices,
     light: Floats,
@@ -62,24 +65,23 @@ def paint(
     """Draw the triangles that face the viewer over ``pixels`` (height, width, 3), inside ``box``.
 
     The picture is the mean of some moments. ``corners`` (moments, k, 2) are pixels, y downwards;
-    ``triangles`` (m, 3) index them, counter-clockwise as seen from outside: a quarter of them is the lowest
-    piece, a half the middle one, a quarter the highest; ``order`` (moments, 3) has the pieces from the
-    farthest to the nearest. ``lit`` (m, 3) index ``light`` (moments, l, 2), the share of its own colour and
-    the white that each corner sends; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB,
-    ``encoded`` encodes equal steps of linear light. Unless ``smooth``, a pixel is what its middle shows.
+    ``triangles`` (m, 3) index them, counter-clockwise as seen from outside: those of piece k begin at
+    ``starts`` [k], (pieces + 1,); ``order`` (moments, pieces) has the pieces from the farthest to the
+    nearest. ``lit`` (m, 3) index ``light`` (moments, l, 2), the share of its own colour and the white that
+    each corner sends; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB, ``encoded``
+    encodes equal steps of linear light. Unless ``smooth``, a pixel is what its middle shows.
 
     The rest is :func:`workspace`: of a stripe a piece, what it covers, the sum, and what is reached of rows;
     ``front``, the triangles that face the viewer, with first and last rows, and how many; three corners.
     """
     xs, ys = corner[0], corner[1]
     left, top, right, bottom = box
-    moments, quarter = len(corners), len(triangles) // 4
+    moments, pieces = len(corners), len(starts) - 1
     for n in range(moments):
         f = 0
-        for place in range(3):
-            piece = order[n, 2 - place]
-            begin = quarter * (piece + piece // 2)
-            for t in range(begin, begin + quarter * (1 + piece % 2)):
+        for place in range(pieces):
+            piece = order[n, pieces - 1 - place]
+            for t in range(starts[piece], starts[piece + 1]):
                 a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
                 ax, ay, bx, by = (
                     corners[n, a, 0],
@@ -105,7 +107,7 @@ def paint(
             for y in range(rows):
                 for x in range(right - left):
                     cover[y, x] = 0
-            for place in range(3):
+            for place in range(pieces):
                 for y in range(rows):
                     reach[y, 0], reach[y, 1] = right - left, 0
                 for f in range(found[n, place], found[n, place + 1]):

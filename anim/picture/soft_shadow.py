@@ -3,36 +3,36 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from anim.outline import Profile, simplified
+from anim.picture.lit_surface import LitSurface
 from anim.picture.projection import View
 from anim.picture.room import room, to_ground
-from anim.picture.surface import Surface
 
 Floats = NDArray[np.float64]
-Light = NDArray[np.float32]
 
 STEP = 0.035
 """How far apart on the ground the light is reckoned."""
+UNSEEN = 0.01
+"""How far the outline that throws it may be from the top's: less than the shadow's softness."""
 BEHIND = 0.02
 """Ground at less of the camera's distance than this is beside or behind it."""
 
 
 class SoftShadow:
-    """Lays the shadow of the top with an outline on the ground ``background`` (height, width, 3)."""
+    """Lays the shadow of the top with an outline on lit ground."""
 
-    def __init__(
-        self, profile: tuple[tuple[float, float], ...], light: Floats, view: View, background: Light
-    ) -> None:
+    def __init__(self, profile: Profile, light: Floats, view: View) -> None:
         self._light, self._view = light, view
-        self._rings = np.array(profile)
+        self._rings: Floats = np.array(simplified(profile, UNSEEN))
         wider, taller = np.diff(self._rings, axis=0).T
-        growth = (wider / taller)[:, None]
-        self._cones = np.hstack([self._rings[:-1], self._rings[1:], growth])
-        self._background, self._to_ground = background, to_ground(view, len(background))
+        solid = taller > 0  # a flat ring is the end of a cone
+        growth = (wider[solid] / taller[solid])[:, None]
+        self._cones = np.hstack([self._rings[:-1][solid], self._rings[1:][solid], growth])
         self._numbers = np.array(
             [room()["shadow"][n] for n in ("depth", "sharp", "soft", "contact", "reach")]
         )
 
-    def draw(self, canvas: Surface, rotation: Floats, tip: Floats) -> None:
+    def draw(self, canvas: LitSurface, rotation: Floats, tip: Floats) -> None:
         """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``."""
         from anim.picture.ground import lay, shade
 
@@ -59,4 +59,12 @@ class SoftShadow:
         else:
             seen = np.array([[0.0, 0.0], [canvas.width, canvas.height]])
         box = canvas.touch(seen, 0)
-        lay(canvas.pixels, box, self._background, self._to_ground, grid, low, STEP)
+        lay(
+            canvas.pixels,
+            box,
+            canvas.floor,
+            to_ground(self._view, canvas.height),
+            grid,
+            low,
+            STEP,
+        )

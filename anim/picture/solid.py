@@ -1,10 +1,10 @@
-"""The top as three convex pieces, and the order in which to draw them.
+"""The top as convex pieces, and the order in which to draw them.
 
-The top is not convex: below its collar P₂ the band between the cones faces up. But the planes of P₁ and of
-P₂ cut it into two pyramids and a frustum, all convex. Of two pieces on either side of a plane, the one on
-the eye's side can hide the other and never the reverse (Fuchs, Kedem and Naylor 1980); and the visible
-faces of one convex piece do not hide each other. So the order is exact for every attitude and camera, with
-no comparison of depths.
+The top is not convex: below its collar P₂ the band between the cones faces up. But the planes of its
+circles cut it into two pyramids and frusta, all convex; a flat ring or disc is a frustum without height. Of
+two pieces on either side of a plane, the one on the eye's side can hide the other and never the reverse
+(Fuchs, Kedem and Naylor 1980); and the visible faces of one convex piece do not hide each other. So the order
+is exact for every attitude and camera, with no comparison of depths.
 """
 
 from dataclasses import dataclass
@@ -13,13 +13,10 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.model import COLLAR_HEIGHT, SHOULDER
 from anim.picture.mesh import Mesh
 
 Floats = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
-
-LOWER, BAND, UPPER = range(3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,21 +37,23 @@ class Piece:
         return np.asarray(self.planes @ eye > 0)
 
 
-def pieces(mesh: Mesh) -> tuple[Piece, Piece, Piece]:
-    """Return the lower pyramid, the band between the rings, and the upper pyramid."""
+def pieces(mesh: Mesh) -> tuple[Piece, ...]:
+    """Return the pieces from below: the lower pyramid, those between circles, the upper pyramid."""
     n = mesh.ring
     tip, first = np.zeros(n, dtype=np.int64), np.arange(1, n + 1)
-    rims = (tip, first, first + n, tip + 2 * n + 1)
-    lower, band, upper = (_piece(mesh.points, low, high) for low, high in pairwise(rims))
-    return lower, band, upper
+    circles = len(mesh.profile) - 2
+    rims = (tip, *(first + n * k for k in range(circles)), tip + circles * n + 1)
+    return tuple(_piece(mesh.points, low, high) for low, high in pairwise(rims))
 
 
-def drawing_order(eye: Floats) -> tuple[int, int, int]:
-    """Return the pieces from the one to be drawn first to the one that may hide all others."""
-    above_ring, above_collar = eye[2] > SHOULDER[1] * eye[3], eye[2] > COLLAR_HEIGHT * eye[3]
-    if above_collar:
-        return (LOWER, BAND, UPPER)
-    return (LOWER, UPPER, BAND) if above_ring else (UPPER, BAND, LOWER)
+def drawing_order(eye: Floats, heights: Floats) -> tuple[int, ...]:
+    """Return the pieces from the one to be drawn first to the one that may hide all others.
+
+    ``heights`` (pieces − 1,) are those of the planes between the pieces, rising. Pieces below the eye hide
+    those further down, pieces above it those further up, and the one at its height may hide all.
+    """
+    here, last = int(np.count_nonzero(eye[2] > heights * eye[3])), len(heights)
+    return (*range(here), *range(last, here, -1), here)
 
 
 def _piece(points: Floats, low: NDArray[np.int64], high: NDArray[np.int64]) -> Piece:

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from anim.errors import AnimationError
 from anim.model import APEX_HEIGHT, Model
-from anim.picture.canvas import Canvas
 from anim.picture.look import RGB, Camera, Look
 from anim.picture.painting import painter
 from anim.picture.styles.classic import STYLE as CLASSIC
@@ -80,8 +79,7 @@ def leaning(i: int) -> Floats:
 
 def _points(model: Model) -> Pixels:
     """Draw the base points as dots: P₁ green, P₂ red, tip and apex blue."""
-    view, background = CLASSIC.scene(model, LOOK)
-    canvas = Canvas(background)
+    view, canvas = CLASSIC.scene(model, LOOK)
     n = model.ring
     circle = np.linspace(0, 2 * np.pi, 24, endpoint=False)
     dot = 4.5 * np.column_stack([np.cos(circle), np.sin(circle)])
@@ -93,8 +91,7 @@ def _points(model: Model) -> Pixels:
 
 def _skeleton(model: Model) -> Pixels:
     """Draw the polygons' edges: rings in their points' colours, the edges between them blue."""
-    view, background = CLASSIC.scene(model, LOOK)
-    canvas = Canvas(background)
+    view, canvas = CLASSIC.scene(model, LOOK)
     seen = view.project(model.points)
     n = model.ring
     rings = np.arange(1, n + 1), np.arange(n + 1, 2 * n + 1)

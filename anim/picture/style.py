@@ -14,7 +14,6 @@ from anim.picture.mesh import Mesh
 from anim.picture.projection import View, view
 
 Floats = NDArray[np.float64]
-Pixels = NDArray[np.uint8]
 
 PAPER: RGB = (246, 243, 236)
 
@@ -39,7 +38,7 @@ class Exposing(Protocol):
 class Shadow(Protocol):
     """What draws the top's shadow on the ground."""
 
-    def draw(self, canvas: Canvas, rotation: Floats, tip: Floats) -> None:
+    def draw(self, canvas: Any, rotation: Floats, tip: Floats) -> None:
         """Draw the shadow of the top that ``rotation`` has turned and whose tip is at ``tip``."""
 
 
@@ -48,23 +47,19 @@ class Style(ABC):
 
     paper = PAPER
     """The background where the look has none."""
+    fixed_axes = False
+    """Whether the top stands in axes, which show its own unit and along which no camera goes."""
 
-    def scene(self, model: Model, look: Look) -> tuple[View, Pixels]:
-        """Return the projection and the picture without the top, uint8 (height, width, 3)."""
-        return view(look.camera, look.size, places(model, look)), self.background(look)
-
-    def background(self, look: Look) -> Pixels:
-        """Return the picture without the top: even paper."""
+    def scene(self, model: Model, look: Look) -> tuple[View, Any]:
+        """Return the projection, and the picture without the top as what body and shadow are drawn on."""
         width, height = look.size
-        return np.full((height, width, 3), self.paper_of(look), dtype=np.uint8)
+        paper = np.full((height, width, 3), self.paper_of(look), dtype=np.uint8)
+        seen = view(look.camera, look.size, places(model, look))
+        return seen, Canvas(paper, smooth=look.quality > 1)
 
     def paper_of(self, look: Look) -> RGB:
         """Return the look's background, or the style's own."""
         return self.paper if look.background is None else colour("background", look.background)
-
-    def sheet(self, background: Pixels, look: Look) -> Any:
-        """Return what this style's body and shadow are drawn on: a canvas, or as much of one as they need."""
-        return Canvas(background, smooth=look.quality > 1)
 
     def shadow(self, mesh: Mesh, light: Floats, view: View, look: Look) -> Shadow:
         """Return what draws the shadow: one with a sharp edge."""

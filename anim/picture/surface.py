@@ -45,12 +45,22 @@ class Surface:
         )
 
     def stroke(self, lines: Sequence[Floats], colour: RGB, width: float) -> None:
-        """Draw open lines through points (k, 2), ``width`` pixels wide, with round ends."""
+        """Draw open lines ``width`` pixels wide, with round ends, over their own box.
+
+        A line goes through points (k, 2), or (k, 3) where the third coordinate is how much of the colour is
+        laid there, from 0 to 1.
+        """
         from anim.picture.lines import draw_line
 
         ink = np.array(colour, dtype=np.float64)
         for line in lines:
-            draw_line(self.pixels, self._mask, np.ascontiguousarray(line), width / 2, ink)
+            self.touch(line[:, :2], width)
+            points = np.ones((len(line), 3))
+            points[:, : line.shape[1]] = line
+            draw_line(self.pixels, self._mask, points, width / 2, ink)
+
+    def move(self, centre: Floats) -> None:
+        """Show what is behind the top as a camera sees it that has gone to ``centre`` (2,): even paper."""
 
     def rgb(self) -> Pixels:
         """Return the picture, (height, width, 3)."""

@@ -16,6 +16,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 from anim.errors import AnimationError
+from anim.outline import simplified
 from anim.picture.room import room
 
 if TYPE_CHECKING:
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 
 SCRIPTS = ("vectors.js", "scene.js", "curves.js", "player.js")
 LIVE_SCRIPTS = ("heavy_top.js", "free_top.js", "simulator.js")
+FINEST, MOST_CORNERS = 0.003, 36
+"""How far the page's outline may be from the top's, at first, and how many corners its shadow can have."""
 READINGS = '<table id="readings"></table>\n'
 KEYS = """<dt>l, p</dt><dd>launch the live top anew, push it</dd>
 <dt>m</dt><dd>the live top, or the film</dd>
@@ -102,7 +105,11 @@ def page(
         "room": room(),
         "shows": [
             {"label": show.label, "quaternions": _packed(show.attitudes, 4)}
-            | ({} if show.places is None else {"places": _packed(show.places, 3)})
+            | (
+                {}
+                if show.places is None
+                else {"places": _packed(_magnified(model, show.places), 3)}
+            )
             for show in shows
         ],
         "curves": [
@@ -156,12 +163,25 @@ def _style(background: str | None) -> str:
 
 
 def _shape(model: Model) -> dict[str, Any]:
-    """Describe the top by its profile, and the colour of each sector by its place in a list."""
+    """Describe the top by its profile, and the colour of each sector by its place in a list.
+
+    As in pictures, the farthest point of a top of any size is 3 from its tip.
+    """
+    profile, tolerance = model.scaled(model.magnified).profile, FINEST
+    while len(profile) > MOST_CORNERS:
+        profile, tolerance = simplified(profile, tolerance), 2 * tolerance
     return {
-        "profile": model.profile,
+        "profile": profile,
         "sectors": "".join(str(band % len(model.palette)) for band in model.sectors.tolist()),
         "colours": [[round(part / 255, 4) for part in colour] for colour in model.palette],
     }
+
+
+def _magnified(model: Model, places: ArrayLike) -> ArrayLike:
+    """Return places in the model's unit in that of the page."""
+    import numpy as np
+
+    return model.magnified * np.asarray(places, dtype=np.float64)
 
 
 def _live(top: HeavyTop | FreeTop) -> dict[str, Any]:

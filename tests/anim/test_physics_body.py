@@ -80,7 +80,7 @@ def test_the_tilt_on_the_ground_is_computed(p2, degrees):
         ({"density": inf}, "density is inf"),
         ({"mass": 1, "density": 1}, "both"),
         ({"profile": [(0, 0), (0, 1)]}, "no volume|not above the ground"),
-        ({"profile": [(0, 0), (1, 0), (0, 1)]}, "not above the ground"),
+        ({"profile": [(0, 0), (1, -0.1), (0, 1)]}, "not above the ground"),
     ],
 )
 def test_what_is_no_body_is_refused(values, words):

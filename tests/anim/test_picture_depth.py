@@ -103,7 +103,7 @@ def test_between_the_rings_the_band_hides_both_cones():
 
 
 def test_a_wrong_order_would_be_found(monkeypatch, attitudes):
-    monkeypatch.setattr(flat, "drawing_order", lambda eye: (2, 1, 0))
+    monkeypatch.setattr(flat, "drawing_order", lambda eye, heights: (2, 1, 0))
     brush = coloured(Model(), Look(SIZE, "flat", tilt=180))
     assert share_wrong(brush, attitudes[:10]) > 5 * LIMIT
 

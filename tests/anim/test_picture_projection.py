@@ -120,12 +120,15 @@ def test_classic_axes_are_drawn_where_they_are_projected():
         assert picture[row - 1 : row + 2, column - 1 : column + 2].min() < 100
 
 
+RINGS = np.array([1.0, 1.1])
+
+
 def test_drawing_order_follows_the_side_of_the_eye():
-    assert drawing_order(np.array([0, 0, 5.0, 1])) == (0, 1, 2)
-    assert drawing_order(np.array([9, 0, 0.5, 1])) == (2, 1, 0)
-    assert drawing_order(np.array([9, 0, 1.05, 1])) == (0, 2, 1)
-    assert drawing_order(np.array([1, 0, 0.1, 0])) == (0, 1, 2)
-    assert drawing_order(np.array([1, 0, -0.1, 0])) == (2, 1, 0)
+    assert drawing_order(np.array([0, 0, 5.0, 1]), RINGS) == (0, 1, 2)
+    assert drawing_order(np.array([9, 0, 0.5, 1]), RINGS) == (2, 1, 0)
+    assert drawing_order(np.array([9, 0, 1.05, 1]), RINGS) == (0, 2, 1)
+    assert drawing_order(np.array([1, 0, 0.1, 0]), RINGS) == (0, 1, 2)
+    assert drawing_order(np.array([1, 0, -0.1, 0]), RINGS) == (2, 1, 0)
 
 
 def test_a_camera_inside_a_large_top_is_refused():

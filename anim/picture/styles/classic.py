@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.model import APEX_HEIGHT, Model
+from anim.model import Model
+from anim.picture.canvas import Canvas
 from anim.picture.light import places
 from anim.picture.look import RGB, Look
 from anim.picture.mesh import Mesh
@@ -44,26 +45,26 @@ def axes_and_view(model: Model, look: Look, paper: RGB) -> tuple[View, Pixels]:
     axes = Axes3D(figure, rect=(0, 0, 1, 1))
     figure.add_axes(axes)
     axes.patch.set_visible(False)
-    _set_up(axes, look, reached(model, look))
+    _set_up(axes, model, look, reached(model, look))
     _fit(axes, look, places(model, look))
     canvas.draw()
     return view_of(axes), np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
 
 
-def _set_up(axes: Any, look: Look, there: Floats) -> None:
+def _set_up(axes: Any, model: Model, look: Look, there: Floats) -> None:
     """Set camera, limits, names and letters; one unit is as long on every axis."""
     from matplotlib.ticker import MaxNLocator
 
     camera = look.camera
     reach = float(np.abs(there[:, :2]).max())
-    tall = max(APEX_HEIGHT, float(there[:, 2].max()))
+    tall = max(model.height, float(there[:, 2].max()))
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), zlim=(0, tall), autoscale_on=False)
     axes.set_box_aspect((2 * reach, 2 * reach, tall))
     axes.view_init(elev=camera.elevation, azim=camera.azimuth)
     if camera.perspective:
         # Matplotlib's eye is 10 focal lengths from the middle of a box whose diagonal is about 1.9 long.
         unit = 1.9 / hypot(2 * reach, 2 * reach, tall)
-        axes.set_proj_type("persp", focal_length=camera.distance * unit / 10)
+        axes.set_proj_type("persp", focal_length=camera.distance / model.magnified * unit / 10)
     else:
         axes.set_proj_type("ortho")
     size = min(look.size) / LETTERS * 72 / DPI
@@ -106,14 +107,16 @@ class Classic(Style):
     """The thesis's picture: empty axes on white paper, and the top in its two colours."""
 
     paper: RGB = (255, 255, 255)
+    fixed_axes = True
 
-    def scene(self, model: Model, look: Look) -> tuple[View, Pixels]:
+    def scene(self, model: Model, look: Look) -> tuple[View, Canvas]:
         """Return the axes' own projection, and the axes."""
-        return axes_and_view(model, look, self.paper_of(look))
+        seen, axes = axes_and_view(model, look, self.paper_of(look))
+        return seen, Canvas(axes, smooth=look.quality > 1)
 
     def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> FlatBody:
         """Return the body in the colours given."""
-        return FlatBody(mesh, [colours] * 3)
+        return FlatBody(mesh, [colours] * (len(mesh.profile) - 1))
 
 
 STYLE = Classic()

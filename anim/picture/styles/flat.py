@@ -4,6 +4,7 @@ The merged outlines of the visible faces, filled in the derived order.
 """
 
 from itertools import pairwise
+from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,17 +14,24 @@ from anim.picture.look import RGB, Look
 from anim.picture.merge import HIDDEN, Rim, outlines, reach_under
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View
-from anim.picture.solid import BAND, LOWER, UPPER, drawing_order, pieces
+from anim.picture.solid import drawing_order, pieces
 from anim.picture.style import Style
 
 Floats = NDArray[np.float64]
 
-# How much lighter (towards white) or darker (towards black) each piece is than the colours given: the shape
-# is to be seen also where two pieces of one colour meet.
-TONES = {LOWER: -0.14, BAND: 0.30, UPPER: 0.0}
+# How much lighter (towards white) or darker (towards black) a piece is than the colours given, if it looks
+# down, up, or to the side: the shape is to be seen also where two pieces of one colour meet.
+DOWN, UP, ASIDE = -0.14, 0.30, 0.0
 
 
-def tinted(colours: tuple[RGB, RGB]) -> list[tuple[RGB, RGB]]:
+def tone_of(low: tuple[float, float], high: tuple[float, float]) -> float:
+    """Return the tone of the piece between two points (radius, z) of an outline."""
+    (r0, z0), (r1, z1) = low, high
+    upwards = (r0 - r1) / hypot(r1 - r0, z1 - z0)
+    return UP if upwards > 0.7 else DOWN if upwards < -0.3 else ASIDE
+
+
+def tinted(colours: tuple[RGB, RGB], mesh: Mesh) -> list[tuple[RGB, RGB]]:
     """Return the two colours of each piece, told apart by their lightness."""
 
     def tone(channel: int, share: float) -> int:
@@ -35,24 +43,26 @@ def tinted(colours: tuple[RGB, RGB]) -> list[tuple[RGB, RGB]]:
         red, green, blue = (tone(channel, share) for channel in colour)
         return red, green, blue
 
-    return [(shade(colours[0], s), shade(colours[1], s)) for _, s in sorted(TONES.items())]
+    tones = [tone_of(low, high) for low, high in pairwise(mesh.profile)]
+    return [(shade(colours[0], s), shade(colours[1], s)) for s in tones]
 
 
 class FlatBody:
-    """The top in even colours: ``colours`` are two for each of the three pieces."""
+    """The top in even colours: ``colours`` are two for each of the pieces."""
 
     def __init__(self, mesh: Mesh, colours: list[tuple[RGB, RGB]]) -> None:
         self._points = mesh.points
         self._parts = pieces(mesh)
         heights = [z for _, z in mesh.profile]
         self._middles = np.array([(0, 0, (a + b) / 2) for a, b in pairwise(heights)])
+        self._heights = mesh.heights
         self._keys = mesh.keys
         self._colours = colours
 
     def draw(self, canvas: Canvas, view: View, rotation: Floats) -> None:
         """Draw the top as ``view`` sees it, a view of the top's own room; no light falls on it."""
         seen, middles = view.project(self._points), view.project(self._middles)
-        order = drawing_order(view.eye)
+        order = drawing_order(view.eye, self._heights)
         canvas.touch(seen, 0)
         for place, k in enumerate(order):
             later = order[place + 1 :]
@@ -68,11 +78,11 @@ class FlatBody:
 
 
 class Flat(Style):
-    """Even colours, the three pieces told apart by their lightness."""
+    """Even colours, the pieces told apart by their lightness."""
 
     def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> FlatBody:
         """Return the body in tinted colours."""
-        return FlatBody(mesh, tinted(colours))
+        return FlatBody(mesh, tinted(colours, mesh))
 
 
 STYLE = Flat()

@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from anim.model import Model
 from anim.picture.light import places
+from anim.picture.lit_surface import LitSurface
 from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, view
-from anim.picture.room import darkness, ground, of_darkness, room
+from anim.picture.room import darkness, of_darkness, room
 from anim.picture.soft_shadow import SoftShadow
 from anim.picture.solid import drawing_order
 from anim.picture.style import Style
@@ -24,6 +25,8 @@ Pixels = NDArray[np.uint8]
 _levels = np.arange(256) / 255
 LINEAR: Floats = np.where(_levels <= 0.04045, _levels / 12.92, ((_levels + 0.055) / 1.055) ** 2.4)
 """sRGB (IEC 61966-2-1) decoded."""
+SMOOTH = np.cos(np.radians(25))
+"""Pieces of an outline at a smaller angle than this are parts of one curve."""
 
 
 class ShadedBody:
@@ -38,7 +41,9 @@ class ShadedBody:
         self._lit, self._normals = _normals(mesh)
         self._mesh = mesh
         self._palette = np.maximum(LINEAR[np.array(colours)], of_darkness("light", "darkest", dark))
-        self.paints = self._palette[np.tile(mesh.keys, 4)]
+        self._groups = sum(mesh.groups)
+        self._starts = mesh.ring * np.cumsum([0, *mesh.groups])
+        self.paints = self._palette[np.tile(mesh.keys, self._groups)]
         self._encoded = _encoding()
 
     def draw(self, canvas: Surface, view: View, rotation: Floats) -> None:
@@ -66,7 +71,7 @@ class ShadedBody:
         before = turns * dark[-1] + np.interp(ends - turns * 2 * np.pi, angles, dark)
         share = ((before[1] - before[0]) / (2 * half))[:, None]
         mixed = self._palette[0] * (1 - share) + self._palette[1] * share
-        return np.tile(mixed, (4, 1))
+        return np.tile(mixed, (self._groups, 1))
 
     def _paint(
         self, canvas: Surface, views: list[View], rotations: list[Floats], paints: Floats
@@ -84,14 +89,15 @@ class ShadedBody:
             box,
             self._smooth,
             seen,
-            np.array([drawing_order(view.eye) for view in views]),
+            np.array([drawing_order(view.eye, self._mesh.heights) for view in views]),
+            self._starts,
             self._triangles,
             self._lit,
             np.stack([self.lighting(*moment) for moment in zip(views, rotations, strict=True)]),
             paints,
             LINEAR,
             self._encoded,
-            *workspace(width, len(views), len(self._triangles)),
+            *workspace(width, len(views), len(self._triangles), len(self._starts) - 1),
         )
 
     def lighting(self, view: View, rotation: Floats) -> Floats:
@@ -108,34 +114,49 @@ class ShadedBody:
 
 
 def _normals(mesh: Mesh) -> tuple[Indices, Floats]:
-    """Return for each corner of the mesh's triangles (4·ring, 3) which normal (5·ring, 3) it has.
+    """Return which normal each corner of the mesh's triangles (m, 3) has, and the normals (k, 3).
 
-    A cone has one normal along each of its straight lines: the first 3·ring normals are those at the rings'
-    points, on the three pieces; at tip and apex each triangle has that of its own middle.
+    A cone has one normal along each of its straight lines; at tip and apex each triangle has that of its own
+    middle. Where two pieces meet at a small angle, as those of a curved outline do, they share the mean of
+    their normals, and no edge is seen.
     """
-    n = mesh.ring
+    n, pieces = mesh.ring, len(mesh.groups)
     here = np.arange(n)
     there = (here + 1) % n
     starts, middles = mesh.angles[:-1], (mesh.angles[:-1] + mesh.angles[1:]) / 2
-    low, band, high = (_of_cone(mesh, k, starts) for k in range(3))
-    normals = [low, band, high, _of_cone(mesh, 0, middles), _of_cone(mesh, 2, middles)]
-    lit = [
-        [here + 3 * n, there, here],
-        [n + here, n + there, n + there],
-        [n + here, n + there, n + here],
-        [2 * n + here, 2 * n + there, here + 4 * n],
-    ]
-    return np.concatenate([np.column_stack(part) for part in lit]), np.concatenate(normals)
+    outline = np.array(mesh.profile)
+    # Across the outline, (outwards, upwards), at each piece and at both its ends.
+    out, rise = np.diff(outline, axis=0).T
+    slopes = np.column_stack([rise, -out]) / np.hypot(rise, out)[:, None]
+    low, high = slopes.copy(), slopes.copy()
+    smooth = np.flatnonzero(np.sum(slopes[1:] * slopes[:-1], axis=1) > SMOOTH)
+    means = slopes[smooth] + slopes[smooth + 1]
+    low[smooth + 1] = high[smooth] = means / np.hypot(*means.T)[:, None]
+    blocks: dict[tuple[float, float, bool], int] = {}
+    normals: list[Floats] = []
 
+    def block(slope: Floats, angles: Floats) -> Indices:
+        """Return the indices of the normals of a slope at angles round it."""
+        key = (float(slope[0]), float(slope[1]), angles is middles)
+        if key not in blocks:
+            blocks[key] = len(normals)
+            flat = [slope[0] * np.cos(angles), slope[0] * np.sin(angles)]
+            normals.append(np.column_stack([*flat, np.full(n, slope[1])]))
+        return n * blocks[key] + here
 
-def _of_cone(mesh: Mesh, piece: int, angle: Floats) -> Floats:
-    """Return the outward normals (k, 3) of a piece's cone at angles (k,) round it."""
-    (r0, z0), (r1, z1) = mesh.profile[piece : piece + 2]
-    rise, out = z1 - z0, r1 - r0
-    normal = np.column_stack(
-        [rise * np.cos(angle), rise * np.sin(angle), np.full(len(angle), -out)]
-    )
-    return np.asarray(normal / np.hypot(rise, out))
+    lit: list[Indices] = []
+    for k in range(pieces):
+        below, above = block(low[k], starts), block(high[k], starts)
+        if k == 0:
+            middle = block(slopes[k], middles)
+            lit.append(np.column_stack([middle, above[there], above]))
+        elif k < pieces - 1:
+            lit.append(np.column_stack([below, below[there], above[there]]))
+            lit.append(np.column_stack([below, above[there], above]))
+        else:
+            middle = block(slopes[k], middles)
+            lit.append(np.column_stack([below, below[there], middle]))
+    return np.concatenate(lit), np.concatenate(normals)
 
 
 def _encoding() -> Pixels:
@@ -152,23 +173,14 @@ class Shaded(Style):
         """Return the look's background, or the room's own paper."""
         return colour("background", look.background or room()["paper"]["light"])
 
-    def scene(self, model: Model, look: Look) -> tuple[View, Pixels]:
+    def scene(self, model: Model, look: Look) -> tuple[View, LitSurface]:
         """Return the projection and the ground."""
-        from anim.picture.ground import grained
-
         seen = view(look.camera, look.size, places(model, look))
-        floor = ground(seen, look, self.paper_of(look))
-        pixels = np.empty(floor.shape, np.uint8)
-        grained(floor, pixels)
-        return seen, pixels
-
-    def sheet(self, background: Pixels, look: Look) -> Surface:
-        """Return plain pixels."""
-        return Surface(background)
+        return seen, LitSurface(seen, look, self.paper_of(look))
 
     def shadow(self, mesh: Mesh, light: Floats, view: View, look: Look) -> SoftShadow:
         """Return a shadow that is soft away from what throws it."""
-        return SoftShadow(mesh.model.profile, light, view, ground(view, look, self.paper_of(look)))
+        return SoftShadow(mesh.profile, light, view)
 
     def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> ShadedBody:
         """Return the body under the light."""

@@ -1,0 +1,99 @@
+"""The top in somebody's matplotlib axes: a picture in plain ones, its surface in three-dimensional ones."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+from mpl_toolkits.mplot3d import Axes3D
+from numpy.typing import NDArray
+
+from anim.errors import AnimationError
+from anim.picture.mesh import Mesh
+from anim.picture.projection import View, swept
+from anim.picture.solid import drawing_order, pieces
+from anim.picture.styles.flat import tinted
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+    from anim.model import Model
+    from anim.picture.look import Look
+    from anim.top import Top
+
+Floats = NDArray[np.float64]
+
+FINENESS = 300.0
+"""Pixels for the top's extent: after this, points on the circles that make no difference are left out."""
+
+
+def draw_in_axes(top: Top, ax: Axes, t: float, look: Look | None) -> Artist:
+    """Draw ``top`` at ``t`` seconds into ``ax``, as :meth:`anim.Top.draw` says; return the artist."""
+    from anim.picture.look import FILM_LOOK
+    from anim.rendering import Scene, framed
+
+    if not hasattr(ax, "add_collection"):
+        raise AnimationError(f"ax is a {type(ax).__name__}; expected axes of matplotlib")
+    if isinstance(ax, Axes3D):
+        if look is not None:
+            raise AnimationError("three-dimensional axes have their own view; expected no look")
+        task = Scene(top.model, top.motion, FILM_LOOK).task_at(t)
+        return _surface(ax, top.model, task.matrices[0], task.places[0])
+    if look is None:
+        window = ax.get_window_extent()
+        size = max(1, round(window.width)), max(1, round(window.height))
+        look = framed(replace(FILM_LOOK, size=size), top.model, top.motion)
+    picture = ax.imshow(top.frame(t, look), interpolation="antialiased")
+    ax.set_axis_off()
+    return picture
+
+
+def _surface(ax: Any, model: Model, rotation: Floats, tip: Floats) -> Surface3D:
+    surface = Surface3D(model, rotation, tip)
+    ax.add_collection(surface, autolim=False)
+    ax.auto_scale_xyz(*swept(model, rotation[None], tip[None]).T)
+    return surface
+
+
+class Surface3D(PolyCollection):
+    """The top's faces in three-dimensional axes, those turned to the eye, in an order that is exact."""
+
+    def __init__(self, model: Model, rotation: Floats, tip: Floats) -> None:
+        super().__init__([], closed=True)
+        mesh = Mesh.of(model, FINENESS / model.extent)
+        self._motion = np.eye(4)
+        self._motion[:3, :3], self._motion[:3, 3] = rotation, tip
+        self._points, self._parts, self._heights = mesh.points, pieces(mesh), mesh.heights
+        colours = np.array(tinted(model.palette, mesh)) / 255
+        self._colours = [pair[mesh.keys] for pair in colours]
+
+    def do_3d_projection(self) -> float:
+        """Project the faces as the axes are seen now; return the depth by which artists are sorted."""
+        view = View(_towards_eye() @ self.axes.M @ self._motion)  # type: ignore[union-attr]
+        seen = view.project(self._points)
+        faces, colours = [], []
+        for k in drawing_order(view.eye, self._heights):
+            part = self._parts[k]
+            shown = np.flatnonzero(part.facing(view.eye))
+            low, high = part.low, part.high
+            ring = np.stack([low, np.roll(low, -1), np.roll(high, -1), high], axis=1)
+            faces.append(seen[ring[shown]])
+            colours.append(self._colours[k][shown])
+        self.set_verts(list(np.concatenate(faces)))
+        tones = np.concatenate(colours)
+        self.set_facecolor(tones)
+        self.set_edgecolor(tones)  # what two smoothed edges leave open is closed
+        self.set_linewidth(0.4)
+        rows = view.matrix
+        depths = (self._points @ rows[2, :3] + rows[2, 3]) / (
+            self._points @ rows[3, :3] + rows[3, 3]
+        )
+        return float(-depths.max())
+
+
+def _towards_eye() -> Floats:
+    """Return what turns matplotlib's depth, which grows away from the eye, round."""
+    return np.diag([1.0, 1.0, -1.0, 1.0])
