@@ -85,9 +85,10 @@ class Track:
         """Whether the way is so long that the top would be small in a picture of all of it."""
         return bool(np.ptp(self.centres, axis=0).max() > LONG * self._extent)
 
-    def at(self, time: float) -> NDArray[np.float64]:
-        """Return where the camera is (2,) at an instant."""
-        return np.array([np.interp(time, self.times, way) for way in self.centres.T])
+    def at(self, time: float) -> tuple[float, float]:
+        """Return where the camera is at an instant."""
+        x, y = (float(np.interp(time, self.times, way)) for way in self.centres.T)
+        return x, y
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,15 +147,15 @@ class Scene:
         from rotation.matrices import to_matrix
 
         motion, instants = self.motion, np.array([instant])
-        trail, ages = self._trail(instant)
+        trail, ages = self._trail(instant, matrices[0])
         task = Task(
             self.model,
             self._scene_look,
             matrices,
             trail,
-            ages,
             motion.tips(instants),
-            self._track.at(instant) if self.look.follow else np.zeros(2),
+            ages,
+            self._track.at(instant) if self.look.follow else (0.0, 0.0),
         )
         if self.captions:
             tilt = float(np.degrees(attitude.tilts(matrices[:, :, 2]))[0])
@@ -204,15 +205,14 @@ class Scene:
         return motion.record.spins if motion.record else motion.spin_rates(motion.times)
 
     def _trail(
-        self, instant: float
+        self, instant: float, matrix: NDArray[np.float64]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]] | tuple[None, None]:
         """Return the apex's path (k, 3) up to an instant and the ages (k,), if it is to be drawn."""
         if not self.look.trace:
             return None, None
         times, points = self._path
         passed = int(np.searchsorted(times, instant))
-        now = np.array([instant])
-        here = self.motion.tips(now) + self.model.height * attitude.axes(self.motion.at(now))
+        here = self.motion.tips([instant])[0] + self.model.height * matrix[:, 2]
         ages = (instant - np.append(times[:passed], instant)) / self.motion.clip.time_scale
         return np.vstack([points[:passed], here]), ages
 
@@ -249,9 +249,9 @@ class Task:
     look: Look
     matrices: NDArray[np.float64]
     trail: NDArray[np.float64] | None
-    ages: NDArray[np.float64] | None
     places: NDArray[np.float64]
-    centre: NDArray[np.float64]
+    ages: NDArray[np.float64] | None = None
+    centre: tuple[float, float] = (0.0, 0.0)
     said: tuple[str, ...] = ()
     widest: tuple[str, ...] = ()
     strip: int = 0

@@ -34,18 +34,9 @@ def noise(x: int, y: int) -> float:
 
 @kernel
 def lit_ground(
-    picture: Light,
-    to_ground: Floats,
-    paper: Floats,
-    dark: float,
-    numbers: Floats,
-    above: bool,
-    centre: Floats,
+    picture: Light, to_ground: Floats, paper: Floats, dark: float, numbers: Floats, above: bool
 ) -> None:
-    """Write the empty ground into ``picture``; ``numbers`` are near, far, shade, pool, ring.
-
-    The light is around the point that the camera looks at; ``centre`` (2,) is where that is on the ground.
-    """
+    """Write the empty ground into ``picture``; ``numbers`` are near, far, shade, pool, ring."""
     near, far, shade, pool, ring = numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]
     height, width, _ = picture.shape
     for y in range(height):
@@ -58,15 +49,64 @@ def lit_ground(
                 gy = (to_ground[1, 0] * u + to_ground[1, 1] * v + to_ground[1, 2]) / scale
                 r = math.sqrt(gx * gx + gy * gy)
                 seen = smoothstep(far, near, r)
-                rx, ry = gx + centre[0], gy + centre[1]
-                out = math.sqrt(rx * rx + ry * ry)
-                line = 0.0
-                if seen > 0 and out > 0.5:
-                    line = smoothstep(0.03, 0.0, abs((out + 0.5) % 1.0 - 0.5)) * ring
+                line = smoothstep(0.03, 0.0, abs((r + 0.5) % 1.0 - 0.5)) * ring if r > 0.5 else 0.0
                 down = 1 - (1 - dark) * (shade + line) * seen
                 up = dark * (pool - line / 2) * seen * 255
             for channel in range(3):
                 picture[y, x, channel] = paper[channel] * down + up
+
+
+@kernel
+def seen_ground(places: Light, to_ground: Floats, near: float, far: float) -> None:
+    """Write of each pixel into ``places`` (height, width, 4): where on the ground, how much is seen, noise."""
+    height, width, _ = places.shape
+    for y in range(height):
+        for x in range(width):
+            u, v = x + 0.5, y + 0.5
+            scale = to_ground[2, 0] * u + to_ground[2, 1] * v + to_ground[2, 2]
+            for k in range(3):
+                places[y, x, k] = 0
+            if scale > 0:
+                gx = (to_ground[0, 0] * u + to_ground[0, 1] * v + to_ground[0, 2]) / scale
+                gy = (to_ground[1, 0] * u + to_ground[1, 1] * v + to_ground[1, 2]) / scale
+                places[y, x, 0], places[y, x, 1] = gx, gy
+                places[y, x, 2] = smoothstep(far, near, math.sqrt(gx * gx + gy * gy))
+            places[y, x, 3] = noise(x, y)
+
+
+@kernel
+def moved_ground(
+    floor: Light,
+    pixels: Bytes,
+    top: int,
+    places: Light,
+    paper: Light,
+    numbers: Light,
+) -> None:
+    """Write the ground of a camera that has gone some way, in floats and in bytes, from the row ``top`` down.
+
+    The light is around the point that the camera looks at. ``numbers`` are how dark the paper is, shade, pool,
+    ring, and the two coordinates of the way.
+    """
+    dark, shade_, pool, ring = numbers[0], numbers[1], numbers[2], numbers[3]
+    one, half, most = np.float32(1.0), np.float32(0.5), np.float32(255.0)
+    thin, three, two = np.float32(1 / 0.03), np.float32(3.0), np.float32(2.0)
+    light = one - dark
+    height, width, _ = floor.shape
+    for y in range(top, height):
+        for x in range(width):
+            seen = places[y, x, 2]
+            if seen > 0:
+                gx, gy = places[y, x, 0] + numbers[4], places[y, x, 1] + numbers[5]
+                r = np.sqrt(gx * gx + gy * gy) + half
+                t = one - min(one, abs(r - np.float32(int(r)) - half) * thin)
+                line = t * t * (three - two * t) * ring if r > one else np.float32(0.0)
+                down = one - light * (shade_ + line) * seen
+                up = dark * (pool - line * half) * seen * most
+                for channel in range(3):
+                    value = paper[channel] * down + up
+                    floor[y, x, channel] = value
+                    pixels[y, x, channel] = int(min(most, value + places[y, x, 3]))
 
 
 @kernel

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from anim.picture.look import RGB, Look
 from anim.picture.projection import View
-from anim.picture.room import ground
+from anim.picture.room import darkness, ground, room, to_ground
 from anim.picture.surface import Floats, Surface
 
 Light = NDArray[np.float32]
@@ -14,23 +14,35 @@ Light = NDArray[np.float32]
 class LitSurface(Surface):
     """A picture over the ground; :attr:`floor` is the ground in floats (height, width, 3), 0 to 255."""
 
-    floor: Light
-
     def __init__(self, view: View, look: Look, paper: RGB) -> None:
-        self._view, self._look, self._paper = view, look, paper
-        self._centre = np.zeros(2)
-        self._pave()
-        super().__init__(self._background)
+        from anim.picture.ground import grained
+
+        self.floor: Light = ground(view, look, paper)
+        background = np.empty(self.floor.shape, np.uint8)
+        grained(self.floor, background)
+        super().__init__(background)
+        self._view, self._paper = view, paper
+        self._places: Light | None = None
 
     def move(self, centre: Floats) -> None:
         """Show the ground as the camera sees it that has gone to ``centre`` (2,)."""
-        if not np.array_equal(centre, self._centre):
-            self._centre = np.array(centre, dtype=np.float64)
-            self._pave()
+        from anim.picture.ground import moved_ground, seen_ground
 
-    def _pave(self) -> None:
-        from anim.picture.ground import grained
-
-        self.floor = ground(self._view, self._look, self._paper, self._centre)
-        self._background = np.empty(self.floor.shape, np.uint8)
-        grained(self.floor, self._background)
+        if self._view.eye[2] <= 0:
+            return
+        numbers = room()["ground"]
+        if self._places is None:
+            self._places = np.empty((self.height, self.width, 4), np.float32)
+            map_ = to_ground(self._view, self.height)
+            seen_ground(self._places, map_, float(numbers["near"]), float(numbers["far"]))
+            rows = np.flatnonzero(self._places[:, :, 2].any(axis=1))
+            self._first = int(rows[0]) if len(rows) else self.height
+        values = (darkness(self._paper), *(numbers[n] for n in ("shade", "pool", "ring")), *centre)
+        moved_ground(
+            self.floor,
+            self._background,
+            self._first,
+            self._places,
+            np.array(self._paper, np.float32),
+            np.array(values, np.float32),
+        )

@@ -43,11 +43,8 @@ def trace_of(paper: RGB) -> RGB:
     return shown
 
 
-def ground(view: View, look: Look, paper: RGB, centre: Floats | None = None) -> Light:
-    """Return the empty ground and what is behind it, float32 (height, width, 3), from 0 to 255.
-
-    ``centre`` (2,) is how far the camera has gone on the ground, by default nowhere.
-    """
+def ground(view: View, look: Look, paper: RGB) -> Light:
+    """Return the empty ground and what is behind it, float32 (height, width, 3), from 0 to 255."""
     from anim.picture.ground import lit_ground
 
     width, height = look.size
@@ -60,7 +57,6 @@ def ground(view: View, look: Look, paper: RGB, centre: Floats | None = None) -> 
         darkness(paper),
         np.array([numbers[n] for n in ("near", "far", "shade", "pool", "ring")]),
         bool(view.eye[2] > 0),
-        np.zeros(2) if centre is None else centre,
     )
     return picture
 

@@ -30,6 +30,12 @@ def rays(matrix, x, y):
 def cone_hits(origin, direction, low, high, least=-np.inf):
     """Return the distances, above ``least``, to a cone of revolution between two rims (r, z); inf: none."""
     (r0, z0), (r1, z1) = low, high
+    if z0 == z1:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            t = (z0 - origin[:, 2]) / direction[:, 2]
+            radius = np.hypot(*(origin[:, :2] + t[:, None] * direction[:, :2]).T)
+        met = (radius >= min(r0, r1)) & (radius <= max(r0, r1)) & (t > least)
+        return np.where(met, t, np.inf)
     slope = (r1 - r0) / (z1 - z0)
     base = r0 - slope * z0
     ox, oy, oz = origin.T

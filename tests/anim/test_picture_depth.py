@@ -15,6 +15,9 @@ COLOURS = [
     ((255, 0, 0), (0, 160, 0)),
     ((0, 0, 255), (255, 255, 0)),
     ((255, 0, 255), (0, 255, 255)),
+    ((255, 130, 0), (120, 60, 0)),
+    ((130, 0, 130), (130, 255, 130)),
+    ((0, 70, 90), (255, 170, 190)),
 ]
 PALETTE = [colour for pair in COLOURS for colour in pair]
 SIZE = (400, 300)
@@ -34,10 +37,10 @@ def coloured(model: Model, look: Look):
     if look.style == "shaded":
         mesh = brush.mesh
         body = shaded.ShadedBody(mesh, model.palette, np.array([0, 0, 1.0]), look.quality, 0.0)
-        pieces = np.repeat([0, 1, 1, 2], mesh.ring)
-        bands = np.tile(mesh.keys, 4)
+        pieces = np.repeat(np.repeat(np.arange(len(mesh.groups)), mesh.groups), mesh.ring)
+        bands = np.tile(mesh.keys, sum(mesh.groups))
         body.paints = shaded.LINEAR[np.array(COLOURS)][pieces, bands]
-        body.lighting = lambda view, rotation: np.tile([1.0, 0.0], (5 * mesh.ring, 1))
+        body.lighting = lambda view, rotation: np.tile([1.0, 0.0], (len(body._normals), 1))
         brush.body = body
     else:
         brush.body = flat.FlatBody(brush.mesh, COLOURS)
@@ -91,6 +94,23 @@ def test_depth_is_right_from_other_cameras(style, camera, attitudes):
 def test_depth_is_right_for_other_collars(style, p2, attitudes):
     brush = coloured(Model(p2=p2, bands=7), Look(SIZE, style, tilt=180))
     assert share_wrong(brush, attitudes[8:16]) <= LIMIT
+
+
+OUTLINES = {
+    "bottle": [(0, 0.3), (0.1, 1.1), (1.6, 1.0), (1.6, 0.3), (3, 0.2)],
+    "disc, wider than tall": [(0, 0), (0.8, 1.9), (1.0, 1.9), (1.1, 0.2), (1.9, 0.15)],
+    "cylinder": [(0, 1), (2, 1)],
+    "waist": [(0, 0), (0.7, 1.0), (1.5, 0.25), (2.2, 0.9), (3, 0)],
+}
+
+
+@pytest.mark.parametrize("style", ["flat", "shaded"])
+@pytest.mark.parametrize("name", OUTLINES)
+def test_depth_is_right_for_other_outlines(style, name, attitudes):
+    model = Model.from_outline(OUTLINES[name], bands=7)
+    # Rays know nothing of the picture's unit: the model is as large as its picture.
+    brush = coloured(model.scaled(model.magnified), Look(SIZE, style, tilt=180))
+    assert share_wrong(brush, attitudes[16:22]) <= LIMIT
 
 
 def test_between_the_rings_the_band_hides_both_cones():

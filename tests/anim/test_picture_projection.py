@@ -131,10 +131,11 @@ def test_drawing_order_follows_the_side_of_the_eye():
     assert drawing_order(np.array([1, 0, -0.1, 0]), RINGS) == (2, 1, 0)
 
 
-def test_a_camera_inside_a_large_top_is_refused():
+def test_a_camera_inside_the_reach_of_a_top_is_refused():
+    far = ((0, 0, 0), (0, 0, 3), (30, 0, 0))
     with pytest.raises(AnimationError, match="too near"):
-        painter(Model(ring=10, p2=30.0), Look(SIZE))
-    painter(Model(ring=10, p2=30.0), Look(SIZE, camera=Camera(distance=60)))
+        painter(MODEL, Look(SIZE, reach=far))
+    painter(MODEL, Look(SIZE, camera=Camera(distance=60), reach=far))
 
 
 def test_a_classic_axis_has_few_numbers_so_that_they_do_not_touch(monkeypatch):
