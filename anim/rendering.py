@@ -147,13 +147,14 @@ class Scene:
         from rotation.matrices import to_matrix
 
         motion, instants = self.motion, np.array([instant])
-        trail, ages = self._trail(instant, matrices[0])
+        tips = motion.tips(instants)
+        trail, ages = self._trail(instant, tips[0] + self.model.height * matrices[0, :, 2])
         task = Task(
             self.model,
             self._scene_look,
             matrices,
             trail,
-            motion.tips(instants),
+            tips,
             ages,
             self._track.at(instant) if self.look.follow else (0.0, 0.0),
         )
@@ -205,16 +206,15 @@ class Scene:
         return motion.record.spins if motion.record else motion.spin_rates(motion.times)
 
     def _trail(
-        self, instant: float, matrix: NDArray[np.float64]
+        self, instant: float, apex: NDArray[np.float64]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]] | tuple[None, None]:
-        """Return the apex's path (k, 3) up to an instant and the ages (k,), if it is to be drawn."""
+        """Return the path (k, 3) to the apex at an instant and its ages (k,), if it is to be drawn."""
         if not self.look.trace:
             return None, None
         times, points = self._path
         passed = int(np.searchsorted(times, instant))
-        here = self.motion.tips([instant])[0] + self.model.height * matrix[:, 2]
         ages = (instant - np.append(times[:passed], instant)) / self.motion.clip.time_scale
-        return np.vstack([points[:passed], here]), ages
+        return np.vstack([points[:passed], apex]), ages
 
     @cached_property
     def _path(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

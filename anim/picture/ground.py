@@ -58,7 +58,7 @@ def lit_ground(
 
 @kernel
 def seen_ground(places: Light, to_ground: Floats, near: float, far: float) -> None:
-    """Write of each pixel into ``places`` (height, width, 4): where on the ground, how much is seen, noise."""
+    """Write into ``places`` (height, width, 4): where on the ground a pixel is, how much of it, noise."""
     height, width, _ = places.shape
     for y in range(height):
         for x in range(width):
@@ -83,10 +83,10 @@ def moved_ground(
     paper: Light,
     numbers: Light,
 ) -> None:
-    """Write the ground of a camera that has gone some way, in floats and in bytes, from the row ``top`` down.
+    """Write the ground that a camera sees that has gone some way, in floats and bytes, from row ``top`` down.
 
-    The light is around the point that the camera looks at. ``numbers`` are how dark the paper is, shade, pool,
-    ring, and the two coordinates of the way.
+    The light is around the point that the camera looks at. ``numbers`` are how dark the paper is, shade,
+    pool, ring, and the two coordinates of the way.
     """
     dark, shade_, pool, ring = numbers[0], numbers[1], numbers[2], numbers[3]
     one, half, most = np.float32(1.0), np.float32(0.5), np.float32(255.0)

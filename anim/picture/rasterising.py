@@ -54,6 +54,7 @@ def paint(
     paints: Floats,
     linear: Floats,
     encoded: Bytes,
+    covered: Samples,
     layer: Samples,
     cover: Samples,
     sums: Samples,
@@ -69,7 +70,8 @@ def paint(
     ``starts`` [k], (pieces + 1,); ``order`` (moments, pieces) has the pieces from the farthest to the
     nearest. ``lit`` (m, 3) index ``light`` (moments, l, 2), the share of its own colour and the white that
     each corner sends; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB, ``encoded``
-    encodes equal steps of linear light. Unless ``smooth``, a pixel is what its middle shows.
+    encodes equal steps of linear light. Unless ``smooth``, a pixel is what its middle shows. How much of each
+    pixel is covered is written into ``covered`` (height, width), if that has the size of the picture.
 
     The rest is :func:`workspace`: of a stripe a piece, what it covers, the sum, and what is reached of rows;
     ``front``, the triangles that face the viewer, with first and last rows, and how many; three corners.
@@ -131,7 +133,7 @@ def paint(
                             paints[t],
                         )
                 behind(sums, cover, layer, reach, rows)
-        resolve(pixels, sums, row, rows, left, 1.0 / moments, linear, encoded)
+        resolve(pixels, sums, row, rows, left, 1.0 / moments, linear, encoded, covered)
 
 
 @called
@@ -272,16 +274,59 @@ def resolve(
     share: float,
     linear: Floats,
     encoded: Bytes,
+    covered: Samples,
 ) -> None:
     """Write the means of a stripe, in linear light, over what is there; ``share`` is that of one moment."""
-    steps = len(encoded) - 1
+    steps, noted = len(encoded) - 1, len(covered) == len(pixels)
     for y in range(rows):
         for x in range(sums.shape[1]):
             if sums[y, x, 3] > 0:
                 pixel = pixels[row + y, left + x]
                 rest = 1.0 - sums[y, x, 3] * share
+                if noted:
+                    covered[row + y, left + x] = min(1.0, 1.0 - rest)
                 for channel in range(3):
                     value = sums[y, x, channel] * share
                     if rest > 1e-3:
                         value += rest * linear[pixel[channel]]
                     pixel[channel] = encoded[int(min(1.0, max(0.0, value)) * steps)]
+
+
+@kernel
+def outline(
+    pixels: Bytes,
+    covered: Samples,
+    box: tuple[int, int, int, int],
+    reach: int,
+    share: float,
+    colour: Floats,
+) -> None:
+    """Lay ``share`` of a colour where what is ``covered`` (height, width) ends within ``reach`` pixels.
+
+    ``covered`` is zero afterwards.
+    """
+    left, top, right, bottom = box
+    height, width = covered.shape
+    aside = max(1, int(0.7 * reach + 0.5))
+    for y in range(top, bottom):
+        for x in range(left, right):
+            here = covered[y, x]
+            if here > 0:
+                least = here
+                for k in range(8):
+                    far = reach if k < 4 else aside
+                    dx = far * ((k == 0) - (k == 1)) if k < 4 else far * (2 * (k % 2) - 1)
+                    dy = far * ((k == 2) - (k == 3)) if k < 4 else far * (2 * (k // 6) - 1)
+                    u, v = x + dx, y + dy
+                    if 0 <= u < width and 0 <= v < height:
+                        least = min(least, covered[v, u])
+                light = share * (here - least)
+                if light > 0:
+                    pixel = pixels[y, x]
+                    for channel in range(3):
+                        pixel[channel] = int(
+                            pixel[channel] + light * (colour[channel] - pixel[channel]) + 0.5
+                        )
+    for y in range(top, bottom):
+        for x in range(left, right):
+            covered[y, x] = 0

@@ -7,7 +7,11 @@ from html import unescape
 from pathlib import Path
 from types import ModuleType
 
+import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from PIL import Image
 
 from anim.errors import AnimationError
 from anim.film import clip
@@ -15,10 +19,13 @@ from anim.model import Model
 from anim.output.writing import suffixes
 from anim.picture import Look
 from anim.picture.look import FILM_LOOK
+from anim.picture.styles.classic import view_of
 from anim.pipelines import kinematic
 from anim.rendering import framed
 from anim.top import Top
 from hfield.cli import main
+from rotation.matrices import to_matrix
+from tests.anim.cones import interior, reference
 
 SMALL = Model(ring=30)
 
@@ -82,3 +89,65 @@ def test_python_and_the_command_make_the_same_of_a_name(tmp_path: Path, suffix: 
 def test_unknown_pipeline() -> None:
     with pytest.raises(AnimationError, match="expected one of quaternions, product, euler, matrix"):
         Top("matrices")
+
+
+TURNING = [[1, 0, 0, 0.1 * n] for n in range(5)]
+
+
+def test_frames_are_those_of_the_film(tmp_path: Path) -> None:
+    top = Top(TURNING, Model.from_outline([(0, 0), (1, 2), (2, 0)], ring=30))
+    look = Look(size=(64, 48), style="shaded", trace=True, shadow=True)
+    frames = list(top.frames(look))
+    assert len(frames) == 5
+    for number, frame in enumerate(frames):
+        assert (frame.shape, frame.dtype) == ((48, 64, 3), np.uint8)
+        np.testing.assert_array_equal(frame, top.frame(top.motion.times[number], look))
+    between = top.frame(0.5 * (top.motion.times[1] + top.motion.times[2]), look)
+    assert (between != frames[1]).any()
+    assert (between != frames[2]).any()
+    top.save(tmp_path / "one.png", look, frame=2)
+    with Image.open(tmp_path / "one.png") as picture:
+        np.testing.assert_array_equal(np.asarray(picture), frames[2])
+
+
+@pytest.mark.parametrize("t", [-0.1, 99.0, float("nan"), "now"])
+def test_a_time_outside_the_motion_is_refused(t: object) -> None:
+    with pytest.raises(AnimationError, match="t is"):
+        Top(TURNING, SMALL).frame(t)  # type: ignore[arg-type]
+
+
+def test_in_plain_axes_it_is_a_picture_of_their_size() -> None:
+    axes = Figure(figsize=(2, 1.5), dpi=50).add_axes((0, 0, 1, 1))
+    artist = Top(TURNING, SMALL).draw(axes, 0.04)
+    assert artist in axes.images
+    assert artist.get_array().shape == (75, 100, 3)
+
+
+@pytest.mark.parametrize("elevation", [-30, 20, 85])
+def test_in_axes_of_three_dimensions_faces_hide_each_other_rightly(elevation: float) -> None:
+    figure = Figure(figsize=(4, 4), dpi=60)
+    axes = figure.add_subplot(projection="3d")
+    axes.view_init(elev=elevation, azim=30)
+    model = Model.from_outline([(0, 0), (1, 2), (1.2, 0.4), (3, 0.4)], bands=4)
+    Top(TURNING, model).draw(axes, 0.05)
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    shown = np.asarray(canvas.buffer_rgba())[..., :3]
+    rotation = Top(TURNING, model).motion.at([0.05])
+    expected = reference(
+        view_of(axes).matrix, (240, 240), np.asarray(to_matrix(rotation))[0], model
+    )
+    inside = interior(expected) & (expected >= 0)
+    yellow = shown[..., 2].astype(int) < shown[..., 0].astype(int) // 2
+    assert inside.sum() > 2000
+    assert np.mean(yellow[inside] == (expected[inside] % 2 == 0)) > 0.998
+
+
+def test_axes_of_three_dimensions_have_their_own_look() -> None:
+    axes = Figure().add_subplot(projection="3d")
+    with pytest.raises(AnimationError, match="expected no look"):
+        Top(TURNING, SMALL).draw(axes, 0, Look())
+    with pytest.raises(AnimationError, match="ax is a int"):
+        Top(TURNING, SMALL).draw(3)  # type: ignore[arg-type]

@@ -25,6 +25,10 @@ Pixels = NDArray[np.uint8]
 _levels = np.arange(256) / 255
 LINEAR: Floats = np.where(_levels <= 0.04045, _levels / 12.92, ((_levels + 0.055) / 1.055) ** 2.4)
 """sRGB (IEC 61966-2-1) decoded."""
+RIM = np.array([214.0, 222.0, 235.0])
+"""The colour of the light on the top's edge on dark paper, in sRGB."""
+OUTLINES = 320
+"""That edge is a pixel wide for so many pixels of the picture's shorter side."""
 SMOOTH = np.cos(np.radians(25))
 """Pieces of an outline at a smaller angle than this are parts of one curve."""
 
@@ -37,6 +41,8 @@ class ShadedBody:
     ) -> None:
         self._points, self._smooth, self.light = mesh.points, smooth, light
         self._rim = of_darkness("light", "rim", dark)
+        self._outline = of_darkness("light", "outline", dark)
+        self._covered = np.zeros((0, 0), np.float32)
         self._triangles = np.ascontiguousarray(mesh.triangles)
         self._lit, self._normals = _normals(mesh)
         self._mesh = mesh
@@ -76,7 +82,7 @@ class ShadedBody:
     def _paint(
         self, canvas: Surface, views: list[View], rotations: list[Floats], paints: Floats
     ) -> None:
-        from anim.picture.rasterising import paint, workspace
+        from anim.picture.rasterising import outline, paint, workspace
 
         seen = np.stack([view.project(self._points) for view in views])
         box = canvas.touch(seen.reshape(-1, 2), 0)
@@ -84,6 +90,9 @@ class ShadedBody:
         if width <= 0:
             return
         seen[..., 1] = canvas.height - seen[..., 1]
+        size = (canvas.height, canvas.width)
+        if self._outline > 0 and self._covered.shape != size:
+            self._covered = np.zeros(size, np.float32)
         paint(
             canvas.pixels,
             box,
@@ -97,8 +106,12 @@ class ShadedBody:
             paints,
             LINEAR,
             self._encoded,
+            self._covered,
             *workspace(width, len(views), len(self._triangles), len(self._starts) - 1),
         )
+        if self._outline > 0:
+            reach = max(1, round(min(size) / OUTLINES))
+            outline(canvas.pixels, self._covered, box, reach, self._outline, RIM)
 
     def lighting(self, view: View, rotation: Floats) -> Floats:
         """Return, for each normal, the share of its own colour and the white that it sends to the eye."""
