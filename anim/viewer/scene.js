@@ -34,11 +34,11 @@ vec3 turn(vec3 v) { return v + 2. * cross(q.yzw, cross(q.yzw, v) + q.x * v); }
 void main() { n = turn(normal / size); at = turn(position * size) + place; tint = colour; gl_Position = matrix * vec4(at, 1.); }`;
 // On dark paper a rim of light and a lift of the blacks show where the top ends.
 const topFragment = () => `${DITHER}
-varying vec3 n, at, tint; uniform vec3 light, eye;
+varying vec3 n, at, tint; uniform vec3 light, glint, eye;
 vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + .055) / 1.055, vec3(2.4)), step(.04045, c)); }
 vec3 encoded(vec3 c) { return mix(12.92 * c, 1.055 * pow(c, vec3(1. / 2.4)) - .055, step(.0031308, c)); }
 void main() {
-  vec3 m = normalize(n), view = normalize(eye - at), h = normalize(light + view);
+  vec3 m = normalize(n), view = normalize(eye - at), h = normalize(glint + view);
   float dark = 1. - smoothstep(.2, .6, paper.g);
   float lit = ${number("light", "sky")} + ${number("light", "rise")} * m.z + ${number("light", "bounce")} * max(-m.z, 0.) + ${number("light", "sun")} * max(dot(m, light), 0.);
   float white = ${number("light", "gloss")} * pow(max(dot(m, h), 0.), ${number("light", "sharpness")}) + ${byPaper("rim")} * pow(1. - max(dot(m, view), 0.), 3.);
@@ -78,8 +78,10 @@ class Scene {
   constructor(gl, model, shows, paper) {
     this.gl = gl;
     this.paper = paper;
-    const { aside, height } = data.room.light, turn = data.camera.azimuth + (aside * Math.PI) / 180, rise = (height * Math.PI) / 180;
-    this.light = [Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise)];
+    const { aside, height, window: low } = data.room.light, turn = data.camera.azimuth + (aside * Math.PI) / 180;
+    const towards = (rise) => [Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise)];
+    this.light = towards((height * Math.PI) / 180);
+    this.glint = towards((low * Math.PI) / 180); // what is mirrored in the top: a window below the light
     this.model = model;
     this.shape(model.profile);
     this.arrows = Object.entries(ARROWS).map(([name, colour]) => {
@@ -177,7 +179,7 @@ class Scene {
     const { gl } = this, [x, y, width, height] = box, aspect = width / height;
     const { view, eye } = lookAt(camera.azimuth, camera.elevation, camera.distance, [...focus, 1.35]);
     const matrix = times(perspective(0.27 / Math.min(1, aspect), aspect, 0.5, 60), view);
-    const fields = ["position", "normal", "colour"], { light, slices } = this, size = [1, 1, 1];
+    const fields = ["position", "normal", "colour"], { light, glint, slices } = this, size = [1, 1, 1];
     gl.viewport(x, y, width, height);
     gl.scissor(x, y, width, height);
     gl.disable(gl.DEPTH_TEST);
@@ -187,7 +189,7 @@ class Scene {
     gl.drawArrays(gl.TRIANGLES, 0, 6);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
-    this.use("top", this.top, fields, { matrix, q, size, place, eye, light });
+    this.use("top", this.top, fields, { matrix, q, size, place, eye, light, glint });
     gl.drawArrays(gl.TRIANGLES, 0, this.top.count / 9);
     this.use("trail", trail, ["position"], { matrix, shift: [0, 0], ink: colourOf(data.room.trace[this.paper[1] < 0.4 ? "dark" : "light"]) });
     gl.drawArrays(gl.LINE_STRIP, 0, seen);
@@ -196,7 +198,7 @@ class Scene {
       const { vector, from = [0, 0, 0] } = vectors[name] ?? {}, length = vector ? Math.hypot(...vector) : 0;
       if (length < 0.05) continue;
       const moved = times(matrix, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...from, 1]);
-      this.use("top", mesh, fields, { matrix: moved, q: towards(vector), size: [2, 2, length], place: [0, 0, 0], eye, light });
+      this.use("top", mesh, fields, { matrix: moved, q: towards(vector), size: [2, 2, length], place: [0, 0, 0], eye, light, glint });
       gl.drawArrays(gl.TRIANGLES, 0, mesh.count / 9);
     }
     return matrix;

@@ -40,6 +40,9 @@ class ShadedBody:
         self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, smooth: bool, dark: float
     ) -> None:
         self._points, self._smooth, self.light = mesh.points, smooth, light
+        aside, low = np.arctan2(light[1], light[0]), np.radians(room()["light"]["window"])
+        across = np.cos(low) * np.array([np.cos(aside), np.sin(aside)])
+        self._window = np.append(across, np.sin(low))
         self._rim = of_darkness("light", "rim", dark)
         self._outline = of_darkness("light", "outline", dark)
         self._covered = np.zeros((0, 0), np.float32)
@@ -117,7 +120,7 @@ class ShadedBody:
         """Return, for each normal, the share of its own colour and the white that it sends to the eye."""
         light, numbers = self.light @ rotation, room()["light"]
         up, towards = self._normals @ rotation[2], view.eye[:3] / np.linalg.norm(view.eye[:3])
-        half = light + towards
+        half = self._window @ rotation + towards
         half /= np.linalg.norm(half)
         own = numbers["sky"] + numbers["rise"] * up - numbers["bounce"] * np.minimum(up, 0)
         own += numbers["sun"] * np.maximum(self._normals @ light, 0)
