@@ -26,6 +26,7 @@ TASKS = {
         "docs",
         "hfield/site",
     ],
+    "gallery": ["scripts.draw_gallery"],
 }
 
 

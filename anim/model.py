@@ -6,7 +6,7 @@ are taken.
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import hypot
 from pathlib import Path
@@ -57,7 +57,7 @@ class Model:
 
     ring: int
     bands: int
-    profile: Profile
+    profile: Profile = field(repr=False)
     """The outline as pairs ``(radius, z)`` from the tip (0, 0) to the axis again."""
 
     def __init__(

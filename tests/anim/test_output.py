@@ -189,13 +189,10 @@ class Still(Scene):
 
     def __init__(self, scene: Scene, matrix: np.ndarray) -> None:
         super().__init__(scene.model, scene.motion, scene.look)
-        object.__setattr__(self, "matrix", matrix)
-        object.__setattr__(self, "trail", scene.task(7).trail)
+        object.__setattr__(self, "still", replace(scene.task(7), matrices=matrix[None]))
 
     def task(self, number: int):
-        from anim.rendering import Task
-
-        return Task(self.model, self.look, self.matrix[None], self.trail, np.zeros((1, 3)))
+        return self.still
 
 
 def test_the_samples_of_the_palette_span_the_film() -> None:
