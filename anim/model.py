@@ -118,7 +118,11 @@ class Model:
 
     @property
     def radius(self) -> float:
-        """The radius at the outline's third point; that of P₂ for the thesis's top."""
+        """The radius at the outline's third point; that of P₂ for the thesis's top.
+
+        >>> Model(p2=0.5).radius
+        0.5
+        """
         return self.profile[2][0]
 
     @property
@@ -136,15 +140,27 @@ class Model:
         """How many times as large as the model its picture is; there the farthest point is 3 from the tip.
 
         So cameras, ground and shadows fit a top of any size.
+
+        >>> small = Model.from_outline([(0, 0), (1, 0.8), (1.5, 0)])
+        >>> small.extent, small.magnified, small.scaled(small.magnified).height
+        (1.5, 2.0, 3.0)
         """
         return APEX_HEIGHT / self.extent
 
     def with_profile(self, profile: Profile) -> "Model":
-        """Return a model of another profile with as many points on each circle and as many bands."""
+        """Return a model of another profile with as many points on each circle and as many bands.
+
+        >>> Model(ring=7).with_profile(((0, 0), (1, 1), (0, 2))).polygons[-1]
+        (7, 1, 8)
+        """
         return self if profile == self.profile else self._of(self.ring, self.bands, profile)
 
     def with_ring(self, ring: int) -> "Model":
-        """Return the model of the same profile with so many points on each circle."""
+        """Return the model of the same profile with so many points on each circle.
+
+        >>> Model().with_ring(10) == Model(10)
+        True
+        """
         return self._of(ring, None, self.profile)
 
     def scaled(self, factor: float) -> "Model":

@@ -71,11 +71,11 @@ class Track:
         middles = motion.tips(self.times)
         if motion.places is not None:
             middles += model.height / 2 * attitude.axes(motion.at(self.times))
-        # A Gaussian mean over the film's time; beyond its ends the top stands still.
+        # A Gaussian mean over the film's time; beyond its ends the way is that of before, turned about them.
         width = CALM * count / motion.duration
-        reach = min(count, int(4 * width) + 1)
+        reach = min(count - 1, int(4 * width) + 1)
         weights = np.exp(-((np.arange(-reach, reach + 1) / width) ** 2) / 2)
-        padded = np.pad(middles[:, :2], ((reach, reach), (0, 0)), "edge")
+        padded = np.pad(middles[:, :2], ((reach, reach), (0, 0)), "reflect", reflect_type="odd")
         means = [np.convolve(way, weights / weights.sum(), "valid") for way in padded.T]
         self.centres: NDArray[np.float64] = np.column_stack(means)
         """(k, 2), in the model's unit, at :attr:`times`."""
@@ -129,6 +129,11 @@ class Scene:
 
         At the instant of a frame it is that frame. Raises :class:`~anim.errors.AnimationError` for an instant
         outside the motion.
+
+        >>> from anim import Look, Model, clip, kinematic
+        >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), Look((32, 24)))
+        >>> scene.task_at(0.5).places.shape
+        (1, 3)
         """
         from rotation.matrices import to_matrix
 

@@ -32,7 +32,7 @@ NAMES = {
     """,
     "anim": """
         AnimationError Body Camera Clip Contact Film Launch Look Model Motion PIPELINES Scene Timeline Top
-        apparent_spin clip compare errors kinematic physical render
+        apparent_spin clip compare errors kinematic motion_of physical render
     """,
 }
 
