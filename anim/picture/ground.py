@@ -58,7 +58,7 @@ def lit_ground(
 
 @kernel
 def seen_ground(places: Light, to_ground: Floats, near: float, far: float) -> None:
-    """Write into ``places`` (height, width, 4): where on the ground a pixel is, how much of it, noise."""
+    """Write into ``places`` (height, width, 5): where on the ground a pixel is, how much of it, noise, −1."""
     height, width, _ = places.shape
     for y in range(height):
         for x in range(width):
@@ -71,7 +71,7 @@ def seen_ground(places: Light, to_ground: Floats, near: float, far: float) -> No
                 gy = (to_ground[1, 0] * u + to_ground[1, 1] * v + to_ground[1, 2]) / scale
                 places[y, x, 0], places[y, x, 1] = gx, gy
                 places[y, x, 2] = smoothstep(far, near, math.sqrt(gx * gx + gy * gy))
-            places[y, x, 3] = noise(x, y)
+            places[y, x, 3], places[y, x, 4] = noise(x, y), -1.0
 
 
 @kernel
@@ -86,7 +86,8 @@ def moved_ground(
     """Write the ground that a camera sees that has gone some way, in floats and bytes, from row ``top`` down.
 
     The light is around the point that the camera looks at. ``numbers`` are how dark the paper is, shade,
-    pool, ring, and the two coordinates of the way.
+    pool, ring, and the two coordinates of the way. Only the rings move: ``places`` keeps how much of one
+    there is in a pixel, and what has not changed is left as it is.
     """
     dark, shade_, pool, ring = numbers[0], numbers[1], numbers[2], numbers[3]
     one, half, most = np.float32(1.0), np.float32(0.5), np.float32(255.0)
@@ -101,6 +102,9 @@ def moved_ground(
                 r = np.sqrt(gx * gx + gy * gy) + half
                 t = one - min(one, abs(r - np.float32(int(r)) - half) * thin)
                 line = t * t * (three - two * t) * ring if r > one else np.float32(0.0)
+                if line == places[y, x, 4]:
+                    continue
+                places[y, x, 4] = line
                 down = one - light * (shade_ + line) * seen
                 up = dark * (pool - line * half) * seen * most
                 for channel in range(3):

@@ -32,7 +32,7 @@ class LitSurface(Surface):
             return
         numbers = room()["ground"]
         if self._places is None:
-            self._places = np.empty((self.height, self.width, 4), np.float32)
+            self._places = np.empty((self.height, self.width, 5), np.float32)
             map_ = to_ground(self._view, self.height)
             seen_ground(self._places, map_, float(numbers["near"]), float(numbers["far"]))
             rows = np.flatnonzero(self._places[:, :, 2].any(axis=1))

@@ -309,17 +309,17 @@ def outline(
     height, width = covered.shape
     aside = max(1, int(0.7 * reach + 0.5))
     for y in range(top, bottom):
+        above, below = covered[max(0, y - reach)], covered[min(height - 1, y + reach)]
+        higher, lower = covered[max(0, y - aside)], covered[min(height - 1, y + aside)]
+        row = covered[y]
         for x in range(left, right):
-            here = covered[y, x]
+            here = row[x]
             if here > 0:
-                least = here
-                for k in range(8):
-                    far = reach if k < 4 else aside
-                    dx = far * ((k == 0) - (k == 1)) if k < 4 else far * (2 * (k % 2) - 1)
-                    dy = far * ((k == 2) - (k == 3)) if k < 4 else far * (2 * (k // 6) - 1)
-                    u, v = x + dx, y + dy
-                    if 0 <= u < width and 0 <= v < height:
-                        least = min(least, covered[v, u])
+                west, east = max(0, x - aside), min(width - 1, x + aside)
+                least = min(row[max(0, x - reach)], row[min(width - 1, x + reach)])
+                least = min(least, min(above[x], below[x]))
+                least = min(least, min(higher[west], higher[east]))
+                least = min(least, min(lower[west], lower[east]))
                 light = share * (here - least)
                 if light > 0:
                     pixel = pixels[y, x]

@@ -122,6 +122,6 @@ def test_on_dark_paper_a_line_of_light_closes_the_top() -> None:
         for end in (columns[0], columns[-1]):
             assert light[y, end - 2 : end + 3].max() > 40
     assert light[~top].max() < 110
-    assert (light[top] > 20).mean() < 0.25  # its inside is as it was
+    assert (light[top] > 20).mean() < 0.35  # its inside is as it was
     pale = painter(MODEL, replace(look, background="#ffffff"))
     assert pale.body._outline == 0
