@@ -77,9 +77,9 @@ class Top:
         :class:`~anim.errors.AnimationError` for ``t`` outside the motion, and for a look in
         three-dimensional axes, which have their own.
         """
-        from anim.picture.in_axes import draw_in_axes
+        from anim.in_axes import draw_in_axes
 
-        return draw_in_axes(self, ax, t, look)
+        return draw_in_axes(self.model, self.motion, ax, t, look)
 
     def page(self) -> str:
         """Return the web page in which the top turns, as HTML; one that obeys physics is live on it."""

@@ -11,18 +11,19 @@ from mpl_toolkits.mplot3d import Axes3D
 from numpy.typing import NDArray
 
 from anim.errors import AnimationError
+from anim.picture.look import FILM_LOOK, Look
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, swept
 from anim.picture.solid import drawing_order, pieces
 from anim.picture.styles.flat import tinted
+from anim.rendering import Scene, draw, framed
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
     from anim.model import Model
-    from anim.picture.look import Look
-    from anim.top import Top
+    from anim.motion import Motion
 
 Floats = NDArray[np.float64]
 
@@ -30,23 +31,21 @@ FINENESS = 300.0
 """Pixels for the top's extent: after this, points on the circles that make no difference are left out."""
 
 
-def draw_in_axes(top: Top, ax: Axes, t: float, look: Look | None) -> Artist:
-    """Draw ``top`` at ``t`` seconds into ``ax``, as :meth:`anim.Top.draw` says; return the artist."""
-    from anim.picture.look import FILM_LOOK
-    from anim.rendering import Scene, framed
-
+def draw_in_axes(model: Model, motion: Motion, ax: Axes, t: float, look: Look | None) -> Artist:
+    """Draw a top at ``t`` seconds of its motion into ``ax``, as ``Top.draw`` says; return the artist."""
     if not hasattr(ax, "add_collection"):
         raise AnimationError(f"ax is a {type(ax).__name__}; expected axes of matplotlib")
     if isinstance(ax, Axes3D):
         if look is not None:
             raise AnimationError("three-dimensional axes have their own view; expected no look")
-        task = Scene(top.model, top.motion, FILM_LOOK).task_at(t)
-        return _surface(ax, top.model, task.matrices[0], task.places[0])
+        task = Scene(model, motion, replace(FILM_LOOK, trace=False)).task_at(t)
+        return _surface(ax, model, task.matrices[0], task.places[0])
     if look is None:
         window = ax.get_window_extent()
         size = max(1, round(window.width)), max(1, round(window.height))
-        look = framed(replace(FILM_LOOK, size=size), top.model, top.motion)
-    picture = ax.imshow(top.frame(t, look), interpolation="antialiased")
+        look = framed(replace(FILM_LOOK, size=size), model, motion)
+    frame = draw(Scene(model, motion, look).task_at(t))
+    picture = ax.imshow(frame, interpolation="antialiased")
     ax.set_axis_off()
     return picture
 
