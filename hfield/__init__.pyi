@@ -39,6 +39,7 @@ from .orders.lattice import Lattice as Lattice
 from .orders.lattice import Order as Order
 from .proving.prove import prove as prove
 from .rings import CC as CC
+from .rings import CDF as CDF
 from .rings import GF as GF
 from .rings import QQ as QQ
 from .rings import RDF as RDF

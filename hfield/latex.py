@@ -75,7 +75,7 @@ _FUNCTIONS = {
 _FUNCTIONS |= {"tr", "Sc", "Vec", "det", "dim", "tan", "exp"}
 _INDEX = re.compile(r"(?<![^\W_])([^\W\d_])_([^\W_])(?![^\W_])")  # e_i
 _INDICES = re.compile(r"(?<=[\w}])_\{([^{}]*)\}")  # a_{n+1}
-_FIELD = re.compile(r"(QQ|ZZ|RR|CC|RDF|GF\(|Qp\()")
+_FIELD = re.compile(r"(QQ|ZZ|RR|CC|RDF|CDF|GF\(|Qp\()")
 _LETTERS = re.compile(rf"[^\W\d_{_RAISED}{_LOWERED}ⁿᵏᵗₙₖ]+")
 _PUNCTUATION = re.compile(r"^(.*?)([,;:.?!]*)$", re.DOTALL)
 _UPRIGHT = {"cos", "sin", "tan", "det", "dim"}

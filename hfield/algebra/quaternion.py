@@ -66,7 +66,7 @@ class Parent(Protocol):
     def scalar(self, x: object) -> Quaternion: ...  # noqa: D102
     def elements(self) -> Iterator[Quaternion]: ...  # noqa: D102
     def random_element(self, seed: int | None = ...) -> Quaternion: ...  # noqa: D102
-    def from_array(self, values: object) -> Quaternion: ...  # noqa: D102
+    def from_array(self, values: object, axis: int = ...) -> Quaternion: ...  # noqa: D102
     def change_ring(self, ring: Ring | str) -> Parent: ...  # noqa: D102
     def _common(self, other: Parent) -> Parent | None: ...
     def _include(self, q: Quaternion) -> Quaternion: ...
@@ -153,6 +153,11 @@ class Quaternion(Hinted, PrintedBySympy):
 
     def _new(self, w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Quaternion:
         return Quaternion(self._algebra, (w, x, y, z))
+
+    def _computed(self, coordinates: Coordinates) -> Quaternion:
+        """Return the element with coordinates that were computed for it, of which no copy is needed."""
+        how = self._how
+        return held_by(self._algebra, how, how.hold(coordinates))
 
     def _alike(self, held: Any) -> Quaternion:
         """Return another element of this algebra, held as this one is."""
@@ -276,7 +281,7 @@ class Quaternion(Hinted, PrintedBySympy):
         """Return the principal power; over exact rings the exponent is a multiple of 1/2."""
         if not self.ring.is_exact:
             found = analysis.power(self.ring, self.algebra.constants, self.coordinates, n)
-            return self._new(*found)
+            return self._computed(found)
         twice = 2 * Fraction(n)
         if twice.denominator != 1:
             raise CoercionError(
@@ -529,7 +534,9 @@ class Quaternion(Hinted, PrintedBySympy):
     def change_ring(self, ring: Ring | str) -> Quaternion:
         """Return q in the algebra with the same constants over ``ring``, which must contain them."""
         A = self.algebra.change_ring(ring)
-        return A(*map(embedding(self.ring, A.ring), self.coordinates))
+        if not (self.ring.is_exact or A.ring.is_exact):
+            return A(*self.coordinates)  # floats are floats, of arrays too
+        return self._mapped(A, embedding(self.ring, A.ring))
 
     # --- modulus, exponential, roots -----------------------------------------------------------
 
@@ -559,7 +566,7 @@ class Quaternion(Hinted, PrintedBySympy):
         Polar(modulus=2, axis=(1/3·√3)i + (1/3·√3)j + (1/3·√3)k, angle=1/3*pi)
         """
         r, n, theta = analysis.polar(self.ring, self.algebra.constants, self.coordinates)
-        return Polar(r, self._new(*n), theta)
+        return Polar(r, self._computed(n), theta)
 
     def exp(self) -> Quaternion:
         """Return the sum of ``qⁿ/n!``: over RDF, of arrays too, and exactly over RR.
@@ -570,7 +577,7 @@ class Quaternion(Hinted, PrintedBySympy):
         >>> H("RR").parse("pi/3*k").exp()
         1/2 + (1/2·√3)k
         """
-        return self._new(*analysis.exp(self.ring, self.algebra.constants, self.coordinates))
+        return self._computed(analysis.exp(self.ring, self.algebra.constants, self.coordinates))
 
     def log(self) -> Quaternion:
         """Return the principal logarithm, ``log|q| + n·θ`` with θ in [0, π), over the rings of :meth:`exp`.
@@ -581,7 +588,7 @@ class Quaternion(Hinted, PrintedBySympy):
         >>> H("RDF")(0, 0, 0, 1).log().coordinates[3]
         1.5707963267948966
         """
-        return self._new(*analysis.log(self.ring, self.algebra.constants, self.coordinates))
+        return self._computed(analysis.log(self.ring, self.algebra.constants, self.coordinates))
 
     def sqrt(self) -> Quaternion:
         """Return the square root of positive trace, or 0 for 0; :meth:`square_roots` has all.
@@ -594,7 +601,7 @@ class Quaternion(Hinted, PrintedBySympy):
         """
         if self.is_batch and self.ring.is_exact:
             raise CoercionError("roots of arrays are computed over RDF: q.change_ring('RDF')")
-        return self._new(*analysis.sqrt(self.ring, self.algebra.constants, self.coordinates))
+        return self._computed(analysis.sqrt(self.ring, self.algebra.constants, self.coordinates))
 
     def roots(self, n: int) -> Any:
         """Return all x with ``xⁿ = q``, as the :class:`Roots` of a polynomial.
@@ -806,21 +813,29 @@ class Quaternion(Hinted, PrintedBySympy):
                 f"an array of quaternions of shape {self.shape} has no shape {shape}: {error}"
             ) from None
 
-    def to_array(self) -> Any:
-        """Return all coordinates as one numpy array of integers, which ``A.from_array`` takes back.
+    def to_array(self, axis: int = 0) -> Any:
+        """Return all coordinates as one numpy array, which ``A.from_array`` takes back.
 
-        Its shape is ``(4, *shape)``. Over ℤ/n they are residues, over GF(pⁿ) labels (the digits of an element
-        in base p, as galois has them), over ℤ the numbers as int64, however few bits hold
-        them. Over ℚ it is ``(5, *shape)``: four numerators over the denominator that comes last, after the
-        basis is scaled to integral structure constants. It is
-        read-only, and no copy where the array was computed. Raises :class:`CoercionError` over other
-        rings, and for numbers of more than 64 bits.
+        Its shape is ``(4, *shape)``; with ``axis=-1`` it is ``(*shape, 4)``. Over RDF and CDF the numbers are
+        floats and complex ones. Over ℤ/n they are residues, over GF(pⁿ) labels (the digits of an element in
+        base p, as galois has them), over ℤ the numbers as int64, however few bits hold them. Over ℚ there
+        are five for an element: four numerators over the denominator that comes last, after the basis is
+        scaled to integral structure constants. It is read-only, and no copy where the array was computed,
+        or holds floats. Raises :class:`CoercionError` over other rings, for another axis, and for numbers
+        of more than 64 bits.
 
         >>> from hfield import H
         >>> H("GF(9)")([1, 2], "x", 0, 0).to_array().tolist()
         [[1, 2], [3, 3], [0, 0], [0, 0]]
+        >>> H("RDF")([1, 2], 0, 0, 0.5).to_array(axis=-1)
+        array([[1. , 0. , 0. , 0.5],
+               [2. , 0. , 0. , 0.5]])
         """
-        return self._array("array form").to_array(self._held)
+        import numpy as np
+
+        check_axis(axis)
+        block: Any = self._array("array form").to_array(self._held)
+        return np.moveaxis(block, 0, axis)
 
     # --- text ----------------------------------------------------------------------------------
 
@@ -978,6 +993,14 @@ def held_by(algebra: Parent, how: Holding, held: Any) -> Quaternion:
 
 def _refuse_change() -> NoReturn:
     raise AttributeError("quaternions are immutable; build a new one with the algebra")
+
+
+def check_axis(axis: object) -> None:
+    """Refuse an axis of coordinates that is neither the first nor the last."""
+    if axis not in (0, -1):
+        raise CoercionError(
+            f"axis={axis!r}: the coordinates lie along the first axis, 0, or along the last, -1"
+        )
 
 
 def _first(flags: np.ndarray) -> tuple[int, ...]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import notation, structure, syntax
 from hfield.algebra.embedding import embedding
-from hfield.algebra.quaternion import Parent, Quaternion, held_by, is_many
+from hfield.algebra.quaternion import Parent, Quaternion, check_axis, held_by, is_many
 from hfield.errors import (
     CoercionError,
     HFieldError,
@@ -29,6 +29,7 @@ from hfield.notation import BASIS
 from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring, WithIntegers
 from hfield.rings.expressions import check_symbols, is_of_sympy
+from hfield.rings.floats import CDF
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.integers import QQ
 from hfield.structure.global_field import field_named_by, global_field, known_field, no_flag
@@ -164,7 +165,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     def __call__(self, *coordinates: object) -> Quaternion:
         """Make an element from four coordinates, or from one scalar, text, quaternion or 4-tuple.
 
-        Raises :class:`CoercionError` for anything else, :class:`NotationError` for unreadable text.
+        A rotation, ours or scipy's, gives its unit quaternions over RDF. Raises :class:`CoercionError` for
+        anything else, :class:`NotationError` for unreadable text.
         """
         if len(coordinates) == 4:
             return self._element(coordinates)
@@ -185,6 +187,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
                 return self._element(tuple(x))
             if (found := coordinates_in(x)) is not None:
                 return self._of_sympy(x, found)
+            if hasattr(x, "as_quat"):
+                return self._of_rotation(x)
             return self.scalar(x)
         raise CoercionError(
             f"an element of {self} takes 4 coordinates (or one scalar or text), "
@@ -198,6 +202,15 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
                 f"A(q.a, q.b, q.c, q.d), if these are meant"
             )
         return self._element(coordinates)
+
+    def _of_rotation(self, x: Any) -> Quaternion:
+        """Return the unit quaternions of a rotation, which hands them out by ``as_quat`` as scipy's do."""
+        if self.ring.is_exact or not is_hamilton(*self._here()):
+            raise CoercionError(
+                f"a rotation has unit quaternions of floats, in Hamilton's algebra, not in {self}: "
+                "write H('RDF')(r)"
+            )
+        return self.from_array(x.as_quat(scalar_first=True), axis=-1)
 
     def _element(self, values: tuple[object, ...]) -> Quaternion:
         if any(map(is_of_sympy, values)):
@@ -314,18 +327,26 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
     # --- arrays --------------------------------------------------------------------------------
 
-    def from_array(self, values: object) -> Quaternion:
-        """Return the array of quaternions with these integers, as :meth:`Quaternion.to_array` gives them.
+    def from_array(self, values: object, axis: int = 0, copy: bool = True) -> Quaternion:
+        """Return the array of quaternions with these numbers, as :meth:`Quaternion.to_array` gives them.
 
-        They are copied. Integers of one element give that element. Raises :class:`CoercionError` for
-        what stands for no elements.
+        The coordinates lie along the first axis, or with ``axis=-1`` along the last: an array of shape
+        (N, 4) has N quaternions. Numbers of one element give that element. They are copied; with
+        ``copy=False`` floats of the type of the ring are not, and must not be changed afterwards. Raises
+        :class:`CoercionError` for what stands for no elements.
 
         >>> import numpy as np
         >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
         1 + 5k
+        >>> H("RDF").from_array(np.array([[1.0, 0.5, 0, 0], [0, 0, 0, 2.0]]), axis=-1)[0]
+        1.0 + 0.5i
         """
+        import numpy as np
+
+        check_axis(axis)
+        given = np.asarray(values)
         how = self.array_holding
-        held = how.from_array(values)
+        held = how.from_array(np.moveaxis(given, axis, 0) if given.ndim else given, copy)
         return held_by(self, how, held) if how.shape(held) else self(*how.single(held))
 
     def product(self, values: Any, axis: int | None = None) -> Quaternion:
@@ -635,7 +656,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         if not self.ring.is_exact:
             raise UndecidedError(
-                f"{self.ring} is inexact, so splitting is not decided there: ask over RR"
+                f"{self.ring} is inexact, so splitting is not decided there: ask over {self.ring.exact_ring}"
             )
         answer = structure.division_or_splitting(*self._here())
         return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
@@ -650,7 +671,17 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         answer = self.division_or_splitting(factors)
         return answer if isinstance(answer, Splitting) else None
 
+    @cached_property
+    def _numeric_splitting(self) -> Splitting:
+        """The splitting by a root of a, rounded."""
+        from hfield.algebra.maps import Splitting
+
+        found: Any = structure.division_or_splitting(*self._here())  # CDF has all square roots
+        return Splitting(self, found)
+
     def _splitting(self) -> Splitting:
+        if self.ring == CDF:  # matrices of floats are computed, and nothing is decided by them
+            return self._numeric_splitting
         answer = self.split()
         if answer is None:
             raise CoercionError(

@@ -183,7 +183,7 @@ GREEK = (
 _CONSTANT = re.compile(
     rf"(?i:{'|'.join(GREEK)}|varphi|vartheta|varepsilon|root|cos|sin|tan|exp|log|cis|golden|euler)[_0-9]*"
     r"|[eijkEI][_0-9]*|(?:sqrt|cbrt|zeta)[a-zA-Z0-9_]*|(?i:inf|infinity|oo|infty|sqrt[_0-9]*|cbrt[_0-9]*)"
-    r"|(?:QQ?|ZZ?|R|RR|C|CC|RDF|GF|NN|Zmod)_?(?:[pqI]|[0-9]+|bar)?|FF?_?[0-9]+"
+    r"|(?:QQ?|ZZ?|R|RR|C|CC|RDF|CDF|GF|NN|Zmod)_?(?:[pqI]|[0-9]+|bar)?|FF?_?[0-9]+"
 )
 
 

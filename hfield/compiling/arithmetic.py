@@ -50,7 +50,7 @@ class Arithmetic(ABC):
         """Return what is to be written to a row."""
 
     @abstractmethod
-    def constant(self, code: Code, value: int) -> Any:
+    def constant(self, code: Code, value: Any) -> Any:
         """Return a number known beforehand."""
 
     @abstractmethod

@@ -11,6 +11,7 @@ import numpy as np
 
 from hfield.compiling import machine_code, memory
 from hfield.compiling.arithmetic import Arithmetic
+from hfield.compiling.arithmetics.doubles import Formula
 from hfield.compiling.loops import Operand, looped
 from hfield.compiling.memory import Array, Rows, address, in_one_piece, rows_of
 from hfield.compiling.threads import in_pieces, threads
@@ -40,10 +41,10 @@ class Kernel:
 
     def __init__(
         self,
-        program: Program,
+        program: Program | Formula,
         arithmetic: Arithmetic,
         sides: Sequence[tuple[str, ...]],
-        constants: Mapping[str, int],
+        constants: Mapping[str, float],
     ) -> None:
         self.program, self.arithmetic = program, arithmetic
         self.literals = dict(constants) if arithmetic.literal else {}

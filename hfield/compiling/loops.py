@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from hfield.compiling.arithmetic import Arithmetic, Symbol
+from hfield.compiling.arithmetics.doubles import Formula
 from hfield.compiling.instructions import Code, module, raw_type, vector
 from hfield.straight_line import ONE, Program
 
@@ -36,10 +37,10 @@ class Operand(NamedTuple):
 
 def written(
     code: Code,
-    program: Program,
+    program: Program | Formula,
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
-    literals: Mapping[str, int],
+    literals: Mapping[str, float],
     i: str = "%i",
 ) -> list[str]:
     """Write one turn of the loop; return the names of the results to be stored.
@@ -62,10 +63,10 @@ def written(
 
 
 def looped(
-    program: Program,
+    program: Program | Formula,
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
-    literals: Mapping[str, int],
+    literals: Mapping[str, float],
     streamed: bool = False,
 ) -> str:
     """Write the function ``entry(n, addresses)`` that runs the program over n elements.

@@ -20,7 +20,7 @@ from hfield.rings.variables import variables
 from hfield.syntax.brackets import is_balanced, last_group, outside, split
 
 KNOWN = (
-    "QQ", "ZZ", "RR", "CC", "RDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
+    "QQ", "ZZ", "RR", "CC", "RDF", "CDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
     "QQ(I)", "QQ(zeta5)", "QQ[s]/(s^3-2)", "QQ(x)", "GF(4)(t)", "ZZ[a,b,c]", "QQ[x,y]", "Qp(5)", "GF(9)((t))",
 )  # fmt: skip
 _EXPECTED = "known are " + " ".join(name.replace(" ", "") for name in KNOWN)
@@ -36,6 +36,7 @@ _NAMED = {
     "RR": "closed_fields.algebraic",
     "CC": "closed_fields.algebraic",
     "RDF": "floats",
+    "CDF": "floats",
 }
 _LONG = {"Q": "QQ", "Z": "ZZ", "R": "RR", "C": "CC"}
 _MAX_LENGTH = 10_000

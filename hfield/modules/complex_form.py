@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hfield.errors import CoercionError
+from hfield.rings.floats import RDF
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -104,6 +105,10 @@ def beginning_with(x: Pair) -> Pair:
 
 def _units(algebra: Parent) -> tuple[float, float, float]:
     """Return t/2, and the sizes of i − t/2 and j, whose multiples I and J have square −1."""
+    if algebra.ring != RDF:
+        raise CoercionError(
+            f"eigenvalues and singular values are of matrices over H('RDF'), not over {algebra}"
+        )
     a, t, b = map(float, algebra.constants)
     square = a + t * t / 4
     if square >= 0 or b >= 0:

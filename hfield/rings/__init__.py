@@ -10,11 +10,12 @@ from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.checking import RingReport, check_ring
 from hfield.rings.closed_fields.algebraic import CC, RR
 from hfield.rings.field_specs import GF
-from hfield.rings.floats import RDF
+from hfield.rings.floats import CDF, RDF
 from hfield.rings.integers import QQ, ZZ, Zmod
 
 __all__ = [
     "CC",
+    "CDF",
     "GF",
     "INFINITY",
     "QQ",

@@ -46,6 +46,7 @@ else:
 R = TypeVar("R", bound="Ring")
 
 INFINITY = float("inf")
+ROUNDING = 1e-9  # numbers of an inexact ring that differ by less, relatively, agree
 FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers take log n steps
 
 
@@ -95,6 +96,7 @@ class Core(ABC, Generic[E]):
     characteristic: int
     order: int | None = None
     is_exact: bool = True
+    exact_ring: str = "RR"  # of an inexact ring: where its numbers are exact
     is_field: bool | None = None
     gen_name: str | None = None
 
@@ -194,8 +196,11 @@ class Core(ABC, Generic[E]):
         return True
 
     def agree(self, x: E, y: E) -> bool:
-        """Tell whether x = y as far as they are known."""
-        return self.vanishes(x - y)
+        """Tell whether x = y as far as they are known, in an inexact ring up to rounding."""
+        if self.is_exact:
+            return self.vanishes(x - y)
+        size: Any = abs
+        return bool(size(x - y) <= ROUNDING * (1 + size(x) + size(y)))
 
     @property
     def gen(self) -> E:

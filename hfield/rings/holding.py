@@ -210,11 +210,14 @@ class Batch(Holding[H]):
         return self.hold((w, x, y, z))
 
     def to_array(self, p: H) -> object:
-        """Return the elements as one array of integers. Raises :class:`CoercionError` where there is none."""
+        """Return the elements as one array of numbers. Raises :class:`CoercionError` where there is none."""
         raise CoercionError(self._no_integers())
 
-    def from_array(self, values: object) -> H:
-        """Hold what ``to_array`` returned. Raises :class:`CoercionError`."""
+    def from_array(self, values: object, copy: bool = True) -> H:
+        """Hold what ``to_array`` returned. Raises :class:`CoercionError`.
+
+        Without ``copy`` the memory is shared where the numbers are held as they are.
+        """
         raise CoercionError(self._no_integers())
 
     def prepare(self) -> None:

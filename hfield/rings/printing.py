@@ -119,7 +119,7 @@ def from_unicode(text: str) -> str:
 
 
 _LETTERS = {"QQ": r"\mathbb{Q}", "ZZ": r"\mathbb{Z}", "RR": r"\mathbb{R}", "CC": r"\mathbb{C}"}
-_LETTERS |= {"RDF": r"\mathrm{RDF}", "F": "F", "universal": r"\forall"}
+_LETTERS |= {"RDF": r"\mathrm{RDF}", "CDF": r"\mathrm{CDF}", "F": "F", "universal": r"\forall"}
 _RULES = [
     (re.compile(r"\bGF\((\d+)\^(\d+)[^()]*\)"), r"\\mathbb{F}_{\1^{\2}}"),
     (re.compile(r"\bGF\((\d+)[^()]*\)"), r"\\mathbb{F}_{\1}"),

@@ -7,7 +7,14 @@ from hfield.errors import HFieldError
 from hfield.rings import ring
 from tests.adversary.grammar import NotRead
 
-PLAIN = {"rationals": "QQ", "integers": "ZZ", "reals": "RR", "complexes": "CC", "floats": "RDF"}
+PLAIN = {
+    "rationals": "QQ",
+    "integers": "ZZ",
+    "reals": "RR",
+    "complexes": "CC",
+    "floats": "RDF",
+    "complex floats": "CDF",
+}
 
 
 def name_of(data: Any) -> str:

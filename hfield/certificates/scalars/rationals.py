@@ -166,10 +166,9 @@ class Floats(Rationals):
 
     is_exact = False
 
-    def __init__(self) -> None:
+    def __init__(self, name: str, words: str) -> None:
         super().__init__(False)
-        self.name, self.is_integral = "RDF", False
-        self.words = "floating-point numbers"
+        self.name, self.words, self.is_integral = name, words, False
 
     def number(self, n: int) -> Fraction:
         """Return n."""
@@ -200,4 +199,9 @@ class Floats(Rationals):
 QQ, ZZ = Rationals(True), Rationals(False)
 
 
-KINDS = {"rationals": only(QQ), "integers": only(ZZ), "floats": only(Floats())}
+KINDS = {
+    "rationals": only(QQ),
+    "integers": only(ZZ),
+    "floats": only(Floats("RDF", "floating-point numbers")),
+    "complex floats": only(Floats("CDF", "complex floating-point numbers")),
+}

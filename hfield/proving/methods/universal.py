@@ -39,7 +39,8 @@ def _over_floats(problem: Problem) -> Decision:
         found = prime_search(problem, 0, FEW)
         if found is not None:
             return refuted(problem, lifted(field, found))
-    tried = (f"{field.name} is inexact, so nothing is proved there: decide over RR or QQ",)
+    exact = f"decide over {field.exact_ring} or QQ"
+    tried = (f"{field.name} is inexact, so nothing is proved there: {exact}",)
     return undecided(*tried, method=FLOATS)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -121,11 +121,11 @@ class RowArrays(Batch[Rows]):
 
     def to_array(self, p: Rows) -> Row:
         """Return the rows as one array of shape (4, …), read-only; without a copy if they are one already."""
-        block = _block(p)
+        block = block_of(p)
         return read_only(np.stack(p) if block is None else block)
 
-    def from_array(self, values: object) -> Rows:
-        """Hold an array of shape (4, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
+    def from_array(self, values: object, copy: bool = True) -> Rows:
+        """Hold a copy of an array of shape (4, …) as ``to_array`` returns it. Raises :class:`CoercionError`."""
         return self.checked_block(values, 4)
 
     def checked_block(self, values: object, count: int) -> Rows:
@@ -149,18 +149,18 @@ class RowArrays(Batch[Rows]):
         """Refuse numbers that stand for no element."""
 
 
-def _block(rows: Rows) -> Row | None:
+def block_of(rows: Sequence[Row]) -> Row | None:
     """Return the array of which these are all the rows, in order and in one piece, if there is one."""
-    first = rows[0]
-    block = first.base
-    if not isinstance(block, np.ndarray) or block.shape != (len(rows), *first.shape):
+    first, base = rows[0], rows[0].base
+    if not (isinstance(base, np.ndarray) and base.flags.c_contiguous and first.flags.c_contiguous):
         return None
-    if not block.flags.c_contiguous:
-        return None
-    for row, own in zip(rows, rows_of(block), strict=True):
-        if row.base is not block or row.strides != own.strides or address(row) != address(own):
+    start = address(first)
+    for n, row in enumerate(rows):
+        alike = row.base is base and row.dtype == first.dtype and row.shape == first.shape
+        if not alike or row.strides != first.strides or address(row) != start + n * first.nbytes:
             return None
-    return block
+    shape = (len(rows), *first.shape)
+    return np.ndarray(shape, first.dtype, base, start - address(base))
 
 
 def inverses(

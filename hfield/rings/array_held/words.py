@@ -342,8 +342,8 @@ class FractionArrays(WordArrays):
         w, x, y, z = map(self.ring.array, coordinates)
         return self.hold((w, x, y, z))
 
-    def from_array(self, values: object) -> Rows:
-        """Hold an array of shape (5, …) such as :meth:`to_array` returns. Raises :class:`CoercionError`."""
+    def from_array(self, values: object, copy: bool = True) -> Rows:
+        """Hold a copy of an array of shape (5, …) as ``to_array`` returns it. Raises :class:`CoercionError`."""
         rows = self.checked_block(values, 5)
         if not rows[4].all():
             raise CoercionError("a denominator is 0: the last of the five rows must not contain 0")

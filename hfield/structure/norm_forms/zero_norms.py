@@ -30,7 +30,7 @@ def zero_norm(ring: Ring, c: Constants) -> ZeroNorm:
     """
     if not ring.is_exact:
         raise UndecidedError(
-            f"{ring.name} is inexact, so a norm is never known to be 0: ask over RR or over QQ"
+            f"{ring.name} is inexact, so a norm is never known to be 0: ask over {ring.exact_ring} or over QQ"
         )
     element = _small(ring, c)
     if element is not None:
@@ -71,7 +71,7 @@ def is_division(ring: Ring, c: Constants) -> bool:
     """
     if not ring.is_exact:
         raise UndecidedError(
-            f"{ring.name} is inexact, so division is not decided there: ask over RR"
+            f"{ring.name} is inexact, so division is not decided there: ask over {ring.exact_ring}"
         )
     if ring.is_field is None:
         raise UndecidedError(

@@ -7,30 +7,41 @@ Write q = w + v with 2w = tr(q). Then v² = s is a scalar and q lies in the comm
 - f(w) + v·f′(w)                    where s = 0,
 - the mean of f(w + φ) and f(w − φ), plus v times their difference over 2φ, where s > 0.
 
-Over RDF numpy computes f, of arrays too; over RR the values are exact.
+Over RDF numpy computes f, of arrays too (:mod:`.float_functions`); over RR the values are exact. Over rings
+with cosines and sines of angles the angle of a polar form is a sum of multiples of those angles and of π.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from hfield.errors import CoercionError, HFieldError, NoSolutionError, RingError, shorten
 from hfield.product import Constants, Coordinates, norm, trace
 from hfield.rings.base import Ring
+from hfield.rings.floats import RDF
+from hfield.structure.single_elements.no_values import NO_POLAR_FORM, no_value
 from hfield.structure.single_elements.square_roots import square_roots
 
-if TYPE_CHECKING:
-    import numpy as np
+
+def over_floats(ring: Ring) -> bool:
+    """Tell whether functions are computed in floats. Raises :class:`RingError` over other inexact rings."""
+    if not ring.is_exact and ring != RDF:
+        raise RingError(
+            "moduli, polar forms, exponentials and powers of floats are real functions, computed over RDF, "
+            f"not over {ring}"
+        )
+    return ring == RDF
 
 
 class RealFunctions:
     """The exact functions of RR by name: ``exp``, ``log``, ``cos`` … and the angle of a point."""
 
     def __init__(self, ring: Ring, q: Coordinates) -> None:
-        if ring.name != "RR" or _is_batch(q):
-            what = f"arrays over {ring}" if _is_batch(q) else str(ring)
+        batch = hasattr(q[0], "shape")
+        if ring.name != "RR" or batch:
+            what = f"arrays over {ring}" if batch else str(ring)
             raise RingError(
                 "exponentials, logarithms and polar forms are computed over RDF, and of single quaternions "
                 f"over RR, not over {what}: write q.change_ring('RR') or q.change_ring('RDF')"
@@ -95,65 +106,17 @@ def exact_value(
     return _combined(even, ring.divide(odd, phi), v)
 
 
-def float_value(
-    ring: Ring,
-    c: Constants,
-    q: Coordinates,
-    noun: str,
-    f: Callable[[Any], Any],
-    slope: Callable[[Any], Any],
-) -> Coordinates:
-    """Return f(q) over RDF, from numpy's functions f and f′ of complex arrays."""
-    import numpy as np
-
-    w, v, s = parts(ring, c, q)
-    phi = np.sqrt(np.abs(s))
-    flat, split = np.asarray(s == 0), np.asarray(s > 0)
-    with np.errstate(all="ignore"):
-        at = f(w + 1j * np.where(s < 0, phi, 0.0))
-        even, odd, is_real = at.real, at.imag / phi, at.imag == 0
-        if flat.any():
-            odd = np.where(flat, np.where(_is_scalar(q), 0.0, slope(w + 0j).real), odd)
-        if split.any():
-            plus, minus = f(w + phi + 0j), f(w - phi + 0j)
-            even = np.where(split, (plus + minus).real / 2, even)
-            odd = np.where(split, (plus - minus).real / (2 * phi), odd)
-            is_real = np.where(split, (plus.imag == 0) & (minus.imag == 0), is_real)
-    wrong = ((flat | split) & ~is_real) | ~np.isfinite(even) | ~np.isfinite(odd)
-    if wrong.any():
-        raise _no_value(ring, q, wrong, noun)
-    return _combined(even, odd, v) if _is_batch(q) else _combined(float(even), float(odd), v)
-
-
-def _is_batch(q: Coordinates) -> bool:
-    return hasattr(q[0], "shape")
-
-
-def _is_scalar(q: Coordinates) -> Any:
-    _, x, y, z = q
-    return (x == 0) & (y == 0) & (z == 0)
-
-
-def _no_value(ring: Ring, q: Coordinates, wrong: np.ndarray, noun: str) -> NoSolutionError:
-    """Say at which entry there is no value, and why."""
-    where = tuple(int(n[0]) for n in wrong.nonzero()) if _is_batch(q) else ()
-    shown = ", ".join(ring.text(x[where] if _is_batch(q) else x) for x in q)
-    at = f" at index {where}" if _is_batch(q) else ""
-    return NoSolutionError(
-        f"the quaternion ({shown}){at} has no {noun}: it is 0 or too large, has a negative real "
-        "eigenvalue, or is a negative scalar, for which every n with n² = −1 gives another value"
-    )
-
-
 def modulus(ring: Ring, c: Constants, q: Coordinates) -> Any:
     """Return ``|q| = √N(q)``, the nonnegative root, of an array elementwise (Definition 2).
 
     Raises :class:`NoSolutionError` where the norm has no root in the base ring, and :class:`RingError`
     over a ring without an ordering.
     """
+    if over_floats(ring):
+        from hfield.structure.single_elements import float_functions
+
+        return float_functions.modulus(c, q)
     square = norm(c, q)
-    if not ring.is_exact:
-        return _float_modulus(c, q, square)
     try:
         ring.sign(square)
     except RingError:
@@ -166,30 +129,13 @@ def modulus(ring: Ring, c: Constants, q: Coordinates) -> Any:
             f"|q| = √({shorten(ring.text(square))}) is not in {ring}; q.change_ring('RR') has it where "
             f"{ring} is a field of real numbers"
         )
-    return -root if ring.sign(root) < 0 else root
+    return root if positive(ring, root) else -root
 
 
-def _float_modulus(c: Constants, q: Coordinates, square: Any) -> Any:
-    import numpy as np
-
-    if np.any(np.asarray(square) < 0):
-        raise NoSolutionError("|q| = √N(q), and the norm is negative here")
-    if not _is_batch(q):
-        return float(np.sqrt(square)) if 1e-290 < square < 1e290 else _scaled_modulus(c, q)
-    root = np.sqrt(square)
-    for where in map(tuple, np.argwhere(~((square > 1e-290) & (square < 1e290)))):
-        w, x, y, z = (float(part[where]) for part in q)
-        root[where] = _scaled_modulus(c, (w, x, y, z))
-    return root
-
-
-def _scaled_modulus(c: Constants, q: Coordinates) -> float:
-    """Return the modulus of a quaternion of floats whose norm leaves their range."""
-    largest = max(map(abs, q))
-    if largest == 0:
-        return 0.0
-    w, x, y, z = (part / largest for part in q)
-    return float(largest * norm(c, (w, x, y, z)) ** 0.5)
+def positive(ring: Any, x: Any) -> bool:
+    """Tell whether x ≥ 0; among functions of angles, where all angles are small and positive."""
+    sign: Callable[[Any], int] = getattr(ring, "sign_near_zero", ring.sign)
+    return sign(x) >= 0
 
 
 def polar(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, Any]:
@@ -197,40 +143,20 @@ def polar(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, A
 
     Raises :class:`NoSolutionError` where v² > 0, or v ≠ 0 and v² = 0.
     """
+    if over_floats(ring):
+        from hfield.structure.single_elements import float_functions
+
+        found: tuple[Any, Coordinates, Any] = float_functions.polar(c, q, lambda: _axis(ring, c))
+        return found
     w, v, s = parts(ring, c, q)
-    if not ring.is_exact:
-        return _float_polar(ring, c, q)
     functions = RealFunctions(ring, q)
     r = modulus(ring, c, q)
     if all(map(ring.is_zero, v)):
         return r, _axis(ring, c), functions.angle(ring.zero, w)
     if ring.sign(s) >= 0:
-        raise _no_polar_form(q)
+        raise NoSolutionError(NO_POLAR_FORM)
     phi = functions.sqrt(-s)
     return r, _combined(ring.zero, ring.inverse(phi), v), functions.angle(phi, w)
-
-
-def _float_polar(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, Any]:
-    import numpy as np
-
-    w, v, s = parts(ring, c, q)
-    scalar = np.asarray(_is_scalar(q))
-    if np.any((np.asarray(s) >= 0) & ~scalar):
-        raise _no_polar_form(q)
-    phi = np.sqrt(np.abs(s))
-    angle = np.arctan2(phi, w)
-    with np.errstate(all="ignore"):
-        factor = np.where(scalar, 0.0, 1 / phi)
-    axis = _combined(0.0, factor if _is_batch(q) else float(factor), v)
-    if scalar.any():
-        w, x, y, z = (p + n * scalar for p, n in zip(axis, _axis(ring, c), strict=True))
-        axis = (w, x, y, z) if _is_batch(q) else (float(w), float(x), float(y), float(z))
-    return modulus(ring, c, q), axis, angle if _is_batch(q) else float(angle)
-
-
-def _no_polar_form(q: Coordinates) -> NoSolutionError:
-    what = "an entry of the array" if _is_batch(q) else "the quaternion"
-    return NoSolutionError(f"{what} has no polar form: its part of trace 0 has no negative square")
 
 
 def _axis(ring: Any, c: Constants) -> Coordinates:
@@ -263,10 +189,10 @@ def cosine_and_sine(ring: Ring, angle: Any) -> tuple[Any, Any]:
 
 def exp(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
     """Return the sum of ``qⁿ/n!``, in Hamilton's algebra ``eʷ·(cos φ + n·sin φ)`` for q = w + φ·n."""
-    if not ring.is_exact:
-        import numpy as np
+    if over_floats(ring):
+        from hfield.structure.single_elements import float_functions
 
-        return float_value(ring, c, q, "exponential within the range of floats", np.exp, np.exp)
+        return float_functions.value(ring, c, q, float_functions.EXP)
     of = RealFunctions(ring, q)
     return exact_value(
         ring,
@@ -283,18 +209,15 @@ def log(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
 
     Raises :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
     """
-    noun = "principal logarithm"
-    if not ring.is_exact:
-        import numpy as np
+    if over_floats(ring):
+        from hfield.structure.single_elements import float_functions
 
-        return float_value(ring, c, q, noun, np.log, np.reciprocal)
-    import numpy as np
-
+        return float_functions.value(ring, c, q, float_functions.LOG)
     of = RealFunctions(ring, q)
 
     def real(x: Any) -> Any:
         if ring.sign(x) <= 0:
-            raise _no_value(ring, q, np.zeros(1), noun)
+            raise NoSolutionError(no_value(", ".join(map(ring.text, q)), "principal logarithm"))
         return of.log(x)
 
     return exact_value(
@@ -309,13 +232,13 @@ def log(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
 
 def sqrt(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
     """Return the principal root: of trace > 0, or 0 for 0. Raises :class:`NoSolutionError`."""
-    if not ring.is_exact:
+    if over_floats(ring):
         return power(ring, c, q, 0.5)
     if all(map(ring.is_zero, q)):
         return q
     found = square_roots(ring, c, q)
     for root in found.isolated:
-        if ring.sign(trace(c, root)) > 0:
+        if not ring.is_zero(trace(c, root)) and positive(ring, trace(c, root)):
             return root
     there = "those of trace 0, q.square_roots()" if found else "none"
     raise NoSolutionError(
@@ -326,12 +249,7 @@ def sqrt(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
 
 def power(ring: Ring, c: Constants, q: Coordinates, exponent: float | Fraction) -> Coordinates:
     """Return ``exp(exponent·log q)`` over RDF."""
-    import numpy as np
+    over_floats(ring)
+    from hfield.structure.single_elements import float_functions
 
-    p = float(exponent)
-
-    def f(z: np.ndarray) -> Any:
-        return np.sqrt(z) if p == 0.5 else np.power(z, p)
-
-    noun = f"principal power with the exponent {exponent}"
-    return float_value(ring, c, q, noun, f, lambda z: p * np.power(z, p - 1))
+    return float_functions.value(ring, c, q, float_functions.power_function(exponent))

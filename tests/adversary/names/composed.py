@@ -23,7 +23,22 @@ WILD = (
         "QQ",
         "Q5",
     ),
-    *("Z6", "RR", "C", "Zmod", "RDF", "and", "or", "not", "exists", "norm", "conj", "trace", "inv"),
+    *(
+        "Z6",
+        "RR",
+        "C",
+        "Zmod",
+        "RDF",
+        "CDF",
+        "and",
+        "or",
+        "not",
+        "exists",
+        "norm",
+        "conj",
+        "trace",
+        "inv",
+    ),
     *(
         "over",
         "F",
@@ -99,7 +114,25 @@ def whole(n: int, rng: Random) -> str:
 def plainly(rng: Random) -> str:
     """A ring without parts."""
     return rng.choice(
-        ["QQ", "ZZ", "RR", "CC", "RDF", "Q", "Z", "R", "C", "ℚ", "ℤ", "ℝ", "ℂ", "F", "Qp", "P"]
+        [
+            "QQ",
+            "ZZ",
+            "RR",
+            "CC",
+            "RDF",
+            "CDF",
+            "Q",
+            "Z",
+            "R",
+            "C",
+            "ℚ",
+            "ℤ",
+            "ℝ",
+            "ℂ",
+            "F",
+            "Qp",
+            "P",
+        ]
     )
 
 

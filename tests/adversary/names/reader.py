@@ -87,7 +87,14 @@ def _ring(text: str) -> Data:
     where = _place_begins(text)
     if where:
         return completion(_ring(text[:where]), text[where + 1 :])
-    named = {"QQ": "rationals", "ZZ": "integers", "RR": "reals", "CC": "complexes", "RDF": "floats"}
+    named = {
+        "QQ": "rationals",
+        "ZZ": "integers",
+        "RR": "reals",
+        "CC": "complexes",
+        "RDF": "floats",
+        "CDF": "complex floats",
+    }
     if text in named:
         return {"kind": named[text]}
     for shape, reader in SHAPES:
@@ -178,7 +185,7 @@ def _variables(text: str, base: Data, *, cautious: bool = False) -> list[str]:
 def reads_like_a_constant(name: str) -> bool:
     """Tell whether a variable is refused in round brackets."""
     stem = name.rstrip("_0123456789")
-    rings = "(Q|QQ|Z|ZZ|R|RR|C|CC|RDF|GF|NN|Zmod)_?([0-9]*|[pqI]|bar)|FF?_?[0-9]+"
+    rings = "(Q|QQ|Z|ZZ|R|RR|C|CC|RDF|CDF|GF|NN|Zmod)_?([0-9]*|[pqI]|bar)|FF?_?[0-9]+"
     return (
         stem.lower() in (*CONSTANTS, "sqrt", "cbrt")
         or stem in ("e", "i", "j", "k", "E", "I")
