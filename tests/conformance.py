@@ -18,7 +18,7 @@ from tests.subcases import subcases
 from tests.thorough import cases
 
 RINGS = (
-    "QQ", "ZZ", "RR", "CC", "RDF",
+    "QQ", "ZZ", "RR", "CC", "RDF", "CDF",
     "ZZ/2", "ZZ/6", "ZZ/7", "ZZ/8", "ZZ/100", "ZZ/100000000000000000041", f"ZZ/{3 * 2**70}",
     "GF(2)", "GF(7)", "GF(100000000000000000039)", "GF(9223372036854775783)",
     "GF(4)", "GF(9)", "GF(256)", "GF(9, x^2+1)", "GF(16, x^4+x^3+1)",
@@ -37,7 +37,7 @@ RINGS = (
     "GF(3)(t)[u]/(u^2+2*t^3+t)", "QQ(x)[u]/(u^3-x)", "QQ(x,y)[z]/(z^2-x-y)", "GF(9)(t)[u]/(u^2-t)",
     "QQ(sqrt(2))(x)", "QQ(zeta5)(x,y)", "QQ[s]/(s^3-2)(x)", "QQ(sqrt(2),I)[x,y]", "QQ(I)[x]",
     "QQ(cos(t),sin(t))", "QQ(x,cos(t/2),sin(t/2))", "QQ(cos(t),sin(t),cos(u),sin(u))",
-    "GF(7)(cos(t),sin(t))", "QQ(I)(cos(t),sin(t))",
+    "GF(7)(cos(t),sin(t))", "QQ(I)(cos(t),sin(t))", "RR(cos(t),sin(t))", "RR(x,cos(t/2),sin(t/2))",
     "QQ[x]/(x^2)", "ZZ[I]", "ZZ[x]/(x^2-5)", "QQ[x]/(x^3-x)", "GF(5)[x]/(x^2)",
     "ZZ[a,b,c]", "QQ[x,y]", "GF(5)[x,y]", "QQ[x]", "GF(2)[x,y]", "GF(100000000000000000039)[x,y]",
     "ZZ[a_1,b2,alpha,w,z]",

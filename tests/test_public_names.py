@@ -14,7 +14,7 @@ from hfield.rings.base import Ring
 
 NAMES = {
     "hfield": """
-        CC ClassSet CoercionError Description GF H HFieldError Ideal IndefiniteError Lattice LatticeError
+        CC CDF ClassSet CoercionError Description GF H HFieldError Ideal IndefiniteError Lattice LatticeError
         LedgerError MixedParentsError NoSolutionError NotFiniteError NotInvertibleError NotationError
         NumberField Order QQ Quaternion QuaternionAlgebra RDF RR Rejected Ring RingError SelectionError
         StructureAlgebra TooLargeError UndecidedError UnfactoredError UnknownClaimError ZZ Zmod check

@@ -282,6 +282,8 @@ class Quaternion(Hinted, PrintedBySympy):
         if not self.ring.is_exact:
             found = analysis.power(self.ring, self.algebra.constants, self.coordinates, n)
             return self._computed(found)
+        if analysis.has_angles(self.ring):
+            return self._computed(analysis.power_with_angles(*self._single(), exponent=Fraction(n)))
         twice = 2 * Fraction(n)
         if twice.denominator != 1:
             raise CoercionError(
@@ -579,7 +581,7 @@ class Quaternion(Hinted, PrintedBySympy):
         """
         return self._computed(analysis.exp(self.ring, self.algebra.constants, self.coordinates))
 
-    def log(self) -> Quaternion:
+    def log(self) -> Any:
         """Return the principal logarithm, ``log|q| + n·θ`` with θ in [0, π), over the rings of :meth:`exp`.
 
         Raises :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
@@ -588,6 +590,14 @@ class Quaternion(Hinted, PrintedBySympy):
         >>> H("RDF")(0, 0, 0, 1).log().coordinates[3]
         1.5707963267948966
         """
+        if analysis.has_angles(self.ring):
+            r, n, angle = self.polar()
+            if not self.ring.is_zero(r - self.ring.one):
+                raise CoercionError(
+                    f"log |q| is not in {self.ring}, where |q| = {shorten(self.ring.text(r))}; "
+                    "q.unit() has modulus 1"
+                )
+            return n * angle
         return self._computed(analysis.log(self.ring, self.algebra.constants, self.coordinates))
 
     def sqrt(self) -> Quaternion:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from hfield.errors import RingError
+from hfield.fields.circles.real import RealCircles
 from hfield.fields.circles.ring import CircleFunctions, CirclesOverNumberField
 from hfield.fields.circles.ring import build as build_circles
 from hfield.fields.function_fields.over_number_fields import OverNumberField
@@ -27,6 +28,8 @@ def adjoin_variables(base: Ring, names: tuple[str, ...]) -> Ring:
         return build_polynomials(base.base, (*base.variables, *names))
     if isinstance(base, FractionField):
         return rational_functions(base.base, (*base.variables, *names))
+    if isinstance(base, RealCircles):
+        return build_circles(base.constants, base.base.angles, (*base.base.plain, *names))
     if isinstance(base, CirclesOverNumberField):
         return build_circles(base.constants, base.base.angles, (*base.base.plain, *names))
     if isinstance(base, OverNumberField):

@@ -248,3 +248,19 @@ def common_divisor(ring: Ring, f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
     while two:
         one, two = two, divided(ring, one, two)[1]
     return monic(ring, one) if one else []
+
+
+def monic_root(field: Any, f: Sequence[Any]) -> list[Any] | None:
+    """Return the monic g with g² = f for a monic f over a field, low degree first, or None.
+
+    The characteristic is not 2: from the highest coefficient down, each of f gives one of g.
+    """
+    size, rest = divmod(len(f) - 1, 2)
+    if rest:
+        return None
+    g, half = [field.zero] * size + [field.one], field.inverse(field(2))
+    for k in range(size - 1, -1, -1):
+        known = sum((g[n] * g[size + k - n] for n in range(k + 1, size)), field.zero)
+        g[k] = half * (f[size + k] - known)
+    product = multiplied(field, g, g)
+    return g if all(map(field.equal, product, f)) else None

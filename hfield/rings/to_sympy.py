@@ -55,6 +55,8 @@ def scalar_to_sympy(x: Any, symbols: Symbols) -> sympy.Expr:
         )
     from hfield.rings.closed_fields.closed_forms import to_sympy
 
+    if isinstance(x, complex):
+        return sympy.Float(x.real) + sympy.I * sympy.Float(x.imag)
     number = to_sympy(x)
     if number is None:
         raise CoercionError(f"{shorten(repr(x))} ({type(x).__name__}) has no expression in sympy")

@@ -30,12 +30,15 @@ def test_the_examples_of_the_page(example: dict[str, Any]) -> None:
     assert ring(name).name == name
     assert ring(name).data == data
     assert ring_of_data(data) is ring(name)
-    assert check(certified("s*y == y*s", name, "identity", IDENTITY) if name != "RDF" else ZERO)
+    assert check(
+        of_floats(name) if "DF" in name else certified("s*y == y*s", name, "identity", IDENTITY)
+    )
 
 
-ZERO = certified("s == s + 1", "RDF", "floats, exact on small integers", {})
-ZERO |= {"verdict": "refuted"}
-ZERO |= {"evidence": {"kind": "witness", "ring": data_of("RDF"), "values": {"s": ["0"]}}}
+def of_floats(name: str) -> dict[str, Any]:
+    evidence = {"kind": "witness", "ring": data_of(name), "values": {"s": ["0"]}}
+    refuted = {"verdict": "refuted", "evidence": evidence}
+    return certified("s == s + 1", name, "floats, exact on small integers", {}) | refuted
 
 
 def test_the_page_lists_the_kinds() -> None:

@@ -16,8 +16,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, UndecidedError
-from hfield.rings import INFINITY, Ring, ring
-from hfield.rings.checking import AXIOMS, same
+from hfield.rings import CDF, INFINITY, Ring, ring
+from hfield.rings.checking import AXIOMS
 from tests.thorough import cases
 
 EXAMPLES = cases(40)
@@ -81,8 +81,9 @@ def check_coercion(F: Ring) -> None:
     except HFieldError:
         assert not F.is_unit(F(3))
     else:
-        assert same(F, third + third + third, F.one)
-    for junk in (None, [1], (1, 2), {}, object(), b"1", 1j, float("nan"), float("inf")):
+        assert F.agree(third + third + third, F.one)
+    complex_number = () if F == CDF else (1j,)
+    for junk in (None, [1], (1, 2), {}, object(), b"1", *complex_number, float("nan"), float("inf")):
         with pytest.raises(CoercionError, match="is not an element of"):
             F(junk)
     for text in ("", "1+", "__import__('os')", "foo", "1 == 1", "1(2)", "1/0"):
@@ -114,16 +115,16 @@ def check_units(F: Ring) -> None:
         assert killer is None or (not F.is_zero(killer) and F.is_zero(x * killer))
         if F.is_unit(x):
             assert killer is None
-            assert same(F, x * F.inverse(x), F.one)
-            assert same(F, F.divide(y, x) * x, y)
-            assert same(F, F.power(x, -2) * x * x, F.one)
+            assert F.agree(x * F.inverse(x), F.one)
+            assert F.agree(F.divide(y, x) * x, y)
+            assert F.agree(F.power(x, -2) * x * x, F.one)
         else:
             assert F.is_zero(x) or not F.is_field
             assert killer is not None or F.order is None
             with pytest.raises(NotInvertibleError):
                 F.inverse(x)
-        assert same(F, F.power(x, 3), x * x * x)
-        assert same(F, F.power(x, 0), F.one)
+        assert F.agree(F.power(x, 3), x * x * x)
+        assert F.agree(F.power(x, 0), F.one)
 
     for_all(F, 2, run)
     assert not F.is_unit(F.zero)
@@ -204,9 +205,9 @@ def check_sqrt(F: Ring) -> None:
             root, of_square = F.sqrt(x), F.sqrt(x * x)
         except UndecidedError:
             return
-        assert root is None or same(F, root * root, x)
+        assert root is None or F.agree(root * root, x)
         assert of_square is not None
-        assert same(F, of_square * of_square, x * x)
+        assert F.agree(of_square * of_square, x * x)
 
     for_all(F, 1, run)
     if F.order is not None and F.order <= SMALL:
@@ -301,10 +302,10 @@ def check_arrays(F: Ring) -> None:
 
 def _matches(F: Ring, got: Any, expected: Any) -> None:
     if not isinstance(expected, list):
-        assert same(F, F.scalar(got), expected)
+        assert F.agree(F.scalar(got), expected)
         return
     assert got.shape == (len(expected),)
-    assert all(same(F, F.scalar(got[n]), y) for n, y in enumerate(expected))
+    assert all(F.agree(F.scalar(got[n]), y) for n, y in enumerate(expected))
 
 
 def check_identity(F: Ring) -> None:

@@ -32,7 +32,7 @@ def test_names(name: str, canonical: str) -> None:
 @pytest.mark.parametrize(
     "name",
     ["QQ(cos(t))", "QQ(cos(2*t),sin(2*t))", "QQ(cos(pi),sin(pi))", "GF(2)(cos(t),sin(t))",
-     "QQ(cos(t),sin(t),t)", "QQ(cos(t+u),sin(t+u))", "QQ(cos(i),sin(i))", "RR(cos(t),sin(t))"],
+     "QQ(cos(t),sin(t),t)", "QQ(cos(t+u),sin(t+u))", "QQ(cos(i),sin(i))", "CC(cos(t),sin(t))"],
 )  # fmt: skip
 def test_what_is_no_circle(name: str) -> None:
     with pytest.raises(RingError):

@@ -1,4 +1,9 @@
-"""Angles: sums of rational multiples of named angles and of π, read from texts, trees and sympy."""
+"""Angles: sums of rational multiples of named angles and of π, read from texts, trees and sympy.
+
+:class:`SymbolicAngle` is such a sum as a value: the angle of a polar form. Times an axis n, n² = −1, it is
+an :class:`AxisAngle`: the logarithm n·θ of cos θ + n·sin θ, which is no element of the algebra, as θ is none
+of the ring.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +15,9 @@ from typing import TYPE_CHECKING, Any
 from hfield import syntax
 from hfield.errors import CoercionError, HFieldError, shorten
 from hfield.rings.base import E, Ring
+from hfield.rings.printing import number_text, sum_text
+from hfield.rings.rational import rational
+from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
     import sympy
@@ -20,6 +28,8 @@ Angle = Mapping[str, Fraction]  # the multiple of each named angle, and of π
 
 def angle_of(x: object) -> Angle:
     """Return an angle from a text, a tree, an expression of sympy or 0. Raises :class:`CoercionError`."""
+    if isinstance(x, SymbolicAngle):
+        return x.multiples
     if not isinstance(x, (syntax.Number, syntax.Name, syntax.Negate, syntax.Binary, syntax.Power)):
         try:
             x = syntax.parse(str(x).replace("π", PI))
@@ -78,6 +88,131 @@ def angle_text(name: str, parts: int) -> str:
     return name if parts == 1 else f"{name}/{parts}"
 
 
+class SymbolicAngle(PrintedBySympy):
+    """An immutable sum of rational multiples of angles and of π; a ring with angles reads it.
+
+    >>> from hfield import ring
+    >>> t = ring("QQ(cos(t),sin(t))").angle("t")
+    >>> 2*t + "pi/3", (2*t)/2 == t
+    (2*t+1/3*pi, True)
+    """
+
+    multiplied_by_elements = True  # so that n·θ is left to it
+
+    def __init__(self, multiples: Angle) -> None:
+        self.multiples = {name: c for name, c in multiples.items() if c}
+
+    def __add__(self, other: object) -> SymbolicAngle:
+        found = angle_of(other)
+        names = {**self.multiples, **found}
+        zero = Fraction(0)
+        return SymbolicAngle({n: self.multiples.get(n, zero) + found.get(n, zero) for n in names})
+
+    __radd__ = __add__
+
+    def __neg__(self) -> SymbolicAngle:
+        return SymbolicAngle({name: -c for name, c in self.multiples.items()})
+
+    def __sub__(self, other: object) -> SymbolicAngle:
+        return self + -SymbolicAngle(angle_of(other))
+
+    def __rsub__(self, other: object) -> SymbolicAngle:
+        return -self + other
+
+    def __mul__(self, other: Any) -> Any:
+        factor = rational(other)
+        if factor is not None:
+            return SymbolicAngle({n: c * factor for n, c in self.multiples.items()})
+        return AxisAngle(other, self) if hasattr(other, "algebra") else NotImplemented
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: object) -> SymbolicAngle:
+        factor = rational(other)
+        return NotImplemented if not factor else self * Fraction(1, factor)
+
+    def is_positive(self) -> bool:
+        """Tell whether the first multiple is positive, where there are only multiples of π that of π."""
+        named = [c for name, c in self.multiples.items() if name != PI]
+        return next(iter([*named, *self.multiples.values()]), Fraction(0)) > 0
+
+    def __eq__(self, other: object) -> bool:
+        try:
+            return self.multiples == angle_of(other)
+        except CoercionError:
+            return NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(frozenset(self.multiples.items()))
+
+    def __repr__(self) -> str:
+        return sum_text(
+            ((number_text(c, "plain"), [(name, 1)]) for name, c in self.multiples.items()), "plain"
+        )
+
+    def _repr_latex_(self) -> str:
+        import sympy
+
+        return f"${sympy.latex(self._sympy_())}$"
+
+    def _sympy_(self) -> sympy.Expr:
+        import sympy
+
+        known = {PI: sympy.pi}
+        return sympy.Add(
+            *(
+                sympy.Rational(c.numerator, c.denominator) * known.get(name, sympy.Symbol(name))
+                for name, c in self.multiples.items()
+            )
+        )
+
+
+class AxisAngle:
+    """The product n·θ of an axis, n² = −1, and an angle: a logarithm. Immutable.
+
+    >>> from hfield import H
+    >>> A = H("QQ(cos(t),sin(t))"); q = A("cos(t) + sin(t)*k")
+    >>> q.log(), (3*q.log()).exp() == q**3, (A.k * A.ring.angle("pi/2 - t")).exp()
+    (k·(t), True, sin(t) + cos(t)·k)
+    """
+
+    def __init__(self, axis: Any, angle: SymbolicAngle) -> None:
+        if not (axis * axis + 1).is_zero():
+            raise CoercionError(
+                f"the square of the axis {shorten(axis)} is not −1, so that axis·angle has no exponential"
+            )
+        self.axis, self.angle = axis, angle
+
+    def exp(self) -> Any:
+        """Return ``cos θ + n·sin θ``. Raises :class:`CoercionError` where the ring has no such cosine."""
+        cosine, sine = self.axis.ring.cosine_and_sine_of(self.angle)
+        return self.axis * sine + cosine
+
+    def __mul__(self, factor: object) -> AxisAngle:
+        scaled = self.angle * factor
+        return AxisAngle(self.axis, scaled) if isinstance(scaled, SymbolicAngle) else NotImplemented
+
+    __rmul__ = __mul__
+
+    def __neg__(self) -> AxisAngle:
+        return self * -1
+
+    def __truediv__(self, divisor: object) -> AxisAngle:
+        return AxisAngle(self.axis, self.angle / divisor)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, AxisAngle):
+            return NotImplemented
+        pairs = (self.axis, self.angle), (other.axis, other.angle), (-other.axis, -other.angle)
+        return not (self.angle.multiples or other.angle.multiples) or pairs[0] in pairs[1:]
+
+    def __hash__(self) -> int:
+        return hash(frozenset((name, abs(c)) for name, c in self.angle.multiples.items()))
+
+    def __repr__(self) -> str:
+        return f"{self.axis!r}·({self.angle!r})" if self.angle.multiples else "0"
+
+
 class WithAngles(Ring[E]):
     """A field that has cosines and sines of angles."""
 
@@ -88,6 +223,48 @@ class WithAngles(Ring[E]):
     @abstractmethod
     def tangent(self, angle: Angle) -> E:
         """Return the tangent of an angle. Raises :class:`CoercionError` where the field has none."""
+
+    @abstractmethod
+    def sign_near_zero(self, x: E) -> int:
+        """Return the sign of x where all angles are positive and small, the last the smallest."""
+
+    def angle(self, text: object) -> SymbolicAngle:
+        """Return an angle such as ``"2*t + pi/3"`` as a value. Raises :class:`CoercionError`."""
+        return SymbolicAngle(angle_of(text))
+
+    def angle_of_point(self, cosine: E, sine: E) -> SymbolicAngle:
+        """Return the angle that has this cosine and sine, where cos² + sin² = 1.
+
+        It is a sum Σ m·a of multiples of the angles a and of π: m = cos·sin′ − sin·cos′, derivatives by a.
+        Raises :class:`CoercionError` where it is not.
+        """
+        found: dict[str, Fraction] = {}
+        for name in self.variable_names:
+            x, y = (self.derivative(z, name) for z in (cosine, sine))
+            slope = self.text(cosine * y - sine * x)
+            try:
+                found[name] = Fraction(slope)
+            except ValueError:
+                raise self._no_angle(cosine, sine) from None
+        c, s = self.cosine_and_sine({name: -m for name, m in found.items()})
+        return SymbolicAngle(found) + self._constant_angle(
+            cosine * c - sine * s, cosine * s + sine * c
+        )
+
+    def _constant_angle(self, cosine: E, sine: E) -> SymbolicAngle:
+        import sympy
+
+        x, y = (self.to_sympy(z, {}) for z in (cosine, sine))
+        turn = sympy.simplify(sympy.atan2(y, x) / sympy.pi)
+        if not turn.is_Rational:
+            raise self._no_angle(cosine, sine)
+        return SymbolicAngle({PI: Fraction(int(turn.p), int(turn.q))})
+
+    def _no_angle(self, cosine: E, sine: E) -> CoercionError:
+        shown = shorten(f"({self.text(cosine)}, {self.text(sine)})")
+        return CoercionError(
+            f"the angle of the point {shown} is no sum of rational multiples of π and of the angles of {self}"
+        )
 
     def functions(self) -> dict[str, Callable[..., E]]:
         """Cosine, sine and tangent of sums of multiples of the angles, besides the other functions."""

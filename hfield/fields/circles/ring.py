@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from math import prod
 from random import Random
 from typing import TYPE_CHECKING, Any
 
@@ -28,6 +29,7 @@ from hfield.fields.function_fields.quotients import FractionField, Quotient
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.several_variables.ring import RationalFunctions, listed
 from hfield.rings.base import Ring, shared
+from hfield.rings.closed_fields.algebraic import RR
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ
 from hfield.rings.polynomials import PolynomialRing
@@ -61,7 +63,7 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
         pairs = [f"{f}({angle_text(*a)})" for a in angles for f in ("cos", "sin")]
         self.name = f"{base.name}({','.join((*plain, *pairs))})"
         self.gen_name = pairs[0]
-        self._written = build_polynomials(base, (*plain, *pairs))
+        self.written = build_polynomials(base, (*plain, *pairs))
         self._mixed = build_polynomials(base, (*self.variables, *pairs))
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -133,6 +135,28 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
         x, y = self.half_tangent_point({name: 2 * c for name, c in angle.items()})
         return y / x
 
+    def leading_near_zero(self, poly: Any) -> tuple[tuple[int, ...], Any]:
+        """Return exponents and coefficient of the term that decides the sign where angles are small.
+
+        Tangents are small, the last the smallest; other variables are large, the first the largest.
+        """
+        plain = len(self.plain)
+        terms = poly.to_dict() if hasattr(poly, "to_dict") else dict(enumerate(poly.coeffs()))
+        rows = {m if isinstance(m, tuple) else (m,): c for m, c in terms.items() if c != 0}
+
+        def place(m: tuple[int, ...]) -> tuple[int, ...]:
+            return (*(m[: plain - 1 : -1] if plain else m[::-1]), *(-n for n in m[:plain]))
+
+        exponents = min(rows, key=place)
+        return place(exponents), rows[exponents]
+
+    def sign_near_zero(self, x: Quotient) -> int:
+        """Return the sign of x where all angles are positive and small, the last the smallest."""
+        if self.is_zero(x):
+            return 0
+        signs = (self.base.sign(self.base(self.leading_near_zero(p)[1])) for p in (x.num, x.den))
+        return prod(signs)
+
     # --- written in cosines and sines ----------------------------------------------------------
 
     def in_cosines(self, x: Quotient) -> tuple[SparsePolynomial, SparsePolynomial]:
@@ -165,7 +189,7 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
     def _lowered(self, poly: SparsePolynomial) -> SparsePolynomial:
         plain, skipped = len(self.plain), len(self.variables)
         terms = {(*m[:plain], *m[skipped:]): c for m, c in poly.to_dict().items()}
-        found: SparsePolynomial = self._written.context.from_dict(terms)
+        found: SparsePolynomial = self.written.context.from_dict(terms)
         return found
 
     def _without_tangent(
@@ -196,14 +220,18 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
 
     def text(self, x: Quotient, style: str = "plain") -> str:
         """Write x, such as ``sin(t)/(cos(t)+1)``."""
-        num, den = (self._written.text(p, style) for p in self.in_cosines(x))
+        num, den = (self.written.text(p, style) for p in self.in_cosines(x))
         shown = quotient_text(num, den, style)
-        return (
-            shown.replace("cos(", r"\cos(").replace("sin(", r"\sin(") if style == "latex" else shown
-        )
+        return in_latex(shown) if style == "latex" else shown
 
     def to_sympy(self, x: Quotient, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
         """Return x as an expression in cosines and sines."""
+        known = self.in_sympy(symbols)
+        num, den = (self.written.to_sympy(p, known) for p in self.in_cosines(x))
+        return num / den
+
+    def in_sympy(self, symbols: Mapping[str, sympy.Symbol]) -> dict[str, Any]:
+        """Return cosines and sines as sympy has them, by their names here."""
         import sympy
 
         known: dict[str, Any] = dict(symbols)
@@ -211,8 +239,7 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
             angle = symbol(name, symbols) / parts
             for f in ("cos", "sin"):
                 known[f"{f}({angle_text(name, parts)})"] = getattr(sympy, f)(angle)
-        num, den = (self._written.to_sympy(p, known) for p in self.in_cosines(x))
-        return num / den
+        return known
 
     # --- values and derivatives ----------------------------------------------------------------
 
@@ -240,21 +267,22 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
         below: Callable[[Ring, Ring], Callable[[Any], Any]],
     ) -> Callable[[Quotient], Any]:
         """Return the homomorphism that maps cosines, sines and variables to these images."""
-        given = {
-            v: target(v) if images.get(v) is None else images[v] for v in self._written.variables
-        }
-        polynomial = self._written.evaluation(target, given, below)
+        given = self.images_of_cosines(target, images)
+        polynomial = self.written.evaluation(target, given, below)
 
         def value(x: Quotient) -> Any:
             num, den = self.in_cosines(x)
             denominator = polynomial(den)
             if not target.is_zero(denominator):
                 return target.divide(polynomial(num), denominator)
-            raise NotInvertibleError(
-                f"{shorten(self.text(x))} has a pole there: its denominator is 0"
-            )
+            raise pole(self.text(x))
 
         return value
+
+    def images_of_cosines(self, target: Ring, images: Mapping[str, Any]) -> dict[str, Any]:
+        """Return what cosines, sines and variables become; those without an image mean themselves."""
+        names = self.written.variables
+        return {v: target(v) if images.get(v) is None else images[v] for v in names}
 
     def derivative(self, x: Quotient, variable: str) -> Quotient:
         """Return the derivative by an angle, d/dt, or by another variable."""
@@ -316,12 +344,42 @@ class CirclesOverNumberField(WithAngles[ExtensionElement], OverNumberField):
         cosine, sine = (self.reduced([x]) for x in self.base.cosine_and_sine(rest))
         return rotated(self, (cosine, sine), angle)
 
+    def sign_near_zero(self, x: ExtensionElement) -> int:
+        """Return the sign where all angles are positive and small, and θ is the number in the name of K."""
+        if self.is_zero(x):
+            return 0
+        base, K = self.base, self._field
+        common = prod((c.den for c in x.coefficients), start=base.one.num)
+        leading = {
+            n: base.leading_near_zero((c * base.quotient(common, base.one.num)).num)
+            for n, c in enumerate(x.coefficients)
+            if not base.is_zero(c)
+        }
+        first = min(place for place, _ in leading.values())
+        zero = K.coefficients_of(K.zero)
+        values = [
+            leading[n][1] if n in leading and leading[n][0] == first else c
+            for n, c in enumerate(zero)
+        ]
+        sign: int = K.sign(K.of_coefficients(values), getattr(K, "principal", 0))
+        return sign * base.sign_near_zero(base.quotient(common, base.one.num))
+
     def tangent(self, angle: Angle) -> ExtensionElement:
         """Return the tangent."""
         if PI not in angle:
             return self.reduced([self.base.tangent(angle)])
         cosine, sine = self.cosine_and_sine(angle)
         return sine / cosine
+
+
+def in_latex(text: str) -> str:
+    """Return a text of LaTeX with its cosines and sines as functions."""
+    return text.replace("cos(", r"\cos(").replace("sin(", r"\sin(")
+
+
+def pole(text: str) -> NotInvertibleError:
+    """Return the error for a value of a function where its denominator is 0."""
+    return NotInvertibleError(f"{shorten(text)} has a pole there: its denominator is 0")
 
 
 def _power(field: Any, tangent: Any, n: int) -> tuple[Any, Any]:
@@ -345,6 +403,10 @@ def _mirrored(ring: PolynomialRing, poly: SparsePolynomial, place: int) -> Spars
 
 def build(base: Ring, angles: Angles, plain: tuple[str, ...]) -> Ring:
     """Return the field of functions on circles."""
+    if base == RR:
+        from hfield.fields.circles.real import RealCircles
+
+        return shared(RealCircles, build(QQ, angles, plain))
     if hasattr(base, "modulus_over_rationals"):
         return shared(CirclesOverNumberField, build(QQ, angles, plain), base)
     if len(angles) == 1 and not plain:
@@ -357,8 +419,9 @@ def read_circles(base: Ring, parts: Sequence[str]) -> Ring:
     from hfield.rings.variables import variables
 
     what = f"{base}({','.join(parts)})"
-    if not (base == QQ or isinstance(base, PrimeField) or hasattr(base, "modulus_over_rationals")):
-        raise RingError(f"{shorten(what)}: circles are over QQ, a number field, or GF(p)")
+    known = base in (QQ, RR) or isinstance(base, PrimeField)
+    if not (known or hasattr(base, "modulus_over_rationals")):
+        raise RingError(f"{shorten(what)}: circles are over QQ, a number field, RR, or GF(p)")
     if base.characteristic == 2:
         raise RingError(
             f"{shorten(what)}: circles are not parametrised by tangents in characteristic 2"

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, NotInvertibleError, shorten
 from hfield.fields.function_fields.extensions import ExtensionElement, SimpleExtension
+from hfield.fields.function_fields.ring import FunctionField
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.printing import blackboard, sum_text
+from hfield.rings.roots import monic_root
 
 if TYPE_CHECKING:
     import sympy
@@ -142,15 +144,37 @@ class OverNumberField(SimpleExtension):
         return tuple(map(self.constant, self._field.minus_one_as_squares()))
 
     def sqrt(self, x: ExtensionElement) -> ExtensionElement | None:
-        """Return a root of a constant, or of an element without θ that has one there.
+        """Return some y with y² = x, or None.
 
-        Raises :class:`UndecidedError` for others.
+        In several variables only of a constant, and of an element without θ that has one there; others raise
+        :class:`UndecidedError`.
         """
         c = self.as_constant(x)
-        if c is not None:
-            root = self._field.sqrt(c)
-            return None if root is None else self.constant(root)
-        return super().sqrt(x)
+        if c is None and not isinstance(self.base, FunctionField):
+            return super().sqrt(x)
+        lead, root = (c, self.one) if c is not None else self.leading_and_root(x)
+        number = self._field.sqrt(lead)
+        return None if number is None or root is None else self.constant(number) * root
+
+    def leading_and_root(self, x: ExtensionElement) -> tuple[Any, ExtensionElement | None]:
+        """Return c in K and y with x = c·y² for functions in one variable; None for y where there is none."""
+        base: Any = self.base
+        below = base.one.num
+        for part in x.coefficients:
+            below = below * (part.den // below.gcd(part.den))
+        rows = [(part * base.quotient(below * below, base.one.num)).num for part in x.coefficients]
+        size = max(row.degree() for row in rows)
+        coefficients = [
+            self._field.of_coefficients([row[k] for row in rows]) for k in range(size + 1)
+        ]
+        lead = coefficients[-1]
+        root = monic_root(self._field, [c / lead for c in coefficients])
+        if root is None:
+            return lead, None
+        total = self.zero
+        for c in reversed(root):
+            total = total * self.reduced([base.variable]) + self.constant(c)
+        return lead, total * self.reduced([base.quotient(base.one.num, below)])
 
     def random(self, rng: Random) -> ExtensionElement:
         """Return a small random element; the same for the same seed."""

@@ -90,6 +90,11 @@ class FunctionField(FractionField):
         """The variable."""
         return self._gen
 
+    @property
+    def variable(self) -> Quotient:
+        """The variable of the polynomials: of functions on a circle, the tangent of half the angle."""
+        return self._gen
+
     def names(self) -> dict[str, Quotient]:
         """The variable and the generator of the base field."""
         return {**self.base_names(), self.gen_name or "": self._gen}

@@ -210,12 +210,12 @@ class SpelledField(NumberField):
                     QQ.to_sympy(c, symbols),
                     *(y**n for y, n in zip(numbers, powers, strict=True)),
                 )
-                for c, powers in self._terms(x)
+                for c, powers in self.products(x)
             )
         )
 
-    def _terms(self, x: FieldElement) -> Iterator[tuple[flint.fmpq, tuple[int, ...]]]:
-        """Run through the coefficients of x that are not 0, with the exponents of the numbers."""
+    def products(self, x: FieldElement) -> Iterator[tuple[flint.fmpq, tuple[int, ...]]]:
+        """Run through the products of powers of the numbers in x: coefficients, not 0, and exponents."""
         change, exponents = self._monomials
         row = flint.fmpq_mat(1, self.degree, coefficients(x))
         return (
@@ -243,7 +243,7 @@ class SpelledField(NumberField):
             (
                 (number_text(c, style), [*zip(shown, powers, strict=True)])
                 for c, powers in sorted(
-                    self._terms(x), key=lambda term: (sum(term[1]), [-n for n in term[1]])
+                    self.products(x), key=lambda term: (sum(term[1]), [-n for n in term[1]])
                 )
             ),
             style,

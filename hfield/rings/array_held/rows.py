@@ -125,7 +125,7 @@ class RowArrays(Batch[Rows]):
         return read_only(np.stack(p) if block is None else block)
 
     def from_array(self, values: object, copy: bool = True) -> Rows:
-        """Hold a copy of an array of shape (4, …) as ``to_array`` returns it. Raises :class:`CoercionError`."""
+        """Hold a copy of an array of shape (4, …), made by ``to_array``. Raises :class:`CoercionError`."""
         return self.checked_block(values, 4)
 
     def checked_block(self, values: object, count: int) -> Rows:

@@ -343,7 +343,7 @@ class FractionArrays(WordArrays):
         return self.hold((w, x, y, z))
 
     def from_array(self, values: object, copy: bool = True) -> Rows:
-        """Hold a copy of an array of shape (5, …) as ``to_array`` returns it. Raises :class:`CoercionError`."""
+        """Hold a copy of an array of shape (5, …), made by ``to_array``. Raises :class:`CoercionError`."""
         rows = self.checked_block(values, 5)
         if not rows[4].all():
             raise CoercionError("a denominator is 0: the last of the five rows must not contain 0")

@@ -118,7 +118,7 @@ def modulus(ring: Ring, c: Constants, q: Coordinates) -> Any:
         return float_functions.modulus(c, q)
     square = norm(c, q)
     try:
-        ring.sign(square)
+        positive(ring, square)
     except RingError:
         raise RingError(
             f"|q| is the nonnegative root of N(q), and {ring} has no ordering"
@@ -149,6 +149,8 @@ def polar(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, A
         found: tuple[Any, Coordinates, Any] = float_functions.polar(c, q, lambda: _axis(ring, c))
         return found
     w, v, s = parts(ring, c, q)
+    if has_angles(ring):
+        return _polar_with_angles(ring, c, (w, v, s), modulus(ring, c, q))
     functions = RealFunctions(ring, q)
     r = modulus(ring, c, q)
     if all(map(ring.is_zero, v)):
@@ -157,6 +159,47 @@ def polar(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, A
         raise NoSolutionError(NO_POLAR_FORM)
     phi = functions.sqrt(-s)
     return r, _combined(ring.zero, ring.inverse(phi), v), functions.angle(phi, w)
+
+
+def has_angles(ring: Any) -> bool:
+    """Tell whether the ring has cosines and sines of angles."""
+    return hasattr(ring, "angle_of_point")
+
+
+def _polar_with_angles(
+    ring: Any, c: Constants, of: tuple[Any, Coordinates, Any], r: Any
+) -> tuple[Any, Coordinates, Any]:
+    """Return the polar form; of n, θ and −n, −θ the one whose angle begins with a positive multiple."""
+    w, v, s = of
+    if ring.is_zero(r):
+        raise NoSolutionError("there is no polar form of an element of norm 0")
+    scale = ring.inverse(r)
+    if all(map(ring.is_zero, v)):
+        return r, _axis(ring, c), ring.angle_of_point(w * scale, ring.zero)
+    phi = ring.sqrt(-s)
+    if phi is None:
+        raise NoSolutionError(
+            f"there is no polar form over {ring}, which has no root of {shorten(ring.text(-s))}"
+        )
+    angle = ring.angle_of_point(w * scale, phi * scale)
+    if not angle.is_positive():
+        phi, angle = -phi, -angle
+    return r, _combined(ring.zero, ring.inverse(phi), v), angle
+
+
+def power_with_angles(ring: Any, c: Constants, q: Coordinates, exponent: Fraction) -> Coordinates:
+    """Return ``rᵖ·(cos pθ + n·sin pθ)`` (De Moivre). Raises :class:`CoercionError`, NoSolutionError."""
+    r, n, angle = polar(ring, c, q)
+    length = r
+    if exponent.denominator != 1 and not ring.is_zero(r - ring.one):
+        length = ring.sqrt(r) if exponent.denominator == 2 else None
+        if length is None:
+            raise NoSolutionError(
+                f"|q|^({exponent}) is not in {ring}, where |q| = {shorten(ring.text(r))}"
+            )
+    length = ring.power(length, exponent.numerator)
+    cosine, sine = ring.cosine_and_sine_of(angle * exponent)
+    return _combined(length * cosine, length * sine, n)
 
 
 def _axis(ring: Any, c: Constants) -> Coordinates:
@@ -174,6 +217,9 @@ def _axis(ring: Any, c: Constants) -> Coordinates:
 
 def cosine_and_sine(ring: Ring, angle: Any) -> tuple[Any, Any]:
     """Return cos and sin of an angle in radians, over RDF of an array too."""
+    if has_angles(ring):
+        pair: tuple[Any, Any] = ring.cosine_and_sine_of(angle)
+        return pair
     if ring.is_exact:
         functions, theta = RealFunctions(ring, (angle,) * 4), ring(angle)
         return functions.cos(theta), functions.sin(theta)
@@ -193,6 +239,13 @@ def exp(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
         from hfield.structure.single_elements import float_functions
 
         return float_functions.value(ring, c, q, float_functions.EXP)
+    if has_angles(ring):
+        if all(map(ring.is_zero, q)):
+            return ring.one, ring.zero, ring.zero, ring.zero
+        raise CoercionError(
+            f"the exponential is no rational function of cosines and sines, so not in {ring}; "
+            "(n * angle).exp() is, for an axis n and an angle of the ring such as ring.angle('2*t')"
+        )
     of = RealFunctions(ring, q)
     return exact_value(
         ring,

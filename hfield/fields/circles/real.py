@@ -1,0 +1,464 @@
+"""RR(cos(t), sin(t), …): functions on circles whose coefficients are real algebraic numbers.
+
+It is the union of the fields K(cos(t), sin(t), …) over the real number fields K: an element lies in the one
+that its coefficients generate, and two elements meet where the numbers of both do. Elements are written P/Q
+as over ℚ, with rational coefficients in Q, which makes them unique.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Mapping
+from fractions import Fraction
+from functools import cache
+from math import prod
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield.errors import CoercionError, UndecidedError, shorten
+from hfield.factorisation import factorise
+from hfield.fields.circles.angles import PI, Angle, WithAngles, rotated
+from hfield.fields.circles.ring import CircleFunctions, in_latex, pole
+from hfield.fields.circles.ring import build as build_circles
+from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.number_fields.spelled_names import Number, SpelledField
+from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.closed_fields.algebraic import RR
+from hfield.rings.closed_fields.surds import Surd
+from hfield.rings.integers import QQ
+from hfield.rings.operators import Element, Overfield
+from hfield.rings.printing import quotient_text, sum_text
+from hfield.rings.to_sympy import symbol
+
+if TYPE_CHECKING:
+    import sympy
+
+Terms = list[tuple[flint.fmpq, dict[str, int]]]  # coefficients of products of powers of numbers
+Texts = tuple[str, ...]  # the numbers that generate a field, as RR writes them, sorted
+
+
+# --- real number fields -------------------------------------------------------------------------------
+
+
+def in_generators(x: Any) -> Terms:
+    """Write a real algebraic number in square roots of primes, roots, and other numbers by their texts.
+
+    Raises :class:`CoercionError` for a number that is not seen to be algebraic.
+    """
+    if isinstance(x, Surd):
+        return [_in_primes(c, factorise(n)) for n, c in x.terms.items()]
+    if x.bounds is None:
+        raise CoercionError(
+            f"{shorten(x)} is not seen to be algebraic: coefficients are real algebraic numbers"
+        )
+    import sympy
+
+    terms: Terms = []
+    for term in sympy.Add.make_args(x.expr):
+        rational, rest = term.as_coeff_Mul()
+        powers: dict[str, int] = {}
+        for factor in sympy.Mul.make_args(rest) if rest != 1 else ():
+            base, exponent = factor.as_base_exp()
+            if not (rational.is_Rational and factor.is_real):
+                return [(flint.fmpq(1), {RR.text(x): 1})]
+            if exponent.is_Rational and base.is_Rational and base > 0:
+                base, exponent = sympy.root(base, exponent.q), exponent.p
+            elif not (exponent.is_Integer and exponent > 0):
+                base, exponent = factor, 1
+            text = RR.text(RR(base))
+            powers[text] = powers.get(text, 0) + int(exponent)
+        terms.append((flint.fmpq(int(rational.p), int(rational.q)), powers))
+    return terms
+
+
+def _in_primes(c: flint.fmpq, primes: Mapping[int, int]) -> tuple[flint.fmpq, dict[str, int]]:
+    """Write c·√n for the primes of n, with their exponents."""
+    outside = prod(p ** (e // 2) for p, e in primes.items())
+    return c * outside, {f"sqrt({p})": 1 for p, e in primes.items() if e % 2}
+
+
+@cache
+def number_field(texts: Texts) -> Any:
+    """Return the field that numbers generate, or ℚ."""
+    return SpelledField(f"QQ({','.join(texts)})", list(map(_number, texts))) if texts else QQ
+
+
+@cache
+def _number(text: str) -> Number:
+    import sympy
+
+    x: Any = RR(text)
+    polynomial = sympy.Poly(sympy.minimal_polynomial(RR.to_sympy(x, {}), sympy.Symbol("x")))
+    rationals = [flint.fmpq(int(c.p), int(c.q)) for c in reversed(polynomial.monic().all_coeffs())]
+    return Number(text, flint.fmpq_poly(rationals), x.ball)
+
+
+@cache
+def _image_of_generator(texts: Texts, target: Texts) -> Any:
+    """Return the generator of a field, as an element of a larger one."""
+    K, L = number_field(texts), number_field(target)
+    return _product_sum(L, K.products(K.gen), [L.parts[text] for text in texts])
+
+
+def _real_number(texts: Texts, coefficients: list[flint.fmpq]) -> Any:
+    """Return the real number with these coefficients at the powers of the generator of a field."""
+    if not texts:
+        return RR(coefficients[0])
+    K = number_field(texts)
+    return _product_sum(RR, K.products(K.of_coefficients(coefficients)), [RR(t) for t in texts])
+
+
+def _product_sum(ring: Any, terms: Any, numbers: list[Any]) -> Any:
+    """Return the sum of coefficients times products of powers of the numbers."""
+    total = ring.zero
+    for c, powers in terms:
+        term = ring(Fraction(int(c.p), int(c.q)))
+        for x, n in zip(numbers, powers, strict=True):
+            term = term * ring.power(x, n)
+        total = total + term
+    return total
+
+
+# --- the functions ------------------------------------------------------------------------------------
+
+
+class RealCircleElement(Element):
+    """An immutable function on circles: ``inner`` lies over the field that the numbers ``texts`` generate."""
+
+    __slots__ = ("inner", "texts")
+
+    field: RealCircles
+    inner: Any
+    texts: Texts
+
+    def __init__(self, field: RealCircles, inner: Any, texts: Texts) -> None:
+        object.__setattr__(self, "field", field)
+        object.__setattr__(self, "inner", inner)
+        object.__setattr__(self, "texts", texts)
+
+    def _with(
+        self, other: RealCircleElement, operation: Callable[[Any, Any], Any]
+    ) -> RealCircleElement:
+        x, y, texts = self.field.together(self, other)
+        return self.field.element(operation(x, y), texts)
+
+    def plus(self, other: RealCircleElement) -> RealCircleElement:
+        """Return the sum."""
+        return self._with(other, lambda x, y: x + y)
+
+    def __neg__(self) -> RealCircleElement:
+        return RealCircleElement(self.field, -self.inner, self.texts)
+
+    def times(self, other: RealCircleElement) -> RealCircleElement:
+        """Return the product."""
+        return self._with(other, lambda x, y: x * y)
+
+    def same(self, other: RealCircleElement) -> bool:
+        """Tell whether both are the same function."""
+        x, y, _ = self.field.together(self, other)
+        return bool(x == y)
+
+    def __hash__(self) -> int:
+        terms, den = self.field.in_cosines(self)
+        return hash((frozenset(terms.items()), str(den)))
+
+
+class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
+    """The field of functions on circles over the real algebraic numbers; ``base`` is the one over ℚ.
+
+    >>> from hfield import ring
+    >>> F = ring("RR(cos(t),sin(t))")
+    >>> F("cos(t + pi/4)"), F("sqrt(2)*sqrt(3)*cos(t)") == F("sqrt(6)*cos(t)"), F("1/(cos(t) - sqrt(2))")
+    (1/2*sqrt(2)*cos(t)-1/2*sqrt(2)*sin(t), True, (cos(t)+sqrt(2))/(cos(t)^2-2))
+    """
+
+    characteristic = 0
+
+    def __init__(self, base: CircleFunctions) -> None:
+        self.base, self.variables = base, base.variables
+        self.name = f"RR{base.name.removeprefix('QQ')}"
+        self.gen_name, self.parse_limit = base.gen_name, base.parse_limit
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (RealCircles, self.base)
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return self.base.in_words().replace("over ℚ", "over the real algebraic numbers")
+
+    # --- elements ------------------------------------------------------------------------------
+
+    def over(self, texts: Texts) -> Any:
+        """Return the field over the number field that numbers generate."""
+        return (
+            build_circles(number_field(texts), self.base.angles, self.base.plain)
+            if texts
+            else self.base
+        )
+
+    def element(self, inner: Any, texts: Texts = ()) -> RealCircleElement:
+        """Return the element that an element of :meth:`over` is."""
+        if texts and all(map(self.base.is_zero, inner.coefficients[1:])):
+            inner, texts = inner.coefficients[0], ()
+        return RealCircleElement(self, inner, texts)
+
+    def together(self, x: RealCircleElement, y: RealCircleElement) -> tuple[Any, Any, Texts]:
+        """Return both over one number field, and the numbers that generate it."""
+        texts = tuple(sorted({*x.texts, *y.texts}))
+        return self._lifted(x, texts), self._lifted(y, texts), texts
+
+    def _lifted(self, x: RealCircleElement, texts: Texts) -> Any:
+        if x.texts == texts:
+            return x.inner
+        F = self.over(texts)
+        if not x.texts:
+            return F.reduced([x.inner])
+        theta, total = F.constant(_image_of_generator(x.texts, texts)), F.zero
+        for c in reversed(x.inner.coefficients):
+            total = total * theta + F.reduced([c])
+        return total
+
+    @property
+    def gen(self) -> RealCircleElement:
+        """The cosine of the first angle."""
+        return self.element(self.base.gen)
+
+    @property
+    def constants(self) -> Ring:
+        """The real algebraic numbers."""
+        return RR
+
+    def constant(self, c: Any) -> RealCircleElement:
+        """Return a real algebraic number as a constant. Raises :class:`CoercionError` for others."""
+        terms = in_generators(c)
+        texts = tuple(sorted({text for _, powers in terms for text in powers}))
+        if not texts:
+            return self.element(self.base(sum((c for c, _ in terms), flint.fmpq(0))))
+        K = number_field(texts)
+        rows = [(c, [powers.get(text, 0) for text in texts]) for c, powers in terms]
+        inner = _product_sum(K, rows, [K.parts[text] for text in texts])
+        return self.element(self.over(texts).constant(inner), texts)
+
+    def as_constant(self, x: RealCircleElement) -> Any:
+        """Return the real number that x is, or None."""
+        terms, den = self.in_cosines(x)
+        none = (0,) * len(self.base.written.variables)
+        if not (den.is_constant() and terms.keys() <= {none}):
+            return None
+        return terms.get(none, RR.zero)
+
+    def from_below(self, x: object) -> RealCircleElement:
+        """Turn a real number, or an element over ℚ, into an element. Raises :class:`CoercionError`."""
+        if isinstance(x, Element):
+            return self.element(self.base(x))
+        return self.constant(RR(x))
+
+    def closed_form(self, x: sympy.Expr) -> RealCircleElement:
+        """Return a number as a constant."""
+        return self.constant(RR.closed_form(x))
+
+    def names(self) -> dict[str, RealCircleElement]:
+        """The tangents of half the angles and the other variables."""
+        return {name: self.element(x) for name, x in self.base.names().items()}
+
+    def generators(self) -> dict[str, RealCircleElement]:
+        """Return the other variables."""
+        return {name: self.element(x) for name, x in self.base.generators().items()}
+
+    def functions(self) -> dict[str, Callable[..., RealCircleElement]]:
+        """Cosines, sines and tangents of angles, and the functions of RR of constants."""
+        numbers = {name: self._of_constants(name, f) for name, f in RR.functions().items()}
+        return {**numbers, **super().functions()}
+
+    def _of_constants(self, name: str, f: Callable[..., Any]) -> Callable[..., RealCircleElement]:
+        def value(*arguments: object) -> RealCircleElement:
+            constants = [self.as_constant(self(x)) for x in arguments]
+            if None in constants:
+                raise CoercionError(f"{name} takes real numbers, found {shorten(arguments[0])}")
+            return self.constant(RR(f(*constants)))
+
+        return value
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def is_zero(self, x: RealCircleElement) -> bool:
+        """Tell whether x is 0."""
+        return bool(self.over(x.texts).is_zero(x.inner))
+
+    def equal(self, x: RealCircleElement, y: RealCircleElement) -> bool:
+        """Tell whether x = y."""
+        return x.same(y)
+
+    def key(self, x: RealCircleElement) -> Hashable:
+        """Return x itself."""
+        return x
+
+    def inverse(self, x: RealCircleElement) -> RealCircleElement:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
+        return self.element(self.over(x.texts).inverse(x.inner), x.texts)
+
+    def sqrt(self, x: RealCircleElement) -> RealCircleElement | None:
+        """Return some y with y² = x, or None.
+
+        With several angles or variables only of a real multiple of a function over ℚ; others raise
+        :class:`UndecidedError`.
+        """
+        if self.is_zero(x):
+            return x
+        lead, root = self._leading_and_root(x)
+        number = RR.sqrt(lead)
+        return None if number is None or root is None else self.constant(number) * root
+
+    def _leading_and_root(self, x: RealCircleElement) -> tuple[Any, RealCircleElement | None]:
+        """Return a real number c and y with x = c·y²; None for y where there is none."""
+        if x.texts and isinstance(self.base, FunctionField):
+            F = self.over(x.texts)
+            c, root = F.leading_and_root(x.inner)
+            number = _real_number(x.texts, F.constants.coefficients_of(c))
+            return number, None if root is None else self.element(root, x.texts)
+        base = self.base
+        parts = x.inner.coefficients if x.texts else [x.inner]
+        f = next(part for part in parts if not base.is_zero(part))
+        ratio = self.as_constant(x / self.element(f))
+        if ratio is None:
+            raise UndecidedError(
+                f"square roots in {self.name} are decided of real multiples of functions over ℚ"
+            )
+        c = f.num.leading_coefficient()
+        root = base.sqrt(f / base(c))
+        return ratio * RR(c), None if root is None else self.element(root)
+
+    @property
+    def level(self) -> Known:
+        """∞: values are real numbers."""
+        return Known(
+            INFINITY, f"{self.name} has an ordering, where all angles are small and positive"
+        )
+
+    @property
+    def orderings(self) -> Known:
+        """Infinitely many."""
+        return Known(INFINITY, "each angle may be near any point of the circle")
+
+    def sign(self, x: RealCircleElement, ordering: int = 0) -> int:
+        """Return the sign of x where all angles are small and positive. Raises :class:`RingError`."""
+        return super().sign(x, ordering) if ordering else self.sign_near_zero(x)
+
+    def sign_near_zero(self, x: RealCircleElement) -> int:
+        """Return the sign of x where all angles are positive and small, the last the smallest."""
+        sign: int = self.over(x.texts).sign_near_zero(x.inner)
+        return sign
+
+    def random(self, rng: Random) -> RealCircleElement:
+        """Return a small random element; the same for the same seed."""
+        return self.element(self.base.random(rng)) + self.constant(RR.random(rng))
+
+    # --- cosines and sines ---------------------------------------------------------------------
+
+    def cosine_and_sine(self, angle: Angle) -> tuple[RealCircleElement, RealCircleElement]:
+        """Return cosine and sine, also of all rational multiples of π."""
+        rest = {name: c for name, c in angle.items() if name != PI}
+        cosine, sine = map(self.element, self.base.cosine_and_sine(rest))
+        return rotated(self, (cosine, sine), angle)
+
+    def tangent(self, angle: Angle) -> RealCircleElement:
+        """Return the tangent, also of half the angles of the field."""
+        if PI not in angle:
+            return self.element(self.base.tangent(angle))
+        cosine, sine = self.cosine_and_sine(angle)
+        return sine / cosine
+
+    def in_cosines(self, x: RealCircleElement) -> tuple[dict[tuple[int, ...], Any], Any]:
+        """Return the real coefficients of the numerator by exponents, and the denominator, over ℚ."""
+        pairs = [self.base.in_cosines(c) for c in (x.inner.coefficients if x.texts else [x.inner])]
+        common = pairs[0][1]
+        for _, den in pairs[1:]:
+            common = common * (den // common.gcd(den))
+        rows: dict[tuple[int, ...], list[flint.fmpq]] = {}
+        for n, (num, den) in enumerate(pairs):
+            for exponents, c in (num * (common // den)).to_dict().items():
+                rows.setdefault(exponents, [flint.fmpq(0)] * len(pairs))[n] = c
+        return {m: _real_number(x.texts, c) for m, c in rows.items()}, common
+
+    def text(self, x: RealCircleElement, style: str = "plain") -> str:
+        """Write x, such as ``(cos(t)+sqrt(2))/(cos(t)^2-2)``."""
+        terms, den = self.in_cosines(x)
+        written = self.base.written
+        order = sorted(terms, key=lambda m: (sum(m), m), reverse=True)
+        rows = (
+            (RR.text(terms[m], style), list(zip(written.variables, m, strict=True))) for m in order
+        )
+        shown = quotient_text(sum_text(rows, style), written.text(den, style), style)
+        return in_latex(shown) if style == "latex" else shown
+
+    def to_sympy(self, x: RealCircleElement, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return x as an expression in cosines and sines."""
+        import sympy
+
+        terms, den = self.in_cosines(x)
+        known = self.base.in_sympy(symbols)
+        names = [symbol(name, known) for name in self.base.written.variables]
+        num = sympy.Add(
+            *(
+                RR.to_sympy(c, symbols) * sympy.Mul(*(y**n for y, n in zip(names, m, strict=True)))
+                for m, c in terms.items()
+            )
+        )
+        return num / self.base.written.to_sympy(den, known)
+
+    # --- values and derivatives ----------------------------------------------------------------
+
+    @property
+    def variable_names(self) -> tuple[str, ...]:
+        """The angles and the other variables."""
+        return self.base.variable_names
+
+    @property
+    def values_ring(self) -> Ring:
+        """The real algebraic numbers."""
+        return RR
+
+    def images_of(self, values: Mapping[str, object], target: Ring) -> dict[str, Any]:
+        """Return what cosines, sines and variables become; values of angles are angles, such as π/3."""
+        return self.base.images_of(values, target)
+
+    def images_in(self, target: Ring) -> dict[str, Any]:
+        """Return nothing: cosines and sines are read by their texts."""
+        return {}
+
+    def evaluation(
+        self,
+        target: Ring,
+        images: Mapping[str, Any],
+        below: Callable[[Ring, Ring], Callable[[Any], Any]],
+    ) -> Callable[[RealCircleElement], Any]:
+        """Return the homomorphism that maps cosines, sines and variables to these images."""
+        given = self.base.images_of_cosines(target, images)
+        number, polynomial = below(RR, target), self.base.written.evaluation(target, given, below)
+        values = [given[name] for name in self.base.written.variables]
+
+        def value(x: RealCircleElement) -> Any:
+            terms, den = self.in_cosines(x)
+            denominator, total = polynomial(den), target.zero
+            if target.is_zero(denominator):
+                raise pole(self.text(x))
+            for m, c in terms.items():
+                term = number(c)
+                for y, n in zip(values, m, strict=True):
+                    term = term * target.power(y, n)
+                total = total + term
+            return target.divide(total, denominator)
+
+        return value
+
+    def derivative(self, x: RealCircleElement, variable: str) -> RealCircleElement:
+        """Return the derivative by an angle, d/dt, or by another variable."""
+        if variable not in self.variable_names:
+            return Ring.derivative(self, x, variable)
+        return self.element(self.over(x.texts).derivative(x.inner, variable), x.texts)
+
+    def variables_in(self, x: RealCircleElement) -> set[str]:
+        """Return the angles and variables on which x depends."""
+        found: set[str] = self.over(x.texts).variables_in(x.inner)
+        return found
