@@ -305,11 +305,9 @@ class ComplexFloats(FloatingPoint[complex]):
 
     def functions(self) -> dict[str, Callable[..., complex]]:
         """The usual functions, principal values, as in ``sqrt(-2)`` and ``exp(I*pi/3)``."""
-        return {
-            name: _checked(name, getattr(cmath, name), "complex")
-            for name in _FUNCTIONS
-            if name != "cbrt"
-        }
+        names = [name for name in _FUNCTIONS if name not in ("sqrt", "cbrt")]
+        others = {name: _checked(name, getattr(cmath, name), "complex") for name in names}
+        return {"sqrt": self.sqrt, **others}
 
     def random(self, rng: Random) -> complex:
         """Return a random number with parts between −1 and 1; the same for the same seed."""

@@ -83,7 +83,17 @@ def check_coercion(F: Ring) -> None:
     else:
         assert F.agree(third + third + third, F.one)
     complex_number = () if F == CDF else (1j,)
-    for junk in (None, [1], (1, 2), {}, object(), b"1", *complex_number, float("nan"), float("inf")):
+    for junk in (
+        None,
+        [1],
+        (1, 2),
+        {},
+        object(),
+        b"1",
+        *complex_number,
+        float("nan"),
+        float("inf"),
+    ):
         with pytest.raises(CoercionError, match="is not an element of"):
             F(junk)
     for text in ("", "1+", "__import__('os')", "foo", "1 == 1", "1(2)", "1/0"):

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.errors import CoercionError, UndecidedError, shorten
+from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
 from hfield.factorisation import factorise
 from hfield.fields.circles.angles import PI, Angle, WithAngles, rotated
 from hfield.fields.circles.ring import CircleFunctions, in_latex, pole
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     import sympy
 
 Terms = list[tuple[flint.fmpq, dict[str, int]]]  # coefficients of products of powers of numbers
+MAX_DEGREE = 16  # of the number field of an element; an inverse takes seconds at 12
 Texts = tuple[str, ...]  # the numbers that generate a field, as RR writes them, sorted
 
 
@@ -80,8 +81,16 @@ def _in_primes(c: flint.fmpq, primes: Mapping[int, int]) -> tuple[flint.fmpq, di
 
 @cache
 def number_field(texts: Texts) -> Any:
-    """Return the field that numbers generate, or ℚ."""
-    return SpelledField(f"QQ({','.join(texts)})", list(map(_number, texts))) if texts else QQ
+    """Return the field that numbers generate, or ℚ. Raises :class:`TooLargeError` above ``MAX_DEGREE``."""
+    if not texts:
+        return QQ
+    K = SpelledField(f"QQ({','.join(texts)})", list(map(_number, texts)))
+    if K.degree > MAX_DEGREE:
+        raise TooLargeError(
+            f"the coefficients generate {shorten(K)}, of degree {K.degree}; functions on circles over RR are "
+            f"computed up to degree {MAX_DEGREE}"
+        )
+    return K
 
 
 @cache

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Number: TypeAlias = Any  # a float, or an array of floats
 HAMILTON = Constants(-1.0, 0.0, -1.0)
-BLOCK = 4096  # quaternions that are computed with at once
+BLOCK = 8192  # quaternions that are computed with at once
 SAFE = 1e-290, 1e290  # norms between these were computed without underflow and overflow
 
 
@@ -273,7 +273,8 @@ def modulus(c: Constants, q: Coordinates) -> Any:
     found = _compiled(LENGTH, constants, q)
     if found is not None:
         return found[0]
-    square = norm(constants, q)
+    with np.errstate(all="ignore"):
+        square = norm(constants, q)
     return np.sqrt(square) if _is_safe(square) else _scaled_modulus(constants, np.stack(q))
 
 
