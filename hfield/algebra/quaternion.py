@@ -278,7 +278,10 @@ class Quaternion(Hinted, PrintedBySympy):
         return self._alike(self._how.power(base._held, abs(n)))
 
     def _real_power(self, n: float | Fraction) -> Quaternion:
-        """Return the principal power; over exact rings the exponent is a multiple of 1/2."""
+        """Return the principal power: of any exponent over RDF, of rational ones over functions of angles.
+
+        Over other exact rings the exponent is a multiple of 1/2.
+        """
         if not self.ring.is_exact:
             found = analysis.power(self.ring, self.algebra.constants, self.coordinates, n)
             return self._computed(found)
@@ -545,6 +548,8 @@ class Quaternion(Hinted, PrintedBySympy):
     def __abs__(self) -> Any:
         """Return the modulus ``√N(q)``, the nonnegative root (thesis 1.3.1); of an array elementwise.
 
+        Over functions of angles it is the root that is positive where all angles are small and positive.
+
         Raises :class:`NoSolutionError` where the base ring has no such root, and :class:`RingError` over
         rings without an ordering.
         """
@@ -561,11 +566,15 @@ class Quaternion(Hinted, PrintedBySympy):
 
         The angle is in [0, π], in radians; :meth:`QuaternionAlgebra.from_polar` is the inverse. It is
         computed over RDF, of arrays too, and over RR where the angle is a rational multiple of π (thesis
-        1.4.4). Raises :class:`NoSolutionError` where the part of trace 0 has no negative square.
+        1.4.4). Over functions of angles it is a sum of multiples of these and of π, the first of them
+        positive. Raises :class:`NoSolutionError` where the part of trace 0 has no negative square or the
+        ring no root of it, and :class:`CoercionError` for another angle.
 
         >>> from hfield import H
         >>> H("RR")(1, 1, 1, 1).polar()
         Polar(modulus=2, axis=(1/3·√3)i + (1/3·√3)j + (1/3·√3)k, angle=1/3*pi)
+        >>> H("QQ(cos(t),sin(t))")("3*cos(2*t) + 3*sin(2*t)*k").polar()
+        Polar(modulus=3, axis=k, angle=2*t)
         """
         r, n, theta = analysis.polar(self.ring, self.algebra.constants, self.coordinates)
         return Polar(r, self._computed(n), theta)
@@ -584,7 +593,8 @@ class Quaternion(Hinted, PrintedBySympy):
     def log(self) -> Any:
         """Return the principal logarithm, ``log|q| + n·θ`` with θ in [0, π), over the rings of :meth:`exp`.
 
-        Raises :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
+        Over functions of angles, of a q of modulus 1, it is the product n·θ of axis and angle of
+        :meth:`polar`, which has ``exp()`` and multiples, and is no element of the algebra. Raises :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
 
         >>> from hfield import H
         >>> H("RDF")(0, 0, 0, 1).log().coordinates[3]
