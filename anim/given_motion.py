@@ -12,7 +12,7 @@ from anim.errors import AnimationError
 from anim.film import FPS, Clip, clip
 from anim.motion import Motion, Shortest
 from anim.pipelines import PIPELINES, kinematic
-from anim.tables import read_table
+from hfield.tables import read_table
 from rotation import Rotation
 from rotation.hints import is_scipys
 from rotation.quaternions import normalised
@@ -94,7 +94,8 @@ class Recorded:
 def read_motion(path: str | Path) -> Recorded:
     """Return the attitudes in a text file: w, x, y, z on each line, or the seconds before them.
 
-    Without seconds a line is a frame. Raises :class:`~anim.errors.AnimationError`, which names file and line.
+    Without seconds a line is a frame. Raises :class:`~hfield.errors.TableError` for a file that is no table,
+    and :class:`~anim.errors.AnimationError` for what is no motion; both name the file and the line.
     """
     table = read_table(path, COLUMNS)
     q, times = table.rows[:, -4:], None

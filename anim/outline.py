@@ -9,7 +9,7 @@ import numpy as np
 
 from anim.checks import real
 from anim.errors import AnimationError
-from anim.tables import read_table
+from hfield.tables import read_table
 
 Profile = tuple[tuple[float, float], ...]
 """Pairs (radius, z) from the tip (0, 0) up to the axis again."""
@@ -68,7 +68,8 @@ def checked_outline(
 def read_outline(path: str | Path) -> Profile:
     """Return the profile in a text file: z and radius on each line, in one unit.
 
-    Raises :class:`~anim.errors.AnimationError`, which names the file and the line.
+    Raises :class:`~hfield.errors.TableError` for a file that is no table, and
+    :class:`~anim.errors.AnimationError` for what is no outline; both name the file and the line.
     """
     table = read_table(path, {2: "z and the radius"})
     return checked_outline(table.rows.tolist(), table.place)

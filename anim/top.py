@@ -34,7 +34,8 @@ class Top:
     ``motion`` is a :class:`~anim.motion.Motion`, the name of one of the thesis's pipelines, quaternions
     (n, 4), a :class:`~rotation.Rotation`, a function of time, or the path of a file of quaternions;
     :func:`~anim.given_motion.motion_of` says more. ``clip`` is its film, where the motion has none of its
-    own. Raises :class:`~anim.errors.AnimationError` for what is no motion.
+    own. Raises :class:`~anim.errors.AnimationError` for what is no motion, and
+    :class:`~hfield.errors.TableError` for a file that is no table of numbers.
 
     >>> from anim import Model, Top
     >>> Top("product", Model(ring=60))

@@ -18,6 +18,7 @@ from .errors import NotationError as NotationError
 from .errors import NotFiniteError as NotFiniteError
 from .errors import NotInvertibleError as NotInvertibleError
 from .errors import RingError as RingError
+from .errors import TableError as TableError
 from .errors import TooLargeError as TooLargeError
 from .errors import UndecidedError as UndecidedError
 from .factorisation import UnfactoredError as UnfactoredError

@@ -126,6 +126,14 @@ class NoSolutionError(HFieldError, ValueError):
         self.witness = witness
 
 
+class TableError(HFieldError, ValueError):
+    """A file that is no table of numbers; the message names the file and the line.
+
+    >>> issubclass(TableError, ValueError)
+    True
+    """
+
+
 class TooLargeError(HFieldError, ValueError):
     """A computation refused beforehand, because its result would not fit in time or memory.
 

@@ -8,13 +8,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from hfield.errors import HFieldError, shorten
+from hfield.errors import TableError, shorten
 
 MAX_ROWS = 1_000_000
-
-
-class TableError(HFieldError, ValueError):
-    """A file that is no table of numbers; the message names the line."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,11 +49,11 @@ def read_table(path: str | Path, columns: Mapping[int, str]) -> Table:
         fields = _fields(line)
         if not fields:
             continue
-        heading, seen_any = not seen_any and not any(map(_is_number, fields)), True
+        heading, seen_any = not seen_any and not any(map(is_number, fields)), True
         if heading:
             continue
         where = f"{name}, line {number}"
-        wrong = next((field for field in fields if not _is_number(field)), None)
+        wrong = next((field for field in fields if not is_number(field)), None)
         if wrong is not None:
             what = f"{shorten(wrong)!r} is no number" if wrong else "a value is missing"
             raise TableError(f"{where}: {what}; expected {expected}")
@@ -86,7 +82,8 @@ def _fields(line: str) -> list[str]:
     return [field.strip() for field in text.split(separator)] if text else []
 
 
-def _is_number(text: str) -> bool:
+def is_number(text: str) -> bool:
+    """Tell whether a text is a number in decimal notation."""
     try:
         float(text)
     except ValueError:

@@ -91,7 +91,7 @@ FLOORS = [
     {"rotation.ledger"},
     {"rotation.commands", "rotation.report"},
     {"anim.errors", "anim.attitude", "anim.catalogue", "anim.compiling"},
-    {"anim.checks", "anim.tables"},
+    {"anim.checks"},
     {"anim.outline"},
     {"anim.model", "anim.film", "anim.timeline"},
     {"anim.motion", "anim.picture", "anim.output"},

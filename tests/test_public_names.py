@@ -17,9 +17,9 @@ NAMES = {
         CC CDF ClassSet CoercionError Description GF H HFieldError Ideal IndefiniteError Lattice LatticeError
         LedgerError MixedParentsError NoSolutionError NotFiniteError NotInvertibleError NotationError
         NumberField Order QQ Quaternion QuaternionAlgebra RDF RR Rejected Ring RingError SelectionError
-        StructureAlgebra TooLargeError UndecidedError UnfactoredError UnknownClaimError ZZ Zmod check
-        check_ring conj conjugator errors explain four_squares hilbert_symbol info inv norm places prove ring
-        ternary_form to_sympy trace verify
+        StructureAlgebra TableError TooLargeError UndecidedError UnfactoredError UnknownClaimError ZZ Zmod
+        check check_ring conj conjugator errors explain four_squares hilbert_symbol info inv norm places prove
+        ring ternary_form to_sympy trace verify
     """,
     "rotation": """
         BSpline DTypeError ForeignArrayError LETTER_T R2 R_x R_y R_z RigidTransform Rotation RotationError

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from anim.commands.arguments import MODELS
-from anim.tables import is_number
 from hfield.commands.parser import UsageError
+from hfield.tables import is_number
 
 if TYPE_CHECKING:
     from anim.film import Clip

@@ -594,7 +594,8 @@ class Quaternion(Hinted, PrintedBySympy):
         """Return the principal logarithm, ``log|q| + n·θ`` with θ in [0, π), over the rings of :meth:`exp`.
 
         Over functions of angles, of a q of modulus 1, it is the product n·θ of axis and angle of
-        :meth:`polar`, which has ``exp()`` and multiples, and is no element of the algebra. Raises :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
+        :meth:`polar`, which has ``exp()`` and multiples, and is no element of the algebra. Raises
+        :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
 
         >>> from hfield import H
         >>> H("RDF")(0, 0, 0, 1).log().coordinates[3]

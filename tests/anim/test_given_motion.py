@@ -13,6 +13,7 @@ from anim.film import Clip, clip
 from anim.given_motion import motion_of
 from anim.pipelines import kinematic
 from hfield.cli import main
+from hfield.errors import TableError
 from rotation import Rotation
 
 HALF = 0.5**0.5
@@ -63,7 +64,6 @@ def test_a_function_of_time(function) -> None:
         (object(), "expected quaternions"),
         (None, r"the shape \(\); expected"),
         ("matrices", "expected one of quaternions, product"),
-        ("none.csv", "could not be read"),
         (lambda t: (0, 0, 0, 0), "t = 0 returns the quaternion 0"),
         (lambda t: t, r"returns the shape \(\)"),
         (lambda t: "x", "returns a str"),
@@ -75,6 +75,11 @@ def test_a_function_of_time(function) -> None:
 def test_what_is_no_motion_is_refused(source, words) -> None:
     with pytest.raises(AnimationError, match=words):
         motion_of(source)
+
+
+def test_a_file_that_cannot_be_read_is_named() -> None:
+    with pytest.raises(TableError, match="could not be read"):
+        motion_of("none.csv")
 
 
 def test_a_motion_keeps_its_own_film() -> None:

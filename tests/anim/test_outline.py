@@ -11,6 +11,7 @@ from anim.outline import simplified
 from anim.physics import Body, physical
 from anim.physics.simulate import STORY, story_of
 from hfield.cli import main
+from hfield.errors import TableError
 
 EGG = [(0, 0), (1, 0.8), (2, 1), (3, 0.6), (3.5, 0)]
 
@@ -90,10 +91,10 @@ def test_errors_name_file_and_line(tmp_path, monkeypatch, capsys, text, words) -
 
 
 def test_a_file_that_cannot_be_read_is_named(tmp_path) -> None:
-    with pytest.raises(AnimationError, match=r"none\.csv.* could not be read"):
+    with pytest.raises(TableError, match=r"none\.csv.* could not be read"):
         Model.from_outline(tmp_path / "none.csv")
     (tmp_path / "bytes").write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(AnimationError, match="UTF-8"):
+    with pytest.raises(TableError, match="UTF-8"):
         Model.from_outline(tmp_path / "bytes")
 
 

@@ -293,11 +293,8 @@ def sqrt(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
     for root in found.isolated:
         if not ring.is_zero(trace(c, root)) and positive(ring, trace(c, root)):
             return root
-    there = "those of trace 0, q.square_roots()" if found else "none"
-    raise NoSolutionError(
-        f"there is no square root of positive trace over {ring}; there are {there}; "
-        "q.change_ring('RR') may have more"
-    )
+    others = "q.square_roots() has roots of trace 0" if found else "a larger ring may have one"
+    raise NoSolutionError(f"there is no square root of positive trace over {ring}; {others}")
 
 
 def power(ring: Ring, c: Constants, q: Coordinates, exponent: float | Fraction) -> Coordinates:
