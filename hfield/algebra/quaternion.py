@@ -582,7 +582,8 @@ class Quaternion(Hinted, PrintedBySympy):
     def exp(self) -> Quaternion:
         """Return the sum of ``qⁿ/n!``: over RDF, of arrays too, and exactly over RR.
 
-        Raises :class:`RingError` over other rings.
+        Over functions of angles t it is that of products n·t, of an axis with ``ring.angle("t")``. Raises
+        :class:`RingError` over other rings.
 
         >>> from hfield import H
         >>> H("RR").parse("pi/3*k").exp()

@@ -14,7 +14,7 @@ from hfield.product import Constants
 from hfield.rings.base import Known
 from hfield.rings.expressions import is_of_sympy
 from hfield.rings.holding import Batch
-from hfield.rings.printing import number_text, sum_text
+from hfield.rings.printing import Factor, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.values import ValueRing
 
@@ -316,10 +316,15 @@ class ComplexFloats(FloatingPoint[complex]):
     def text(self, x: complex, style: str = "plain") -> str:
         """Write x, such as ``0.5-2.0*I``, so that it reads back as the same number."""
         x = complex(x)
-        parts = [(RDF.text(x.real, style), []), (RDF.text(x.imag, style), [("I", 1)])]
-        return sum_text(
-            [part for part, value in zip(parts, (x.real, x.imag), strict=True) if value], style
-        )
+        real, imaginary = RDF.text(x.real, style), RDF.text(x.imag, style)
+        if abs(x.imag) == 1:
+            imaginary = imaginary.removesuffix(".0")  # I alone
+        terms: list[tuple[str, list[Factor]]] = []
+        if x.real:
+            terms.append((real, []))
+        if x.imag:
+            terms.append((imaginary, [("I", 1)]))
+        return sum_text(terms, style)
 
     def scalar(self, x: Any) -> complex:
         """Turn an entry of an array into a Python number."""

@@ -34,12 +34,27 @@ def by_mpmath(f: Callable[[object], object], q: np.ndarray) -> list[mpmath.mpf]:
 
 @pytest.mark.parametrize(
     ("name", "exact", "units"),
-    [("exp", mpmath.exp, 40), ("log", mpmath.log, 6), ("sqrt", mpmath.sqrt, 4)],
+    [
+        ("exp", mpmath.exp, 40),
+        ("log", mpmath.log, 3),
+        ("sqrt", mpmath.sqrt, 3),
+        ("**0.3", lambda z: z ** mpmath.mpf(0.3), 3),
+        ("**-2.5", lambda z: z ** mpmath.mpf(-2.5), 10),
+        ("roots(3)", mpmath.cbrt, 4),
+    ],
 )
 def test_floats_against_mpmath(name: str, exact: Callable[[object], object], units: float) -> None:
-    """The errors are in units of 2⁻⁵² of the modulus of the result; exp has 40 up to modulus 2⁷."""
+    """The errors are in units of 2⁻⁵² of the modulus of the result; exp has 40 up to modulus 2⁷.
+
+    scripts/measure_float_functions.py takes more values.
+    """
     q = random_batch(cases(1000), 1)
-    found = getattr(A(*q), name)().coordinates
+    batch = A(*q)
+    if name.startswith("**"):
+        result = batch ** float(name[2:])
+    else:
+        result = batch.roots(3)[0] if name == "roots(3)" else getattr(batch, name)()
+    found = result.coordinates
     with mpmath.workprec(200):
         for n in range(q.shape[1]):
             right = by_mpmath(exact, q[:, n])
