@@ -29,7 +29,9 @@ def principal_ideal(brute: BruteForce, side: str, x: int) -> frozenset[int]:
         return frozenset(table[:, x].tolist())
     if side == "right":
         return frozenset(table[x, :].tolist())
-    found = frozenset(np.unique(table[np.unique(table[:, x]), :]).tolist())
+    inside = np.zeros(brute.q**4, dtype=bool)
+    inside[table[np.unique(table[:, x])]] = True
+    found = frozenset(np.flatnonzero(inside).tolist())
     while len(found) < brute.q**4 and len(bigger := sums(brute, found, found)) > len(found):
         found = bigger
     return found
