@@ -1218,14 +1218,14 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> O.discriminant(), len(O.basis)
         (ideal(1), 8)
         """
-        from hfield.orders import named_orders
+        from hfield.orders import standard_orders
         from hfield.orders.lattice import IntegersOrder, Order
         from hfield.orders.over_integers import orders
 
         with known_primes(factors):
             if self.over_integers:
                 return IntegersOrder(orders.maximal_order(self))
-            return Order(named_orders.maximal_order(self))
+            return Order(standard_orders.maximal_order(self))
 
     def eichler_order(self, level: object, factors: Factors | None = None) -> Any:
         """Return an Eichler order of the given level, the same for the same algebra and level.
@@ -1238,14 +1238,14 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> O.norm_of_discriminant() == 31**3, O.local_index(P)
         (True, 2)
         """
-        from hfield.orders import named_orders
+        from hfield.orders import standard_orders
         from hfield.orders.lattice import IntegersOrder, Order
         from hfield.orders.over_integers import orders
 
         with known_primes(factors):
             if self.over_integers:
                 return IntegersOrder(orders.eichler_order(self, level))
-            return Order(named_orders.eichler_order(self, level))
+            return Order(standard_orders.eichler_order(self, level))
 
     def extremal_order(self) -> Order:
         """Return a p-extremal maximal order, from which KLPT starts, for a prime discriminant p.
@@ -1253,21 +1253,21 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         Raises :class:`LatticeError` for an indefinite algebra, or a composite discriminant.
         """
         from hfield.orders.lattice import Order
-        from hfield.orders.named_orders import extremal_order
+        from hfield.orders.standard_orders import extremal_order
 
         return Order(extremal_order(self))
 
     def lipschitz_order(self) -> Order:
         """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""
         from hfield.orders.lattice import Order
-        from hfield.orders.named_orders import lipschitz_order
+        from hfield.orders.standard_orders import lipschitz_order
 
         return Order(lipschitz_order(self))
 
     def hurwitz_order(self) -> HurwitzOrder:
         """Return ``ℤ⟨e, i, j, (e+i+j+k)/2⟩`` in (−1,−1|ℚ). Raises :class:`CoercionError` elsewhere."""
         from hfield.orders.hurwitz_order import HurwitzOrder
-        from hfield.orders.named_orders import hurwitz_order
+        from hfield.orders.standard_orders import hurwitz_order
 
         return HurwitzOrder(hurwitz_order(self))
 
@@ -1286,7 +1286,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
             order: Any = self.eichler_order(level)
             return len(order.class_set()) if order.is_definite() else number_by_signs(self)
-        from hfield.orders.named_orders import class_number
+        from hfield.orders.standard_orders import class_number
 
         return class_number(self, level)
 

@@ -26,8 +26,8 @@ from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified
 from hfield.fields.rationals.places import INFINITE
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.orders import checked_arguments
-from hfield.orders.modulo_primes import kronecker
+from hfield.orders import validation
+from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.primality import WORD
 from hfield.product import Constants
 from hfield.rings.base import Ring
@@ -152,7 +152,7 @@ class RationalIntegers:
     one = 1
 
     def prime(self, x: object) -> int:
-        return checked_arguments.prime(x)
+        return validation.prime(x)
 
     def primes_above(self, p: int) -> list[tuple[Any, Any]]:
         return [(p, p)]

@@ -23,10 +23,10 @@ from typing import Any
 from hfield.errors import LatticeError
 from hfield.factorisation import factorise
 from hfield.orders import hermite
-from hfield.orders.checked_arguments import expect_coprime
 from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import LatticeValue
-from hfield.orders.modulo_primes import kronecker
+from hfield.orders.linear_algebra_mod_p import kronecker
+from hfield.orders.validation import expect_coprime
 from hfield.orders.z_order import ZOrder
 
 

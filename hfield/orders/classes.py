@@ -23,7 +23,6 @@ from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.evidence import Certified, Claim
 from hfield.factorisation import factorise
 from hfield.orders import brandt, certificates, enumeration, hermite
-from hfield.orders.checked_arguments import positive, prime
 from hfield.orders.class_number import mass
 from hfield.orders.ideals_of_norm import (
     is_maximal_or_eichler,
@@ -44,6 +43,7 @@ from hfield.orders.lattice_values import (
     scaled,
 )
 from hfield.orders.short_elements import theta_series
+from hfield.orders.validation import positive, prime
 from hfield.orders.z_order import ZOrder
 from hfield.primality import is_prime, primes
 from hfield.progress import along, tell

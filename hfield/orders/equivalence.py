@@ -19,7 +19,7 @@ from itertools import islice
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import UndecidedError
 from hfield.factorisation import factorise
-from hfield.orders import compatible_products, enumeration, hermite
+from hfield.orders import enumeration, hermite, ideal_products
 from hfield.orders.certificates import STRONG_APPROXIMATION, Answer, element_json
 from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import (
@@ -56,7 +56,7 @@ def equivalence(
         pair = (bar, second) if left else (second, bar)
         # an ideal on the right may be given beside a two-sided one
         compatible = side != "two-sided"
-        found = compatible_products.product(*pair, order) if compatible else product(*pair)
+        found = ideal_products.product(*pair, order) if compatible else product(*pair)
         bridge = scaled(found, 1 / first.norm)
         size = second.norm / first.norm
     else:

@@ -8,11 +8,11 @@ from typing import Any
 import flint
 
 from hfield.factorisation import factorise
-from hfield.orders import checked_arguments
+from hfield.orders import validation
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Module, expect_eichler
 from hfield.orders.invariants import is_eichler
-from hfield.orders.named_orders import eichler_order
+from hfield.orders.standard_orders import eichler_order
 from hfield.primality import primes
 
 
@@ -29,7 +29,7 @@ class RationalModule(Module):
 
     def prime(self, given: object) -> int:
         """Return a prime number."""
-        return checked_arguments.prime(given)
+        return validation.prime(given)
 
     def good_primes(self) -> Iterator[int]:
         """Yield the primes that divide neither the level nor the discriminant."""

@@ -36,6 +36,7 @@ from hfield.orders.lattice_values import (
     multiple,
     scaled,
 )
+from hfield.orders.linear_algebra_mod_p import echelon, lead
 from hfield.orders.maximal_orders import (
     Line,
     above,
@@ -44,7 +45,6 @@ from hfield.orders.maximal_orders import (
     small_lines,
     with_two_roots,
 )
-from hfield.orders.modulo_primes import echelon, lead
 from hfield.orders.z_order import ZOrder
 
 

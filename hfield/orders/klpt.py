@@ -19,7 +19,7 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders import hermite
 from hfield.orders.lattice_values import LatticeValue, includes, multiple, spanning_rows
-from hfield.orders.modulo_primes import kernel
+from hfield.orders.linear_algebra_mod_p import kernel
 from hfield.orders.quadratic_orders import Frame, extremal_frame, in_frame, represent
 from hfield.orders.short_elements import expect_definite, least_norm, up_to
 from hfield.orders.z_order import ZOrder

@@ -25,9 +25,9 @@ from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted, over_fields
 from hfield.orders import (
     certificates,
     class_number,
-    compatible_products,
     equivalence,
     hermite,
+    ideal_products,
     ideals_of_norm,
     invariants,
     isomorphic_orders,
@@ -42,15 +42,6 @@ from hfield.orders import (
     z_order,
 )
 from hfield.orders.certificates import Answer
-from hfield.orders.checked_arguments import (
-    checked_side,
-    integer,
-    listed,
-    natural,
-    positive,
-    prime,
-)
-from hfield.orders.checked_arguments import prime as checked_prime
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import WithForms
@@ -67,6 +58,15 @@ from hfield.orders.over_integers.quadratic_orders import IntegersEmbeddings
 from hfield.orders.quadratic_orders import Embeddings
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.ternary_forms import TernaryForm
+from hfield.orders.validation import (
+    checked_side,
+    integer,
+    listed,
+    natural,
+    positive,
+    prime,
+)
+from hfield.orders.validation import prime as checked_prime
 from hfield.orders.z_order import ZOrder
 from hfield.rings.whole_numbers import fraction
 from hfield.sympy_printing import PrintedBySympy
@@ -751,7 +751,7 @@ class Ideal(Certified, Lattice):
             return Ideal.of(super().__mul__(other), side, self._order)
         if isinstance(other, Ideal) and other.side == "left" and self.order == other.order:
             pair = self.value, other.value
-            return Ideal(compatible_products.product(*pair, self.order.value), "right")
+            return Ideal(ideal_products.product(*pair, self.order.value), "right")
         known = other._order if isinstance(other, Ideal) and other.side == "right" else None
         return Ideal.of(super().__mul__(other), "right", known)
 

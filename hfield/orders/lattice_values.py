@@ -19,8 +19,8 @@ from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, shorten
 from hfield.orders import hermite
 from hfield.orders.basis import AlgebraBasis, basis_of
-from hfield.orders.checked_arguments import listed
 from hfield.orders.kernels.general import ideal_multiples
+from hfield.orders.validation import listed
 
 
 class LatticeValue:

@@ -19,9 +19,9 @@ from flint import fmpz_mat
 from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise
 from hfield.orders import hermite, lattice_values
-from hfield.orders.checked_arguments import expect_coprime
 from hfield.orders.lattice_values import LatticeValue, hermite_form, order_of
-from hfield.orders.modulo_primes import kernel, lifted, roots, simple_root
+from hfield.orders.linear_algebra_mod_p import kernel, lifted, roots, simple_root
+from hfield.orders.validation import expect_coprime
 from hfield.orders.z_order import ZOrder
 from hfield.rings.whole_numbers import crt
 

@@ -10,8 +10,8 @@ from hfield.algebra.quaternion import Parent
 from hfield.errors import LatticeError, shorten
 from hfield.orders import hermite
 from hfield.orders.basis import AlgebraBasis, basis_of
-from hfield.orders.checked_arguments import listed
 from hfield.orders.lattice_values import LatticeValue, contains, spanning_rows
+from hfield.orders.validation import listed
 
 
 def checked_ring(lattice: LatticeValue) -> LatticeValue:

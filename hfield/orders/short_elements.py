@@ -20,8 +20,8 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, TooLargeError, shorten
 from hfield.orders import enumeration, hermite
 from hfield.orders.basis import AlgebraBasis
-from hfield.orders.checked_arguments import natural
 from hfield.orders.lattice_values import LatticeValue
+from hfield.orders.validation import natural
 
 Row = tuple[int, ...]
 MAX_LISTED = 10**6

@@ -9,7 +9,7 @@ import pytest
 from hfield import QuaternionAlgebra, ring
 from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise
-from hfield.orders.modulo_primes import kronecker
+from hfield.orders.linear_algebra_mod_p import kronecker
 
 
 def group(D: int, N: int = 1):

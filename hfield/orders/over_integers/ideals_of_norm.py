@@ -104,9 +104,8 @@ def _in_radical(local: Local, order: LatticeValue, basis: Rows, below: LatticeVa
 
 def subideals(local: Local, ideal: LatticeValue, found: list[Rows]) -> Iterator[LatticeValue]:
     """Yield the right ideals of relative norm P in an invertible one; ``found`` are those of its order."""
-    ambient = local.ambient
-    y = local_generator(local, ideal)
-    below, moved = local.times_prime(ideal), ambient.times(y, "left")
+    moved = local.ambient.times(local_generator(local, ideal), "left")
+    below = local.times_prime(ideal)
     for pair in found:
         yield add_elements(below, flint.fmpq_mat(pair) * moved)
 

@@ -18,7 +18,6 @@ from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.number_fields.classes.zeta import zeta_minus_one
 from hfield.fuchsian.search import Sight, element_of_norm, first_plane, reduction
 from hfield.fuchsian.split_order import SplitOrder, TwoSided
-from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import LatticeValue, multiple, scalars_into
 from hfield.orders.over_integers import certificates
 from hfield.orders.over_integers.elliptic_points import elliptic_points
@@ -176,7 +175,7 @@ class SplitIntegersOrder(SplitOrder):
         found *= self.order.norm_of_discriminant()
         for place, _ in self.order.discriminant().factorisation():
             local = Local(ambient, ambient.base.prime(place))
-            q, symbol = local.prime.norm(), eichler_symbol(order, local.prime) or 0
+            q, symbol = local.prime.norm(), self.order.eichler_symbol(place) or 0
             found *= (1 - Fraction(1, q * q)) / (1 - Fraction(symbol, q))
             if symbol == 0:
                 found /= local.norm_index(order)

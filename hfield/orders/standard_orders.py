@@ -25,11 +25,11 @@ from hfield.fields.rationals.residues import PrimePlace
 from hfield.orders import class_number as class_numbers
 from hfield.orders import hermite
 from hfield.orders.basis import basis_of
-from hfield.orders.checked_arguments import expect_coprime, positive
 from hfield.orders.lattice_values import hermite_form
+from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.orders.maximal_orders import eichler_suborder, overorder
-from hfield.orders.modulo_primes import kronecker
 from hfield.orders.rings import generated
+from hfield.orders.validation import expect_coprime, positive
 from hfield.orders.z_order import ZOrder
 from hfield.primality import is_prime
 from hfield.product import Constants, Coordinates, multiply
