@@ -88,6 +88,13 @@ class Base(Protocol):
     def prime_ideal(self, prime: Any) -> Any:
         """Return a prime as an ideal."""
 
+    @property
+    def mass_factor(self) -> Fraction:
+        """2^(1−n)·|ζ(−1)|·h for a totally real field, h its class number: the mass of discriminant 1."""
+
+    def absolute_norm(self, ideal: Any) -> int:
+        """Return how many residues there are modulo an integral ideal."""
+
     def valuation(self, ideal: Any, prime: Any) -> int:
         """Return the exponent of a prime in an ideal."""
 
@@ -159,6 +166,11 @@ class RationalIntegers:
 
     def prime_ideal(self, prime: int) -> int:
         return prime
+
+    mass_factor = Fraction(1, 12)
+
+    def absolute_norm(self, ideal: Fraction | int) -> int:
+        return int(ideal)
 
     def valuation(self, ideal: Fraction | int, prime: int) -> int:
         return remove(ideal.numerator, prime)[0] - remove(ideal.denominator, prime)[0]
@@ -268,6 +280,14 @@ class NumberFieldIntegers:
 
     def prime_ideal(self, prime: PrimeIdeal) -> ideals.Ideal:
         return self.integers.prime(prime)
+
+    @property
+    def mass_factor(self) -> Fraction:
+        classes = self.ring.class_group().order
+        return Fraction(abs(self.ring.zeta_minus_one()) * classes, 2 ** (self.degree - 1))
+
+    def absolute_norm(self, ideal: ideals.Ideal) -> int:
+        return int(ideal.norm())
 
     def valuation(self, ideal: ideals.Ideal, prime: PrimeIdeal) -> int:
         return ideal.valuation(prime)

@@ -24,8 +24,9 @@ from hfield.errors import LatticeError
 from hfield.factorisation import factorise
 from hfield.orders import hermite
 from hfield.orders.invariants import eichler_symbol
-from hfield.orders.lattice_values import LatticeValue
+from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
+from hfield.orders.short_elements import expect_definite
 from hfield.orders.validation import expect_coprime
 from hfield.orders.z_order import ZOrder
 
@@ -40,11 +41,18 @@ def eichler_mass(discriminant: int, level: int) -> Fraction:
     return mass
 
 
-def mass(order: ZOrder) -> Fraction:
-    """Return the mass of any order of a definite algebra, from its Eichler symbols."""
-    found = Fraction(order.discriminant, 12)
-    for p in factorise(order.discriminant):
-        found *= local_factor(eichler_symbol(order, p), p)
+def mass(order: LatticeValue) -> Fraction:
+    """Return Σ 1/[O_L(I)ˣ : Rˣ] over the invertible right ideal classes, R being the integers of the base.
+
+    It is 2^(1−n)·|ζ_K(−1)|·h_K·N(discrd)·Π λ(O, P), λ from Eichler symbols (Voight, 26.1.5). Raises
+    :class:`IndefiniteError`, :class:`TooLargeError`.
+    """
+    base, whole = order.ambient.base, discriminant(order)
+    expect_definite(order.ambient, "the mass of ideal classes")
+    found = base.mass_factor * base.absolute_norm(whole)
+    for P, _ in base.factorisation(whole):
+        norm = base.absolute_norm(base.prime_ideal(P))
+        found *= local_factor(eichler_symbol(order, P), norm)
     return found
 
 
@@ -177,7 +185,7 @@ class WithStableClasses:
     """Stable classes, of an order."""
 
     mass: Callable[[], Fraction]
-    _units_modulo_scalars: Callable[[], int]
+    unit_index: Callable[[], int]
 
     @property
     @abstractmethod
@@ -203,7 +211,7 @@ class WithStableClasses:
 
         All stable classes have the same mass, and in a Hermite order that of O is one class. Raises likewise.
         """
-        whole = self.mass() * self._units_modulo_scalars()
+        whole = self.mass() * self.unit_index()
         return whole.denominator == 1 and whole == self.stable_class_number()
 
 

@@ -513,7 +513,7 @@ class Order(WithStableClasses, Certified, Lattice):
     # --- units -------------------------------------------------------------------------------------
 
     def units(self) -> tuple[Quaternion, ...]:
-        """Return all units of an order in a definite algebra.
+        """Return all units of an order in a definite algebra; over other fields one of each coset of ℤ_Kˣ.
 
         Raises :class:`NotFiniteError` for an indefinite algebra, whose orders have infinitely many.
         """
@@ -524,6 +524,20 @@ class Order(WithStableClasses, Certified, Lattice):
         """Return how many units there are; at most 24. Raises as :meth:`units` does."""
         expect_definite(self.value.ambient, "unit_count()")
         return 2 * sum(1 for _ in short_elements.up_to(self.value, 1))
+
+    def unit_index(self) -> int:
+        """Return [Oˣ : ±1]. Raises as :meth:`units` does.
+
+        >>> from hfield import H
+        >>> H("QQ").hurwitz_order().unit_index(), len(H("QQ").hurwitz_order().units_modulo_scalars())
+        (12, 12)
+        """
+        return self.unit_count() // 2
+
+    def units_modulo_scalars(self) -> tuple[Quaternion, ...]:
+        """Return one of u and −u for each unit. Raises as :meth:`units` does."""
+        units = self.units()
+        return tuple(u for n, u in enumerate(units) if -u not in units[:n])
 
     def unit_group(self) -> str:
         """Return the name of the group of units: ``C2 C4 C6 Q8 Dic3`` or ``SL(2,3)``.
@@ -639,12 +653,8 @@ class Order(WithStableClasses, Certified, Lattice):
     def _stable(self) -> StableClasses:
         return class_number.over_z(self.value)
 
-    def _units_modulo_scalars(self) -> int:
-        return self.unit_count() // 2
-
     def mass(self) -> Fraction:
         """Return ``Σ 1/[O_L(I)^× : ±1]`` over the right ideal classes, by a formula."""
-        expect_definite(self.value.ambient, "the mass of ideal classes")
         return class_number.mass(self.value)
 
 
@@ -1269,8 +1279,20 @@ class IntegersOrder(Lattice, WithStableClasses, Certified):
         """
         return equivalence_over_fields.unit_index(self.value)
 
+    def units_modulo_scalars(self) -> tuple[Quaternion, ...]:
+        """Return one unit of each coset of ℤ_Kˣ. Raises :class:`IndefiniteError` where they are infinite.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> len(QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().units_modulo_scalars())
+        60
+        """
+        return self.units()
+
     def units(self) -> tuple[Quaternion, ...]:
-        """Return one unit of each coset of ℤ_Kˣ. Raises :class:`IndefiniteError` where they are infinite."""
+        """Return one unit of each coset of ℤ_Kˣ. Raises :class:`IndefiniteError` where they are infinite.
+
+        Over ℚ these are all units; :meth:`units_modulo_scalars` is the same over both.
+        """
         rows = equivalence_over_fields.units(self.value)
         return tuple(self.value.ambient.quaternion(row.entries()) for row in rows)
 
@@ -1304,14 +1326,11 @@ class IntegersOrder(Lattice, WithStableClasses, Certified):
 
     def mass(self) -> Fraction:
         """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, by a formula. Raises likewise."""
-        return class_sets.mass(self)
+        return class_number.mass(self.value)
 
     @cached_property
     def _stable(self) -> StableClasses:
         return stable_classes.stable_classes(self)
-
-    def _units_modulo_scalars(self) -> int:
-        return self.unit_index()
 
     def class_set(self) -> IntegersClassSet:
         """Return the invertible right ideal classes, complete by the mass formula. Raises likewise."""

@@ -28,7 +28,7 @@ import flint
 
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.orders.brandt import of_power
-from hfield.orders.class_number import local_factor
+from hfield.orders.class_number import mass
 from hfield.orders.classes import orbits, renumbered
 from hfield.orders.enumeration import Vector, least_vectors
 from hfield.orders.lattice_values import (
@@ -45,7 +45,7 @@ from hfield.orders.over_integers.positive_generators import (
     totally_positive_generator,
     units_modulo_squares,
 )
-from hfield.orders.short_elements import expect_definite, rows_of_norm
+from hfield.orders.short_elements import rows_of_norm
 from hfield.primality import primes
 from hfield.progress import along, tell
 
@@ -60,24 +60,6 @@ Key = tuple[int, ...]
 Row = list[int]
 MOST_CLASSES = 20_000
 """More classes than this are not enumerated."""
-
-
-def mass(order: Any) -> Fraction:
-    """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the invertible right ideal classes, by the mass formula.
-
-    It is 2^(1−n)·|ζ_K(−1)|·h_K·N(discrd)·Π λ(O, P), λ from Eichler symbols (Voight, 26.1.5). Raises
-    :class:`IndefiniteError`, :class:`TooLargeError`.
-    """
-    ambient = order.value.ambient
-    expect_definite(ambient, "the mass of ideal classes")
-    ring = ambient.base.ring
-    found: Fraction = Fraction(
-        abs(ring.zeta_minus_one()) * ring.class_group().order, 2 ** (ambient.degree - 1)
-    )
-    found *= order.norm_of_discriminant()
-    for P, _ in order.discriminant().factorisation():
-        found *= local_factor(order.eichler_symbol(P), ambient.base.prime(P).norm())
-    return found
 
 
 def number_by_signs(algebra: Any) -> int:
@@ -278,7 +260,7 @@ class Classes:
 
     def __init__(self, ring: Any) -> None:
         self.ring, self.ambient = ring, ring.value.ambient
-        self.mass = mass(ring)
+        self.mass = mass(ring.value)
         if self.mass > MOST_CLASSES:
             raise TooLargeError(
                 f"the mass is {self.mass}, so there are more than {MOST_CLASSES} classes: too many"
