@@ -1006,6 +1006,11 @@ class IntegersOrder(Lattice, WithStableClasses, Certified):
 
     elsewhere = over_fields(ORDER) | {"ternary_quadratic_form": "ternary_form()"}
 
+    def __and__(self, other: object) -> Lattice:
+        """Return the intersection with a lattice; that with another order is an order."""
+        found = super().__and__(other)
+        return IntegersOrder(found.value) if isinstance(other, IntegersOrder) else found
+
     # --- what it is as a ring ----------------------------------------------------------------------
 
     def discriminant(self) -> FieldIdeal:

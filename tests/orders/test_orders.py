@@ -264,12 +264,15 @@ def test_orders_that_are_not_isomorphic() -> None:
         S.isomorphism(x * S * x.inverse())
 
 
-def test_the_intersection_of_orders_is_an_order() -> None:
-    A = QuaternionAlgebra("QQ", -1, -11)
-    O, P = A.lipschitz_order(), A.eichler_order(3)
+@pytest.mark.parametrize("field", ["QQ", "QQ(sqrt(5))", "QQ[s]/(s-1)"])
+def test_the_intersection_of_orders_is_an_order(field: str) -> None:
+    A = QuaternionAlgebra(field, -1, -11)
+    O, P = A.order(["i", "j"]), A.eichler_order(3)
     both = O & P
     assert isinstance(both, type(O))
     assert both == A.order_from_basis(both.basis)
     assert all(q in O and q in P for q in both.basis)
-    assert both.discriminant() % P.discriminant() == 0 == both.discriminant() % O.discriminant()
+    for larger in (O, P):
+        assert both <= larger
+        assert larger.index(both) == both.discriminant() / larger.discriminant()
     assert not isinstance(O & O.left_ideal([2, "1+i"]), type(O))
