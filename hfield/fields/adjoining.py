@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from hfield.errors import RingError
+from hfield.fields.circles.names import build as build_circles
 from hfield.fields.circles.real import RealCircles
 from hfield.fields.circles.ring import CircleFunctions, CirclesOverNumberField
-from hfield.fields.circles.ring import build as build_circles
 from hfield.fields.function_fields.over_number_fields import OverNumberField
 from hfield.fields.function_fields.quotients import FractionField
 from hfield.fields.function_fields.rational_functions import rational_functions

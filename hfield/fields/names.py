@@ -296,7 +296,7 @@ def _extension(base: Ring, inner: str) -> Ring:
     from hfield.fields.function_fields.rational_functions import rational_functions
 
     if re.search(r"(?:^|,)(?:cos|sin)\(", inner):
-        from hfield.fields.circles.ring import read_circles
+        from hfield.fields.circles.names import read_circles
 
         return read_circles(base, split(inner, ","))
     if inner.startswith("(") and inner.endswith(")"):  # Laurent series

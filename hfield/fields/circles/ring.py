@@ -7,18 +7,17 @@ sine squared, and Q in cosines alone: this is unique in lowest terms.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from math import prod
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
+from hfield.errors import CoercionError, NotInvertibleError, shorten
 from hfield.fields.circles.angles import (
     PI,
     Angle,
     WithAngles,
-    angle_of,
     angle_text,
     cosine_and_sine_of,
     rotated,
@@ -29,8 +28,6 @@ from hfield.fields.function_fields.quotients import FractionField, Quotient
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.several_variables.ring import RationalFunctions, listed
 from hfield.rings.base import Ring, shared
-from hfield.rings.closed_fields.algebraic import RR
-from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.polynomials import build as build_polynomials
@@ -402,51 +399,9 @@ def _mirrored(ring: PolynomialRing, poly: SparsePolynomial, place: int) -> Spars
 
 
 def build(base: Ring, angles: Angles, plain: tuple[str, ...]) -> Ring:
-    """Return the field of functions on circles."""
-    if base == RR:
-        from hfield.fields.circles.real import RealCircles
-
-        return shared(RealCircles, build(QQ, angles, plain))
+    """Return the field of functions on circles over QQ, a number field or GF(p)."""
     if hasattr(base, "modulus_over_rationals"):
         return shared(CirclesOverNumberField, build(QQ, angles, plain), base)
     if len(angles) == 1 and not plain:
         return shared(OneCircle, base, angles)
     return shared(SeveralCircles, base, angles, plain)
-
-
-def read_circles(base: Ring, parts: Sequence[str]) -> Ring:
-    """Return K(cos(t), sin(t), …) for what stands in the brackets. Raises :class:`RingError`."""
-    from hfield.rings.variables import variables
-
-    what = f"{base}({','.join(parts)})"
-    known = base in (QQ, RR) or isinstance(base, PrimeField)
-    if not (known or hasattr(base, "modulus_over_rationals")):
-        raise RingError(f"{shorten(what)}: circles are over QQ, a number field, RR, or GF(p)")
-    if base.characteristic == 2:
-        raise RingError(
-            f"{shorten(what)}: circles are not parametrised by tangents in characteristic 2"
-        )
-    found: dict[tuple[str, int], set[str]] = {}
-    plain: list[str] = []
-    for part in parts:
-        function, bracket, inner = part.partition("(")
-        if not bracket:
-            plain.append(part)
-            continue
-        try:
-            angle = angle_of(inner.removesuffix(")"))
-        except HFieldError as error:
-            raise RingError(f"{shorten(what)}: {error}") from None
-        (name, c), *more = angle.items() or [("", Fraction(0))]
-        if function not in ("cos", "sin") or more or c.numerator != 1 or name == PI:
-            raise RingError(
-                f"{shorten(what)}: expected cos(t),sin(t) or cos(t/2),sin(t/2), found {part}"
-            )
-        found.setdefault((name, c.denominator), set()).add(function)
-    names = [name for name, _ in found]
-    variables(what, ",".join([*plain, *names]), base)
-    for angle_name, functions in found.items():
-        if len(functions) < 2:
-            shown = angle_text(*angle_name)
-            raise RingError(f"{shorten(what)}: expected both cos({shown}) and sin({shown})")
-    return build(base, tuple(found), tuple(plain))
