@@ -16,6 +16,8 @@ class HFieldError(Exception):
 class NotationError(HFieldError, ValueError):
     """A text that cannot be read: ``position`` is the offset of the first character at fault.
 
+    ``reason`` is the message without the position.
+
     >>> from hfield import prove
     >>> try:
     ...     prove("p*(q == q")
@@ -25,7 +27,7 @@ class NotationError(HFieldError, ValueError):
     """
 
     def __init__(self, message: str, text: str = "", position: int | None = None) -> None:
-        self.text, self.position = text, position
+        self.reason, self.text, self.position = message, text, position
         where = "" if position is None else f" (at character {position + 1} of {shorten(text)!r})"
         super().__init__(message + where)
 

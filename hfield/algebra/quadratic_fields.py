@@ -112,12 +112,12 @@ def _trace_and_norm(A: Any, given: object) -> tuple[Any, Any]:
 
 def _read(A: Any, text: str) -> object:
     """Return what a text means: an element of F, a field, or a polynomial in another variable."""
-    F, text = A.ring, plain_element(text)
+    F, typed, text = A.ring, text, plain_element(text)
     words = {*re.findall(r"[^\W\d]\w*", text)} - {*F.names(), *F.functions()}
     if not words:
         return F(text)
     try:
-        return read_ring(text)
+        return read_ring(typed)
     except HFieldError as error:
         if len(words) != 1:
             raise RingError(

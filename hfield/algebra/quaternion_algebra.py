@@ -247,7 +247,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             **{name: self._lift(name, f) for name, f in self.ring.functions().items()},
         }
         reader = syntax.Reader(self.scalar, names, functions, str(self), self.ring.parse_limit)
-        element: Quaternion = reader.read(syntax.plain_element(text))
+        element: Quaternion = reader.read_typed(text)
         return element
 
     def _lift(self, name: str, function: Any) -> Any:

@@ -26,7 +26,7 @@ from hfield.product import Scalar
 from hfield.rings.modular import Modular
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.linear_algebra.syzygies import Row
-from hfield.syntax import Reader, plain_element
+from hfield.syntax import Reader
 from hfield.syntax.brackets import split
 
 Vector = tuple[Scalar, ...]
@@ -160,8 +160,8 @@ class StructureAlgebra:
 
         functions: dict[str, Any] = {name: constant(f) for name, f in ring.functions().items()}
         functions |= {"/": _Term.divided_by, "**": _Term.power}
-        term: _Term = Reader(number, names, functions, f"this algebra over {ring.name}").read(
-            plain_element(text)
+        term: _Term = Reader(number, names, functions, f"this algebra over {ring.name}").read_typed(
+            text
         )
         return term
 

@@ -210,15 +210,14 @@ def _pin(args: Namespace) -> Pin | None:
                 "--given, --field and --algebra go with --statement, or --field with --claim"
             )
         return None
+    from hfield.proving.statements.language import statement_words
     from hfield.proving.statements.setting import read_setting
+    from hfield.syntax import Typed, spell
 
     setting = read_setting(None if everywhere else args.field, args.algebra)
     name = None if setting.field is None else setting.field.name
-    from hfield.syntax import plain
-
-    statement = plain(args.statement)
-    if args.given:
-        statement = " => ".join(f"({plain(text)})" for text in (*args.given, statement))
+    words = statement_words(setting.field, setting.letters, setting.table)
+    statement = Typed.implication([spell(x, words) for x in (*args.given, args.statement)]).text
     try:
         return Pin((statement,), name, setting.algebra).readable()
     except Rejected as error:

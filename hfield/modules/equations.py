@@ -11,7 +11,7 @@ from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import NotationError, UndecidedError, shorten
 from hfield.modules.vocabulary import vocabulary
 from hfield.structure.linear_algebra.echelon import null_space, solution
-from hfield.syntax import Reader, plain_element
+from hfield.syntax import Reader, Vocabulary, spell
 
 T = TypeVar("T")
 Vector = tuple[Quaternion, ...]
@@ -165,10 +165,11 @@ def read_system(algebra: Parent, texts: Sequence[str], unknowns: Sequence[str]) 
         raise NotationError("expected equations, and the names of their unknowns")
     if len(set(unknowns)) < len(unknowns):
         raise NotationError(f"an unknown is named twice: {', '.join(unknowns)}")
-    for x in unknowns:
-        if not any(re.search(rf"\b{re.escape(x)}\b", text) for text in texts):
-            raise NotationError(f"the unknown {x} does not occur in the equations")
     zeros = (algebra.scalar(0),) * (4 * len(unknowns))
+    spelled = [_spelled(algebra, text, unknowns) for text in texts]
+    for x in unknowns:
+        if not any(x in names_in(text) for text in spelled):
+            raise NotationError(f"the unknown {x} does not occur in the equations")
     read = [_read(algebra, text, unknowns) for text in texts]
     found = _solve(algebra, [(f.images or zeros, -f.constant) for f in read])
 
@@ -181,16 +182,38 @@ def read_system(algebra: Parent, texts: Sequence[str], unknowns: Sequence[str]) 
     )
 
 
+UNKNOWNS = "xyzuvwpqrst"
+
+
 def unknowns_in(algebra: Parent, texts: Sequence[str]) -> list[str]:
     """Return the letters from p to z in equations that mean nothing else."""
-    words = {x for text in texts for x in re.findall(r"[^\W\d]\w*", text)}
-    return [x for x in "xyzuvwpqrst" if x in words and x not in algebra.ring.names()]
+    ring = algebra.ring
+    letters = [x for x in UNKNOWNS if x not in ring.names()]
+    words: set[str] = set()
+    for text in texts:
+        try:
+            words.update(names_in(_spelled(algebra, text, letters)))
+        except NotationError:  # a matrix, or what its reader will refuse
+            words.update(names_in(text))
+    return [x for x in letters if x in words]
+
+
+def names_in(text: str) -> list[str]:
+    """Return the names in a text, as often as they occur."""
+    return re.findall(r"[^\W\d]\w*", text)
+
+
+def _spelled(algebra: Parent, text: str, unknowns: Sequence[str]) -> str:
+    """Return an equation in the plain letters of the language."""
+    ring = algebra.ring
+    known = (*unknowns, *"eijk", *ring.names())
+    return spell(text, Vocabulary.of_names(known, ring.functions())).text
 
 
 def _read(algebra: Parent, text: str, unknowns: Sequence[str]) -> Affine:
     """Return the left side of an equation less the right one."""
     F = algebra.ring
-    sides = plain_element(text).replace("==", "=").split("=")
+    sides = _spelled(algebra, text, unknowns).replace("==", "=").split("=")
     if len(sides) != 2:
         raise NotationError(f"an equation has one =, as in i*x - x*j = k; found {shorten(text)!r}")
 

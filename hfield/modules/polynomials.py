@@ -40,7 +40,7 @@ from hfield.structure import is_division, radical
 from hfield.structure.linear_algebra.echelon import null_space, solution
 from hfield.symbols import coordinates_in, is_quaternion, of_coordinates
 from hfield.sympy_printing import PrintedBySympy
-from hfield.syntax import Reader, plain_element
+from hfield.syntax import Reader
 
 if TYPE_CHECKING:
     import sympy
@@ -101,7 +101,7 @@ class Polynomials:
         reader = Reader(
             lambda n: self([A.scalar(n)]), names, functions, f"polynomials over {A}", F.parse_limit
         )
-        found: Polynomial = reader.read(plain_element(text.replace("^", "**")))
+        found: Polynomial = reader.read_typed(text)
         return found
 
 

@@ -13,7 +13,7 @@ from hfield.errors import CoercionError, NoSolutionError, NotationError, shorten
 from hfield.modules.equations import Solutions
 from hfield.modules.matrix import Matrix
 from hfield.modules.vocabulary import vocabulary
-from hfield.syntax import Reader, plain, plain_element
+from hfield.syntax import Reader, plain
 from hfield.syntax.brackets import outside, split
 
 EXPECTED = "expected rows such as [[1, i], [j, k]]"
@@ -52,7 +52,7 @@ def read_matrix(algebra: Parent, text: str, vector: str = "") -> Matrix:
         f"matrices over {algebra}",
         F.parse_limit,
     )
-    operand: Operand = reader.read(plain_element(before + rest))
+    operand: Operand = reader.read_typed(before + rest)
     return operand.matrix()
 
 

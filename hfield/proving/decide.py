@@ -30,11 +30,11 @@ from hfield.proving.existence.closed_equations import closed_solutions
 from hfield.proving.methods import ordered, universal
 from hfield.proving.methods.subfields import decide_in_subfields
 from hfield.proving.problem import Problem, remembered
-from hfield.proving.statements.language import read_statement
+from hfield.proving.statements.language import read_statement, statement_words
 from hfield.proving.statements.setting import read_setting
 from hfield.proving.steps import say
 from hfield.rings.base import Ring
-from hfield.syntax import Not
+from hfield.syntax import Not, Typed, reported_as_typed, spell
 
 TIMEOUT = 30.0
 
@@ -44,6 +44,7 @@ class Question:
     """A ``problem``, whose clock does not run yet, and the texts from which it was read.
 
     ``given`` are the hypotheses that were named apart, ``algebra`` is None for H, ``timeout`` in seconds.
+    ``remarks`` say how words were read that have two readings.
     """
 
     text: str
@@ -51,6 +52,7 @@ class Question:
     algebra: str | None
     timeout: float
     problem: Problem
+    remarks: tuple[str, ...] = ()
 
 
 def read_question(
@@ -61,10 +63,16 @@ def read_question(
     timeout: float = TIMEOUT,
 ) -> Question:
     """Read a question. Raises :class:`NotationError` or :class:`RingError` for what cannot be read."""
-    hypotheses, setting = tuple(given), read_setting(field, algebra)
-    where = (setting.letters, setting.constants, setting.table)
-    read = read_statement(statement, setting.field, hypotheses, *where)
-    return Question(statement, hypotheses, algebra, timeout, Problem(read, setting))
+    setting = read_setting(field, algebra)
+    words = statement_words(setting.field, setting.letters, setting.table)
+    typed = [spell(text, words) for text in (*given, statement)]
+    *hypotheses, text = (part.text for part in typed)
+    where = (tuple(hypotheses), setting.letters, setting.constants, setting.table)
+    with reported_as_typed(*typed, Typed.implication(typed)):
+        read = read_statement(text, setting.field, *where)
+    remarks = tuple(remark for part in typed for remark in part.remarks)
+    problem = Problem(read, setting)
+    return Question(text, tuple(hypotheses), algebra, timeout, problem, remarks)
 
 
 def decide(

@@ -233,7 +233,7 @@ def prove(
             f"the statement comes first, as a text: prove('p*q == q*p', field='QQ'), "
             f"not prove({statement!r}, …)"
         )
-    hypotheses = tuple(map(plain, [given] if isinstance(given, str) else given))
+    hypotheses = (given,) if isinstance(given, str) else tuple(given)
     if relations:
         if algebra is not None or hypotheses:
             raise NotationError(
@@ -244,9 +244,11 @@ def prove(
     where = None if algebra is None else str(algebra)
     if field is None and algebra is not None and not isinstance(algebra, str):
         field = algebra.ring  # which may be one of one's own, that no name is read as
-    question = read_question(plain(statement), field, hypotheses, where, timeout)
+    question = read_question(statement, field, hypotheses, where, timeout)
     problem, decision = question.problem, answer(question)
     read, table = problem.statement, problem.setting.table
+    if question.remarks:
+        decision = replace(decision, steps=(*decision.steps, *question.remarks))
     if read.assumes_of_basis and table is None:
         hint = say("basis-constants", A=problem.setting.algebra)
         decision = replace(decision, steps=(*decision.steps, hint))

@@ -30,8 +30,9 @@ from hfield.syntax.building import (
     unequal,
     vector,
 )
-from hfield.syntax.reader import MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, OfTrees, Reader, parse, weight
-from hfield.syntax.spelling import plain, plain_element
+from hfield.syntax.reader import MAX_DIGITS, OfTrees, Reader, parse, weight
+from hfield.syntax.products import MAX_DEPTH, Vocabulary
+from hfield.syntax.spelling import MAX_LENGTH, plain, plain_element, spell
 from hfield.syntax.tree import (
     ORDER,
     Binary,
@@ -51,6 +52,7 @@ from hfield.syntax.tree import (
     number,
     rebuild,
 )
+from hfield.syntax.typed import Typed, reported_as_typed
 
 __all__ = [
     "MAX_DEPTH",
@@ -72,6 +74,8 @@ __all__ = [
     "Operand",
     "Power",
     "Reader",
+    "Typed",
+    "Vocabulary",
     "both",
     "children",
     "comm",
@@ -89,7 +93,9 @@ __all__ = [
     "plain",
     "plain_element",
     "rebuild",
+    "reported_as_typed",
     "scalar",
+    "spell",
     "unequal",
     "vector",
     "weight",

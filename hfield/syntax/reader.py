@@ -13,7 +13,8 @@ from functools import lru_cache
 from typing import Any, NoReturn
 
 from hfield.errors import NotationError, TooLargeError, shorten
-from hfield.syntax.spelling import elsewhere
+from hfield.syntax.products import MAX_DEPTH, Vocabulary
+from hfield.syntax.spelling import MAX_LENGTH, elsewhere, spell
 from hfield.syntax.tree import (
     ORDER,
     Binary,
@@ -29,6 +30,7 @@ from hfield.syntax.tree import (
     Number,
     Power,
 )
+from hfield.syntax.typed import reported_as_typed
 
 
 class OfTrees:
@@ -70,6 +72,15 @@ class Reader:
                 f"at most {self.limit} is tried; use smaller exponents"
             )
         return self.evaluate(node, text)
+
+    def read_typed(self, text: str) -> Any:
+        """Read a text as people type it: with mathematical signs, and products without a sign.
+
+        Raises what :meth:`read` raises, at the positions of what was typed.
+        """
+        typed = spell(text, Vocabulary.of_names(self.names, self.functions))
+        with reported_as_typed(typed):
+            return self.read(typed.text)
 
     def evaluate(self, node: Node, text: str = "") -> Any:
         """Evaluate a term node; a statement (``==``, ``and`` …) is refused."""
@@ -150,8 +161,6 @@ def weight(node: Node) -> int:
     return 1
 
 
-MAX_LENGTH = 20_000
-MAX_DEPTH = 100  # of parentheses and prefixes: each costs the parser three frames
 MAX_HEIGHT = 400  # of the tree, which whoever walks it climbs in one frame a step
 MAX_DIGITS = 4_000
 
@@ -292,7 +301,7 @@ class _Parser:
             cls = Compare if binds == COMPARE else Binary if binds > COMPARE else Logic
             left = self.grow(cls(op, left, right, position=position), left, right)
             if binds == COMPARE and BINDS.get(self.token) == COMPARE:
-                self.fail("comparisons do not chain: write a == b and b == c")
+                self.fail("a comparison with != does not chain: write a != b and b != c")
             if op == "<=>" and self.token == "<=>":
                 self.fail("'<=>' does not chain: put one side in parentheses")
         return left
@@ -346,7 +355,8 @@ class _Parser:
         opened = bool(self.take("("))
         sign = -1 if self.take("-") else 1
         if self.kind != "number" or not self.token.isdigit():
-            self.fail("an exponent must be an integer literal, such as **3 or **-1")
+            conjugate = "; the conjugate of q is conj(q)" if self.token in ("*", "") else ""
+            self.fail(f"an exponent must be an integer literal, such as **3 or **-1{conjugate}")
         value = sign * self.integer(self.take(self.token))
         if opened:
             if self.token != ")":
@@ -380,6 +390,10 @@ class _Parser:
             return self.grow(Call(token, tuple(arguments), position=position), *arguments)
         if self.take("("):
             node = self.expression(0, depth + 1)
+            if self.token == ",":
+                self.fail(
+                    "parentheses hold one expression, or the four coordinates of a quaternion"
+                )
             self.need(")", "to close a parenthesis")
             return node
         found = repr(token) if token else "the end of the text"

@@ -2,14 +2,41 @@
 
 import re
 import unicodedata
+from functools import lru_cache
 
 from hfield.errors import NotationError, shorten
+from hfield.syntax.products import Vocabulary, write_products
+from hfield.syntax.typed import Letters, Typed
+
+MAX_LENGTH = 20_000
 
 _SIGNS = {"≠": "!=", "⇒": "=>", "⇔": "<=>", "∧": " and ", "∨": " or ", "¬": " not ", "∃": "exists "}
-_SIGNS |= {"−": "-", "·": "*", "×": "*", "≤": "<=", "≥": ">="}
+_SIGNS |= {"→": "=>", "⟹": "=>", "⟺": "<=>", "↔": "<=>", "≤": "<=", "≥": ">="}
+_SIGNS |= dict.fromkeys("−–‐‑", "-") | dict.fromkeys("·×⋅∗", "*")
+_COMMANDS = {  # of LaTeX
+    **dict.fromkeys(("cdot", "times", "ast"), "*"),
+    **dict.fromkeys(("ne", "neq"), "!="),
+    **dict.fromkeys(("le", "leq"), "<="),
+    **dict.fromkeys(("ge", "geq"), ">="),
+    **dict.fromkeys(("Rightarrow", "implies", "Longrightarrow"), "=>"),
+    **dict.fromkeys(("Leftrightarrow", "iff", "Longleftrightarrow"), "<=>"),
+    **dict.fromkeys(("land", "wedge"), " and "),
+    **dict.fromkeys(("lor", "vee"), " or "),
+    **dict.fromkeys(("lnot", "neg"), " not "),
+    **dict.fromkeys(("overline", "bar"), "conj"),
+    **dict.fromkeys(("left", "right", "quad", "qquad"), ""),
+    **dict.fromkeys(("frac", "dfrac", "tfrac"), "frac"),
+    "exists": "exists ",
+}
+_COMMAND = re.compile(r"\\([A-Za-z]+)\s*|\\([,;:! ])|^\s*\$+|\$+\s*$")
+_DOLLARS = re.compile(r"(?s)\s*\$.*\$\s*$")
 _FUNCTIONS = {"N": "norm", "tr": "trace", "Sc": "scalar", "Vec": "vector"}
 _WORDS = ("and", "or", "not")
-_FUNCTION = re.compile(rf"\b({'|'.join(_FUNCTIONS)})(?=\()")
+_FUNCTION = re.compile(rf"\b({'|'.join(_FUNCTIONS)})(?=\s*\()")
+_BRACE = re.compile(r"frac\{|\^?\{|\}")
+_COORDINATE_IN_BRACES = re.compile(r"_\{([0-3])\}")
+_BAR_OF_LETTER = re.compile(r"\\(?:overline|bar)\s*([A-Za-z])")
+_ROMAN = re.compile(r"\\(?:operatorname|math\w+|text)\s*\{([^{}]*)\}")
 # What begins with a name looks behind first, so that a long word is read once, not from each letter on.
 _BAR = re.compile("(?<!\\w)(\\d*)([^\\W\\d]\\w*)\u0304")
 _SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
@@ -21,7 +48,27 @@ _COORDINATE_OF_POWER = re.compile(
 )
 _COORDINATE = re.compile("[₀₁₂₃]")
 _EQUAL = re.compile("(?<![=!<>])=(?![=>])")
-_MULTIPLE = re.compile(r"(\b\d+(?:\.\d+)?|\))([eijk])\b")
+_OWN_BAR = re.compile("[^\\x00-\\x7f]")
+
+
+@lru_cache(maxsize=4096)
+def spell(text: str, vocabulary: Vocabulary) -> Typed:
+    """Return a text in the plain letters of the language, with the origin of each letter.
+
+    Raises :class:`NotationError` where a product has two readings, or a coordinate is no scalar.
+
+    >>> spell("i² = j² = ijk = -1", Vocabulary.of_statements()).text
+    'i**2 == -1 and j**2 == -1 and i*j*k == -1'
+    """
+    letters = Letters.of(text)
+    if len(text) > MAX_LENGTH:  # the parser refuses it
+        return Typed(text, text, letters.places)
+    try:
+        return write_products(_signs_read(letters), text, vocabulary)
+    except NotationError as error:
+        if error.position is not None or error.text:
+            raise
+        raise NotationError(error.reason, text) from None
 
 
 def plain(text: str) -> str:
@@ -30,26 +77,83 @@ def plain(text: str) -> str:
     >>> plain("[p, q̄]² ≠ 0 ⇒ N(p·q) = N(p)·N(q) ∧ p₀ = 0")
     'comm(p, conj(q))**2 != 0 => norm(p*q) == norm(p)*norm(q)  and  p[0] == 0'
     """
-    # Letters with a bar of their own, such as ū, become a letter and a bar.
-    text = "".join(unicodedata.normalize("NFD", c) if c.isalpha() else c for c in text)
-    text = _BAR.sub(r"\1conj(\2)", text)
-    text = _COORDINATE_OF_POWER.sub(r"\1(\2)\3", text)
-    text = _POWER.sub(lambda found: "**" + found[0].translate(_TO_DIGITS), text)
-    text = _COORDINATE.sub(lambda found: f"[{'₀₁₂₃'.index(found[0])}]", text)
-    for sign, letters in _SIGNS.items():
-        text = text.replace(sign, letters)
-    text = _EQUAL.sub("==", text)
-    text = _FUNCTION.sub(lambda found: _FUNCTIONS[found[1]], text)
-    return _commutators(text)
+    return spell(text, Vocabulary.of_statements()).text
 
 
 def plain_element(text: str) -> str:
-    """Return an element's text likewise; a multiple of i, j or k needs no sign of a product.
+    """Return an element's text likewise; of its words only e, i, j and k are known.
 
     >>> plain_element("1/5 − 2/5i + x²·k")
     '1/5 - 2/5*i + x**2*k'
     """
-    return _MULTIPLE.sub(r"\1*\2", plain(text))
+    return spell(text, Vocabulary.of_names("eijk")).text
+
+
+def _signs_read(letters: Letters) -> Letters:
+    """Return a text with words and operators in the place of mathematical signs."""
+    in_latex = "\\" in letters.text or _DOLLARS.match(letters.text) is not None
+    if in_latex:
+        letters = letters.sub(_BAR_OF_LETTER, lambda found: ("conj(", 1, ")"))
+        letters = letters.sub(_ROMAN, lambda found: (" ", 1, " "))
+        letters = letters.sub(_COMMAND, _command)
+    letters = letters.sub(_COORDINATE_IN_BRACES, lambda found: ("[", 1, "]"))
+    if in_latex or "^{" in letters.text:
+        letters = _without_braces(letters, in_latex)
+    # Letters with a bar of their own, such as ū, become a letter and a bar.
+    letters = letters.sub(_OWN_BAR, lambda found: (_decomposed(found[0]),))
+    letters = letters.sub(_BAR, lambda found: (1, "conj(", 2, ")"))
+    letters = letters.sub(_COORDINATE_OF_POWER, lambda found: (1, "(", 2, ")", 3))
+    letters = letters.sub(_POWER, lambda found: ("**" + found[0].translate(_TO_DIGITS),))
+    letters = letters.sub(_COORDINATE, lambda found: (f"[{'₀₁₂₃'.index(found[0])}]",))
+    for sign, words in _SIGNS.items():
+        letters = letters.replaced(sign, words)
+    letters = letters.sub(_EQUAL, lambda found: ("==",))
+    letters = letters.sub(_FUNCTION, lambda found: (_FUNCTIONS[found[1]],))
+    return _commutators(letters)
+
+
+def _decomposed(char: str) -> str:
+    return unicodedata.normalize("NFD", char) if char.isalpha() else char
+
+
+def _command(found: re.Match[str]) -> tuple[str, ...]:
+    """Return what a command of LaTeX means; one that is not known stays, so that an error shows it."""
+    if found[1] is None:
+        return ("" if "$" in found[0] else " ",)
+    return (_COMMANDS.get(found[1], found[0]),)
+
+
+def _without_braces(letters: Letters, in_latex: bool) -> Letters:
+    """Write the groups of LaTeX, ``q^{-1}`` and ``frac{p}{2}``, in parentheses.
+
+    Outside LaTeX only an exponent is read in braces.
+    """
+    text = letters.text
+    parts: list[Letters] = []
+    closing: list[str] = []
+    start = 0
+    for found in _BRACE.finditer(text):
+        if found.start() < start:
+            continue
+        place = letters.places[found.start()]
+        before = letters[start : found.start()]
+        if found[0] == "frac{":
+            closing.append(")/(")
+            shown = "(("
+        elif found[0] == "}" and closing:
+            shown = closing.pop()
+            if shown == ")/(":
+                if not text.startswith("{", found.end()):
+                    raise NotationError(r"\frac takes two groups: \frac{1}{2}")
+                closing.append("))")
+        elif found[0] == "^{" or (in_latex and found[0] == "{"):
+            closing.append(")")
+            shown = found[0].replace("{", "(")
+        else:
+            shown = found[0]
+        parts += [before, Letters.written(shown, place)]
+        start = found.end() + (shown == ")/(")
+    return Letters.join([*parts, letters[start:]])
 
 
 class _Bracket:
@@ -59,6 +163,14 @@ class _Bracket:
         self.place, self.closing = place, closing
         self.of_brackets = True
         self.empty = True  # nothing of this part has come yet
+        self.parts = 1
+        self.nesting = 0  # parentheses that are open inside
+
+    def end_part(self) -> None:
+        """Note a comma."""
+        self.of_brackets &= not self.empty
+        self.empty = True
+        self.parts += not self.nesting
 
     def begin(self, is_bracket: bool) -> None:
         """Note that a part begins, or goes on after a bracket."""
@@ -71,16 +183,19 @@ class _Bracket:
         return self.closing == ")" and self.of_brackets and not self.empty
 
 
-def _commutators(text: str) -> str:
+def _commutators(letters: Letters) -> Letters:
     """Write ``[x, y]`` as ``comm(x, y)``; a bracket after a name or a parenthesis is a coordinate's.
 
-    Raises :class:`NotationError` for what could as well be the rows of a matrix.
+    Four parts in brackets are the coordinates of a quaternion. Raises :class:`NotationError` for what could
+    as well be the rows of a matrix.
     """
-    letters: list[str] = []
+    text = letters.text
+    if "[" not in text:
+        return letters
+    shown = list(text)
     opened: list[_Bracket] = []
     last, spaced = "", False  # the word or the sign before, and whether a blank came after it
     for place, char in enumerate(text):
-        shown = char
         if char == "[":
             after_operand = last not in _WORDS and (
                 last[-1:].isalnum() or last[-1:] in ("_", ")", "]")
@@ -88,24 +203,25 @@ def _commutators(text: str) -> str:
             if opened:
                 opened[-1].begin(not after_operand)
             opened.append(_Bracket(place, "]" if after_operand else ")"))
-            shown = "[" if after_operand else "comm("
+            shown[place] = "[" if after_operand else "comm("
         elif char == "]" and opened:
             bracket = opened.pop()
             if bracket.is_matrix:
                 raise _may_be_a_matrix(text[bracket.place : place + 1])
-            shown = bracket.closing
+            shown[place] = bracket.closing
+            if bracket.closing == ")" and bracket.parts == 4:
+                shown[bracket.place] = "("
         elif opened and char == ",":
-            opened[-1].of_brackets &= not opened[-1].empty
-            opened[-1].empty = True
+            opened[-1].end_part()
         elif opened and not char.isspace():
             opened[-1].begin(False)
-        letters.append(shown)
+            opened[-1].nesting += (char == "(") - (char == ")")
         if char.isalnum() or char == "_":
             last = last + char if not spaced and last[-1:].isalnum() else char
         elif not char.isspace():
-            last = shown[-1]
+            last = shown[place][-1]
         spaced = char.isspace()
-    return "".join(letters)
+    return Letters.join(Letters.written(x, n) for x, n in zip(shown, letters.places, strict=True))
 
 
 def _may_be_a_matrix(text: str) -> NotationError:

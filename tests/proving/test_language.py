@@ -100,7 +100,7 @@ ERRORS = [
     ("p == 0 or (exists q: p == q)", 12, "'exists' stands at the front"),
     ("p == 0 => (exists p: p == 0)", 12, "stands for something already"),
     ("exists e: e == 0", 1, "binds an unknown"),
-    ("p == q == r", 8, "do not chain"),
+    ("p == q != r", 8, "does not chain"),
     ("p =< q", 3, "write == for equality"),
     ("p\u00a0== q", 2, "write an ordinary blank"),
     ("p == q\x1c", 7, "write an ordinary blank"),

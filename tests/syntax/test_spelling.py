@@ -1,5 +1,7 @@
 """What is printed can be typed: statements and elements with mathematical signs."""
 
+import re
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -96,24 +98,72 @@ def test_fractions_and_blanks():
 
 
 @pytest.mark.parametrize(
-    ("text", "mend"),
+    ("text", "meant"),
     [
-        ("ij", r"write i\*j"),
-        ("2q", r"write 2\*q"),
-        ("2ij", r"write 2\*i\*j"),
-        ("(1+i)j", r"write \* before j"),
+        ("i^2 = j^2 = k^2 = ijk = -1", "i^2 == -1 and j^2 == -1 and k^2 == -1 and i*j*k == -1"),
+        ("(1+2i)(3+j) = 2pq^2", "(1+2*i)*(3+j) == 2*p*q^2"),
+        ("1/2 i + 1/2j - x/2 y", "1/2*i + 1/2*j - x/2*y"),
+        ("tr (p) N(pq)", "trace (p)*norm(p*q)"),
+        (r"\overline{pq} = \bar q \bar{p}", "conj(p*q) == conj(q)*conj(p)"),
+        (r"$\frac{1}{2} q^{-1} \neq \mathrm{tr}(q_{0})$", "((1)/(2))*q^(-1) !=trace (q[0])"),
+        ("p \u2013 q", "p - q"),
+        ("(0,1,-2,x+1)q = [1,0,0,0]", "(i + (-2)*j + (x+1)*k)*q == (1)"),
+        ("comm(p, q) = matrix(p,q,r,u)", "comm(p, q) == matrix(p,q,r,u)"),
+        ("not p = q = r => 0 <= x <= 1", "not (p == r and q == r) => 0 <= x and x <= 1"),
+        ("p(0,0,0,1)", "p*(k)"),
+        ("every one", "every one"),
     ],
 )
-def test_a_missing_sign_is_named(text, mend):
-    with pytest.raises(NotationError, match=mend):
-        prove(f"{text} == 0")
+def test_what_is_left_out_is_written(text, meant):
+    assert plain(text) == meant
+    assert plain(meant) == meant
 
 
-def test_a_missing_sign_in_an_element_is_named():
-    with pytest.raises(NotationError, match=r"write i\*j"):
-        H(GF(3))("ij")
-    with pytest.raises(NotationError, match=r"write 2\*q"):
-        H(GF(3))("2q")
+@pytest.mark.parametrize(
+    ("text", "position", "reason"),
+    [
+        ("1/2(1+i)", 3, "two readings"),
+        ("p = 1/pq", 6, "two readings"),
+        ("p = x/2y", 7, "two readings"),
+        ("p = (0,q,0,0)", 7, "q is a quaternion"),
+        ("q\u0304 = p² + %", 10, "no remainder"),
+        ("ij = (p", 7, "to close a parenthesis"),
+        ("i² = p¹ and pq = foo", 17, "means nothing"),
+        ("(1,2) = p", 2, "four coordinates"),
+        ("p = q != r", 6, "!= does not chain"),
+    ],
+)
+def test_errors_are_reported_at_what_was_typed(text, position, reason):
+    with pytest.raises(NotationError, match=re.escape(reason)) as caught:
+        prove(text)
+    assert caught.value.position == position
+    assert caught.value.text == text
+
+
+def test_errors_of_hypotheses_are_reported_at_what_was_typed():
+    with pytest.raises(NotationError) as caught:
+        prove("ij = foo", given=["pq = qp"])
+    assert caught.value.text == "(pq = qp) => (ij = foo)"
+    assert caught.value.text[caught.value.position :].startswith("foo")
+
+
+def test_a_name_of_the_field_is_no_product_and_the_answer_says_so():
+    answer = prove("pq*i = i*pq", "QQ(pq)")
+    assert answer.verdict == "proved"
+    assert "pq is one name here, not the product p*q" in answer.decision.steps
+    with pytest.raises(NotationError, match="two readings, since pq is a name"):
+        prove("pqr = 0", "QQ(pq)")
+
+
+def test_elements_are_read_as_they_are_typed():
+    A = H(QQ)
+    assert A("(1+2i)(3+j)") == A("(1+2*i)*(3+j)")
+    assert A("ij") == A.k
+    assert A("(0,1,0,0)") == A("[0,1,0,0]") == A.i
+    assert H(ring("QQ(x)"))("2x(1+i)j") == H(ring("QQ(x)"))("2*x*j + 2*x*k")
+    with pytest.raises(NotationError, match="means nothing") as caught:
+        A("(1+i)(1+2q)")
+    assert caught.value.position == 9
 
 
 @pytest.mark.parametrize("text", ["p = q", "p % q"])

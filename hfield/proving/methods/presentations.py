@@ -109,12 +109,12 @@ def read_relations(relations: str | Iterable[str]) -> tuple[str, ...]:
     texts = [relations] if isinstance(relations, str) else relations
     found: list[str] = []
     for part in (part for text in texts for part in re.split(r"\band\b", plain(text))):
-        *sides, last = (side.strip() for side in part.split("=="))
-        if not sides or not all((*sides, last)):
+        sides = [side.strip() for side in part.split("==")]
+        if len(sides) != 2 or not all(sides):
             raise NotationError(
                 f"{shorten(part.strip())!r} is no relation: expected an equation such as i*i == -1"
             )
-        found += [f"{side} == {last}" for side in sides]
+        found.append(" == ".join(sides))
     return tuple(found)
 
 

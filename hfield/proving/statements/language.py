@@ -8,6 +8,7 @@ docs/language.md.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property, lru_cache
@@ -16,7 +17,7 @@ from typing import TYPE_CHECKING, NoReturn
 from hfield.errors import CoercionError, HFieldError, NotationError, UndecidedError
 from hfield.proving.statements.matrices import ENTRIES, expanded
 from hfield.proving.statements.printing import to_text
-from hfield.proving.statements.tables import in_coordinates
+from hfield.proving.statements.tables import FUNCTIONS, in_coordinates
 from hfield.proving.statements.trees import names_in, taken_apart, tree_depth
 from hfield.proving.statements.words import ARGUMENTS, need_order, order_word, without_words
 from hfield.rings.base import Ring
@@ -33,6 +34,7 @@ from hfield.syntax import (
     Not,
     Number,
     Power,
+    Vocabulary,
     parse,
     weight,
 )
@@ -190,6 +192,22 @@ def is_constant_of(field: Ring, text: str) -> bool:
     except (HFieldError, CoercionError):
         return False
     return True
+
+
+def statement_words(
+    field: Ring | None, letters: Collection[str] = (), table: StructureAlgebra | None = None
+) -> Vocabulary:
+    """Return the words of statements over a field: ``letters`` are those of the algebra's constants."""
+    taken = frozenset[str]() if field is None else generators(field)
+    functions = frozenset() if field is None else frozenset(field.functions())
+    own = taken.union(letters, *ENTRIES.values())
+    if table is not None:
+        return Vocabulary(
+            LETTERS | {x for x in own if len(x) == 1},
+            own.union(table.names),
+            functions.union(FUNCTIONS),
+        )
+    return Vocabulary.of_statements(names=own, functions=functions)
 
 
 class _Analysis:
