@@ -13,4 +13,16 @@ import hfield.locking  # noqa: F401  # a fork may come while the names below are
 __version__ = "0.3.0"
 
 # The public names are said once, in the stub beside this file, and imported on first use.
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+_attribute, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def __getattr__(name: str) -> object:
+    """Import a public name; for one of another system, say what is written here."""
+    try:
+        return _attribute(name)
+    except AttributeError as error:
+        from hfield.hints import called_here
+
+        if not (here := called_here(name)):
+            raise
+        raise AttributeError(f"hfield has no {name!r}: write {here}", name=name) from error

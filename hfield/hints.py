@@ -68,6 +68,9 @@ ELEMENT = {
     "z": "coordinates[3]",
     "pair": "(p * q.conjugate()).trace()",
     "is_constant": "vector_part.is_zero()",
+    "nrd": "norm()",
+    "trd": "trace()",
+    "bar": "conjugate()",
     "list": "coordinates",
 }
 """Sage, GAP, Magma, numpy-quaternion."""
@@ -100,6 +103,11 @@ ALGEBRA = {
     "inner_product_matrix": "(p * q.conjugate()).trace() for p and q in basis",
     "is_totally_definite": "maximal_order().is_definite()",
     "is_unramified": "ramified_places()",
+    "is_ramified_at": "p in ramified_places()",
+    "hasse_invariant": "ramified_places()",
+    "is_isomorphic_to": "is_isomorphic(other)",
+    "unit_ideal": "maximal_order().left_ideal([1])",
+    "matrix_ring": "matrix(rows)",
     "isomorphism_to": "isomorphism(other)",
     "maximal_order_with_level": "eichler_order(level)",
     "order_with_level": "eichler_order(level)",
@@ -188,6 +196,8 @@ FIELD = {
     "units": "unit_group().generators",
     "regulator": "unit_group().regulator",
     "primes_over": "primes_above(p)",
+    "prime_above": "primes_above(p)",
+    "prime_factors": "primes_above(p)",
     "maximal_order": "integral_basis()",
     "ring_of_integers": "integral_basis()",
     "disc": "discriminant()",
@@ -221,6 +231,12 @@ CLASSES = {
 """Sage, Magma: sets of classes of ideals, Brandt modules."""
 
 CALLS = {
+    "QuadraticField": "ring('QQ(sqrt(5))')",
+    "CyclotomicField": "ring('QQ(zeta5)')",
+    "RationalField": "ring('QQ')",
+    "Rationals": "ring('QQ')",
+    "FiniteField": "ring('GF(9)')",
+    "nfinit, bnfinit": "ring('QQ[s]/(s^3-2)')",
     "QuaternionOrder": 'A.order(["i", "j"])',
     "MaximalOrder": "A.maximal_order()",
     "TensorProduct": "A.tensor(B)",
@@ -272,6 +288,16 @@ CALLS = {
 }
 """Functions of Magma and PARI, and abbreviations of the literature: q is an element, d a number, L, M
 lattices, O, O2 orders, I, J ideals of A, G a group of units."""
+
+
+def called_here(name: str) -> str:
+    """Return what to write for a function of another system; nothing for a name that is not known.
+
+    >>> called_here("nrd"), called_here("nothing")
+    ('q.norm()', '')
+    """
+    return next((here for there, here in CALLS.items() if name in there.split(", ")), "")
+
 
 GROUP = {
     "presentation": "generators and relations",

@@ -19,12 +19,25 @@ BASIS = ("e", "i", "j", "k")
 _EXPECTED = "expected (a,b|F), [a,b|F), [a,b,t|F) or H(F), such as '(-1,-3|QQ)'"
 
 
+_HAMILTON = re.compile(r"^(?:ℍ|\\mathbb\s*\{?H\}?)")
+_FRACTION = re.compile(r"(?:\\left)?\(\s*\\frac\{(.*)\}\{(.*)\}\s*(?:\\right)?\)", re.DOTALL)
+UNNAMED = "F"
+"""The field in a text such as ``(a,b|F)``, which stands for every field."""
+
+
 def split_algebra(text: str) -> tuple[str, str, str, str]:
     """Split an algebra's text into the texts of ``a, t, b`` and of the ring.
 
     Raises :class:`NotationError` when it has not one of the four forms.
     """
-    s = read(text) or text.strip()
+    s = read(text) or text.strip().replace("–", "-")
+    s = _HAMILTON.sub("H", s)
+    if m := _FRACTION.fullmatch(s):
+        s = f"({m[1]}|{m[2]})"
+    if s == "H":
+        raise NotationError(
+            f"{text.strip()} needs its field: write H(QQ), or H(RR) for Hamilton's quaternions over the reals"
+        )
     if m := re.fullmatch(r"H\((.+)\)", s, re.DOTALL):
         return "-1", "0", "-1", m[1].strip()
     m = re.fullmatch(r"([(\[])(.*)\|(.*)\)", s, re.DOTALL)
@@ -44,6 +57,11 @@ def split_algebra(text: str) -> tuple[str, str, str, str]:
 def parse_algebra(text: str) -> tuple[Ring, Constants]:
     """Read an algebra: its ring and its structure constants. Raises :class:`NotationError`."""
     a, t, b, field = split_algebra(text)
+    if field == UNNAMED:
+        raise NotationError(
+            f"{shorten(text)}: F stands for every field, in statements; here name the field: "
+            "(-1,-3|QQ), or (a,b|QQ(a,b)) for constants that are variables"
+        )
     F = ring(field)
     try:
         return F, Constants(F(a), F(t), F(b))

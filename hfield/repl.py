@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import hfield
-from hfield.errors import HFieldError
+from hfield.errors import HFieldError, shorten
+from hfield.hints import called_here
 from hfield.notation import BASIS
 
 if TYPE_CHECKING:
@@ -148,17 +149,17 @@ def banner(A: QuaternionAlgebra) -> str:
     """Return what greets: where one is, and a few lines worth typing."""
     generators = "".join(f", {name}" for name in A.ring.names())
     return f"""\
-hfield {hfield.__version__}: the quaternion algebra A = {A} over F = {A.ring}; e, i, j, k{generators}
+hfield {hfield.__version__}: A = {shorten(A, 40)} over F; e, i, j, k{generators}
 
-  (1 + 2i)*(j - k)^-1                  compute, exactly
-  help(A)                              what an algebra can be asked, on one screen
-  q = A(1, 2, 0, 1); norm(q)           also conj(q), inv(q), trace(q), q.matrix(), help(q)
-  print(A.table_text("unicode"))       the multiplication table
-  H(GF(7)).zero_divisors()             another field: GF(9), RR, ring("QQ(sqrt(2))") …
-  prove("p*q == q*p", "GF(4)")         decide a statement of your own
-  explain("centre", "GF(4)")           a claim of the thesis, step by step; also verify("centre")
+  (1 + 2i)*(j - k)^-1              compute, exactly
+  help(A)                          what an algebra can be asked, on one screen
+  q = A(1, 2, 0, 1); norm(q)       also conj(q), inv(q), trace(q), q.matrix()
+  print(A.table_text("unicode"))   the multiplication table
+  H(GF(7)).zero_divisors()         another field: GF(9), RR, ring("QQ(sqrt(2))")
+  prove("p*q == q*p", "GF(4)")     decide a statement of your own
+  explain("centre", "GF(4)")       a claim of the thesis; also verify("centre")
 
-F(1)/2 or Fraction(1, 2) is a half; Python's own 1/2 is a float and does not mix.
+F(1)/2 or Fraction(1, 2) is a half; Python's own 1/2 is a float and is refused.
 """
 
 
@@ -197,6 +198,8 @@ class _Console(InteractiveConsole):
         error = sys.exc_info()[1]
         if isinstance(error, (HFieldError, KeyboardInterrupt)):
             self.write(f"{_one_line(error)}\n")
+        elif isinstance(error, NameError) and (mend := mend_of_name(error)):
+            self.write(f"{mend}\n")
         else:
             super().showtraceback()
 
@@ -204,6 +207,19 @@ class _Console(InteractiveConsole):
         """Show a syntax error."""
         self.failed = True
         super().showsyntaxerror(*args, **kwargs)
+
+
+def mend_of_name(error: NameError) -> str:
+    """Return what to write for a name that a session does not have; nothing where it is not known.
+
+    >>> mend_of_name(NameError("", name="BrandtModule")), mend_of_name(NameError("", name="ij"))
+    ("NameError: there is no 'BrandtModule': write O.class_set()", "NameError: there is no 'ij': write i*j")
+    """
+    name = error.name or ""
+    here = called_here(name)
+    if not here and set(name) <= set(BASIS):
+        here = "*".join(name)
+    return f"NameError: there is no {name!r}: write {here}" if here else ""
 
 
 def _one_line(error: BaseException) -> str:
@@ -289,14 +305,19 @@ def _run_ipython(app: Any, names: dict[str, object], greeting: str) -> int:
     def tell(
         shell: object, kind: object, error: BaseException, trace: object, tb_offset: object = None
     ) -> None:
-        print(_one_line(error), file=sys.stderr)
+        if not isinstance(error, NameError):
+            print(_one_line(error), file=sys.stderr)
+        elif mend := mend_of_name(error):
+            print(mend, file=sys.stderr)
+        else:
+            session.shell.showtraceback()
 
     shell = session.shell
     shell.input_transformers_cleanup.append(
         lambda lines: python_source("".join(lines)).splitlines(keepends=True)
     )
     _complete_in_order(shell, names)
-    shell.set_custom_exc((HFieldError, KeyboardInterrupt), tell)
+    shell.set_custom_exc((HFieldError, KeyboardInterrupt, NameError), tell)
     session.start()
     return 0
 

@@ -112,7 +112,7 @@ def test_what_is_to_be_written_for_functions_of_magma_and_pari_runs():
         "G": G,
     }
     names |= {"QuaternionAlgebra": QuaternionAlgebra, "hilbert_symbol": hilbert_symbol}
-    names |= {"elements": [1, "i", "j", "k"]}
+    names |= {"ring": ring, "elements": [1, "i", "j", "k"]}
     for there, here in CALLS.items():
         x = G.generators[0] if "G." in here else A.basis[1]
         try:

@@ -40,13 +40,21 @@ def test_the_banner_tells_where_one_is_and_its_lines_run():
     A = H("GF(9)")
     text = repl.banner(A)
     assert "GF(9)" in text
-    assert max(map(len, text.splitlines())) <= 100
+    assert max(map(len, text.splitlines())) <= 80
     names = repl.namespace(A)
     tries = [line[2:].split("   ")[0] for line in text.splitlines() if line.startswith("  ")]
     assert len(tries) > 4
     for line in tries:
         if not line.startswith("explain"):
             exec(repl.python_source(line), names)
+
+
+def test_names_of_other_systems_say_what_to_write(monkeypatch, capsys):
+    status, _, said = piped(monkeypatch, capsys, "BrandtModule(11)\nij\nnothing_of_ours\n")
+    assert status == 1
+    assert "there is no 'BrandtModule': write O.class_set()" in said
+    assert "there is no 'ij': write i*j" in said
+    assert "name 'nothing_of_ours' is not defined" in said
 
 
 @pytest.mark.parametrize(

@@ -163,10 +163,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return self.ring, self.constants
 
     def __call__(self, *coordinates: object) -> Quaternion:
-        """Make an element from four coordinates, or from one scalar, text, quaternion or 4-tuple.
+        """Make an element from four coordinates, or from one scalar, text, quaternion, or list of four scalars.
 
-        A rotation, ours or scipy's, gives its unit quaternions over RDF. Raises :class:`CoercionError` for
-        anything else, :class:`NotationError` for unreadable text.
+        Each of four coordinates may be an array. A rotation, ours or scipy's, gives its unit quaternions over
+        RDF. Other lists and arrays are refused, since they could be scalars as well as quaternions:
+        :meth:`from_array` makes arrays of quaternions, :meth:`scalar` of scalars. Raises
+        :class:`CoercionError` for anything else, :class:`NotationError` for unreadable text.
         """
         if len(coordinates) == 4:
             return self._element(coordinates)
@@ -183,16 +185,30 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
                 return x
             if isinstance(x, str):
                 return self.parse(x)
-            if isinstance(x, (tuple, list)) and len(x) == 4:
-                return self._element(tuple(x))
-            if (found := coordinates_in(x)) is not None:
-                return self._of_sympy(x, found)
+            if isinstance(x, tuple) and len(x) == 4:
+                return self._element(x)
             if hasattr(x, "as_quat"):
                 return self._of_rotation(x)
+            if is_many(x):
+                return self._of_list(x)
+            if (found := coordinates_in(x)) is not None:
+                return self._of_sympy(x, found)
             return self.scalar(x)
         raise CoercionError(
             f"an element of {self} takes 4 coordinates (or one scalar or text), "
             f"{len(coordinates)} were given"
+        )
+
+    def _of_list(self, x: Any) -> Quaternion:
+        """Make an element from a list or an array of four scalars."""
+        if len(x) == 4 and not any(map(is_many, x)):
+            return self._element(tuple(x))
+        shape = getattr(x, "shape", None)
+        what = f"a list of {len(x)}" if shape is None else f"an array of shape {tuple(shape)}"
+        raise CoercionError(
+            f"{what} is no element of {self}: an element is a list of four scalars; arrays of quaternions are "
+            "A.from_array(x, axis=-1) with four coordinates in each row, or A(w, x, y, z) with an array for "
+            "each coordinate; an array of scalars is A.scalar(x)"
         )
 
     def _of_sympy(self, x: object, coordinates: tuple[object, ...]) -> Quaternion:

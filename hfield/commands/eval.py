@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING
 
 from hfield.commands.answers import Answer
 from hfield.commands.many import add_inputs, answer_all
-from hfield.commands.parser import add_algebra, add_output, algebra_of
+from hfield.commands.parser import UsageError, add_algebra, add_output, algebra_of
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
@@ -16,15 +17,18 @@ if TYPE_CHECKING:
 HELP = (
     "Evaluate an expression such as '(1+i)*(j-k)**-1' exactly. It may contain the basis e i "
     "j k, the generator of the field, and the functions conj norm trace inv scalar vector "
-    "comm."
+    "comm. hilbert(a, b, P) is the Hilbert symbol at a place of the field."
 )
 DOING = "computing"
 EXAMPLES = (
     "hfield eval '(1+i)*(j-k)**-1' --field GF7",
     "hfield eval 'norm(1+2*i)' 'inv(1+i)' --format jsonl",
+    "hfield eval 'hilbert(2,5,5)' 'hilbert(-1,-1,inf)'",
+    "hfield eval 'hilbert(s,-1,(2,s))' --field 'QQ[s]/(s^3-2)'",
 )
 
 
+_SYMBOL = re.compile(r"hilbert(?:_symbol)?\s*\((.*)\)", re.DOTALL)
 COLUMNS = ("expression", "algebra", "field", "value", "coordinates", "error")
 
 
@@ -42,7 +46,8 @@ def run(args: Namespace) -> int:
 
 
 def _compute(A: QuaternionAlgebra, text: str) -> Answer:
-    value = A.parse(text)
+    symbol = _SYMBOL.fullmatch(text.strip())
+    value = A.parse(text) if symbol is None else A.scalar(_hilbert_symbol(A, symbol[1]))
 
     def data() -> dict[str, object]:
         return {
@@ -56,3 +61,18 @@ def _compute(A: QuaternionAlgebra, text: str) -> Answer:
 
     styles = {style: partial(value.text, style) for style in ("unicode", "latex")}
     return Answer(data, lambda _: value.text(), styles)
+
+
+def _hilbert_symbol(A: QuaternionAlgebra, arguments: str) -> int:
+    """Return the symbol of two elements of the field at a place, read from the text ``a, b, place``."""
+    from hfield.structure.ramification import hilbert_symbol
+    from hfield.syntax.brackets import split
+
+    parts = [part.strip() for part in split(arguments, ",")]
+    if len(parts) != 3 or not all(parts):
+        raise UsageError(
+            "hilbert takes two elements of the field and a place: hilbert(2,5,5), hilbert(-1,-1,inf)"
+        )
+    a, b = map(A.ring, parts[:2])
+    place = int(parts[2]) if parts[2].isdecimal() and parts[2].isascii() else parts[2]
+    return hilbert_symbol(a, b, place)

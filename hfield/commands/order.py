@@ -18,6 +18,7 @@ from hfield.commands.orders import (
     sum_text,
     summands,
 )
+from hfield.commands.parser import UsageError
 from hfield.errors import TooLargeError
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ HELP = (
 DOING = "computing the order"
 EXAMPLES = (
     "hfield order '(-1,-11|QQ)' --level 3",
+    "hfield order 2 --units",
     "hfield order '(-1,-1|QQ(sqrt(5)))' --level '11, 4 + sqrt(5)'",
 )
 
@@ -49,6 +51,11 @@ def configure(parser: ArgumentParser) -> None:
     group.add_argument(
         "--extremal", action="store_true", help="take the p-extremal order of the KLPT algorithm"
     )
+    parser.add_argument(
+        "--units",
+        action="store_true",
+        help="list the units of a definite order; over a number field one of each coset of its units",
+    )
     add_answers(parser)
 
 
@@ -59,10 +66,33 @@ def run(args: Namespace) -> int:
 
 def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
     O = _made(args)
+    data: Callable[[Any], dict[str, Any]] = to_json
+    page: Callable[[Any], list[Part]] = parts
     if O.algebra.over_integers:
-        shown = of_parts(lambda: data_over_integers(O), lambda: parts_over_integers(O))
-        return shown, lambda: O.claim
-    return of_parts(lambda: to_json(O), lambda: parts(O)), lambda: O.claim
+        data, page = data_over_integers, parts_over_integers
+    if not args.units:
+        return of_parts(lambda: data(O), lambda: page(O)), lambda: O.claim
+    if not O.is_definite():
+        raise UsageError(
+            f"--units lists the units of a definite order, and {O.algebra} is indefinite: hfield domain "
+            "describes the group of its units of norm 1"
+        )
+    shown = of_parts(lambda: data(O) | _units_json(O), lambda: [*page(O), _listed_units(O)])
+    return shown, lambda: O.claim
+
+
+def _units_json(O: Any) -> dict[str, Any]:
+    """Return the units for programs, by their coordinates."""
+    text = O.algebra.ring.text
+    return {"unit_list": [[text(x) for x in q.coordinates] for q in O.units()]}
+
+
+def _listed_units(O: Any) -> Part:
+    """Return the units for people; over a number field one of each coset of those of the field."""
+    from hfield.presenting import Facts
+
+    name = "unit" if not O.algebra.over_integers else "coset of unit"
+    return Facts([(name, str(q)) for q in O.units()], 22)
 
 
 def _made(args: Namespace) -> Any:

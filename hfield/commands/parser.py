@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 _OPTION = re.compile(r"\[[^][]*(\[[^][]*\][^][]*)*\]")
 _SHELL_WORD = re.compile(r"""(?:'[^']*'|"[^"]*"|[^\s'"])+""")
 _LONG_OPTION = re.compile(r"--[A-Za-z][\w-]*(=.*)?", re.DOTALL)
+_OUTPUT = re.compile(r"-o|--output(=|$)")
+_FILE = re.compile(r"[^\s()*=+,]+\.[A-Za-z]\w{1,6}")
+_FIELD = re.compile(r"QQ|ZZ|RR|CC|GF|FF?[_(]?\d|RDF|CDF|Qp|Q\(|[ℚℤℝℂ𝔽]|\\mathbb")
+_ALGEBRA = re.compile(r"[(\[].*,.*\|.*\)|[Hℍ]\(.*\)", re.DOTALL)
 MOST_PROCESSES = 1024
 MOST_SECONDS = 86_400.0
 
@@ -72,6 +76,13 @@ class Parser(ArgumentParser):
 
     def read(self, words: Sequence[str]) -> Namespace:
         """Parse the words of a command line. Raises :class:`UsageError`."""
+        for word in words:
+            if word.startswith("'"):
+                self.error(
+                    f"{shorten(word)} came with its single quotes, which this shell does not take away: use "
+                    "double quotes"
+                )
+        self._need_output(words)
         args, unknown = self.parse_known_args(self._mark_expressions(words))
         for word in unknown:
             self._refuse(word.strip())
@@ -80,7 +91,18 @@ class Parser(ArgumentParser):
                 setattr(args, name, value.strip())
             elif isinstance(value, list):
                 setattr(args, name, [v.strip() if isinstance(v, str) else v for v in value])
+        _take_field(args)
         return args
+
+    def _need_output(self, words: Sequence[str]) -> None:
+        """Say how the output is named, where it has to be and only the name of a file is given."""
+        option = self._option_string_actions.get("-o")
+        if option is None or not option.required or any(_OUTPUT.match(word) for word in words):
+            return
+        files = [word for word in words if _FILE.fullmatch(word)]
+        if len(files) == 1:
+            rest = [word for word in words if word != files[0]]
+            self.error(f"-o names the output: write {' '.join((self.prog, *rest))} -o {files[0]}")
 
     def _mark_expressions(self, words: Sequence[str]) -> list[str]:
         """Put a space before what only looks like an option: argparse then leaves it alone."""
@@ -89,8 +111,14 @@ class Parser(ArgumentParser):
             if word == "--" and not self._takes_the_rest(words[:n]):
                 return [*marked, *words[n:]]
             expression = word.startswith("-") and word != "-" and not self._is_option(word)
+            if word == "-f" and self._has_field_to_come(words[n + 1 :]):
+                word, expression = "--field", False
             marked.append(f" {word}" if expression else word)
         return marked
+
+    def _has_field_to_come(self, words: Sequence[str]) -> bool:
+        """Tell whether the next word names a field, for a command that takes one."""
+        return "--field" in self._option_string_actions and bool(words) and _is_field(words[0])
 
     def _takes_the_rest(self, words: Sequence[str]) -> bool:
         """Say whether an option among the words takes all that follows, also a ``--``."""
@@ -104,10 +132,40 @@ class Parser(ArgumentParser):
 
     def _refuse(self, word: str) -> NoReturn:
         if not _LONG_OPTION.fullmatch(word):
+            if _FILE.fullmatch(word) and "-o" in self._option_string_actions:
+                self.error(f"-o names the output: write -o {shorten(word)}")
             self.error(f"did not expect {shorten(word)!r} (is it a part to be quoted?)")
         name = word.partition("=")[0]
         hint = suggest(name, (s for s in self._option_string_actions if s.startswith("--")))
         self.error(f"unknown option {shorten(name)!r}" + (f": {hint}" if hint else ""))
+
+
+def _is_field(word: str) -> bool:
+    """Tell whether a word names a ring by its usual letters; a letter such as x names none."""
+    from hfield.errors import RingError
+
+    if _FIELD.match(word) is None:
+        return False
+    from hfield.fields.names import ring
+
+    try:
+        ring(word)
+    except RingError:
+        return False
+    return True
+
+
+def _take_field(args: Namespace) -> None:
+    """Take a field or an algebra after the inputs for the options of this name: ``roots 'x^2+1' GF7``."""
+    inputs = getattr(args, "inputs", None)
+    if not isinstance(inputs, list) or len(inputs) < 2 or not hasattr(args, "field"):
+        return
+    if args.field is not None or getattr(args, "algebra", None) is not None:
+        return
+    if _is_field(inputs[-1]):
+        args.field = inputs.pop()
+    elif hasattr(args, "algebra") and _ALGEBRA.fullmatch(inputs[-1]):
+        args.algebra = inputs.pop()
 
 
 def _fitted(examples: Sequence[str]) -> list[str]:

@@ -5,6 +5,7 @@ GF2t``. White space does not matter. docs/rings.md has the grammar.
 """
 
 import re
+from collections.abc import Iterable
 from difflib import get_close_matches
 from functools import lru_cache
 from importlib import import_module
@@ -27,8 +28,21 @@ _EXPECTED = "known are " + " ".join(name.replace(" ", "") for name in KNOWN)
 
 _SYMBOLS = str.maketrans(
     dict(zip("αβγδεζηθικλμνξοπρστυφχψω", GREEK, strict=True))
-    | {"ℚ": "QQ", "ℤ": "ZZ", "ℝ": "RR", "ℂ": "CC", "𝔽": "GF", "−": "-", "·": "*", "×": "*"}
+    | {
+        "ℚ": "QQ",
+        "ℤ": "ZZ",
+        "ℝ": "RR",
+        "ℂ": "CC",
+        "𝔽": "GF",
+        "−": "-",
+        "–": "-",
+        "·": "*",
+        "×": "*",
+    }
 )
+_BLACKBOARD = re.compile(r"\\mathbb\{?([QZRCF])\}?")
+_BLACKBOARD_NAMES = {"Q": "QQ", "Z": "ZZ", "R": "RR", "C": "CC", "F": "GF"}
+_ROOT = re.compile(r"\\sqrt\{([^{}]*)\}")
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NAMED = {
     "QQ": "integers",
@@ -51,10 +65,10 @@ RingName: TypeAlias = object  # a Ring, a text, a domain of sympy, a field class
 Groups = list[tuple[str, str]]  # what stands in each pair of brackets, with the bracket that opens
 
 
-def ring(spec: RingName) -> Ring:
+def ring(spec: RingName, factors: Iterable[int] | None = None) -> Ring:
     """Return the ring that a text, a domain of sympy or a field of galois names; a ring as it is.
 
-    Raises :class:`RingError` for anything else, and for domains of floats.
+    ``factors`` are primes of the numbers in the text, where these are too large to be factored. Raises :class:`RingError` for anything else, and for domains of floats.
 
     >>> ring("GF(2^8)")
     GF(256)
@@ -62,6 +76,11 @@ def ring(spec: RingName) -> Ring:
     >>> ring(sympy.QQ.frac_field(*sympy.symbols("a b"))), ring(sympy.QQ.algebraic_field(sympy.sqrt(2)))
     (QQ(a,b), QQ(sqrt(2)))
     """
+    if factors is not None:
+        from hfield.factorisation import known_primes
+
+        with known_primes(factors, "factors"):
+            return ring(spec)
     if isinstance(spec, Ring):
         return spec
     if not isinstance(spec, str):
@@ -97,7 +116,8 @@ def build(text: str) -> Ring:
     """Return the ring that ``text`` names. Raises :class:`RingError`: what was wrong, how to mend it."""
     if len(text) > _MAX_LENGTH:
         raise RingError(f"the name of a ring has at most {_MAX_LENGTH} characters, not {len(text)}")
-    s = from_unicode("".join(text.translate(_SYMBOLS).split())).replace("**", "^")
+    s = _without_latex("".join(text.translate(_SYMBOLS).split()))
+    s = from_unicode(s).replace("**", "^")
     s = re.sub(r"\^\((\d+)\)(?![\w(.])", r"^\1", s)  # as 2³³ comes; 2³3 is nothing
     s = re.sub(r"[₀-₉]+(?!\w)", lambda m: f"_{m[0].translate(_LOWERED)}", s)
     if not s:
@@ -133,6 +153,18 @@ def build(text: str) -> Ring:
     for opening, inner in rest:
         made = _polynomials(made, inner) if opening == "[" else _extension(made, inner)
     return made
+
+
+def _without_latex(s: str) -> str:
+    """Return a name without the commands of LaTeX.
+
+    >>> _without_latex(r"\\mathbb{F}_{7}"), _without_latex(r"\\mathbb{Q}(\\sqrt{2})")
+    ('GF_7', 'QQ(sqrt(2))')
+    """
+    if "\\" in s:
+        s = _BLACKBOARD.sub(lambda found: _BLACKBOARD_NAMES[found[1]], s)
+        s = _ROOT.sub(r"sqrt(\1)", s)
+    return re.sub(r"_\{(\d+)\}", r"_\1", s)
 
 
 def _number_field(s: str) -> Ring | None:
@@ -212,7 +244,7 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
         return made, groups[1:]
     if (m := re.fullmatch(r"ZZ?/?(-?\d+(?:\^\d+)?)(ZZ?)?", head)) and (made := _residues(m[1])):
         return made, groups
-    if m := re.fullmatch(r"(?:GF|F_?)(-?\d+(?:\^\d+)?)([a-z]?)", head):
+    if m := re.fullmatch(r"(?:GF|F)_?(-?\d+(?:\^\d+)?)([a-z]?)", head):
         field = _finite(m[1])
         return (_extension(field, m[2]) if m[2] else field), groups
     if m := re.fullmatch(r"QQ?(sqrt-?\d+|I|[a-z])", head):

@@ -17,7 +17,7 @@ from hfield.errors import (
     shorten,
 )
 from hfield.fields.names import RingName, ring
-from hfield.notation import split_algebra
+from hfield.notation import UNNAMED, split_algebra
 from hfield.proving.evaluation.evaluator import Evaluator
 from hfield.proving.evaluation.scalars import RingScalars
 from hfield.proving.statements.language import BASIS, HAMILTON, QUATERNIONS, RESULT, generators
@@ -29,7 +29,7 @@ from hfield.syntax import Call, Index, Name, Node, parse, weight
 if TYPE_CHECKING:
     from hfield.algebra.structure_algebra import StructureAlgebra
 
-UNNAMED = "F"
+
 MAX_CONSTANT_WEIGHT = 2_000
 
 

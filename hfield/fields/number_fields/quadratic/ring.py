@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
-from hfield.factorisation import factorise
+from hfield.factorisation import UnfactoredError, factorise
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.with_ideals import WithIdeals
 from hfield.primality import is_prime
@@ -304,6 +304,11 @@ def build(text: str) -> QuadraticField:
             raise AssertionError
         _, free = reduced(d.numerator * d.denominator) if d else (0, 1)
         factorise(free)  # that it is squarefree is proved, or nothing is known of the field
+    except UnfactoredError as error:
+        raise RingError(
+            f"QQ(sqrt({shorten(text)})) needs the primes of the discriminant, and factoring it failed: {error}; "
+            "ring(text, factors=[p]) takes those that you know"
+        ) from error
     except HFieldError as error:
         raise RingError(
             f"QQ(sqrt({shorten(text)})): expected an integer under the root, as in QQ(sqrt(2)): {error}"
