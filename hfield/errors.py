@@ -1,8 +1,12 @@
 """What can go wrong, as types. Every message says what was wrong, what was expected, how to mend it."""
 
+MAX_MESSAGE = 1000  # characters of a message that are shown
+
 
 class HFieldError(Exception):
     """The root of all errors of this package; the command line prints them in one line.
+
+    A message that quotes a very long input is shortened.
 
     >>> from hfield import GF, errors
     >>> try:
@@ -11,6 +15,9 @@ class HFieldError(Exception):
     ...     print(type(error).__name__)
     RingError
     """
+
+    def __str__(self) -> str:
+        return shorten(super().__str__(), MAX_MESSAGE)
 
 
 class NotationError(HFieldError, ValueError):

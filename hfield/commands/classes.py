@@ -253,10 +253,12 @@ def _forms(C: Any) -> list[Part]:
     """Return dimensions and newforms, as parts."""
     from hfield.presenting import Facts
 
-    told = f"{C.cusp_dimension()}, newforms among them {C.new_dimension()}, rational ones below"
+    told = f"{C.cusp_dimension()}, newforms among them {C.new_dimension()}, rational ones below: Hecke eigenvalues a_p and Atkin-Lehner signs w_p"
     facts = [("cusp forms", told)]
-    for f in C.newforms():
-        values = ", ".join(f"{P}: {a}" for P, a in f.eigenvalues(PRIMES).items())
-        signs = ", ".join(f"{P}: {'+-'[w < 0]}" for P, w in f.signs.items())
-        facts.append(("newform", f"{values}, …; signs of Atkin and Lehner {signs or 'none'}"))
+    for n, f in enumerate(C.newforms(), 1):
+        values = [f"a_{P} = {a}" for P, a in f.eigenvalues(PRIMES).items()]
+        signs = [f"w_{P} = {w}" for P, w in f.signs.items()]
+        facts.append(
+            (f"newform f{n}", ", ".join([*values, "…"]) + "; " * bool(signs) + ", ".join(signs))
+        )
     return [Facts(facts, 14)]

@@ -54,7 +54,11 @@ def configure(parser: ArgumentParser) -> None:
         "'i*i == j*j == -1'; may be repeated",
     )
     parser.add_argument(
-        "--timeout", type=seconds, default=30.0, metavar="S", help="seconds to try (default: 30)"
+        "--timeout",
+        type=seconds,
+        default=30.0,
+        metavar="S",
+        help="seconds of processor time to try (default: 30); a busy machine answers later, the same",
     )
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
     add_standalone(parser)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from argparse import ArgumentParser, Namespace
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,9 +20,11 @@ HELP = (
     "Tabulate class numbers, masses, type numbers and units of the Eichler orders with "
     "discriminants and levels in given ranges. With --field the levels are given by their "
     "norms. With --groups the rows are signatures, presentations and systoles of unit "
-    "groups in indefinite algebras. Rows are written as they are found. With -o, an "
+    "groups in indefinite algebras. Rows are written as they are found: a table on a terminal, "
+    "otherwise a JSON object each. With -o, an "
     "interrupted run continues from its last row."
 )
+DOING = "surveying"
 EXAMPLES = (
     "hfield survey 2..100 --levels 1..5 -o rows.jsonl",
     "hfield survey --field 'QQ(sqrt(5))' --field 'QQ(sqrt(2))' --levels 1..50",
@@ -77,8 +80,10 @@ def run(args: Namespace) -> int:
     (most,) = numbers(args.most or str(AREA if args.groups else MOST), "--most")[:1]
     if args.output is None:
         with open_output(None) as out, open_executor(args.jobs, args.dask) as executor:
+            table = Columns() if out.stream.isatty() else None
             for found in census.run(executor, pairs, most, set(), survey):
-                out.write("\n".join(json.dumps(row) for row in found))
+                lines = map(json.dumps, found) if table is None else table.lines(found)
+                out.write("\n".join(lines))
         return 0
     path = Path(args.output)
     parquet = path.suffix == ".parquet"
@@ -110,6 +115,30 @@ def run(args: Namespace) -> int:
         reason = error.strerror or str(error)
         raise OutputError(f"cannot write {shorten(args.output)!r}: {reason}") from error
     return 0
+
+
+class Columns:
+    """Rows of a survey as lines under a head, for people; the first rows decide how wide columns are."""
+
+    def __init__(self) -> None:
+        self._widths: list[int] = []
+
+    def lines(self, rows: Sequence[Mapping[str, object]]) -> Iterator[str]:
+        """Yield the rows as lines, a head first."""
+        cells = [[_cell(value) for value in row.values()] for row in rows]
+        if rows and not self._widths:
+            cells.insert(0, [name.replace("_", " ") for name in rows[0]])
+            self._widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+        for line in cells:
+            padded = zip(line, self._widths, strict=True)
+            yield "  ".join(f"{cell:<{width}}" for cell, width in padded).rstrip()
+
+
+def _cell(value: object) -> str:
+    """Write a value of a row: a table such as ``{"24": 1}`` as ``24: 1``."""
+    if isinstance(value, dict):
+        return ", ".join(f"{name}: {number}" for name, number in value.items())
+    return value if isinstance(value, str) else json.dumps(value)
 
 
 def numbers(text: str, name: str) -> list[int]:

@@ -17,9 +17,9 @@ from hfield.coq.sentences import Sentence
 from hfield.coq.terms import NotCoveredError
 from hfield.errors import HFieldError, TooLargeError
 from hfield.evidence import Kind
-from hfield.notation import split_algebra
+from hfield.notation import UNNAMED, split_algebra
 from hfield.proving.statements.language import Sort, Statement, read_statement
-from hfield.proving.statements.setting import UNNAMED, read_setting
+from hfield.proving.statements.setting import read_setting
 from hfield.syntax import (
     Binary,
     Call,

@@ -12,8 +12,8 @@ from hfield.coq.sentences import Proved
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.evidence import Kind
 from hfield.fields.names import ring, ring_of_data
-from hfield.notation import split_algebra
-from hfield.proving.statements.setting import UNNAMED, read_setting
+from hfield.notation import UNNAMED, split_algebra
+from hfield.proving.statements.setting import read_setting
 
 MAX_PROOF = 3_000_000
 
