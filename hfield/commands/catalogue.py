@@ -56,6 +56,16 @@ GROUPS: dict[str, dict[str, str]] = {
         "warm": "compile the loops over arrays ahead of time",
     },
 }
+OTHERWISE = {
+    "hilbert": "hfield eval 'hilbert(2,5,5)'",
+    "ramified": "hfield info '(-1,-1|QQ)'",
+    "discriminant": "hfield info '(-1,-1|QQ)'",
+    "factor": "hfield roots 'x^2+1'",
+    "units": "hfield order 2 --units",
+    "test": "hfield verify",
+    "rotate": "python, with the package rotation",
+}
+"""What is computed, and the line to type for it."""
 COMMANDS = {name: text for group in GROUPS.values() for name, text in group.items()}
 LAST, OTHER = "Tools", "Other packages"
 GROUP = "hfield.commands"
@@ -96,6 +106,8 @@ def _load(name: str) -> Any:
         raise UsageError(
             f"unknown option {shorten(name)!r}; expected a command first, `hfield --help` lists them"
         )
+    if name in OTHERWISE:
+        raise UsageError(f"there is no command {name!r}: write {OTHERWISE[name]}")
     hint = suggest(name, names()) or "`hfield --help` lists them"
     raise UsageError(f"there is no command {shorten(name)!r}: {hint}")
 

@@ -49,6 +49,8 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Find them and print."""
+    if args.algebra in (*SETS, *OTHERS):
+        raise UsageError(f"the algebra comes first: write hfield list {args.what} {args.algebra}")
     from hfield.commands.parser import algebra_of
 
     A = algebra_of(Namespace(where=args.algebra, algebra=None, field=None))

@@ -301,7 +301,8 @@ def algebra_of(args: Namespace) -> QuaternionAlgebra:
     from hfield.algebra import H, QuaternionAlgebra
 
     where = getattr(args, "where", None)
-    algebra = where if where is not None and where.startswith(("(", "[", "H(")) else args.algebra
+    is_algebra = where is not None and (where == "H" or where.startswith(("(", "[", "H(", "ℍ")))
+    algebra = where if is_algebra else args.algebra
     if algebra is None and where is not None and where.isascii() and where.isdecimal():
         return QuaternionAlgebra(int(where))  # of that discriminant
     if algebra is not None:

@@ -43,7 +43,9 @@ def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_inputs(parser, "POLYNOMIAL", "the polynomial, in quotes", "plain", "unicode", "json")
     parser.add_argument(
-        "--variable", metavar="X", default="x", help="the name of the variable (default: x)"
+        "--variable",
+        metavar="X",
+        help="the name of the variable (default: the one letter from p to z that means nothing else, or x)",
     )
     parser.add_argument(
         "--list",
@@ -60,8 +62,11 @@ def run(args: Namespace) -> int:
     return answer_all(args, answer, COLUMNS, apart=False)
 
 
-def _roots(A: QuaternionAlgebra, variable: str, listed: bool, text: str) -> Answer:
-    P = A.polynomials(variable)
+def _roots(A: QuaternionAlgebra, variable: str | None, listed: bool, text: str) -> Answer:
+    from hfield.modules.equations import unknowns_in
+
+    letters = unknowns_in(A, [text])
+    P = A.polynomials(variable or (letters[0] if len(letters) == 1 else "x"))
     left, _, right = text.replace("==", "=").partition("=")
     found = (P.parse(left) - P.parse(right or "0")).roots()
     scalar = A.ring.text

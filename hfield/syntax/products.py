@@ -19,7 +19,19 @@ MAX_DEPTH = 100  # of parentheses and prefixes: each costs the parser three fram
 _BASIS = frozenset("eijk")
 _QUATERNIONS = frozenset("ijkpqruvw")
 _SCALARS = ("norm", "trace", "scalar", "dot", "abs")
-_FUNCTIONS = (*_SCALARS, "conj", "inv", "vector", "comm", "cross")
+_FUNCTIONS = (
+    *_SCALARS,
+    "conj",
+    "inv",
+    "vector",
+    "comm",
+    "cross",
+    "sqrt",
+    "cos",
+    "sin",
+    "exp",
+    "log",
+)
 _MATRICES = ("matrix", "column", "row", "transpose")
 _KEYWORDS = frozenset(("and", "or", "not", "exists"))
 # Words of known letters that mean something, here or to people.

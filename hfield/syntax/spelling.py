@@ -31,6 +31,10 @@ _COMMANDS = {  # of LaTeX
 _COMMAND = re.compile(r"\\([A-Za-z]+)\s*|\\([,;:! ])|^\s*\$+|\$+\s*$")
 _DOLLARS = re.compile(r"(?s)\s*\$.*\$\s*$")
 _FUNCTIONS = {"N": "norm", "tr": "trace", "Sc": "scalar", "Vec": "vector"}
+_FUNCTIONS |= {"Nrd": "norm", "nrd": "norm", "Tr": "trace", "Trd": "trace", "trd": "trace"}
+_FUNCTIONS |= {"Re": "scalar", "Im": "vector"}
+_MODULUS = re.compile(r"[|‖]([^|‖]+)[|‖](\s*(?:\^|\*\*)\s*2(?!\d))?")
+_ROOT = re.compile(r"√(\d+)|√(?=\()")
 _WORDS = ("and", "or", "not")
 _FUNCTION = re.compile(rf"\b({'|'.join(_FUNCTIONS)})(?=\s*\()")
 _BRACE = re.compile(r"frac\{|\^?\{|\}")
@@ -104,6 +108,8 @@ def _signs_read(letters: Letters) -> Letters:
     letters = letters.sub(_BAR, lambda found: (1, "conj(", 2, ")"))
     letters = letters.sub(_COORDINATE_OF_POWER, lambda found: (1, "(", 2, ")", 3))
     letters = letters.sub(_POWER, lambda found: ("**" + found[0].translate(_TO_DIGITS),))
+    letters = letters.sub(_MODULUS, lambda found: ("norm(" if found[2] else "abs(", 1, ")"))
+    letters = letters.sub(_ROOT, lambda found: ("sqrt(", 1, ")") if found[1] else ("sqrt",))
     letters = letters.sub(_COORDINATE, lambda found: (f"[{'₀₁₂₃'.index(found[0])}]",))
     for sign, words in _SIGNS.items():
         letters = letters.replaced(sign, words)
@@ -234,13 +240,13 @@ def _may_be_a_matrix(text: str) -> NotationError:
 
 
 ELSEWHERE = {
-    **dict.fromkeys(("reduced_norm", "nrd", "N"), "norm"),
-    **dict.fromkeys(("reduced_trace", "trd", "tr"), "trace"),
+    "reduced_norm": "norm",
+    "reduced_trace": "trace",
     **dict.fromkeys(("conjugate", "bar"), "conj"),
     **dict.fromkeys(("inverse", "inverse_of"), "inv"),
     **dict.fromkeys(("commutator", "bracket"), "comm"),
-    **dict.fromkeys(("real", "Re", "scalar_part"), "scalar"),
-    **dict.fromkeys(("imag", "Im", "vector_part"), "vector"),
+    **dict.fromkeys(("real", "scalar_part"), "scalar"),
+    **dict.fromkeys(("imag", "vector_part"), "vector"),
 }
 
 
@@ -250,6 +256,8 @@ def elsewhere(function: str) -> str:
     >>> elsewhere("reduced_norm"), elsewhere("det")
     (', write norm', '')
     """
+    if function == "abs":
+        return ", the norm of q is norm(q)"
     if function == "sqrt":
         return ", but over a field that has the root, such as QQ(sqrt(2)), it is an element"
     return f", write {ELSEWHERE[function]}" if function in ELSEWHERE else ""

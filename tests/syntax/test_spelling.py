@@ -112,6 +112,8 @@ def test_fractions_and_blanks():
         ("not p = q = r => 0 <= x <= 1", "not (p == r and q == r) => 0 <= x and x <= 1"),
         ("p(0,0,0,1)", "p*(k)"),
         ("every one", "every one"),
+        ("|pq|^2 = ‖p‖² |q|", "norm(p*q) == norm(p)*abs(q)"),
+        ("Re(p) √2 = nrd(q)", "scalar(p)*sqrt(2) == norm(q)"),
     ],
 )
 def test_what_is_left_out_is_written(text, meant):
