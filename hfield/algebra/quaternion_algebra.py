@@ -163,7 +163,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return self.ring, self.constants
 
     def __call__(self, *coordinates: object) -> Quaternion:
-        """Make an element from four coordinates, or from one scalar, text, quaternion, or list of four scalars.
+        """Make an element from four coordinates, a scalar, a text, a quaternion or a list of four scalars.
 
         Each of four coordinates may be an array. A rotation, ours or scipy's, gives its unit quaternions over
         RDF. Other lists and arrays are refused, since they could be scalars as well as quaternions:
@@ -206,8 +206,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         shape = getattr(x, "shape", None)
         what = f"a list of {len(x)}" if shape is None else f"an array of shape {tuple(shape)}"
         raise CoercionError(
-            f"{what} is no element of {self}: an element is a list of four scalars; arrays of quaternions are "
-            "A.from_array(x, axis=-1) with four coordinates in each row, or A(w, x, y, z) with an array for "
+            f"{what} is no element of {self}: an element is a list of four scalars; arrays of quaternions "
+            "are A.from_array(x, axis=-1) with four coordinates in each row, or A(w, x, y, z) with an array for "
             "each coordinate; an array of scalars is A.scalar(x)"
         )
 

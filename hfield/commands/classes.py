@@ -253,7 +253,10 @@ def _forms(C: Any) -> list[Part]:
     """Return dimensions and newforms, as parts."""
     from hfield.presenting import Facts
 
-    told = f"{C.cusp_dimension()}, newforms among them {C.new_dimension()}, rational ones below: Hecke eigenvalues a_p and Atkin-Lehner signs w_p"
+    told = (
+        f"{C.cusp_dimension()}, newforms among them {C.new_dimension()}; rational ones below, with "
+        "eigenvalues a_p and signs w_p of Atkin and Lehner"
+    )
     facts = [("cusp forms", told)]
     for n, f in enumerate(C.newforms(), 1):
         values = [f"a_{P} = {a}" for P, a in f.eigenvalues(PRIMES).items()]

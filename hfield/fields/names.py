@@ -68,7 +68,8 @@ Groups = list[tuple[str, str]]  # what stands in each pair of brackets, with the
 def ring(spec: RingName, factors: Iterable[int] | None = None) -> Ring:
     """Return the ring that a text, a domain of sympy or a field of galois names; a ring as it is.
 
-    ``factors`` are primes of the numbers in the text, where these are too large to be factored. Raises :class:`RingError` for anything else, and for domains of floats.
+    ``factors`` are primes of the numbers in the text, where these are too large to be factored. Raises
+    :class:`RingError` for anything else, and for domains of floats.
 
     >>> ring("GF(2^8)")
     GF(256)

@@ -1,7 +1,7 @@
 """Products without a sign, coordinates in parentheses, and chains of comparisons, written out.
 
-``(1+2i)(3+j)`` is a product, ``ij`` too where ``i`` and ``j`` are known and no name is ``ij``; ``(0,1,0,0)`` is
-``i``; ``a == b == c`` is ``a == c and b == c``. What has two readings is refused.
+``(1+2i)(3+j)`` is a product, ``ij`` too where ``i`` and ``j`` are known and no name is ``ij``;
+``(0,1,0,0)`` is ``i``; ``a == b == c`` is ``a == c and b == c``. What has two readings is refused.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _FUNCTIONS = (
 _MATRICES = ("matrix", "column", "row", "transpose")
 _KEYWORDS = frozenset(("and", "or", "not", "exists"))
 # Words of known letters that mean something, here or to people.
-_WORDS = frozenset("pi exp sqrt tr re sp true every set yet".split())
+_WORDS = frozenset(["pi", "exp", "sqrt", "tr", "re", "sp", "true", "every", "set", "yet"])
 MAX_SPLIT = 4  # letters of a word that is read as a product, unless it consists of e, i, j and k
 _LOGIC = ("=>", "<=>", ":", *_KEYWORDS)
 _COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
@@ -47,7 +47,7 @@ _TOKEN = re.compile(
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """What the words of a text may be: ``letters`` that are multiplied, other ``names``, and ``functions``."""
+    """What words may be: ``letters`` that are multiplied, other ``names``, and ``functions``."""
 
     letters: frozenset[str]
     names: frozenset[str] = frozenset()
@@ -266,9 +266,9 @@ class _Writer:
             return "index" if item.open.text == "[" and before == "operand" else "operand"
         if item.kind != "name":
             return "operand" if item.kind == "number" else item.text
-        if isinstance(follows, _Group) and follows.open.text == "(":
-            if item.text in self.vocabulary.functions:
-                return "function"
+        is_called = isinstance(follows, _Group) and follows.open.text == "("
+        if is_called and item.text in self.vocabulary.functions:
+            return "function"
         return "operand" if self.vocabulary.is_operand(item.text) else "unknown"
 
     def is_product(self, item: _Token | _Group) -> bool:

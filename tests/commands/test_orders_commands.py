@@ -30,10 +30,12 @@ from tests.commands.running import page, run
         (["order", "5", "--format", "latex"], [r"\mathbb{Z}\left\langle"]),
         (["classes", "(-1,-11|QQ)", "--level", "3"], ["4, by Eichler's", "mass 10/3", "type number 3"]),
         (["classes", "1000003", "--formula"], ["class number 83334, by Eichler's formula"]),
-        (["classes", "11", "--level", "3", "--newforms"], ["newform f1 a_2 = 1, a_5 = -2, a_7 = 4,", "w_3 = 1, w_11 = -1"]),
+        (["classes", "11", "--level", "3", "--newforms"],
+         ["newform f1 a_2 = 1, a_5 = -2, a_7 = 4,", "w_3 = 1, w_11 = -1"]),
         (
             ["classes", "(-1,-1|QQ(sqrt(5)))", "--level", "6 + sqrt(5)", "--newforms"],
-            ["2, by enumeration", "mass 8/15", "type number 2", "C5", "newform f1 a_2 = -3, a_(5, sqrt(5)) = -2,"],
+            ["2, by enumeration", "mass 8/15", "type number 2", "C5",
+             "newform f1 a_2 = -3, a_(5, sqrt(5)) = -2,"],
         ),
         (
             ["brandt", "(-1,-1|QQ(sqrt(5)))", "6 + sqrt(5)", "--prime", "sqrt(5)"],

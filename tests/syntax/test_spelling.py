@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hfield import GF, QQ, H, QuaternionAlgebra, prove, ring
+from hfield import QQ, H, QuaternionAlgebra, prove, ring
 from hfield.errors import NotationError
 from hfield.ledger.propositions import Statement
 from hfield.ledger.registry import claims

@@ -306,8 +306,8 @@ def build(text: str) -> QuadraticField:
         factorise(free)  # that it is squarefree is proved, or nothing is known of the field
     except UnfactoredError as error:
         raise RingError(
-            f"QQ(sqrt({shorten(text)})) needs the primes of the discriminant, and factoring it failed: {error}; "
-            "ring(text, factors=[p]) takes those that you know"
+            f"QQ(sqrt({shorten(text)})) needs the primes of the discriminant, and factoring it failed: "
+            f"{error}; ring(text, factors=[p]) takes those that you know"
         ) from error
     except HFieldError as error:
         raise RingError(
