@@ -207,8 +207,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         what = f"a list of {len(x)}" if shape is None else f"an array of shape {tuple(shape)}"
         raise CoercionError(
             f"{what} is no element of {self}: an element is a list of four scalars; arrays of quaternions "
-            "are A.from_array(x, axis=-1) with four coordinates in each row, or A(w, x, y, z) with an array for "
-            "each coordinate; an array of scalars is A.scalar(x)"
+            "are A.from_array(x, axis=-1) with four coordinates in each row, or A(w, x, y, z) with an array "
+            "for each coordinate; an array of scalars is A.scalar(x)"
         )
 
     def _of_sympy(self, x: object, coordinates: tuple[object, ...]) -> Quaternion:

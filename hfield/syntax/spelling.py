@@ -103,19 +103,26 @@ def _signs_read(letters: Letters) -> Letters:
     letters = letters.sub(_COORDINATE_IN_BRACES, lambda found: ("[", 1, "]"))
     if in_latex or "^{" in letters.text:
         letters = _without_braces(letters, in_latex)
+    if not letters.text.isascii():
+        letters = _without_signs(letters)
+    letters = letters.sub(_MODULUS, lambda found: ("norm(" if found[2] else "abs(", 1, ")"))
+    letters = letters.sub(_EQUAL, lambda found: ("==",))
+    letters = letters.sub(_FUNCTION, lambda found: (_FUNCTIONS[found[1]],))
+    return _commutators(letters)
+
+
+def _without_signs(letters: Letters) -> Letters:
+    """Return a text in ASCII, where its signs have a meaning."""
     # Letters with a bar of their own, such as ū, become a letter and a bar.
     letters = letters.sub(_OWN_BAR, lambda found: (_decomposed(found[0]),))
     letters = letters.sub(_BAR, lambda found: (1, "conj(", 2, ")"))
     letters = letters.sub(_COORDINATE_OF_POWER, lambda found: (1, "(", 2, ")", 3))
     letters = letters.sub(_POWER, lambda found: ("**" + found[0].translate(_TO_DIGITS),))
-    letters = letters.sub(_MODULUS, lambda found: ("norm(" if found[2] else "abs(", 1, ")"))
     letters = letters.sub(_ROOT, lambda found: ("sqrt(", 1, ")") if found[1] else ("sqrt",))
     letters = letters.sub(_COORDINATE, lambda found: (f"[{'₀₁₂₃'.index(found[0])}]",))
     for sign, words in _SIGNS.items():
         letters = letters.replaced(sign, words)
-    letters = letters.sub(_EQUAL, lambda found: ("==",))
-    letters = letters.sub(_FUNCTION, lambda found: (_FUNCTIONS[found[1]],))
-    return _commutators(letters)
+    return letters
 
 
 def _decomposed(char: str) -> str:
