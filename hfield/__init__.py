@@ -21,8 +21,8 @@ def __getattr__(name: str) -> object:
     try:
         return _attribute(name)
     except AttributeError as error:
-        from hfield.hints import called_here
+        from hfield.hints import ForeignNameError, called_here
 
         if not (here := called_here(name)):
             raise
-        raise AttributeError(f"hfield has no {name!r}: write {here}", name=name) from error
+        raise ForeignNameError(f"hfield has no {name!r}: write {here}", name=name) from error

@@ -6,6 +6,10 @@ from collections.abc import Mapping
 from typing import ClassVar, NoReturn
 
 
+class ForeignNameError(AttributeError):
+    """A name of another system; the message says what is written here."""
+
+
 class Elsewhere:
     """A name that is called otherwise here: asked for, it raises an AttributeError that says so."""
 
@@ -14,7 +18,7 @@ class Elsewhere:
 
     def __get__(self, instance: object, owner: type) -> NoReturn:
         article = "an" if owner.__name__[0] in "AEIO" else "a"
-        raise AttributeError(
+        raise ForeignNameError(
             f"{article} {owner.__name__} has no {self.name!r}: write {self.hint}",
             name=self.name,
             obj=instance,

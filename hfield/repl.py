@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import hfield
 from hfield.errors import HFieldError, shorten
-from hfield.hints import called_here
+from hfield.hints import ForeignNameError, called_here
 from hfield.notation import BASIS
 
 if TYPE_CHECKING:
@@ -103,6 +103,7 @@ _STRINGS = re.compile(
     r"""|"(?:\\.|[^"\\\n])*"?|'(?:\\.|[^'\\\n])*'?|\#[^\n]*)"""
 )
 _MULTIPLE = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)([ijk])\b|\)([ijk])\b")
+_PRODUCT = re.compile(r"(?<![\w)\]])(\s*\([\d\s+\-*/.eijk]+\))\s*(?=\()")
 _POWER = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _DIGITS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
@@ -123,6 +124,7 @@ def python_source(text: str) -> str:
 def _plain_code(text: str) -> str:
     text = text.replace("−", "-").replace("·", "*").replace("^", "**")
     text = _POWER.sub(lambda found: f"**{found[0].translate(_DIGITS)}", text)
+    text = _PRODUCT.sub(r"\1*", text)
     return _MULTIPLE.sub(lambda m: f")*{m[3]}" if m[3] else f"{m[1]}*{m[2]}", text)
 
 
@@ -196,7 +198,7 @@ class _Console(InteractiveConsole):
         """Show the error that was just raised."""
         self.failed = True
         error = sys.exc_info()[1]
-        if isinstance(error, (HFieldError, KeyboardInterrupt)):
+        if isinstance(error, (HFieldError, ForeignNameError, KeyboardInterrupt)):
             self.write(f"{_one_line(error)}\n")
         elif isinstance(error, NameError) and (mend := mend_of_name(error)):
             self.write(f"{mend}\n")
@@ -317,7 +319,7 @@ def _run_ipython(app: Any, names: dict[str, object], greeting: str) -> int:
         lambda lines: python_source("".join(lines)).splitlines(keepends=True)
     )
     _complete_in_order(shell, names)
-    shell.set_custom_exc((HFieldError, KeyboardInterrupt, NameError), tell)
+    shell.set_custom_exc((HFieldError, ForeignNameError, KeyboardInterrupt, NameError), tell)
     session.start()
     return 0
 

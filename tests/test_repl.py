@@ -55,6 +55,8 @@ def test_names_of_other_systems_say_what_to_write(monkeypatch, capsys):
     assert "there is no 'BrandtModule': write O.class_set()" in said
     assert "there is no 'ij': write i*j" in said
     assert "name 'nothing_of_ours' is not defined" in said
+    said_of_a_method = piped(monkeypatch, capsys, "A.i.nrd\n")[2]
+    assert said_of_a_method == "ForeignNameError: a Quaternion has no 'nrd': write norm()\n"
 
 
 @pytest.mark.parametrize(
@@ -62,6 +64,8 @@ def test_names_of_other_systems_say_what_to_write(monkeypatch, capsys):
     [
         ("2i + 3j - 10k", "2*i + 3*j - 10*k"),
         ("(1 + i)j", "(1 + i)*j"),
+        ("(1 + 2i)(3 + j)", "(1 + 2*i)*(3 + j)"),
+        ("f(1)(i), (f or g)(i)", "f(1)(i), (f or g)(i)"),
         ("q^2 + 1/2i", "q**2 + 1/2*i"),
         ("(−1 + 2i)² · k⁻¹", "(-1 + 2*i)**2 * k**-1"),
         ("x2i + e2k, 2ij", "x2i + e2k, 2ij"),
