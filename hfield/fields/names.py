@@ -360,6 +360,10 @@ def _polynomials(base: Ring, inner: str) -> Ring:
 def _unknown(s: str) -> RingError:
     close = get_close_matches(s.upper(), [name.replace(" ", "") for name in KNOWN], 1, 0.6)
     did = f"did you mean {close[0]}? " if close else ""
-    if (letters := _variables_of(s)) and len(letters) == len(min(letters)) == 1 and re.search(r"\^[2-9]", s):
+    if (
+        (letters := _variables_of(s))
+        and len(letters) == len(min(letters)) == 1
+        and re.search(r"\^[2-9]", s)
+    ):
         did = f"the field of a root is QQ[{min(letters)}]/({shorten(s)}); "
     return RingError(f"there is no ring {shorten(s)!r}: {did}{_EXPECTED}")

@@ -50,6 +50,7 @@ SIGNS = {
     "ℂ": "CC",
     "𝔽": "GF",
     "−": "-",
+    "–": "-",
     "·": "*",
     "×": "*",
 }
@@ -105,11 +106,11 @@ def _ring(text: str) -> Data:
 
 
 def _place_begins(text: str) -> int:
-    """Return where the first _ outside brackets is, that of F_9 apart; 0 for none."""
+    """Return where the first _ outside brackets is, that of F_9 and GF_9 apart; 0 for none."""
     depth = 0
     for n, sign in enumerate(text):
         depth += (sign in "([") - (sign in ")]")
-        if sign == "_" and depth == 0 and text[:n] != "F":
+        if sign == "_" and depth == 0 and text[:n] not in ("F", "GF"):
             return n
     return 0
 
@@ -249,13 +250,13 @@ def _extension(base: str, variable: str, text: str) -> Data:
 
 
 POWER = r"[0-9]+(?:\^(?:[0-9]+|\([0-9]+\)))?"
-FINITE = rf"(?:GF|FF?)\(.*\)|(?:GF|F_?){POWER}"
+FINITE = rf"(?:GF|FF?)\(.*\)|(?:GF_?|F_?){POWER}"
 SHAPES: list[tuple[str, Callable[..., Data]]] = [
     (rf"ZZ/?({POWER})(?:ZZ?)?", _residues),
     (r"(?:ZZ/|Zmod)\((.*)\)", _residues),
     (r"QQp\((.*)\)", p_adic),
     (r"(?:GF|FF?)\((.*)\)", _finite),
-    (rf"(?:GF|F_?)({POWER})", _finite),
+    (rf"(?:GF_?|F_?)({POWER})", _finite),
     (rf"Frac\((ZZ?|QQ?|{FINITE})\[(.*)\]\)", _fractions),
     (rf"QQ\[({NAME})\]/\((.*)\)", _number_field),
     (rf"(.*)\[({NAME})\]/\((.*)\)", _extension),
@@ -264,6 +265,6 @@ SHAPES: list[tuple[str, Callable[..., Data]]] = [
     (rf"({FINITE})\(\((.*)\)\)", _laurent),
     (r"QQ(I|sqrt-?[0-9]+|sqrt\(.*\))", lambda short: numbers([short]) or refuse("no number")),
     (r"(QQ)([a-oq-z])", _round),
-    (rf"((?:GF|F_?){POWER})([a-z])", _round),
+    (rf"((?:GF_?|F_?){POWER})([a-z])", _round),
     (rf"(QQ|{FINITE})\((.*)\)", _round),
 ]
