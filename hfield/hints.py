@@ -33,7 +33,7 @@ class Hinted:
     >>> from hfield import H, QQ
     >>> H(QQ).ramified_primes()
     Traceback (most recent call last):
-    AttributeError: a QuaternionAlgebra has no 'ramified_primes': write ramified_places()
+    hfield.hints.ForeignNameError: a QuaternionAlgebra has no 'ramified_primes': write ramified_places()
     """
 
     __slots__ = ()
