@@ -1,29 +1,40 @@
 """Measure what share of random faults the quick and the full test suite notice.
 
-    pip install coverage
-    python scripts/mutation_sample.py contexts      # about 30 minutes: which test reaches which line
-    python scripts/mutation_sample.py run --seed 1 --count 150 -o first.json
+    python scripts/mutation_sample.py reach --seeds 1 2         # all tests once: which come to which mutant
+    python scripts/mutation_sample.py run --seed 1 -o first.json
 
 A mutant is one of the three packages with one operator, comparison, constant or condition changed at a
-place drawn by the seed. It is tried by the tests that reach the changed line, the quickest first: the
-quick suite, and where that notices nothing the slow tests too. docs/mutation.md has the scores.
+place drawn by the seed. It is tried by the tests that come to the changed place, the cheapest first: by
+the quick ones, and where they notice nothing by the slow ones too. docs/mutation.md has the scores.
+
+Both commands fork a process that has imported the large libraries, and nothing of the three packages,
+for each file of tests or each mutant. They need a system that forks, such as Linux.
 """
 
 import argparse
 import ast
+import contextlib
+import importlib
 import json
 import os
 import random
+import resource
 import shutil
-import subprocess
+import signal
 import sys
 import tempfile
-from collections.abc import Iterator
+import time
+import traceback
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import NamedTuple
+
+import pytest
 
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("hfield", "rotation", "anim")
-DATA = ROOT / "build" / "contexts" / ".coverage"
+REACH = ROOT / "build" / "reach.json"
 COMPARISONS = {
     ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq,
     ast.NotEq: ast.Eq, ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
@@ -33,184 +44,440 @@ OPERATORS = {
     ast.FloorDiv: ast.Mult, ast.Mod: ast.FloorDiv, ast.Pow: ast.Mult, ast.LShift: ast.RShift,
     ast.RShift: ast.LShift, ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd, ast.BitXor: ast.BitAnd,
 }  # fmt: skip
-SECONDS = 300  # for the tests of one mutant; a mutant that takes longer counts as noticed
+OPTIONS = "tests/subcases.py"  # a file beside the conftest.py that knows --runslow
+FIRST_TESTS = 40  # so many tests, each of another function, try a mutant before all the others do
+QUICK_SECONDS, SLOW_SECONDS = 60, 120  # of computing: more tests than that do not try one mutant
+SPARE_SECONDS = 20  # beyond five times what the tests of a mutant take without it
+MAX_BYTES = 8 << 30  # of memory
+PRELOADED = (
+    "numpy",
+    "sympy",
+    "flint",
+    "hypothesis",
+    "galois",
+    "matplotlib.figure",
+    "scipy.spatial",
+)
+COMPILED = ("called", "kernel")  # decorators of what numba compiles, where no probe can stand
+PROBE = """
+import builtins, os
+
+def __probed__(n, value, seen=set(), log=os.environ.get("PROBE_LOG")):
+    if n not in seen and log:
+        seen.add(n)
+        with open(log, "ab", buffering=0) as file:
+            file.write(b"%d\\n" % n)
+    return value
+
+builtins.__probed__ = __probed__
+"""
+
+
+# -- mutants
+
+
+class Mutant(NamedTuple):
+    """A change of one place of one file; ``span`` is where the place begins and ends, in bytes."""
+
+    file: str
+    line: int
+    span: tuple[int, int]
+    change: str
+    source: bytes
+    compiled: bool
+
+    @property
+    def place(self) -> str:
+        """Return a name of the place."""
+        return f"{self.file}:{self.span[0]}-{self.span[1]}"
 
 
 def is_typing(node: ast.AST) -> bool:
     return isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
 
 
-def places(tree: ast.Module) -> Iterator[ast.AST]:
-    """Yield the nodes inside functions that a mutant may change: no annotations, messages or decorators."""
-    todo: list[tuple[ast.AST, bool]] = [(tree, False)]
+def places(tree: ast.Module) -> Iterator[tuple[ast.AST, bool]]:
+    """Yield the nodes inside functions that a mutant may change, and whether numba compiles them.
+
+    Annotations, messages, decorators and patterns are left alone.
+    """
+    todo: list[tuple[ast.AST, bool, bool]] = [(tree, False, False)]
     while todo:
-        node, inside = todo.pop()
-        if is_typing(node) or isinstance(node, (ast.Raise, ast.JoinedStr, ast.Assert)):
+        node, inside, compiled = todo.pop()
+        untouched = (ast.Raise, ast.JoinedStr, ast.Assert, ast.pattern)
+        if is_typing(node) or isinstance(node, untouched):
             continue
-        if inside and mutations(node):
-            yield node
+        if inside and changed(node):
+            yield node, compiled
+        if isinstance(node, ast.FunctionDef):
+            compiled |= any(ast.unparse(name) in COMPILED for name in node.decorator_list)
+        inside |= isinstance(node, (ast.FunctionDef, ast.Lambda))
         for name, value in ast.iter_fields(node):
             if name in ("annotation", "returns", "decorator_list", "ops"):
                 continue
-            function = inside or isinstance(node, (ast.FunctionDef, ast.Lambda))
             children = value if isinstance(value, list) else [value]
-            todo += [(child, function) for child in children if isinstance(child, ast.AST)]
+            todo += [(child, inside, compiled) for child in children if isinstance(child, ast.AST)]
 
 
-def mutations(node: ast.AST) -> list[str]:
-    """Return which changes can be made at a node."""
+def changed(node: ast.AST, step: int = 1) -> tuple[ast.expr, str] | None:
+    """Return the expression at a node that is replaced, and by what; None where nothing can be changed."""
     match node:
-        case ast.Compare(ops=[op]) if type(op) in COMPARISONS:
-            return ["comparison"]
-        case ast.BinOp(op=op) if type(op) in OPERATORS:
-            return ["operator"]
-        case ast.BoolOp():
-            return ["and or or"]
-        case ast.UnaryOp(op=ast.Not() | ast.USub()):
-            return ["sign or negation dropped"]
-        case ast.Constant(value=bool()):
-            return ["truth value"]
-        case ast.Constant(value=int()):
-            return ["number"]
-        case ast.If() | ast.IfExp() | ast.While():
-            return ["condition"]
-    return []
-
-
-def change(node: ast.AST, rng: random.Random) -> str:
-    """Change a node in place and return in words what was done."""
-    before = ast.unparse(node).split("\n")[0]
-    match node:
-        case ast.Compare(ops=[op]):
-            node.ops = [COMPARISONS[type(op)]()]
-        case ast.BinOp(op=op):
-            node.op = OPERATORS[type(op)]()
-        case ast.BoolOp(op=op):
-            node.op = ast.Or() if isinstance(op, ast.And) else ast.And()
+        case ast.Compare(left=left, ops=[op], comparators=right) if type(op) in COMPARISONS:
+            return node, ast.unparse(ast.Compare(left, [COMPARISONS[type(op)]()], right))
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
+            return node, ast.unparse(ast.BinOp(left, OPERATORS[type(op)](), right))
+        case ast.BoolOp(op=op, values=values):
+            other = ast.Or() if isinstance(op, ast.And) else ast.And()
+            return node, ast.unparse(ast.BoolOp(other, values))
         case ast.UnaryOp(op=ast.Not(), operand=operand):
-            node.op, node.operand = ast.Not(), ast.UnaryOp(ast.Not(), operand)
-        case ast.UnaryOp(op=ast.USub()):
-            node.op = ast.UAdd()
+            return node, f"bool({ast.unparse(operand)})"
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return node, f"+({ast.unparse(operand)})"
         case ast.Constant(value=bool(value)):
-            node.value = not value
+            return node, str(not value)
         case ast.Constant(value=int(value)):
-            node.value = value + rng.choice((-1, 1))
+            return node, str(value + step)
         case ast.If(test=test) | ast.IfExp(test=test) | ast.While(test=test):
-            node.test = ast.UnaryOp(ast.Not(), test)
-    return f"{before}  ->  {ast.unparse(node).splitlines()[0]}"
-
-
-def draw(count: int, seed: int) -> list[dict[str, object]]:
-    """Return so many mutants: file, line, what is changed, and the changed source."""
-    rng = random.Random(seed)
-    files = [path for package in PACKAGES for path in sorted((ROOT / package).rglob("*.py"))]
-    found: dict[Path, int] = {}
-    for path in files:
-        found[path] = sum(1 for _ in places(ast.parse(path.read_text(encoding="utf-8"))))
-    mutants: list[dict[str, object]] = []
-    for path in rng.choices(list(found), weights=list(found.values()), k=count):
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-        node = rng.choice(list(places(tree)))
-        words = change(node, rng)
-        name = path.relative_to(ROOT).as_posix()
-        source = ast.unparse(ast.fix_missing_locations(tree))
-        mutants.append({"file": name, "line": node.lineno, "change": words, "source": source})  # type: ignore[attr-defined]
-    return mutants
-
-
-def contexts() -> None:
-    """Run all tests once under coverage, which notes for each line the tests that run it."""
-    shutil.rmtree(DATA.parent, ignore_errors=True)
-    DATA.parent.mkdir(parents=True)
-    settings = DATA.with_name("settings")
-    settings.write_text(
-        f"[run]\nsource = {','.join(PACKAGES)}\ndynamic_context = test_function\n"
-        f"data_file = {DATA}\nparallel = true\n"
-    )
-    tests = [sys.executable, "-m", "coverage", "run", f"--rcfile={settings}", "-m", "pytest"]
-    first = [
-        "tests/rings",
-        "tests/anim",
-        "tests/rotation",
-        "tests/structure",
-        "tests/conformance.py",
-    ]
-    rest = ["tests", *(f"--ignore={name}" for name in first)]
-    running = [
-        subprocess.Popen([*tests, "-n0", "--runslow", *half], cwd=ROOT) for half in (first, rest)
-    ]
-    for process in running:
-        process.wait()
-    subprocess.run(
-        [sys.executable, "-m", "coverage", "combine", f"--rcfile={settings}"], check=True
-    )
-
-
-def reaching(file: str, line: int) -> list[str]:
-    """Return the tests that run a line, as pytest names them."""
-    from coverage import CoverageData
-
-    data = CoverageData(str(DATA))
-    data.read()
-    paths = [name for name in data.measured_files() if name.endswith("/" + file)]
-    names = [name for path in paths for name in data.contexts_by_lineno(path).get(line, [])]
-    return sorted({node for name in names if (node := node_of(name))})
-
-
-def node_of(context: str) -> str | None:
-    """Return pytest's name of a test function that coverage names with dots."""
-    parts = context.split("|")[0].split(".")
-    for n in range(len(parts) - 1, 0, -1):
-        path = Path(*parts[:n]).with_suffix(".py")
-        if (ROOT / path).is_file():
-            return "::".join([path.as_posix(), *parts[n:]])
+            return test, f"not ({ast.unparse(test)})"
     return None
 
 
-def notices(copy: Path, tests: list[str], *options: str) -> bool:
-    """Whether a suite fails in a copy of the project; the tests stop at the first failure."""
-    if not tests:
-        return False
-    command = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-x",
-        "-q",
-        "-n0",
-        "-p",
-        "no:cacheprovider",
-        *options,
-    ]
-    environment = os.environ | {"PYTHONPATH": str(copy), "PYTHONDONTWRITEBYTECODE": "1"}
+def span_of(source: bytes, node: ast.expr) -> tuple[int, int]:
+    """Return where the text of a node begins and ends."""
+    starts = [0]
+    for line in source.splitlines(keepends=True):
+        starts.append(starts[-1] + len(line))
+    assert node.end_lineno is not None
+    assert node.end_col_offset is not None
+    return starts[node.lineno - 1] + node.col_offset, starts[
+        node.end_lineno - 1
+    ] + node.end_col_offset
+
+
+def draw(count: int, seed: int) -> list[Mutant]:
+    """Return so many mutants of the tree as it is; no line but the changed ones moves."""
+    rng = random.Random(seed)
+    files = [path for package in PACKAGES for path in sorted((ROOT / package).rglob("*.py"))]
+    sources = {path: path.read_bytes() for path in files}
+    found = {path: list(places(ast.parse(source))) for path, source in sources.items()}
+    mutants = []
+    for path in rng.choices(files, weights=[len(found[path]) for path in files], k=count):
+        node, compiled = rng.choice(found[path])
+        old, new = changed(node, rng.choice((-1, 1))) or (None, "")
+        assert old is not None
+        source, name = sources[path], path.relative_to(ROOT).as_posix()
+        start, end = span_of(source, old)
+        new_text = f"({new}{chr(10) * source[start:end].count(bytes([10]))})".encode()
+        mutant = source[:start] + new_text + source[end:]
+        words = f"{ast.unparse(old)}  ->  {new}"
+        mutants.append(Mutant(name, old.lineno, (start, end), words, mutant, compiled))
+    return mutants
+
+
+def probed(source: bytes, probes: dict[tuple[int, int], int]) -> bytes:
+    """Return a source in which each of some places says its number when a program comes to it."""
+    inserted = [(start, 1, -end, f"__probed__({n}, ") for (start, end), n in probes.items()]
+    inserted += [(end, 0, -start, ")") for start, end in probes]
+    for place, _, _, text in sorted(inserted, reverse=True):
+        source = source[:place] + text.encode() + source[place:]
+    return source
+
+
+# -- running tests in forks
+
+
+class TimedTest(NamedTuple):
+    """A test, the seconds of computing that it takes, and whether it is marked slow."""
+
+    name: str
+    seconds: float
+    slow: bool
+
+    @property
+    def file(self) -> str:
+        return self.name.partition("::")[0]
+
+
+class Only:
+    """A plugin of pytest that runs the tests named, file by file in this order, and notes which fail."""
+
+    def __init__(self, tests: Sequence[TimedTest]) -> None:
+        self.order = {test.name: place for place, test in enumerate(tests)}
+        self.files: dict[str, int] = {}
+        for place, test in enumerate(tests):
+            self.files.setdefault(test.file, place)
+        self.failed: list[str] = []
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        def place(item: pytest.Item) -> tuple[int, int]:
+            return self.files[item.nodeid.partition("::")[0]], self.order[item.nodeid]
+
+        items[:] = sorted((item for item in items if item.nodeid in self.order), key=place)
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        if report.failed:
+            self.failed.append(report.nodeid)
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        if report.failed:
+            self.failed.append(f"import of {report.nodeid}")
+
+
+class Timed:
+    """A plugin of pytest that notes what each test takes, and in the log of the probes where it begins."""
+
+    def __init__(self, log: Path) -> None:
+        self.log = log
+        self.tests: list[TimedTest] = []
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
+        __probed__.__defaults__[0].clear()  # type: ignore[name-defined]  # noqa: F821
+        with self.log.open("a", encoding="utf-8") as file:
+            file.write(f"test {item.nodeid}\n")
+        start = computing()
+        result = yield
+        slow = item.get_closest_marker("slow") is not None
+        self.tests.append(TimedTest(item.nodeid, round(computing() - start, 3), slow))
+        return result
+
+
+def computing() -> float:
+    """Return the seconds of computing of this process and those that it waited for."""
+    return sum(os.times()[:4])
+
+
+def forked(work: Callable[[], object], seconds: float, output: Path) -> int:
+    """Do work in a fork, what it prints in a file, with a limit of computing; return the process."""
+    child = os.fork()
+    if child:
+        return child
     try:
-        done = subprocess.run(
-            [*command, *tests], cwd=copy, env=environment, capture_output=True, timeout=SECONDS
-        )
-    except subprocess.TimeoutExpired:
+        os.setsid()
+        resource.setrlimit(resource.RLIMIT_CPU, (int(seconds), int(seconds)))
+        resource.setrlimit(resource.RLIMIT_DATA, (MAX_BYTES, MAX_BYTES))
+        with output.open("wb") as log:
+            os.dup2(log.fileno(), 1)
+            os.dup2(log.fileno(), 2)
+        work()
+    except BaseException:
+        traceback.print_exc()
+    finally:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(0)
+
+
+def ended(child: int, since: float, seconds: float) -> bool:
+    """Whether a fork has ended, which is ended with all that it started when it takes too long."""
+    done = os.waitpid(child, os.WNOHANG)[0]
+    if done or time.monotonic() - since > 8 * seconds:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(child, signal.SIGKILL)
+        if not done:
+            os.waitpid(child, 0)
         return True
-    return done.returncode not in (0, 5)  # 5: no test of this kind
+    return False
+
+
+def pytest_here(copy: Path, words: Iterable[str], plugin: object) -> int:
+    """Run pytest in this process in a copy of the project."""
+    os.chdir(copy)
+    sys.path.insert(0, str(copy))
+    options = ["-q", "-n0", "-p", "no:cacheprovider", "--runslow", OPTIONS]
+    return int(pytest.main([*options, *words], plugins=[plugin]))
+
+
+def failures(copy: Path, tests: Sequence[TimedTest], *options: str) -> list[str]:
+    """Return which tests fail in a copy of the project; what does not end has failed."""
+    if not tests:
+        return []
+    seconds = SPARE_SECONDS + 5 * sum(test.seconds for test in tests)
+    note = copy.parent / "failed.json"
+    note.write_text('["no end"]')
+
+    def work() -> None:
+        plugin = Only(tests)
+        status = pytest_here(copy, [*options, *sorted({test.file for test in tests})], plugin)
+        failed = plugin.failed or ([f"status {status}"] if status else [])
+        note.write_text(json.dumps(failed), encoding="utf-8")
+
+    child, since = forked(work, seconds, copy.parent / "log"), time.monotonic()
+    while not ended(child, since, seconds):
+        time.sleep(0.05)
+    return list(json.loads(note.read_text(encoding="utf-8")))
+
+
+def copied(folder: Path) -> Path:
+    """Return a copy of the project in a folder, and let all processes import that."""
+    for name in PRELOADED:
+        importlib.import_module(name)
+    copy = folder / "project"
+    skip = shutil.ignore_patterns("__pycache__", "build", "site", ".mypy_cache")
+    shutil.copytree(ROOT, copy, ignore=skip, symlinks=True)
+    (folder / "probe").mkdir()
+    (folder / "probe" / "sitecustomize.py").write_text(PROBE, encoding="utf-8")
+    os.environ |= {
+        "PYTHONPATH": f"{copy}{os.pathsep}{folder / 'probe'}",
+        "NUMBA_CACHE_DIR": str(folder / "cache"),
+        "PYTHONDONTWRITEBYTECODE": "1",
+    }
+    sys.dont_write_bytecode = True
+    return copy
+
+
+# -- which tests come to which mutant
+
+
+def reach(seeds: Sequence[int], count: int, processes: int) -> None:
+    """Run all tests, each file in a process of its own, and note what they take and where they come."""
+    mutants = [mutant for seed in seeds for mutant in draw(count, seed)]
+    number = {mutant.place: n for n, mutant in enumerate(mutants)}
+    probes: dict[str, dict[tuple[int, int], int]] = defaultdict(dict)
+    for mutant in mutants:
+        if not mutant.compiled and mutant.file != "hfield/product.py":  # numba compiles it
+            probes[mutant.file][mutant.span] = number[mutant.place]
+    with tempfile.TemporaryDirectory() as folder:
+        copy = copied(Path(folder))
+        for file, places_of_file in probes.items():
+            (copy / file).write_bytes(probed((copy / file).read_bytes(), places_of_file))
+        exec(PROBE, {})
+        tests, reached = all_tests(copy, test_files(copy), processes)
+    places_reached: dict[str, list[str]] = defaultdict(list)
+    for test, numbers in reached.items():
+        for n in numbers:
+            places_reached[mutants[n].place].append(test)
+    REACH.parent.mkdir(exist_ok=True)
+    REACH.write_text(json.dumps({"tests": tests, "reached": places_reached}), encoding="utf-8")
+
+
+def test_files(copy: Path) -> list[list[str]]:
+    """Return the words for pytest of each process: a file of tests, or examples of a package or folder."""
+    tests = [[path.relative_to(copy).as_posix()] for path in sorted((copy / "tests").rglob("*.py"))
+             if path.name.startswith("test_") or path.name == "conformance.py"]  # fmt: skip
+    examples = [["README.md"], ["docs"], ["tests/subcases.py"], ["rotation"], ["anim"]]
+    parts = sorted(path for path in (copy / "hfield").iterdir() if path.suffix in (".py", ""))
+    inside = [[path.relative_to(copy).as_posix()] for path in parts if path.name != "py.typed"]
+    return tests + examples + [words for words in inside if "__pycache__" not in words[0]]
+
+
+def all_tests(
+    copy: Path, files: list[list[str]], processes: int
+) -> tuple[list[TimedTest], dict[str, set[int]]]:
+    """Run the tests and return them, and to which probes each comes, those of its file included."""
+    tests: list[TimedTest] = []
+    reached: dict[str, set[int]] = {}
+    todo = dict(enumerate(files))
+    running: dict[int, tuple[int, float]] = {}
+    seconds = 900
+
+    def work(n: int, log: Path) -> None:
+        os.environ["PROBE_LOG"] = str(log)
+        __probed__.__defaults__ = (set(), str(log))  # type: ignore[name-defined]  # noqa: F821
+        log.touch()
+        plugin = Timed(log)
+        pytest_here(copy, files[n], plugin)
+        log.with_suffix(".json").write_text(json.dumps(plugin.tests), encoding="utf-8")
+
+    while todo or running:
+        while todo and len(running) < processes:
+            n = next(iter(todo))
+            del todo[n]
+            log = copy.parent / f"{n}.probes"
+            child = forked(lambda n=n, log=log: work(n, log), seconds, copy.parent / f"{n}.log")  # type: ignore[misc]
+            running[child] = n, time.monotonic()
+        time.sleep(0.05)
+        for child, (n, since) in list(running.items()):
+            if ended(child, since, seconds):
+                del running[child]
+                noted = copy.parent / f"{n}.json"
+                if not noted.exists():
+                    print(files[n], "did not end", flush=True)
+                    continue
+                found = [TimedTest(*test) for test in json.loads(noted.read_text(encoding="utf-8"))]
+                print(files[n], len(found), round(sum(t.seconds for t in found), 1), flush=True)
+                tests += found
+                reached |= read_probes(copy.parent / f"{n}.probes", found)
+    return tests, reached
+
+
+def read_probes(log: Path, tests: Iterable[TimedTest]) -> dict[str, set[int]]:
+    """Return to which probes each test of a file comes; what was met at import was met by all."""
+    at_import: set[int] = set()
+    met = at_import
+    by_test: dict[str, set[int]] = {test.name: set() for test in tests}
+    for line in log.read_text(encoding="utf-8").splitlines():
+        if line.startswith("test "):
+            met = by_test.setdefault(line[5:], set())
+        else:
+            met.add(int(line))
+    for numbers in by_test.values():
+        numbers |= at_import
+    return by_test
+
+
+# -- trying mutants
 
 
 def run(count: int, seed: int, output: Path) -> None:
-    """Try so many mutants and write after each which suite noticed it."""
+    """Try so many mutants and write after each which suite noticed it, and by which test."""
+    noted = json.loads(REACH.read_text(encoding="utf-8"))
+    tests = {test.name: test for test in (TimedTest(*test) for test in noted["tests"])}
     done: list[dict[str, object]] = []
+    wrong: set[str] = set()  # tests that fail without a mutant too
     with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / "project"
-        skip = shutil.ignore_patterns(".git", "__pycache__", "build", "_build", "site")
-        shutil.copytree(ROOT, copy, ignore=skip)
+        copy = copied(Path(folder))
         for mutant in draw(count, seed):
-            file = copy / str(mutant["file"])
-            before = file.read_text(encoding="utf-8")
-            file.write_text(str(mutant.pop("source")), encoding="utf-8")
-            tests = reaching(str(mutant["file"]), int(str(mutant["line"])))
-            quick = notices(copy, tests)
-            full = quick or notices(copy, tests, "--runslow", "-m", "slow")
-            file.write_text(before, encoding="utf-8")
-            done.append(mutant | {"tests": len(tests), "quick": quick, "full": full})
+            if mutant.compiled or mutant.file == "hfield/product.py":
+                package = mutant.file.partition("/")[0]
+                names = [name for name in tests if name.startswith(f"tests/{package}/")] or tests
+            else:
+                names = noted["reached"].get(mutant.place, [])
+            found = sorted((tests[name] for name in names), key=lambda test: test.seconds)
+            while True:
+                result = try_mutant(
+                    copy, mutant, [test for test in found if test.name not in wrong]
+                )
+                name = str(result["full"] or "")
+                if name in tests and failures(copy, [tests[name]]):
+                    wrong.add(name)
+                else:
+                    break
+            done.append(result)
             output.write_text(json.dumps(done, indent=1, ensure_ascii=False), encoding="utf-8")
+            print(len(done), result, flush=True)
     quick, full = (sum(bool(m[name]) for m in done) for name in ("quick", "full"))
     print(f"of {len(done)} mutants the quick suite notices {quick}, the full one {full}")
+
+
+def try_mutant(copy: Path, mutant: Mutant, tests: list[TimedTest]) -> dict[str, object]:
+    """Try one mutant in the copy."""
+    file, start = copy / mutant.file, computing()
+    before = file.read_bytes()
+    file.write_bytes(mutant.source)
+    quick_tests = within([test for test in tests if not test.slow], QUICK_SECONDS)
+    by_function = {test.name.partition("[")[0]: test for test in reversed(quick_tests)}
+    first = sorted(by_function.values(), key=lambda test: test.seconds)[:FIRST_TESTS]
+    rest = [test for test in quick_tests if test not in first]
+    quick = (failures(copy, first, "-x") or failures(copy, rest, "-x") or [None])[0]
+    slow_tests = within([test for test in tests if test.slow], SLOW_SECONDS)
+    full = quick or (failures(copy, slow_tests, "-x") or [None])[0]
+    file.write_bytes(before)
+    place = {"file": mutant.file, "line": mutant.line, "change": mutant.change}
+    counts = {"tests": len(tests), "slow tests": len(slow_tests)}
+    return place | counts | {"quick": quick, "full": full, "seconds": round(computing() - start, 1)}
+
+
+def within(tests: Iterable[TimedTest], seconds: float) -> list[TimedTest]:
+    """Return the first tests that together take no more than so many seconds."""
+    found = []
+    for test in tests:
+        seconds -= test.seconds
+        if seconds < 0:
+            break
+        found.append(test)
+    return found
 
 
 def main() -> None:
@@ -219,14 +486,17 @@ def main() -> None:
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
     commands = parser.add_subparsers(dest="command", required=True)
-    commands.add_parser("contexts")
+    reaching = commands.add_parser("reach")
+    reaching.add_argument("--seeds", type=int, nargs="+", required=True)
+    reaching.add_argument("--processes", type=int, default=2)
     trying = commands.add_parser("run")
     trying.add_argument("--seed", type=int, required=True)
-    trying.add_argument("--count", type=int, default=150)
     trying.add_argument("-o", "--output", type=Path, required=True)
+    for command in (reaching, trying):
+        command.add_argument("--count", type=int, default=150)
     words = parser.parse_args()
-    if words.command == "contexts":
-        contexts()
+    if words.command == "reach":
+        reach(words.seeds, words.count, words.processes)
     else:
         run(words.count, words.seed, words.output)
 
