@@ -53,7 +53,6 @@ PRELOADED = (
     "numpy",
     "sympy",
     "flint",
-    "hypothesis",
     "galois",
     "matplotlib.figure",
     "scipy.spatial",

@@ -12,8 +12,7 @@ from pathlib import Path
 import hypothesis
 import pytest
 
-hypothesis.settings.register_profile("any machine", deadline=None)  # a busy one is slow, not wrong
-hypothesis.settings.load_profile("any machine")
+QUICK_EXAMPLES, EXAMPLES = 25, 100  # that hypothesis draws where a test does not say how many
 
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # a hundred commands are started: compiled once
 
@@ -26,11 +25,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--once", action="store_true", help="run the first case of each test only")
 
 
-def pytest_configure() -> None:
+def pytest_configure(config: pytest.Config) -> None:
     """Give tests what a plain command has: no width of lines, which pytest's workers set, and Ctrl-C.
 
-    Under a shell's ``&`` Ctrl-C is ignored, by the commands that tests start too.
+    Under a shell's ``&`` Ctrl-C is ignored, by the commands that tests start too. Hypothesis has no
+    deadline, since a busy machine is slow and not wrong.
     """
+    drawn = EXAMPLES if config.getoption("runslow") else QUICK_EXAMPLES
+    hypothesis.settings.register_profile("any machine", deadline=None, max_examples=drawn)
+    hypothesis.settings.load_profile("any machine")
     os.environ.pop("COLUMNS", None)
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         with suppress(ValueError):  # not in the main thread

@@ -43,3 +43,17 @@ def subcases(names: str | tuple[str, ...], values: Iterable[Any]) -> Callable[..
         return run
 
     return decorate
+
+
+def first_quick(cases: Iterable[Any], count: int) -> list[Any]:
+    """Return cases for ``pytest.mark.parametrize``, all but the first so many marked slow."""
+    every = list(cases)
+    return [
+        *every[:count],
+        *(slow(*case) if isinstance(case, tuple) else slow(case) for case in every[count:]),
+    ]
+
+
+def slow(*values: Any) -> Any:
+    """Return one case for ``pytest.mark.parametrize`` that is marked slow."""
+    return pytest.param(*values, marks=pytest.mark.slow)

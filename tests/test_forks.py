@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.subcases import slow
+
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("hfield", "rotation", "anim")
 COMPILING = ("hfield/compiling", "rotation/kernels", "rotation/native")
@@ -93,7 +95,7 @@ def run(code: str, **environment: str) -> str:
             "from rotation import rotate",
             "rotate(*(np.ones((700, n)).squeeze() for n in (3, 3, 1)))",
         ),
-        ("from hfield import ring", "ring('RR')('sqrt(2)+pi')"),
+        slow("from hfield import ring", "ring('RR')('sqrt(2)+pi')"),
     ],
 )
 def test_children_forked_during_the_first_call(import_: str, call: str, tmp_path: Path) -> None:

@@ -117,6 +117,7 @@ def room_of(module: str) -> str:
     )
 
 
+@cache
 def imports(source: str, package: str) -> set[str]:
     """All modules that a source imports, also inside functions; ``from x import y`` counts as x.y too."""
     found = set()
@@ -177,9 +178,14 @@ def breaches(module: str, source: str) -> list[str]:
 
 def kinds_known(module: str, source: str) -> set[str]:
     """The kinds of fields, folders of hfield.fields, that a module imports."""
-    folders = {p.name for p in (ROOT / "hfield/fields").iterdir() if (p / "__init__.py").exists()}
     parts = (target.split(".") for target in imports(source, module))
-    return {p[2] for p in parts if p[:2] == ["hfield", "fields"] and len(p) > 2} & folders
+    return {p[2] for p in parts if p[:2] == ["hfield", "fields"] and len(p) > 2} & kinds()
+
+
+@cache
+def kinds() -> set[str]:
+    """The folders of hfield.fields."""
+    return {path.parent.name for path in (ROOT / "hfield/fields").glob("*/__init__.py")}
 
 
 def own_face(room: str, target: str) -> bool:

@@ -221,6 +221,7 @@ print("done")
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
 def test_a_child_compiles_that_was_forked_while_another_thread_did(tmp_path: Path) -> None:
     done = subprocess.run(
@@ -234,6 +235,7 @@ def test_a_child_compiles_that_was_forked_while_another_thread_did(tmp_path: Pat
     assert (done.returncode, done.stdout) == (0, "done\n"), done.stderr
 
 
+@pytest.mark.slow
 def test_kernels_are_compiled_once_and_run_without_numba(place: Path) -> None:
     from anim.compiling import kernel, written
     from anim.physics.integrator import Rates, run

@@ -4,6 +4,8 @@ import os
 import subprocess
 import sys
 
+import pytest
+
 SETTINGS = """
 font.size: 30
 axes.facecolor: red
@@ -28,6 +30,7 @@ assert main("figures --format png -o .".split()) == 0
 """
 
 
+@pytest.mark.slow
 def test_the_settings_of_a_user_change_nothing(tmp_path) -> None:
     folders = tmp_path / "ours", tmp_path / "theirs"
     for folder in folders:

@@ -12,6 +12,7 @@ from tests.adversary.forging.campaign import run
 from tests.adversary.forging.kinds import KINDS
 from tests.adversary.forging.mutants import QUICK, genuine
 from tests.adversary.forging.spelling import SPELLINGS
+from tests.subcases import first_quick
 from tests.thorough import cases
 
 CHUNKS, SIZE = cases(15), 500
@@ -29,7 +30,7 @@ def test_genuine_certificates_pass() -> None:
         assert check(data).verdict == data["verdict"]
 
 
-@pytest.mark.parametrize("chunk", range(CHUNKS))
+@pytest.mark.parametrize("chunk", first_quick(range(CHUNKS), 1))
 def test_no_false_claim_passes(chunk: int) -> None:
     out = run(SIZE, 2_000 + chunk, pool())
     assert out.breaks == []

@@ -3,13 +3,21 @@
 import pytest
 
 from tests.docs.console import PAGES, ROOT, agrees, blocks, run
+from tests.subcases import slow
 
 
 def shown(page):
     return [line for block in blocks(page.read_text("utf-8")) for line in block if line.words]
 
 
-@pytest.mark.parametrize("page", [p for p in PAGES if shown(p)], ids=lambda p: p.stem)
+SLOW = ("cluster",)  # of pages, since it starts a cluster
+
+
+@pytest.mark.parametrize(
+    "page",
+    [slow(page) if page.stem in SLOW else page for page in PAGES if shown(page)],
+    ids=lambda page: page.stem,
+)
 def test_the_page_shows_what_is_printed(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("COLUMNS", raising=False)

@@ -1,12 +1,14 @@
 """All algebras of at most 700 elements, and what is found in them by trying, without hfield's arithmetic."""
 
+from collections.abc import Iterable
 from functools import cached_property
 from itertools import product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from hfield.algebra import QuaternionAlgebra
+from tests.subcases import slow
 from tests.thorough import THOROUGH
 
 
@@ -51,6 +53,12 @@ TYPICAL = [
 ]
 CASES = ALL if THOROUGH else TYPICAL
 FIELDS = [case for case in CASES if case.ring != "ZZ/4"]
+QUICK = [*TYPICAL[:11], Case("ZZ/4", 1, 1, 1)]  # the tables of 256 elements take most of the time
+
+
+def cases_of(cases: Iterable[Case]) -> list[Any]:
+    """Return cases for ``pytest.mark.parametrize``, those with large tables marked slow."""
+    return [case if case in QUICK else slow(case) for case in cases]
 
 
 class BruteForce:

@@ -277,6 +277,7 @@ OF_GAP += [
 ]
 
 
+@pytest.mark.slow
 def test_groups_against_gap() -> None:
     groups = [G for A in OF_GAP for G in (A.unit_group(), A.special_unit_group())]
     numbers = "(g -> [Order(g), NrConjugacyClasses(g), Exponent(g), Order(Centre(g))])"
@@ -287,6 +288,7 @@ def test_groups_against_gap() -> None:
         ), G
 
 
+@pytest.mark.slow
 def test_structures_against_gap() -> None:
     groups = [
         G for A in OF_GAP if A.ring.is_field for G in (A.unit_group(), A.special_unit_group())

@@ -9,7 +9,7 @@ import pytest
 from hfield import GF, QQ, ZZ, H, QuaternionAlgebra
 from hfield.errors import CoercionError, NotFiniteError, RingError, TooLargeError, UndecidedError
 from hfield.rings.base import Ring
-from tests.exploring.brute_force import CASES, FIELDS, BruteForce, Case
+from tests.exploring.brute_force import CASES, FIELDS, BruteForce, Case, cases_of
 from tests.exploring.test_elements import DualNumbers
 from tests.thorough import part
 
@@ -60,7 +60,7 @@ def members(space, number: dict) -> frozenset[int]:
     )
 
 
-@pytest.mark.parametrize("case", CASES, ids=str)
+@pytest.mark.parametrize("case", cases_of(CASES), ids=str)
 def test_ideals_by_brute_force(case: Case) -> None:
     A, brute = case.algebra, BruteForce(case)
     number = {q: n for n, q in enumerate(A.elements())}
@@ -254,7 +254,7 @@ def test_all_subalgebras_of_dimension_3_are_found(case: Case) -> None:
     assert sum(len(s.conjugates) for s in A.subalgebras(dimension=3)) == count
 
 
-@pytest.mark.parametrize("case", CASES, ids=str)
+@pytest.mark.parametrize("case", cases_of(CASES), ids=str)
 def test_kinds_of_rings_by_brute_force(case: Case) -> None:
     A, brute = case.algebra, BruteForce(case)
     units = np.zeros(brute.q**4, dtype=bool)

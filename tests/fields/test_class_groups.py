@@ -141,6 +141,7 @@ def test_roots_of_unity(name: str, order: int) -> None:
     assert K.power(zeta, order) == K.one
 
 
+@pytest.mark.slow
 def test_group_with_a_large_index_bound() -> None:
     """The index bound is 588: products that are powers modulo many prime ideals are not taken for powers."""
     classes = ring("QQ(zeta13)").class_group()

@@ -3,14 +3,17 @@
 ``scripts/check_lattices.py`` takes as many as one likes.
 """
 
+import pytest
+
 from tests.orders.recomputed import OPERATIONS, run
-from tests.subcases import subcases
+from tests.subcases import first_quick, subcases
 from tests.thorough import cases
 
-CASES = cases(80)
+CASES, PARTS = cases(80), 4
 
 
+@pytest.mark.parametrize("part", first_quick(range(PARTS), 1))
 @subcases("name", OPERATIONS)
-def test_random_cases(name: str) -> None:
-    for n in range(CASES):
+def test_random_cases(name: str, part: int) -> None:
+    for n in range(part, CASES, PARTS):
         run(name, n, seed=1)

@@ -5,7 +5,7 @@ import pytest
 from hfield.errors import NotationError
 from hfield.proving.prove import prove
 from tests.proving.statements import DEPENDS, FALSE, FIELDS, UNIVERSAL
-from tests.subcases import subcases
+from tests.subcases import first_quick, subcases
 
 STATEMENTS = [*UNIVERSAL, *FIELDS, *FALSE, *DEPENDS]
 RINGS = [
@@ -17,10 +17,11 @@ RINGS = [
 SHARE = 7  # of the statements one in so many over each ring, others over the next
 
 
+@pytest.mark.parametrize("part", first_quick([1, 0], 1))
 @subcases(("n", "ring"), list(enumerate(RINGS)))
-def test_what_is_decided_has_a_certificate(n, ring):
+def test_what_is_decided_has_a_certificate(n, ring, part):
     decided = 0
-    for statement in STATEMENTS[n % SHARE :: SHARE]:
+    for statement in STATEMENTS[n % SHARE + part * SHARE :: 2 * SHARE]:
         try:
             answer = prove(statement, ring, timeout=5)
         except NotationError:  # the generator of the field is no unknown
@@ -28,7 +29,7 @@ def test_what_is_decided_has_a_certificate(n, ring):
         if answer.verdict != "undecided":
             decided += 1
             assert answer.certificate is not None, (statement, ring, answer.why_no_certificate)
-    assert decided >= 3
+    assert decided >= 1
 
 
 ALGEBRAS = [

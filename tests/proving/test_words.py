@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from hfield import NotationError, Rejected, check, prove
+from tests.subcases import first_quick
 
 Q = tuple[int, int, int, int]
 
@@ -34,7 +35,7 @@ def test_dot_and_cross_are_those_of_the_vector_parts(seed: int) -> None:
     assert not prove(f"cross{there} == {text(cross(q, p))} + e", "QQ")
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", first_quick([1, 0, 2, 3, 4], 1))
 def test_abs_is_the_nonnegative_root_of_the_norm(seed: int) -> None:
     rng = Random(seed)
     while True:

@@ -11,6 +11,7 @@ from hfield import H, Quaternion, QuaternionAlgebra, ring
 from hfield.errors import NotInvertibleError
 from hfield.rings.array_held.held_values import HeldArrays
 from hfield.rings.holding import Batch
+from tests.thorough import cases
 
 RINGS = (
     *("QQ(sqrt(2))", "QQ[s]/(s^3-2)", "QQ[s]/(s^4-2)", "GF(5)(t)", "GF(2)(t)", "QQ(x)", "QQ[x,y]", "RR"),
@@ -24,7 +25,7 @@ def drawn(A: QuaternionAlgebra, rng: Random, count: int) -> tuple[list[Quaternio
     return singles, A(*([q.coordinates[n] for q in singles] for n in range(4)))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=cases(75), deadline=None)
 @given(st.sampled_from(RINGS), st.integers(0, 10**6))
 def test_arrays_are_what_single_elements_are(name: str, seed: int) -> None:
     rng, R = Random(seed), ring(name)

@@ -14,6 +14,7 @@ from hfield.rings.closed_fields.algebraic import CC, RR
 from hfield.rings.closed_fields.radicands import independent, odd, product, ratio, reduced
 from hfield.rings.closed_fields.surds import Surd
 from tests.subcases import subcases
+from tests.thorough import cases
 
 # Primes of 30 and 40 digits: a product of two is not factored (see tests/test_factorisation.py).
 P, Q, R, S = 10**29 + 319, 10**29 + 631, 10**39 + 3, 10**39 + 391
@@ -54,7 +55,7 @@ def test_roots_multiply(m, n):
     assert x + y == 0 or (x + y) * CC.inverse(x + y) == 1
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=cases(120), deadline=None)
 @given(st.lists(st.tuples(st.integers(-9, 9), RADICANDS), min_size=1, max_size=3))
 def test_sums_and_inverses(terms):
     x = sum((CC(c) * CC.sqrt(CC(n)) for c, n in terms), CC(0))

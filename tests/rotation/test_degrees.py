@@ -15,7 +15,7 @@ from rotation.euler import SEQUENCES
 from rotation.kernels import twins
 from rotation.plane import R2, reflection, rotate2
 from tests.rotation.reference import mp
-from tests.subcases import subcases
+from tests.subcases import slow, subcases
 
 QUARTERS = [0.0, 90.0, 180.0, 270.0, 360.0, 450.0, -90.0, -180.0, 720.0, 9e15, -90.0 * 2.0**60]
 E = np.eye(3)
@@ -131,7 +131,7 @@ def test_degrees_are_as_near_as_radians(angle: float) -> None:
         assert units(w, cosine) <= bound
 
 
-@pytest.mark.parametrize("n", [20, 2000])
+@pytest.mark.parametrize("n", [20, slow(2000)])
 def test_points_are_turned_by_degrees_as_near_as_by_radians(n: int) -> None:
     rng = np.random.default_rng(n)
     angles = np.concatenate([rng.uniform(-720, 720, n), 10.0 ** rng.uniform(-300, 300, n)])

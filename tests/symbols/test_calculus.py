@@ -17,6 +17,7 @@ from hfield import (
     ring,
     to_sympy,
 )
+from tests.subcases import first_quick, slow
 
 x, y, z, t = sympy.symbols("x y z t")
 
@@ -46,10 +47,11 @@ def read(R: Any, expression: Any) -> Any:
         return None
 
 
-def test_subs_against_sympy() -> None:
-    R, rng, done = ring("QQ(x,y,z)"), Random(1), 0
+@pytest.mark.parametrize("seed", first_quick(range(4), 1))
+def test_subs_against_sympy(seed: int) -> None:
+    R, rng, done = ring("QQ(x,y,z)"), Random(seed), 0
     A = H(R)
-    for _ in range(1000):
+    for _ in range(250):
         expression = random_expression(rng)
         element = read(R, expression)
         if element is None:
@@ -67,7 +69,7 @@ def test_subs_against_sympy() -> None:
         if expected.is_Rational:
             assert found == H("QQ")(expected)
             done += 1
-    assert done > 800
+    assert done > 180
 
 
 def test_derivatives_against_sympy() -> None:
@@ -98,8 +100,8 @@ def test_derivations(name: str, variable: str) -> None:
 @pytest.mark.parametrize(
     ("name", "values"),
     [("QQ[x,y]", {"x": "1/2", "y": 3}), ("QQ(t)", {"t": "t^2"}), ("GF(5)(t)", {"t": 2}),
-     ("GF(4)(s,t)", {"s": "x"}), ("ZZ[a,b,c]", {"b": "a*c"}),
-     ("QQ(x)[u]/(u^3-x)", {"x": 8, "u": 2}), ("QQ(x,y)", {"x": "y", "y": "x+1"})],
+     slow("GF(4)(s,t)", {"s": "x"}), ("ZZ[a,b,c]", {"b": "a*c"}),
+     ("QQ(x)[u]/(u^3-x)", {"x": 8, "u": 2}), slow("QQ(x,y)", {"x": "y", "y": "x+1"})],
 )  # fmt: skip
 def test_subs_is_a_homomorphism(name: str, values: dict[str, object]) -> None:
     R, rng, done = ring(name), Random(4), 0
