@@ -239,6 +239,7 @@ def test_a_foreign_command_never_hides_one_of_ours(capsys, monkeypatch):
     assert main(["table", "--field", "GF2"]) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("redirection", [">&-", "2>&-", ">&- 2>&-"])
 def test_closed_streams_are_no_fault(redirection):
     command = f"{sys.executable} -m hfield eval 1+i {redirection}"
@@ -247,6 +248,7 @@ def test_closed_streams_are_no_fault(redirection):
     assert done.stderr == ""
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="the system has no /dev/full")
 def test_a_terminal_that_cannot_be_written_is_one_line():
     command = f"{sys.executable} -m hfield eval 1+i > /dev/full"
@@ -281,6 +283,7 @@ def test_a_reader_that_leaves_is_no_error():
     assert done.returncode == cli.BROKEN_PIPE
 
 
+@pytest.mark.slow
 def test_a_terminal_without_unicode():
     done = shell("eval", "-i", "--format", "unicode", env={"PYTHONIOENCODING": "ascii"})
     assert (done.returncode, done.stdout, done.stderr) == (0, b"-i\n", b"")

@@ -31,10 +31,12 @@ def test_nothing_heavy_is_imported(word):
     assert imported(word) == "[]"
 
 
+@pytest.mark.slow
 def test_the_probe_can_fail():
     assert imported("--version", "import numpy") == "['numpy']"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("words", [["--version"], ["--help"], ["prove", "(p*q)*r == p*(q*r)"]])
 def test_few_modules_are_imported(words):
     code = (
@@ -45,6 +47,7 @@ def test_few_modules_are_imported(words):
     assert int(done.stderr) < MOST_MODULES[words[0]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", [["eval", "i*j"], ["table", "--field", "GF9"]])
 def test_finite_fields_and_rationals_need_no_sympy_nor_galois(command):
     code = (

@@ -131,6 +131,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="a thread more changes nothing")
 @pytest.mark.parametrize("seconds", ["0", "0.05"])
 def test_workers_leave_an_interrupt_to_their_parent_from_the_start(tmp_path, seconds):
@@ -154,6 +155,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="looks at processes in /proc")
 @pytest.mark.parametrize("way", [signal.SIGKILL, signal.SIGTERM])
 def test_workers_end_with_the_process_that_made_them(tmp_path, way):

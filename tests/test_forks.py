@@ -10,8 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from tests.subcases import slow
-
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("hfield", "rotation", "anim")
 COMPILING = ("hfield/compiling", "rotation/kernels", "rotation/native")
@@ -86,6 +84,7 @@ def run(code: str, **environment: str) -> str:
     return done.stdout + done.stderr
 
 
+@pytest.mark.slow
 @needs_fork
 @pytest.mark.parametrize(
     ("import_", "call"),
@@ -95,7 +94,7 @@ def run(code: str, **environment: str) -> str:
             "from rotation import rotate",
             "rotate(*(np.ones((700, n)).squeeze() for n in (3, 3, 1)))",
         ),
-        slow("from hfield import ring", "ring('RR')('sqrt(2)+pi')"),
+        ("from hfield import ring", "ring('RR')('sqrt(2)+pi')"),
     ],
 )
 def test_children_forked_during_the_first_call(import_: str, call: str, tmp_path: Path) -> None:

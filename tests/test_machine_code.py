@@ -90,6 +90,7 @@ def test_what_others_may_have_written_is_not_read(
     assert disk_cache.kept("key") is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "code",
     [
@@ -160,6 +161,7 @@ def test_threads_that_ask_at_once_get_one_function(
     assert len(linked) == 1
 
 
+@pytest.mark.slow
 def test_machine_code_outlives_all_that_speaks_of_it(place: Path) -> None:
     """In a process of its own: what is freed may be in use by others."""
     run = f"""
@@ -307,6 +309,7 @@ os._exit(0)
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
 def test_a_child_does_not_wait_for_a_property_that_another_thread_was_making() -> None:
     done = subprocess.run(

@@ -10,6 +10,7 @@ import pytest
 from hfield import repl
 from hfield.algebra import H, QuaternionAlgebra
 from hfield.cli import main
+from tests.subcases import slow
 
 
 def piped(monkeypatch, capsys, text, *words):
@@ -180,7 +181,7 @@ def talk(tmp_path, lines, code):
 SESSION = "import sys; {0}; from hfield.cli import main; sys.exit(main(['repl', '--field', 'GF7']))"
 
 
-@pytest.mark.parametrize("without", ["pass", "sys.modules['IPython'] = None"])
+@pytest.mark.parametrize("without", ["pass", slow("sys.modules['IPython'] = None")])
 def test_a_session(tmp_path, without):
     lines = ["(1+i)*(j-k)**-1", "i/0", "exit()"]
     shown = talk(tmp_path, lines, SESSION.format(without))
@@ -212,6 +213,7 @@ proving.prove = lambda *words: (os.kill(os.getpid(), 2), time.sleep(30))
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("without", ["pass", "sys.modules['IPython'] = None"])
 def test_ctrl_c_in_a_proof_returns_to_the_prompt_in_one_line(tmp_path, without):
     lines = ["prove('q == q')", "print('still', 'here')", "exit()"]

@@ -4,6 +4,8 @@ import io
 import json
 from contextlib import redirect_stderr, redirect_stdout
 
+import pytest
+
 from hfield.cli import main
 from tests.subcases import subcases
 
@@ -156,6 +158,7 @@ def ends_well(*words: str) -> None:
     (out.getvalue() + err.getvalue()).encode()
 
 
+@pytest.mark.slow
 @subcases("text", STATEMENTS)
 def test_statements_and_terms(text: str) -> None:
     ends_well("prove", text, "--timeout", "1")
@@ -163,6 +166,7 @@ def test_statements_and_terms(text: str) -> None:
     ends_well("eval", text, "--field", "RR")
 
 
+@pytest.mark.slow
 @subcases("name", FIELDS)
 def test_fields(name: str) -> None:
     ends_well("prove", "p*q == q*p", f"--field={name}", "--timeout", "1")
@@ -170,6 +174,7 @@ def test_fields(name: str) -> None:
     ends_well("info", f"(-1,-1|{name})")
 
 
+@pytest.mark.slow
 @subcases("name", ALGEBRAS)
 def test_algebras(name: str) -> None:
     ends_well("prove", "norm(q) == 0 => q == 0", f"--algebra={name}", "--timeout", "1")

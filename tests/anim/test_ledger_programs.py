@@ -172,6 +172,7 @@ def test_from_the_command_line(section: str, capsys: pytest.CaptureFixture[str])
     assert len(results) == sum(len(c.fields) for c in wanted)
 
 
+@pytest.mark.slow
 def test_listing_the_claims_loads_no_numpy() -> None:
     script = "import sys, anim.ledger; print('numpy' in sys.modules)"
     out = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)

@@ -24,6 +24,7 @@ from tests.anim.films import FILM, FRAMES, SIZE, decoded, psnr
 from tests.thorough import pairwise
 
 
+@pytest.mark.slow
 def test_mp4(scene: Scene, tmp_path: Path) -> None:
     path, size = tmp_path / "top.mp4", (640, 480)
     large = Scene(scene.model, scene.motion, replace(scene.look, size=size))
@@ -75,6 +76,7 @@ def test_moving_pictures(
     assert durations(path) == pytest.approx([0.04] * FRAMES, abs=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("style", "size"), pairwise(STYLES, (SIZE, (320, 240), (640, 480))))
 def test_every_frame_of_an_mp4_is_like_what_was_drawn(
     scene: Scene, tmp_path: Path, style: str, size: tuple[int, int]

@@ -71,6 +71,7 @@ def test_an_error_while_drawing_leaves_nothing(
     assert os.listdir(tmp_path) == (["top" + suffix] if suffix else [])
 
 
+@pytest.mark.slow
 def test_missing_frames_are_noticed(raw: np.ndarray, tmp_path: Path) -> None:
     for name in ("top.mp4", "top.webp", "top"):
         with (
@@ -167,6 +168,7 @@ def test_names_that_cannot_be_written(tmp_path: Path, name: str, message: str) -
         check(tmp_path / name, FILM)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["%d.webp", "a:b.apng", "http:x.mp4", "%03d.gif", "[x]*?.gif", "y" * 250 + ".mp4"]
 )

@@ -25,6 +25,7 @@ def run(capsys, *words):
     return status, out, err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*(f"t.{name}" for name in FORMATS), "t.html", "T.MP4", "t"])
 def test_every_suffix(capsys, tmp_path: Path, name: str) -> None:
     status, out, _ = run(capsys, *SMALL, "-o", tmp_path / name)
@@ -86,6 +87,7 @@ def test_preview_is_small_and_quick(capsys, tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_preview_has_fewer_bytes_than_the_film(capsys, tmp_path: Path) -> None:
     film, preview = tmp_path / "film.mp4", tmp_path / "preview.mp4"
     words = ("--points", "30", "--frames", "25")
@@ -93,6 +95,7 @@ def test_a_preview_has_fewer_bytes_than_the_film(capsys, tmp_path: Path) -> None
     assert preview.stat().st_size < 0.8 * film.stat().st_size
 
 
+@pytest.mark.slow
 def test_a_size_that_is_given_wins_over_the_preview(capsys, tmp_path: Path) -> None:
     words = ("--preview", *SMALL, "-o", tmp_path / "t.gif", "--format", "json")
     status, out, _ = run(capsys, *words)
@@ -241,6 +244,7 @@ def test_what_cannot_be_written_is_refused_before_the_motion_is_computed(
         assert run(capsys, "--frames", 90_000, "-o", tmp_path / path, *more)[0] == 2
 
 
+@pytest.mark.slow
 def test_the_figures_of_section_3(capsys, tmp_path: Path) -> None:
     status, out, _ = run(capsys, "--figures", "-o", tmp_path / "new")
     assert status == 0

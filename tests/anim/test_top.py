@@ -65,6 +65,7 @@ def test_save(tmp_path: Path) -> None:
         top.save(tmp_path / "top.gif")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", [*suffixes(), "", ".jpg"])
 def test_python_and_the_command_make_the_same_of_a_name(tmp_path: Path, suffix: str) -> None:
     top = Top(kinematic("matrix", clip(frames=2)), SMALL)

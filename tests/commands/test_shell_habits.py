@@ -44,6 +44,7 @@ def test_two_hyphens_are_the_beginning_of_an_option(capsys):
     assert "--factors" in capsys.readouterr().out.split()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shell", SCRIPTS)
 def test_the_script_is_one_the_shell_reads(capsys, shell):
     assert main(["completion", shell]) == 0
@@ -53,6 +54,7 @@ def test_the_script_is_one_the_shell_reads(capsys, shell):
     subprocess.run([shell, "-n"], input=script, text=True, check=True, timeout=20)
 
 
+@pytest.mark.slow
 def test_bash_completes(tmp_path):
     if which("bash") is None or which("hfield") is None:
         pytest.skip("bash or hfield is not on the path")

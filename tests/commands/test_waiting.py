@@ -94,6 +94,7 @@ def test_ctrl_c_ends_a_command_in_one_line_with_130():
     assert "Traceback" not in screen.seen
 
 
+@pytest.mark.slow
 def test_export_counts_its_claims():
     code = "import sys; from hfield.cli import main; "
     code += (
@@ -106,6 +107,7 @@ def test_export_counts_its_claims():
     assert "claims," not in out
 
 
+@pytest.mark.slow
 def test_classes_tell_how_far_they_are():
     code = """
 import sys, time

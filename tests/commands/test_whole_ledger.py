@@ -8,6 +8,7 @@ import pytest
 
 from hfield.ledger.claim import PANEL
 
+pytestmark = pytest.mark.slow  # the quick tests of the ledger and of the command see parts of this
 BYTES = 1 << 30
 KEYS = {
     *(
@@ -87,7 +88,6 @@ def test_processes_find_the_same(whole):
     assert all(row in rows for row in some)
 
 
-@pytest.mark.slow
 def test_the_report_fits_100_columns(tmp_path):
     done = shell("verify", "-o", str(tmp_path / "report.txt"))
     assert done.returncode == 0, done.stderr
@@ -99,7 +99,6 @@ def test_the_report_fits_100_columns(tmp_path):
     assert all("theorem-1" not in line or "✗" in line for line in headline[:20])
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("field", ["GF(4)(t)", "ZZ/6"])
 def test_rings_outside_the_panel_end_well(field):
     done = shell("verify", "--field", field, "--format", "json")

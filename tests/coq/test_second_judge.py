@@ -116,6 +116,7 @@ def test_time_and_what_was_started_end(coqc, check, tmp_path):
     os.close(reading)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(
     sys.platform != "linux", reason="only Linux ends the children of what was killed"
 )
@@ -133,6 +134,7 @@ def test_coqc_ends_with_who_asked(coqc, check, tmp_path):
     asking.wait()
 
 
+@pytest.mark.slow
 def test_memory_is_bounded(coqc, check, tmp_path):
     coqc(f"ulimit -v > {tmp_path}/memory; ulimit -t > {tmp_path}/seconds; exit 3")
     status, out = check("--coq-memory", "3000", "--coq-timeout", "7")
@@ -142,6 +144,7 @@ def test_memory_is_bounded(coqc, check, tmp_path):
     assert (tmp_path / "seconds").read_text("utf-8") == "8\n"
 
 
+@pytest.mark.slow
 def test_libraries_of_others_are_not_seen(coqc, check, monkeypatch):
     for name in ("COQPATH", "XDG_DATA_HOME", "XDG_DATA_DIRS"):
         monkeypatch.setenv(name, "/others")
@@ -151,6 +154,7 @@ def test_libraries_of_others_are_not_seen(coqc, check, monkeypatch):
     assert "rests on: /" in out
 
 
+@pytest.mark.slow
 def test_a_folder_that_anyone_may_change(coqc, check, tmp_path, monkeypatch):
     coqc(f'said "all is well" "{CLOSED}"')
     monkeypatch.setattr("hfield.coq.coqc.gettempdir", lambda: str(tmp_path / "ours"))
@@ -164,6 +168,7 @@ def test_a_folder_that_anyone_may_change(coqc, check, tmp_path, monkeypatch):
     assert check()[0] == 0
 
 
+@pytest.mark.slow
 def test_one_that_is_killed_does_not_judge_the_others(coqc, check, tmp_path):
     files = []
     for n, statement in enumerate(("e*q == q", "q*e == q", "i*i == -1")):
@@ -177,6 +182,7 @@ def test_one_that_is_killed_does_not_judge_the_others(coqc, check, tmp_path):
     assert words == ["accepted", "not judged", "accepted"]
 
 
+@pytest.mark.slow
 def test_what_was_checked_is_what_coq_is_asked(coqc, check, tmp_path, monkeypatch):
     """Also of a file that has changed since, whose name may stand for two texts, and of one of many."""
     coqc(f"said \"$(grep -c '~ (' Judged.v)\" '{CLOSED}'")

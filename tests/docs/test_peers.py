@@ -160,6 +160,7 @@ GAPS = {  # what it prints, where it is right
 }
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("gap") is None, reason="GAP is not installed")
 def test_gap() -> None:
     program = "".join(f'Print({text},"\\n");\n' for text in GAPS.values())

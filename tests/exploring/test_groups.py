@@ -17,7 +17,7 @@ from hfield.exploring.group_names import MAX_ORDER, group_invariants, joined
 from hfield.exploring.labels import labelled
 from hfield.exploring.unit_groups import LinearGroup, ListedUnitGroup
 from hfield.structure.counting.tally import MIN_COMPILED
-from tests.exploring.brute_force import CASES, BruteForce, Case
+from tests.exploring.brute_force import CASES, BruteForce, Case, cases_of
 
 
 def order_in(brute: BruteForce, x: int) -> int:
@@ -39,7 +39,7 @@ def closure(brute: BruteForce, generators: list[int]) -> set[int]:
     return found
 
 
-@pytest.mark.parametrize("case", CASES, ids=str)
+@pytest.mark.parametrize("case", cases_of(CASES), ids=str)
 def test_groups_by_brute_force(case: Case) -> None:
     A, brute = case.algebra, BruteForce(case)
     everything = list(A.elements())

@@ -12,8 +12,9 @@ from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Computed, decide
 from hfield.ledger.registry import claims, find
 from hfield.rings import ring
-from tests.subcases import subcases
+from tests.subcases import first_quick, subcases
 
+PARTS = 4
 CHECKABLE = [claim for claim in claims() if claim.checkable]
 ROWS_OF_SECTION = {
     "0": 5,
@@ -73,10 +74,21 @@ def test_the_rows() -> None:
 
 
 @pytest.mark.parametrize("claim", CHECKABLE, ids=lambda claim: claim.id)
-def test_decided_with_certificates(claim: Claim) -> None:
+def test_decided(claim: Claim) -> None:
     rows = {field: decide(claim, field) for field in claim.fields}
     for field, row in rows.items():
         assert row.settled, (field, row.as_printed, row.as_corrected)
+    # A universal proof covers every column.
+    if UNIVERSAL in rows and rows[UNIVERSAL].as_printed.verdict == "proved":
+        assert all(row.as_printed.verdict != "refuted" for row in rows.values())
+
+
+@pytest.mark.parametrize("part", first_quick(range(PARTS), 1))
+@subcases(("n", "claim"), list(enumerate(CHECKABLE)))
+def test_certificates(n: int, claim: Claim, part: int) -> None:
+    """In each part a claim over some of its fields, the next claim over others."""
+    for field in claim.fields[(n + part) % PARTS :: PARTS]:
+        row = decide(claim, field)
         if row.as_printed.verdict == "refuted":
             assert row.as_printed.witness is not None, f"refuted over {field} without a witness"
             assert row.as_corrected is not None, f"refuted over {field} without a correction"
@@ -99,9 +111,6 @@ def test_decided_with_certificates(claim: Claim) -> None:
         if field not in (UNIVERSAL, NO_FIELD):
             for name, values in (row.as_printed.witness or {}).items():
                 assert name == "F" or [ring(field)(text) for text in values]
-    # A universal proof covers every column.
-    if UNIVERSAL in rows and rows[UNIVERSAL].as_printed.verdict == "proved":
-        assert all(row.as_printed.verdict != "refuted" for row in rows.values())
 
 
 @pytest.mark.slow

@@ -134,6 +134,7 @@ def test_hermite_orders_over_a_quadratic_field() -> None:
     assert (len(lines), sum(line.cancellation for line in lines)) == (8, 4)
 
 
+@pytest.mark.slow
 def test_hermite_orders_over_a_field_of_degree_five() -> None:
     """Both that ramify at the prime above 5 of the field of discriminant 24217, one maximal."""
     lines = search.of_field("QQ[s]/(s^5-5*s^3-s^2+3*s+1)")

@@ -256,6 +256,7 @@ def test_names_of_matrices_that_a_field_has() -> None:
         check({**everywhere, "statement": over["statement"], "evidence": over["evidence"]})
 
 
+@pytest.mark.slow
 def test_the_norm_of_a_product_is_checked_with_what_is_done_for_one_file() -> None:
     # what the checker does not follow is not written
     assert prove("norm(M*N) == norm(M)*norm(N)").certificate is not None

@@ -140,6 +140,7 @@ def test_large_constants_cannot_hang():
     assert decision.verdict in ("refuted", "undecided", "proved")
 
 
+@pytest.mark.slow
 def test_a_cold_start_is_light():
     code = (
         "import sys\n"

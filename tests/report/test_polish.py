@@ -61,6 +61,7 @@ def test_every_text_of_claims_and_decisions_has_a_polish_one(whole):
     assert {text: found for text, found in said.items() if ENGLISH.search(found)} == {}
 
 
+@pytest.mark.slow
 def test_no_text_is_marked_as_english(whole):
     html = page(whole, Certificates([]), "pl")
     assert 'lang="en"' not in html

@@ -516,6 +516,7 @@ def test_without_machine_code_the_values_are_the_same():
     assert compiled[1] == plain[1]
 
 
+@pytest.mark.slow
 def test_products_over_finite_fields_import_neither_galois_nor_numba():
     code = (
         "import sys; from hfield import H\n"

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rotation import DTypeError, Rotation, RotationError, angular_velocity, integrate
-from tests.subcases import subcases
+from tests.subcases import slow, subcases
 
 RNG = np.random.default_rng(12)
 
@@ -15,7 +15,7 @@ def omega(t: Any) -> Any:
     return np.array([np.sin(t), 0.5 * np.cos(2 * t), 1.0 + 0.2 * t])
 
 
-@pytest.mark.parametrize("frame", ["body", "world"])
+@pytest.mark.parametrize("frame", ["body", slow("world")])
 def test_the_error_is_of_fourth_order(frame: str) -> None:
     errors = []
     for n in (41, 81, 161):

@@ -98,6 +98,7 @@ def test_a_formula_tells_of_rows_and_of_the_rows_alone() -> None:
             assert formula.told(spoilt)[1]
 
 
+@pytest.mark.slow
 def test_without_machine_code_the_numbers_are_the_same_to_rounding() -> None:
     code = (
         "import numpy as np; from rotation import Rotation, rotate, rotate_euler\n"
@@ -115,6 +116,7 @@ def test_without_machine_code_the_numbers_are_the_same_to_rounding() -> None:
     np.testing.assert_allclose(a, b, rtol=1e-13, atol=1e-13)
 
 
+@pytest.mark.slow
 def test_few_rotations_and_points_import_no_numba(tmp_path: Path) -> None:
     code = (
         "import sys, numpy as np\n"

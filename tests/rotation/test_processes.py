@@ -41,6 +41,7 @@ def test_importing_rotation_imports_no_numba() -> None:
     assert run(code) == "[]"
 
 
+@pytest.mark.slow
 def test_the_number_of_threads_comes_from_the_environment() -> None:
     code = "from rotation.kernels import threads; print(threads())"
     assert run(code, ROTATION_NUM_THREADS="3") == "3"
@@ -64,6 +65,7 @@ def same():
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
 def test_a_fork_after_use_works_in_parent_and_child() -> None:
     code = WORK + (
@@ -89,6 +91,7 @@ def test_spawned_pools_work() -> None:
     np.testing.assert_array_equal(there, rotate_quat(points, Q))
 
 
+@pytest.mark.slow
 def test_calls_at_exit_work_without_helpers() -> None:
     code = WORK + "import atexit\natexit.register(lambda: print(same()))"
     assert run(code) == "True"
@@ -137,6 +140,7 @@ ONE = (
 )
 
 
+@pytest.mark.slow
 def test_nowhere_to_write_a_cache(tmp_path: Path) -> None:
     """The home directory is a plain file: not even root can write into it."""
     root = installed(tmp_path / "site")
@@ -163,6 +167,7 @@ def test_machine_code_is_kept_and_follows_the_formulas(tmp_path: Path) -> None:
         formulas.write_text(formulas.read_text().replace("a * x + (b * y", "a * x * 1.0 + (b * y"))
 
 
+@pytest.mark.slow
 def test_the_range_reduction_needs_no_fma(tmp_path: Path) -> None:
     code = """
 import math
@@ -190,6 +195,7 @@ print(worst <= 5 * 2.0**-52, any("fmadd" in text for text in found))
         assert run(code.replace("PLAIN", "False"), NUMBA_CACHE_DIR=cache) == "True True"
 
 
+@pytest.mark.slow
 def test_numba_told_not_to_compile_is_replaced_by_the_twins() -> None:
     code = (
         "import numpy as np\n"
@@ -204,6 +210,7 @@ def test_numba_told_not_to_compile_is_replaced_by_the_twins() -> None:
     assert run(code, NUMBA_DISABLE_JIT="1") == run(code)
 
 
+@pytest.mark.slow
 def test_an_empty_variable_is_as_none() -> None:
     code = "import rotation; print(rotation.threads() >= 1)"
     assert run(code, ROTATION_NUM_THREADS="") == "True"

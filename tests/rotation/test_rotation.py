@@ -413,6 +413,7 @@ def test_every_quaternion_is_a_rotation_or_nan_or_an_error(q: list[float]) -> No
         assert np.isnan(found).all()
 
 
+@pytest.mark.slow
 def test_imports_are_light() -> None:
     code = (
         "import sys, rotation; rotation.Rotation, rotation.slerp, rotation.integrate, rotation.align\n"

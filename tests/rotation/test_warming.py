@@ -33,6 +33,7 @@ def said(place: Path, terminal: bool) -> str:
         return stream.read(4096).decode().removesuffix("|")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "openpty"), reason="this system has no such terminals")
 def test_compiling_is_said_once_on_terminals_only_and_not_of_what_is_kept(tmp_path: Path) -> None:
     assert said(tmp_path / "piped", terminal=False) == ""
@@ -101,6 +102,7 @@ for n in (1, 50, 60_000):
     assert done.stdout == ""
 
 
+@pytest.mark.slow
 def test_warm_up_makes_the_formulas_of_rotations() -> None:
     code = """
 from rotation import action, kernels, matrices, quaternions, vectors, warm_up

@@ -278,6 +278,7 @@ def test_printers() -> None:
         assert sympy.pretty(thing)
 
 
+@pytest.mark.slow
 def test_sympy_is_imported_when_its_objects_are_met() -> None:
     script = (
         "import sys; from hfield import H, ring; A = H('QQ(x,y)'); A('x+i').subs(x=1, y=2); A('x').diff('x');"
