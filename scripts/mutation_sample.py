@@ -45,8 +45,8 @@ OPERATORS = {
     ast.RShift: ast.LShift, ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd, ast.BitXor: ast.BitAnd,
 }  # fmt: skip
 OPTIONS = "tests/subcases.py"  # a file beside the conftest.py that knows --runslow
-FIRST_TESTS = 40  # so many tests, each of another function, try a mutant before all the others do
-QUICK_SECONDS, SLOW_SECONDS = 60, 120  # of computing: more tests than that do not try one mutant
+FIRST_TESTS = 15  # so many tests, each of another function, try a mutant before all the others do
+QUICK_SECONDS, SLOW_SECONDS = 40, 60  # of computing: more tests than that do not try one mutant
 SPARE_SECONDS = 20  # beyond five times what the tests of a mutant take without it
 MAX_BYTES = 8 << 30  # of memory
 PRELOADED = (
@@ -280,12 +280,12 @@ def ended(child: int, since: float, seconds: float) -> bool:
     return False
 
 
-def pytest_here(copy: Path, words: Iterable[str], plugin: object) -> int:
+def pytest_here(copy: Path, words: Iterable[str], *plugins: object) -> int:
     """Run pytest in this process in a copy of the project."""
     os.chdir(copy)
     sys.path.insert(0, str(copy))
     options = ["-q", "-n0", "-p", "no:cacheprovider", "--runslow", OPTIONS]
-    return int(pytest.main([*options, *words], plugins=[plugin]))
+    return int(pytest.main([*options, *words], plugins=plugins))
 
 
 def failures(copy: Path, tests: Sequence[TimedTest], *options: str) -> list[str]:
@@ -427,13 +427,14 @@ def run(count: int, seed: int, output: Path) -> None:
     wrong: set[str] = set()  # tests that fail without a mutant too
     with tempfile.TemporaryDirectory() as folder:
         copy = copied(Path(folder))
+        compile_tests(copy)
         for mutant in draw(count, seed):
             if mutant.compiled or mutant.file == "hfield/product.py":
                 package = mutant.file.partition("/")[0]
                 names = [name for name in tests if name.startswith(f"tests/{package}/")] or tests
             else:
                 names = noted["reached"].get(mutant.place, [])
-            found = sorted((tests[name] for name in names), key=lambda test: test.seconds)
+            found = sorted((tests[name] for name in names), key=likeliness(mutant))
             while True:
                 result = try_mutant(
                     copy, mutant, [test for test in found if test.name not in wrong]
@@ -450,6 +451,17 @@ def run(count: int, seed: int, output: Path) -> None:
     print(f"of {len(done)} mutants the quick suite notices {quick}, the full one {full}")
 
 
+def compile_tests(copy: Path) -> None:
+    """Let pytest keep the tests with their assertions rewritten, which takes long."""
+
+    def work() -> None:
+        sys.dont_write_bytecode = False
+        pytest_here(copy, ["--collect-only", "tests"])
+
+    child = forked(work, 300, copy.parent / "log")
+    os.waitpid(child, 0)
+
+
 def try_mutant(copy: Path, mutant: Mutant, tests: list[TimedTest]) -> dict[str, object]:
     """Try one mutant in the copy."""
     file, start = copy / mutant.file, computing()
@@ -457,7 +469,7 @@ def try_mutant(copy: Path, mutant: Mutant, tests: list[TimedTest]) -> dict[str, 
     file.write_bytes(mutant.source)
     quick_tests = within([test for test in tests if not test.slow], QUICK_SECONDS)
     by_function = {test.name.partition("[")[0]: test for test in reversed(quick_tests)}
-    first = sorted(by_function.values(), key=lambda test: test.seconds)[:FIRST_TESTS]
+    first = sorted(by_function.values(), key=likeliness(mutant))[:FIRST_TESTS]
     rest = [test for test in quick_tests if test not in first]
     quick = (failures(copy, first, "-x") or failures(copy, rest, "-x") or [None])[0]
     slow_tests = within([test for test in tests if test.slow], SLOW_SECONDS)
@@ -466,6 +478,13 @@ def try_mutant(copy: Path, mutant: Mutant, tests: list[TimedTest]) -> dict[str, 
     place = {"file": mutant.file, "line": mutant.line, "change": mutant.change}
     counts = {"tests": len(tests), "slow tests": len(slow_tests)}
     return place | counts | {"quick": quick, "full": full, "seconds": round(computing() - start, 1)}
+
+
+def likeliness(mutant: Mutant) -> Callable[[TimedTest], tuple[bool, float]]:
+    """Return a key that puts first the tests in the folder called as the mutant's, the cheapest first."""
+    package, part = mutant.file.split("/")[:2]
+    folder = f"tests/{part if package == 'hfield' else package}/"
+    return lambda test: (not test.name.startswith(folder), test.seconds)
 
 
 def within(tests: Iterable[TimedTest], seconds: float) -> list[TimedTest]:

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hfield.cli import main
+from tests.thorough import cases
 
 FIELDS = [
     "QQ",
@@ -66,7 +67,7 @@ def check(*words):
     return status, out
 
 
-@settings(deadline=None, max_examples=300)
+@settings(deadline=None, max_examples=cases(500))
 @given(st.lists(st.sampled_from(TOKENS), max_size=12).map("".join), st.sampled_from(FIELDS))
 def test_eval_of_anything(text, field):
     status, out = check("eval", "--field", field, "--", text)
@@ -74,13 +75,13 @@ def test_eval_of_anything(text, field):
         assert check("eval", "--field", field, "--", out.strip()) == (0, out)
 
 
-@settings(deadline=None, max_examples=300)
+@settings(deadline=None, max_examples=cases(500))
 @given(st.lists(st.sampled_from(NAMES), max_size=8).map("".join))
 def test_any_field(text):
     check("eval", "i*j", f"--field={text}")
 
 
-@settings(deadline=None, max_examples=200)
+@settings(deadline=None, max_examples=cases(400))
 @given(st.lists(st.sampled_from(NAMES), max_size=8).map("".join), st.sampled_from(["()", "[)"]))
 def test_any_algebra(text, brackets):
     check("eval", "i*j", f"--algebra={brackets[0]}{text}|GF(4){brackets[1]}")
@@ -107,7 +108,7 @@ def test_prove_anything(first, link, second, field):
 
 
 @pytest.mark.slow
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=cases(250))
 @given(st.lists(st.text(max_size=8), max_size=4))
 def test_any_words(words):
     given = [word for word in words if not word.startswith(("-o", "--out"))]

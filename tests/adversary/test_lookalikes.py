@@ -32,6 +32,7 @@ def test_no_field_passes_for_another(group: int) -> None:
     assert sum(tally.values()) > 50
 
 
+@pytest.mark.slow
 @subcases("group", range(len(GROUPS)))
 def test_what_is_forged_is_genuine(group: int) -> None:
     """So are the certificates before they are forged, with ``over`` too, and their verdicts are facts."""

@@ -181,6 +181,7 @@ def established_data(claim: Any) -> Certificate:
     return data
 
 
+@pytest.mark.slow
 def test_no_number_can_be_changed() -> None:
     """One to three changes anywhere in the evidence: what passes is the statement, which is true."""
     files = (data for field in FIELDS for data in genuine(field))

@@ -26,6 +26,7 @@ from hfield.syntax import (
 )
 from hfield.syntax import parse as parse_as_the_prover
 from tests.certificates.cases import certified
+from tests.thorough import cases
 
 WORDS = (
     *("p", "q", "s", "e", "i", "x", "norm", "inv", "comm", "sqrt", "and", "or", "not", "exists"),
@@ -113,7 +114,7 @@ def grown(symbol: str, rng: random.Random, depth: int) -> str:
 
 def test_sentences_of_the_grammar_are_read_alike() -> None:
     rng = random.Random(12)
-    for _ in range(2_000):
+    for _ in range(cases(4_000)):
         text = grown("S", rng, 0)
         ours, theirs = read_by_both(text)
         assert ours == theirs, text

@@ -29,6 +29,7 @@ from tests.certificates.ring_data import (
     root_field,
 )
 from tests.subcases import subcases
+from tests.thorough import cases
 
 IDENTITY = {
     "schema": "hfield-cert/2",
@@ -325,7 +326,7 @@ def test_random_bytes_and_wrong_types() -> None:
     rng = random.Random(5)
     values = [None, True, -1, 10**30, "", "q", [], [[]], {}, {"kind": []}, ["9" * 4_001]]
     data = decided("p*q == 0 => p == 0 or q == 0", "QQ")
-    for _ in range(300):
+    for _ in range(cases(500)):
         spoilt = copy.deepcopy(data)
         spoilt[rng.choice(list(data))] = rng.choice(values)
         item = rng.choice(data["evidence"]["items"])

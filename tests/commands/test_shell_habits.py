@@ -11,7 +11,7 @@ from hfield.cli import main
 from hfield.commands import completion, doctor
 from hfield.commands.catalogue import names
 from hfield.commands.completion import SCRIPTS, candidates
-from tests.subcases import subcases
+from tests.subcases import slow, subcases
 
 
 @subcases(
@@ -137,7 +137,7 @@ PAGES = [
     ["prove", "p*q == 0 => p == 0 or q == 0", "--field", "QQ"],
     ["prove", "p*q == q*p"],
     ["table", "--field", "GF3"],
-    ["verify", "--field", "GF2,-"],
+    slow(["verify", "--field", "GF2,-"]),
     ["verify", "--section", "1.2", "--field", "GF2,QQ,universal"],
 ]
 

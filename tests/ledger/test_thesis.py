@@ -14,7 +14,7 @@ from hfield.ledger.registry import claims, find
 from hfield.rings import ring
 from tests.subcases import first_quick, subcases
 
-PARTS = 4
+PARTS = 6
 CHECKABLE = [claim for claim in claims() if claim.checkable]
 ROWS_OF_SECTION = {
     "0": 5,

@@ -123,6 +123,7 @@ def test_hecke_operators_are_brandt_matrices_and_commute() -> None:
         C.theta_series(0, 99, 3)
 
 
+@pytest.mark.slow
 def test_brandt_matrices_by_ideals_at_the_level() -> None:
     """Where classes are many the ideals of norm pᵉ are listed; here they are in any case."""
     for d, n, p, e in ((101, 4, 2, 3), (11, 9, 3, 2), (30, 49, 7, 1), (37, 6, 3, 1)):

@@ -67,6 +67,7 @@ def test_signs_at_the_level_agree_with_ideals_of_that_norm() -> None:
     assert B[0][0] + B[1][1] == 63 + 2 * f[P] + f.signs[P]
 
 
+@pytest.mark.slow
 def test_class_number_two() -> None:
     """Over ℚ(√10), class number 2: new dimensions do not depend on the algebra (Jacquet and Langlands)."""
     K = ring("QQ(sqrt(10))")

@@ -51,6 +51,7 @@ def test_statements_are_decided_with_certificates(
     assert (found.verdict, found.algebra) == (verdict, str(algebra))
 
 
+@pytest.mark.slow
 def test_a_witness_has_elements_that_the_algebra_reads() -> None:
     B = octonions()
     witness = prove("(p*q)*r == p*(q*r)", algebra=B).witness

@@ -37,7 +37,7 @@ def root(n):
 
 
 @pytest.mark.slow
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=cases(120), deadline=None)
 @given(RADICANDS, RADICANDS)
 @example(2 * 1099514321351**2 * R, R)  # nobody finds the square in m, but in m/n
 def test_roots_multiply(m, n):
@@ -75,7 +75,7 @@ def test_sums_and_inverses(terms):
         assert approximate(y, lambda: 1 / tree())
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=cases(120), deadline=None)
 @given(
     st.sampled_from([2, -1, -7, 1000003, -16777259, 10**40 + 121, 6 * 1099514321351]),
     st.integers(-(10**40), 10**40),
@@ -146,7 +146,7 @@ def test_fields_of_roots_are_known_or_refused():
         ring(f"QQ(sqrt({(P * Q) ** 2}))")
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=cases(200), deadline=None)
 @given(RADICANDS, RADICANDS)
 def test_square_classes(m, n):
     s, f = reduced(m)
@@ -163,7 +163,7 @@ def test_square_classes(m, n):
     assert (abs(r) == 1) == (math.isqrt(abs(m * n)) ** 2 == abs(m * n))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=cases(120), deadline=None)
 @given(st.lists(RADICANDS, max_size=4))
 def test_independent_numbers_generate_the_classes(radicands):
     base = independent(frozenset(radicands))

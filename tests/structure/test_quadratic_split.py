@@ -28,7 +28,7 @@ from hfield.rings import ring
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
 from hfield.structure.minimal_conics import Conic
 from hfield.structure.single_elements.square_roots import square_roots
-from tests.subcases import subcases
+from tests.subcases import slow, subcases
 from tests.thorough import cases
 
 FIELDS = [2, 3, 5, 10, 17, -1, -3, -7, -23, -163]
@@ -77,7 +77,7 @@ def is_square_at(v, x):
 
 
 @subcases("d", FIELDS)
-@subcases("size", [300, 10**9])
+@pytest.mark.parametrize("size", [300, slow(10**9)])
 def test_conics_with_large_coefficients(d, size):
     F, rng = field(d), random.Random(d * size)
     for _ in range(cases(5)):
