@@ -46,7 +46,7 @@ OPERATORS = {
 }  # fmt: skip
 OPTIONS = "tests/subcases.py"  # a file beside the conftest.py that knows --runslow
 FIRST_TESTS = 15  # so many tests, each of another function, try a mutant before all the others do
-QUICK_SECONDS, SLOW_SECONDS = 40, 60  # of computing: more tests than that do not try one mutant
+QUICK_SECONDS, SLOW_SECONDS = 20, 30  # of computing: more tests than that do not try one mutant
 SPARE_SECONDS = 20  # beyond five times what the tests of a mutant take without it
 MAX_BYTES = 8 << 30  # of memory
 PRELOADED = (
@@ -57,7 +57,7 @@ PRELOADED = (
     "matplotlib.figure",
     "scipy.spatial",
 )
-COMPILED = ("called", "kernel")  # decorators of what numba compiles, where no probe can stand
+COMPILED = b"from anim.compiling import"  # in files that numba compiles, as hfield/product.py is
 PROBE = """
 import builtins, os
 
@@ -83,39 +83,41 @@ class Mutant(NamedTuple):
     span: tuple[int, int]
     change: str
     source: bytes
-    compiled: bool
 
     @property
     def place(self) -> str:
         """Return a name of the place."""
         return f"{self.file}:{self.span[0]}-{self.span[1]}"
 
+    @property
+    def compiled(self) -> bool:
+        """Whether numba compiles functions of this file."""
+        return COMPILED in self.source or self.file == "hfield/product.py"
+
 
 def is_typing(node: ast.AST) -> bool:
     return isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
 
 
-def places(tree: ast.Module) -> Iterator[tuple[ast.AST, bool]]:
-    """Yield the nodes inside functions that a mutant may change, and whether numba compiles them.
+def places(tree: ast.Module) -> Iterator[ast.AST]:
+    """Yield the nodes inside functions that a mutant may change.
 
     Annotations, messages, decorators and patterns are left alone.
     """
-    todo: list[tuple[ast.AST, bool, bool]] = [(tree, False, False)]
+    todo: list[tuple[ast.AST, bool]] = [(tree, False)]
     while todo:
-        node, inside, compiled = todo.pop()
+        node, inside = todo.pop()
         untouched = (ast.Raise, ast.JoinedStr, ast.Assert, ast.pattern)
         if is_typing(node) or isinstance(node, untouched):
             continue
         if inside and changed(node):
-            yield node, compiled
-        if isinstance(node, ast.FunctionDef):
-            compiled |= any(ast.unparse(name) in COMPILED for name in node.decorator_list)
+            yield node
         inside |= isinstance(node, (ast.FunctionDef, ast.Lambda))
         for name, value in ast.iter_fields(node):
             if name in ("annotation", "returns", "decorator_list", "ops"):
                 continue
             children = value if isinstance(value, list) else [value]
-            todo += [(child, inside, compiled) for child in children if isinstance(child, ast.AST)]
+            todo += [(child, inside) for child in children if isinstance(child, ast.AST)]
 
 
 def changed(node: ast.AST, step: int = 1) -> tuple[ast.expr, str] | None:
@@ -161,7 +163,7 @@ def draw(count: int, seed: int) -> list[Mutant]:
     found = {path: list(places(ast.parse(source))) for path, source in sources.items()}
     mutants = []
     for path in rng.choices(files, weights=[len(found[path]) for path in files], k=count):
-        node, compiled = rng.choice(found[path])
+        node = rng.choice(found[path])
         old, new = changed(node, rng.choice((-1, 1))) or (None, "")
         assert old is not None
         source, name = sources[path], path.relative_to(ROOT).as_posix()
@@ -169,7 +171,7 @@ def draw(count: int, seed: int) -> list[Mutant]:
         new_text = f"({new}{chr(10) * source[start:end].count(bytes([10]))})".encode()
         mutant = source[:start] + new_text + source[end:]
         words = f"{ast.unparse(old)}  ->  {new}"
-        mutants.append(Mutant(name, old.lineno, (start, end), words, mutant, compiled))
+        mutants.append(Mutant(name, old.lineno, (start, end), words, mutant))
     return mutants
 
 
@@ -284,7 +286,7 @@ def pytest_here(copy: Path, words: Iterable[str], *plugins: object) -> int:
     """Run pytest in this process in a copy of the project."""
     os.chdir(copy)
     sys.path.insert(0, str(copy))
-    options = ["-q", "-n0", "-p", "no:cacheprovider", "--runslow", OPTIONS]
+    options = ["-q", "-n0", "-p", "no:cacheprovider", OPTIONS]
     return int(pytest.main([*options, *words], plugins=plugins))
 
 
@@ -299,7 +301,7 @@ def failures(copy: Path, tests: Sequence[TimedTest], *options: str) -> list[str]
     def work() -> None:
         plugin = Only(tests)
         status = pytest_here(copy, [*options, *sorted({test.file for test in tests})], plugin)
-        failed = plugin.failed or ([f"status {status}"] if status else [])
+        failed = plugin.failed or ([] if status in (0, 5) else [f"status {status}"])  # 5: no tests
         note.write_text(json.dumps(failed), encoding="utf-8")
 
     child, since = forked(work, seconds, copy.parent / "log"), time.monotonic()
@@ -335,7 +337,7 @@ def reach(seeds: Sequence[int], count: int, processes: int) -> None:
     number = {mutant.place: n for n, mutant in enumerate(mutants)}
     probes: dict[str, dict[tuple[int, int], int]] = defaultdict(dict)
     for mutant in mutants:
-        if not mutant.compiled and mutant.file != "hfield/product.py":  # numba compiles it
+        if not mutant.compiled:
             probes[mutant.file][mutant.span] = number[mutant.place]
     with tempfile.TemporaryDirectory() as folder:
         copy = copied(Path(folder))
@@ -376,7 +378,7 @@ def all_tests(
         __probed__.__defaults__ = (set(), str(log))  # type: ignore[name-defined]  # noqa: F821
         log.touch()
         plugin = Timed(log)
-        pytest_here(copy, files[n], plugin)
+        pytest_here(copy, ["--runslow", *files[n]], plugin)
         log.with_suffix(".json").write_text(json.dumps(plugin.tests), encoding="utf-8")
 
     while todo or running:
@@ -420,16 +422,21 @@ def read_probes(log: Path, tests: Iterable[TimedTest]) -> dict[str, set[int]]:
 
 
 def run(count: int, seed: int, output: Path) -> None:
-    """Try so many mutants and write after each which suite noticed it, and by which test."""
+    """Try so many mutants and write after each which suite noticed it, and by which test.
+
+    What the output already holds is not tried again.
+    """
     noted = json.loads(REACH.read_text(encoding="utf-8"))
     tests = {test.name: test for test in (TimedTest(*test) for test in noted["tests"])}
     done: list[dict[str, object]] = []
+    if output.exists():
+        done = json.loads(output.read_text(encoding="utf-8"))
     wrong: set[str] = set()  # tests that fail without a mutant too
     with tempfile.TemporaryDirectory() as folder:
         copy = copied(Path(folder))
         compile_tests(copy)
-        for mutant in draw(count, seed):
-            if mutant.compiled or mutant.file == "hfield/product.py":
+        for mutant in draw(count, seed)[len(done) :]:
+            if mutant.compiled:
                 package = mutant.file.partition("/")[0]
                 names = [name for name in tests if name.startswith(f"tests/{package}/")] or tests
             else:
@@ -440,7 +447,7 @@ def run(count: int, seed: int, output: Path) -> None:
                     copy, mutant, [test for test in found if test.name not in wrong]
                 )
                 name = str(result["full"] or "")
-                if name in tests and failures(copy, [tests[name]]):
+                if name in tests and failures(copy, [tests[name]], "--runslow"):
                     wrong.add(name)
                 else:
                     break
@@ -473,7 +480,7 @@ def try_mutant(copy: Path, mutant: Mutant, tests: list[TimedTest]) -> dict[str, 
     rest = [test for test in quick_tests if test not in first]
     quick = (failures(copy, first, "-x") or failures(copy, rest, "-x") or [None])[0]
     slow_tests = within([test for test in tests if test.slow], SLOW_SECONDS)
-    full = quick or (failures(copy, slow_tests, "-x") or [None])[0]
+    full = quick or (failures(copy, slow_tests, "-x", "--runslow") or [None])[0]
     file.write_bytes(before)
     place = {"file": mutant.file, "line": mutant.line, "change": mutant.change}
     counts = {"tests": len(tests), "slow tests": len(slow_tests)}
