@@ -431,26 +431,19 @@ def run(count: int, seed: int, output: Path) -> None:
     done: list[dict[str, object]] = []
     if output.exists():
         done = json.loads(output.read_text(encoding="utf-8"))
-    wrong: set[str] = set()  # tests that fail without a mutant too
+    passing: set[str] = set()
+    failing: set[str] = set()  # without a mutant too
     with tempfile.TemporaryDirectory() as folder:
         copy = copied(Path(folder))
         compile_tests(copy)
         for mutant in draw(count, seed)[len(done) :]:
-            if mutant.compiled:
-                package = mutant.file.partition("/")[0]
-                names = [name for name in tests if name.startswith(f"tests/{package}/")] or tests
-            else:
-                names = noted["reached"].get(mutant.place, [])
-            found = sorted((tests[name] for name in names), key=likeliness(mutant))
+            found = tests_of(mutant, list(tests.values()), noted["reached"].get(mutant.place, []))
             while True:
-                result = try_mutant(
-                    copy, mutant, [test for test in found if test.name not in wrong]
-                )
-                name = str(result["full"] or "")
-                if name in tests and failures(copy, [tests[name]], "--runslow"):
-                    wrong.add(name)
-                else:
+                result = try_mutant(copy, mutant, [t for t in found if t.name not in failing])
+                name = str(result["full"])
+                if name not in tests or name in passing:
                     break
+                (failing if failures(copy, [tests[name]], "--runslow") else passing).add(name)
             done.append(result)
             output.write_text(json.dumps(done, indent=1, ensure_ascii=False), encoding="utf-8")
             print(len(done), result, flush=True)
@@ -475,8 +468,10 @@ def try_mutant(copy: Path, mutant: Mutant, tests: list[TimedTest]) -> dict[str, 
     before = file.read_bytes()
     file.write_bytes(mutant.source)
     quick_tests = within([test for test in tests if not test.slow], QUICK_SECONDS)
-    by_function = {test.name.partition("[")[0]: test for test in reversed(quick_tests)}
-    first = sorted(by_function.values(), key=likeliness(mutant))[:FIRST_TESTS]
+    by_function: dict[str, TimedTest] = {}
+    for test in quick_tests:
+        by_function.setdefault(test.name.partition("[")[0], test)
+    first = list(by_function.values())[:FIRST_TESTS]
     rest = [test for test in quick_tests if test not in first]
     quick = (failures(copy, first, "-x") or failures(copy, rest, "-x") or [None])[0]
     slow_tests = within([test for test in tests if test.slow], SLOW_SECONDS)
@@ -487,11 +482,28 @@ def try_mutant(copy: Path, mutant: Mutant, tests: list[TimedTest]) -> dict[str, 
     return place | counts | {"quick": quick, "full": full, "seconds": round(computing() - start, 1)}
 
 
-def likeliness(mutant: Mutant) -> Callable[[TimedTest], tuple[bool, float]]:
-    """Return a key that puts first the tests in the folder called as the mutant's, the cheapest first."""
+def tests_of(mutant: Mutant, tests: list[TimedTest], reaching: list[str]) -> list[TimedTest]:
+    """Return the tests that try a mutant: those that come to it, then the others of their files.
+
+    The others matter where a test finds in a cache what the changed line has made. First of each stand
+    those in the folder called as the mutant's, the cheapest first.
+    """
     package, part = mutant.file.split("/")[:2]
     folder = f"tests/{part if package == 'hfield' else package}/"
-    return lambda test: (not test.name.startswith(folder), test.seconds)
+    if mutant.compiled:
+        found = [test for test in tests if test.name.startswith(folder)] or tests
+        return sorted(found, key=lambda test: test.seconds)
+    names = set(reaching)
+    files = {name.partition("::")[0] for name in reaching}
+    found = [test for test in tests if test.file in files]
+    return sorted(
+        found,
+        key=lambda test: (
+            test.name not in names,
+            not test.name.startswith(folder),
+            test.seconds,
+        ),
+    )
 
 
 def within(tests: Iterable[TimedTest], seconds: float) -> list[TimedTest]:

@@ -64,7 +64,8 @@ def test_subs_against_sympy(seed: int) -> None:
         try:
             found = A(element).subs(values)
         except NotInvertibleError:
-            assert not expected.is_finite or expected.has(sympy.nan)
+            # sympy puts in one value after the other, so that 0/0 may be 0
+            assert sympy.denom(sympy.together(expression)).subs(values) == 0
             continue
         if expected.is_Rational:
             assert found == H("QQ")(expected)
