@@ -47,11 +47,16 @@ def subcases(names: str | tuple[str, ...], values: Iterable[Any]) -> Callable[..
 
 def first_quick(cases: Iterable[Any], count: int) -> list[Any]:
     """Return cases for ``pytest.mark.parametrize``, all but the first so many marked slow."""
-    every = list(cases)
-    return [
-        *every[:count],
-        *(slow(*case) if isinstance(case, tuple) else slow(case) for case in every[count:]),
-    ]
+    return [case if n < count else _slow(case) for n, case in enumerate(cases)]
+
+
+def share_quick(cases: Iterable[Any], step: int) -> list[Any]:
+    """Return cases for ``pytest.mark.parametrize``, all but every so-many-th marked slow."""
+    return [_slow(case) if n % step else case for n, case in enumerate(cases)]
+
+
+def _slow(case: Any) -> Any:
+    return slow(*case) if isinstance(case, tuple) else slow(case)
 
 
 def slow(*values: Any) -> Any:

@@ -28,7 +28,7 @@ from tests.adversary.names.numbers import Data, modulus_of
 from tests.adversary.names.places import NUMBER_FIELDS
 from tests.adversary.names.reader import read
 from tests.adversary.names.voices import checker_contradicts, prover_contradicts
-from tests.subcases import subcases
+from tests.subcases import slow, subcases
 from tests.thorough import cases
 
 # Names that once meant one field to the prover, another to the checker or to a reader; or a ring by mistake.
@@ -93,12 +93,12 @@ def test_data_have_one_name_and_come_back(chunk: int) -> None:
     assert out.tally["rejected"] > 50
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "kind",
     [
-        *(some_data.finite, some_data.quadratic, some_data.multiquadratic, some_data.number_field),
-        *(some_data.root_field, some_data.cyclotomic, some_data.functions, some_data.completion),
+        *(some_data.finite, some_data.quadratic, slow(some_data.multiquadratic)),
+        *(slow(some_data.number_field), slow(some_data.root_field), slow(some_data.cyclotomic)),
+        *(slow(some_data.functions), slow(some_data.completion)),
     ],
 )
 def test_pari_says_the_same(kind: Any) -> None:

@@ -30,7 +30,7 @@ from tests.certificates.ring_data import (
     real,
     split,
 )
-from tests.subcases import subcases
+from tests.subcases import first_quick, subcases
 
 FIELDS = (
     *("QQ", "QQ(sqrt(2))", "QQ(I)", "QQ(sqrt(-2))", "QQ(sqrt(-3))", "QQ(sqrt(3))", "QQ(sqrt(5))"),
@@ -128,8 +128,7 @@ DYADIC = (
 )
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", DYADIC)
+@pytest.mark.parametrize("name", first_quick(DYADIC, 1))
 def test_all_classes_of_squares_above_2(name: str) -> None:
     """Above 2, inert, ramified and split: (a, b) is certified exactly where the symbol is −1."""
     F = ring(name)

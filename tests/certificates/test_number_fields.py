@@ -27,7 +27,7 @@ from tests.certificates.ring_data import (
     root_field,
 )
 from tests.structure.number_field_cases import cases, field
-from tests.subcases import subcases
+from tests.subcases import share_quick, subcases
 
 FIELDS = [case["polynomial"] for case in cases("number_fields")]
 
@@ -118,9 +118,9 @@ def test_levels_are_not_overstated(polynomial: str) -> None:
     assert checked.level_above(4) == (K.signature[0] > 0)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
-    "polynomial", ["x^3-x^2-2*x-8", *(f for f in FIELDS if field(f).degree < 7)][::4]
+    "polynomial",
+    share_quick(["x^3-x^2-2*x-8", *(f for f in FIELDS if field(f).degree < 7)][::4], 4),
 )
 def test_places_that_ramify_are_certified_and_others_are_not(polynomial: str) -> None:
     """Where ℤ[s] is not maximal, by another generator; and no evidence survives a change of its numbers."""

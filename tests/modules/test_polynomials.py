@@ -18,6 +18,7 @@ from hfield import (
 )
 from hfield.modules.polynomials import Factoring
 from tests.commands.running import run
+from tests.subcases import first_quick
 
 
 def random_polynomial(P, degree, rng):
@@ -429,8 +430,7 @@ def test_all_roots_are_tried_over_a_finite_field(text):
     assert kinds == {0, 1}
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("degree", [1, 2, 3, 4, 5])
+@pytest.mark.parametrize("degree", first_quick([1, 4, 2, 3, 5], 2))
 def test_exact_roots_over_the_reals_are_short_and_near_floats(degree):
     """Against eigenvalues of the companion matrix; a root has the degree n·(2n − 1), and a text to suit."""
     A, rng = H("RR"), Random(degree)

@@ -11,6 +11,7 @@ from hfield import LatticeError, QuaternionAlgebra, ring
 from hfield.orders.lattice import IntegersOrder, Lattice
 from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.rings import checked_ring
+from tests.subcases import share_quick
 
 # class numbers 1 and more, algebras ramified at finite places and not; the last with a generator of K that is
 # no integer
@@ -51,8 +52,7 @@ def test_levels_where_residues_are_fractions_in_the_generator() -> None:
         assert A.maximal_order() >= A.eichler_order(level)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ALGEBRAS)
+@pytest.mark.parametrize("name", share_quick(ALGEBRAS, 3))
 def test_ideals_of_prime_norm_are_all_of_them(name: str) -> None:
     """Against all right ideals x·O + P·O with x modulo P, for orders of every Eichler symbol."""
     A = QuaternionAlgebra(name)

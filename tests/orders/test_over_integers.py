@@ -10,6 +10,7 @@ import pytest
 from hfield import QuaternionAlgebra, ring
 from hfield.errors import HFieldError, LatticeError, RingError
 from hfield.orders.lattice import IntegersOrder
+from tests.subcases import share_quick
 
 FIELDS = ["QQ[s]/(s^3-2)", "QQ(zeta5)", "QQ(zeta7)+", "QQ(sqrt(5))", "QQ(sqrt(-5))", "QQ[s]/(s^4+210*s^2+11)",
           "QQ[s]/(s^3-s^2-2*s-8)", "QQ(sqrt(2),sqrt(3))"]  # fmt: skip
@@ -25,8 +26,7 @@ def algebras(name: str) -> list[QuaternionAlgebra]:
     return out
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.parametrize("name", share_quick(FIELDS, 3))
 def test_maximal_orders(name: str) -> None:
     """A ring of integral elements whose discriminant is the product of the ramified primes."""
     for A in algebras(name):

@@ -12,7 +12,7 @@ import pytest
 
 from hfield import QuaternionAlgebra, ring
 from hfield.fields.number_fields.symbols import square_class
-from tests.subcases import subcases
+from tests.subcases import first_quick, subcases
 
 SPEC = importlib.util.spec_from_file_location(
     "try_definite_orders", Path(__file__).parents[2] / "scripts" / "try_definite_orders.py"
@@ -68,8 +68,7 @@ FIELDS = [
 ]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.parametrize("name", first_quick(FIELDS, 1))
 def test_stable_classes(name: str) -> None:
     """Of orders of all kinds, at primes above 2 and others."""
     A, rng = QuaternionAlgebra(name, -1, -1), Random(1)

@@ -18,7 +18,7 @@ from hfield.rings.held.compact import LARGE
 from hfield.rings.held.plain import Plain
 from hfield.rings.holding import Holding
 from tests.conformance import CONSTANTS, RINGS
-from tests.subcases import subcases
+from tests.subcases import share_quick, subcases
 
 FIELDS = ("QQ[s]/(s^3-1/2*s-1/3)", "QQ[s]/(s^4-s-1)", "QQ[s]/(s^5-1/3*s+2/5)")
 
@@ -157,8 +157,7 @@ def test_all_elements_and_constants_of_four() -> None:
         assert found == by_formula.tobytes()
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", EXACT)
+@pytest.mark.parametrize("name", share_quick(EXACT, 4))
 @settings(max_examples=2, deadline=None, derandomize=True)
 @given(seed=st.integers(0, 999))
 def test_equal_elements_made_in_different_ways(name, seed) -> None:

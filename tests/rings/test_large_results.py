@@ -9,6 +9,7 @@ import pytest
 
 from hfield import H, Quaternion
 from hfield.compiling import loops, machine_code, memory
+from tests.subcases import first_quick
 
 pytestmark = pytest.mark.skipif(
     not machine_code.available(), reason="there is nothing to compile with"
@@ -33,7 +34,6 @@ def place(q: Quaternion) -> int:
     return address
 
 
-@pytest.mark.slow
 def test_memory_is_used_again_when_nobody_holds_it() -> None:
     p, q = drawn(1000), drawn(1000, seed=2)
     first = p * q
@@ -87,8 +87,7 @@ def test_threads_do_not_get_the_same_memory() -> None:
     assert not wrong
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("bits", [7, 15, 20, 29])
+@pytest.mark.parametrize("bits", first_quick([29, 7, 15, 20], 1))
 def test_what_is_written_past_the_caches_is_the_same(bits: int) -> None:
     """Lengths around those of lines and blocks, rows that begin anywhere in a line."""
     lines = [1, 2, 3, 7, 8, 9, 63, 64, 65]

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, UndecidedError
 from hfield.rings import ring
-from tests.subcases import subcases
+from tests.subcases import share_quick, subcases
 
 FIELDS = (
     "Qp(2)", "Qp(5)", "QQ(I)_(5, I-2)", "QQ(sqrt(2))_(2)", "QQ(sqrt(-3))_(2)", "QQ(sqrt(-3))_(3)",
@@ -24,8 +24,7 @@ def contains(ball, x):
     return ball.precision is not None and rest.valuation() >= ball.precision
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.parametrize("name", share_quick(FIELDS, 4))
 @settings(max_examples=25, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(seed=st.integers(0, 2**20), m=st.integers(-2, 8), n=st.integers(-2, 8))
 def test_a_result_with_o_contains_the_results_of_all_candidates(name, seed, m, n):

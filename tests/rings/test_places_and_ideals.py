@@ -39,7 +39,7 @@ from hfield.fields.rationals.places import place_of_q
 from hfield.rings import ring
 from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
 from hfield.rings.whole_numbers import fraction
-from tests.subcases import subcases
+from tests.subcases import share_quick, subcases
 
 PRIMES = (2, 3, 5, 7, 11, 13)
 QUADRATIC = (-1, -2, -3, -5, -6, -7, -11, -15, -23, 2, 3, 5, 6, 7, 10, 13, 17, 21, 33)
@@ -57,8 +57,7 @@ def order_of(x: Fraction, p: int) -> int:
     return order_at(x.numerator, p) - order_at(x.denominator, p)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("d", QUADRATIC)
+@pytest.mark.parametrize("d", share_quick(QUADRATIC, 5))
 def test_places_of_quadratic_fields_are_those_of_the_number_field(d: int) -> None:
     F = QuadraticField(d)
     K = as_number_field(F)

@@ -18,6 +18,7 @@ from rotation.ledger import generator, printed_times
 from rotation.ledger.inequalities import Less, between
 from rotation.ledger.symbolic_runs import code, coordinates, equal, read_as
 from tests.ledger.spoilt_thesis import spoilt_thesis
+from tests.subcases import share_quick
 
 FORMULAS = ("quaternion_functions", "matrix_functions", "second_test")
 
@@ -37,8 +38,7 @@ MUTANTS = {
 }
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("line", MUTANTS)
+@pytest.mark.parametrize("line", share_quick(MUTANTS, 4))
 def test_what_is_proved_is_the_code(line: str) -> None:
     """A wrong function turns its own rows red, and those of the functions that call it."""
     mutant, expected = MUTANTS[line]

@@ -12,6 +12,7 @@ from hfield.fields.rationals.embedding import traceless_root_rational
 from hfield.fields.rationals.symbols import hilbert_symbol_q, ramified_places_q
 from hfield.product import Constants, multiply
 from hfield.rings import QQ
+from tests.subcases import slow
 from tests.thorough import cases
 
 P, Q, R = (
@@ -49,9 +50,8 @@ def some_algebra(rng, bits, kind):
     }[kind]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["any", "definite", "split", "isotropic", "square"])
-@pytest.mark.parametrize("bits", [20, 40, 60])
+@pytest.mark.parametrize("bits", [20, slow(40), slow(60)])
 def test_isomorphisms_are_found_and_short(bits, kind, monkeypatch):
     longest = 0
     combine = lattices.combination
