@@ -34,6 +34,17 @@ def files(place: Path) -> list[Path]:
 # --- on disk -----------------------------------------------------------------------------------------
 
 
+@pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="they have places of their own")
+def test_where_it_lies(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    for name in ("XDG_CACHE_HOME", "NUMBA_CACHE_DIR"):
+        monkeypatch.delenv(name, raising=False)
+    assert disk_cache.directory() == tmp_path / "home" / ".cache" / disk_cache.FOLDER
+    for name in ("XDG_CACHE_HOME", "NUMBA_CACHE_DIR"):  # each goes before those above
+        monkeypatch.setenv(name, str(tmp_path / name))
+        assert disk_cache.directory() == tmp_path / name / disk_cache.FOLDER
+
+
 def test_what_is_kept_is_whole_or_not_used(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert disk_cache.kept("key") is None
     disk_cache.keep("key", b"machine code")

@@ -44,6 +44,15 @@ def test_the_arithmetic_is_ours() -> None:
     np.testing.assert_array_equal(Slerp([0, 1], r[:2])(0.3).as_quat().shape, (4,))
 
 
+def test_inverse_motions_undo() -> None:
+    r = Rotation.random(5, rng=2)
+    t = RigidTransform.from_components(np.arange(15.0).reshape(5, 3), r)
+    points = np.random.default_rng(3).standard_normal((5, 3))
+    np.testing.assert_allclose(t.inv().apply(t.apply(points)), points, atol=1e-13)
+    np.testing.assert_allclose(t.apply(t.inv().apply(points)), points, atol=1e-13)
+    np.testing.assert_array_equal(t.inv().as_matrix(), (t**-1).as_matrix())
+
+
 def test_errors_are_value_errors_of_ours() -> None:
     with pytest.raises(RotationError, match="Expected `quat`"):
         Rotation.from_quat([1, 2, 3])

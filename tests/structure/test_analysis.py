@@ -169,6 +169,11 @@ def test_lengths_at_the_ends_of_the_floats() -> None:
     assert abs(A([3e-200, 0.0], 0, [4e-200, 0.0], 0)).tolist() == pytest.approx([5e-200, 0.0])
     assert A(0).polar() == (0.0, A(0, 1, 0, 0), 0.0)
     assert A(-2).polar() == (2.0, A(0, 1, 0, 0), math.pi)
+    for a, b, axis in ((-3, -1, 2), (1, 1, 3)):  # the first of i, j, k whose square is −1
+        B = QuaternionAlgebra("RDF", a, b)
+        assert B(-2).polar() == (2.0, B.basis[axis], math.pi)
+    with pytest.raises(NoSolutionError, match="the axis of a scalar"):
+        QuaternionAlgebra("RDF", -2, -3)(-2).polar()
     assert A(0).exp() == 1
     assert A(0).sqrt() == 0
 

@@ -1,3 +1,4 @@
+import itertools
 import math
 from fractions import Fraction
 
@@ -6,8 +7,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from hfield.factorisation import factorise, known_primes, remove
+from hfield.fields.rationals import conics
 from hfield.fields.rationals.conics import solve_conic
 from hfield.fields.rationals.symbols import hilbert_symbol_q, is_isotropic, ramified_places_q
+from hfield.structure.lattice_reduction import combination
 
 nonzero = st.integers(-(10**6), 10**6).filter(bool)
 
@@ -29,6 +32,31 @@ def test_norms_are_found_to_be_norms(a, u, v):
     x, y, z = solve_conic(a, b)
     assert a * x * x + b * y * y == z * z
     assert (x, y, z) != (0, 0, 0)
+
+
+def test_a_vector_of_value_1_or_minus_1_splits_off():
+    """Legendre's lattice has short vectors of value 0 in all cases tried, so this is not met from above."""
+    found = set()
+    for form in itertools.product(range(-7, 8), repeat=3):
+        pairs = itertools.combinations(form, 2)
+        prime = math.prod(form) and all(math.gcd(p, q) == 1 for p, q in pairs)
+        if not (prime and is_isotropic(list(form)) and all(map(is_squarefree, form))):
+            continue
+        lattice = conics._lattice(form, tuple(sorted(factorise(f)) for f in form))
+        size = abs(math.prod(form))
+        for coefficients in itertools.product(range(-2, 3), repeat=3):
+            v = combination(coefficients, lattice)
+            value = sum(f * x * x for f, x in zip(form, v, strict=True)) // size
+            if abs(value) == 1:
+                zero = conics._split_off(form, size, lattice, v, value)
+                assert any(zero)
+                assert sum(f * x * x for f, x in zip(form, zero, strict=True)) == 0
+                found.add(value)
+    assert found == {1, -1}
+
+
+def is_squarefree(n: int) -> bool:
+    return all(times == 1 for times in factorise(n).values())
 
 
 def test_large_coefficients_given_their_primes():

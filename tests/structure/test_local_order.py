@@ -3,7 +3,10 @@
 from itertools import islice
 from random import Random
 
+import pytest
+
 from hfield import ring
+from hfield.errors import UndecidedError
 from hfield.product import Constants, conjugate, multiply, norm, trace
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.global_field import known_field
@@ -43,3 +46,17 @@ def check_plane(F, place, c, plane):
     both = norm(c, q) * norm(c, u)
     assert not F.is_zero(T)
     assert F.is_zero(both) or place.valuation(both) > 2 * place.valuation(T)
+
+
+@pytest.mark.parametrize("name", ["GF(2)((t))", "GF(2)(t)_(t^2+t+1)"])
+def test_elements_are_norms_from_inseparable_extensions(name):
+    """In characteristic 2 every x is w² + s·r² for an s that is no square."""
+    F, rng = ring(name), Random(2)
+    field, s = known_field(F), F("t")
+    for _ in range(5):
+        x = F.random(rng)
+        w, r = field.as_norm(x, s)
+        assert w * w + s * r * r == x
+    for inexact in ((F("1 + O(t^3)"), s), (s, F("1 + O(t^3)"))):
+        with pytest.raises(UndecidedError, match="known exactly"):
+            field.as_norm(*inexact)

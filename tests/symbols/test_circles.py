@@ -181,3 +181,9 @@ def test_euler_angles() -> None:
 def test_embeddings_of_circles() -> None:
     q: Any = H(F)("cos(t) + sin(t)*k/(2+cos(t))")
     assert q.change_ring(G) == H(G)("cos(t) + sin(t)*k/(2+cos(t))")
+
+
+def test_numbers_in_angles_are_computed() -> None:
+    assert F("cos((1+2)*t)") == F("cos(3*t)") != F("cos(t)")
+    assert F("cos((3-1)*t)") == F("cos(2*t)")
+    assert F("sin((1/2+1/2)*t - 0)") == F("sin(t)")
