@@ -162,6 +162,13 @@ def test_that_nothing_exists_is_not_said_where_constants_divide():
         theorem("t", data)
 
 
+def test_a_witness_has_quaternions_and_scalars():
+    data = prove("exists s, q: s*q == 2*i and s != 0", "GF(5)").certificate
+    (s,), q = (data["evidence"]["values"][name] for name in "sq")
+    quaternion = " ".join(f"(reduce 5 {x})" for x in q)
+    assert f"[Quaternion {quaternion}] [(reduce 5 {s})]" in str(theorem("t", data))
+
+
 def test_a_session_keeps_its_order():
     answers = [prove("e*q == q"), prove("p*q == q*p"), prove("q*e == q")]
     export = export_session(answers)
