@@ -1,5 +1,7 @@
 """The mesh: fewer points than the model where nobody sees it, and the trace's line likewise."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -10,6 +12,7 @@ from anim.model import Model
 from anim.picture import STYLES, Camera, Look, painter
 from anim.picture.mesh import INVISIBLE, Mesh
 from anim.picture.projection import reached
+from anim.picture.styles import shaded
 from anim.picture.trace import thinned
 from anim.pipelines import kinematic
 from anim.rendering import Scene
@@ -100,3 +103,15 @@ def test_a_model_travels_without_its_arrays():
     words = pickle.dumps(model)
     assert len(words) < 200
     assert pickle.loads(words) == model
+
+
+def test_normals_stand_on_their_cones() -> None:
+    mesh = Mesh.of(Model(), 300.0)
+    n, angles = mesh.ring, mesh.angles[:-1]
+    _, normals = shaded._normals(mesh)
+    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-14)
+    for k, ((r0, z0), (r1, z1)) in enumerate(pairwise(mesh.profile)):
+        normal, out = normals[k * n : (k + 1) * n], np.array([np.cos(angles), np.sin(angles)])
+        line = np.vstack([(r1 - r0) * out, np.full(n, z1 - z0)]).T
+        np.testing.assert_allclose((normal * line).sum(axis=1), 0, atol=1e-14)
+        assert ((normal[:, :2] * out.T).sum(axis=1) > 0).all()  # outwards
