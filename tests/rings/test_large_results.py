@@ -34,6 +34,7 @@ def place(q: Quaternion) -> int:
     return address
 
 
+@pytest.mark.slow
 def test_memory_is_used_again_when_nobody_holds_it() -> None:
     p, q = drawn(1000), drawn(1000, seed=2)
     first = p * q
