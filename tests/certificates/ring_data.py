@@ -16,6 +16,7 @@ ZZ: Data = {"kind": "integers"}
 RR: Data = {"kind": "reals"}
 CC: Data = {"kind": "complexes"}
 RDF: Data = {"kind": "floats"}
+CDF: Data = {"kind": "complex floats"}
 INFINITY: Data = {"kind": "infinity"}
 
 

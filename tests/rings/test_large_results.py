@@ -38,7 +38,7 @@ def place(q: Quaternion) -> int:
 def test_memory_is_used_again_when_nobody_holds_it() -> None:
     p, q = drawn(1000), drawn(1000, seed=2)
     first = p * q
-    values, where = first.to_array(), place(first)
+    values, where = first.to_array().copy(), place(first)  # to_array() shares the memory
     row = first._held[2]
     del first
     gc.collect()

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 import rotation
 from rotation import (
@@ -54,6 +55,16 @@ T, WEIGHTS, TIMES = RNG.random(N), RNG.random(N) + 0.5, np.arange(N) + 0.5
 R = Rotation(Q)
 M = RigidTransform.from_components(V, R)
 BELIEF = Uncertain(M[0], np.eye(6))
+
+
+def plane_limits(points: Any, angles: Any) -> np.ndarray:
+    return rotation.draw_plane(Figure().add_subplot(), points, angles).dataLim.get_points()
+
+
+def space_limits(points: Any) -> np.ndarray:
+    return np.array(R[0].plot(Figure().add_subplot(projection="3d"), points).get_w_lims())
+
+
 CURVES: dict[str, Callable[[Any, Any], Any]] = {
     "Slerp": Slerp,
     "Squad": Squad,
@@ -163,6 +174,8 @@ TOGETHER: list[tuple[str, Callable[..., Any], tuple[np.ndarray, ...]]] = [
     ("Rotation.apply_outer", R.apply_outer, (V,)),
     *((name, lambda t, c=c: c(t, R)(2.0).as_quat(), (TIMES,)) for name, c in CURVES.items()),
     ("Uncertain", lambda p: Uncertain(M, p).covariance, (np.eye(6) + np.zeros((N, 6, 6)),)),
+    ("draw_plane", plane_limits, (V[:, :2], A)),
+    ("Rotation.plot", space_limits, (V,)),
 ]
 CALLS = [*BY_ROWS, *TOGETHER]
 # what the parameters of methods that are arrays of numbers are called
@@ -172,8 +185,8 @@ ARRAYS = {
 }  # fmt: skip
 # without arrays of numbers among their arguments
 WITHOUT = {
-    "Screw", "Similarity", "align", "change_of_axes", "convert_rotation", "convert_transform", "exact_group",
-    "exact_matrix", "from_exact", "threads", "warm_up",
+    "LETTER_T", "Screw", "Similarity", "align", "benchmark", "change_of_axes", "convert_rotation",
+    "convert_transform", "exact_group", "exact_matrix", "from_exact", "threads", "warm_up",
 }  # fmt: skip
 
 

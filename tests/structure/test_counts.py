@@ -143,6 +143,6 @@ def test_loops_and_tables_count_the_same(name, monkeypatch):
     for c in (constants(name, -1, 0, -1), constants(name, 2, 1, 3)):
         found = []
         for many in (0, 10**9):
-            monkeypatch.setattr(room, "MANY", many)
+            monkeypatch.setattr(room, "MIN_COMPILED", many)
             found.append(tally(R, c))
         assert found[0] == found[1]

@@ -17,6 +17,7 @@ from tests.adversary.hostile.writing import (
 )
 from tests.certificates.ring_data import (
     CC,
+    CDF,
     QQ,
     RDF,
     RR,
@@ -106,6 +107,7 @@ RINGS: dict[str, tuple[Data, Callable[[int], str]]] = {
     ),
     "QQ(c₇₉)_inf0": (completion(C_79, real(0)), partial(in_powers, "c79", 39, 200)),
     "RDF": (RDF, lambda n: str(2**52)),
+    "CDF": (CDF, lambda n: str(2**52)),
 }
 CONSTANTS = {  # what has to occur in a statement so that facts may speak of it
     "RR": "+".join(f"sqrt({d})" for d in (2, 3, 5, 6, 7, 10, 11, 13)), "QQ(√2)": "sqrt(2)",
@@ -217,6 +219,7 @@ FILES: dict[str, Hostile] = {
     **{
         f"squares of {ring}": (partial(squareness, ring), 2, 40)
         for ring in RINGS
-        if ring not in ("ZZ", "ZZ/n", "QQ[x]", "QQ[x]/(x⁶⁰+1/3)", "ZZ[a,…]", "ZZ[a,b]", "RDF")
+        if ring
+        not in ("ZZ", "ZZ/n", "QQ[x]", "QQ[x]/(x⁶⁰+1/3)", "ZZ[a,…]", "ZZ[a,b]", "RDF", "CDF")
     },
 }
