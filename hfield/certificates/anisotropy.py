@@ -12,6 +12,7 @@ from hfield.certificates.evaluate import Evaluator, RingScalars
 from hfield.certificates.language import walk
 from hfield.certificates.rejection import Rejected, a_text, an_object, reject, texts
 from hfield.certificates.scalars.fields import read_ring
+from hfield.certificates.scalars.functions import SeveralVariables
 from hfield.certificates.scalars.place import Place
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.statement import read_setting
@@ -64,12 +65,12 @@ def is_certified(algebra: str, ring: object, data: object) -> bool:
 
 
 def is_readable(algebra: str, ring: object) -> bool:
-    """Tell whether the constants of an algebra are numbers that are known here."""
+    """Tell whether the constants of an algebra are known here, and the places of its field."""
     try:
-        constants_of(algebra, ring)
+        field, _ = constants_of(algebra, ring)
     except Rejected:
         return False
-    return True
+    return not isinstance(field, SeveralVariables)
 
 
 def constants_of(algebra: str, data: object) -> tuple[Ring, Constants]:

@@ -88,7 +88,6 @@ def test_an_order_elsewhere(statement: str, options: dict[str, str], verdict: st
         ("p >= 0", {}, "compares scalars, and this is a quaternion"),
         ("M >= 0", {}, "compares scalars, and this is a matrix"),
         ("exists q: norm(q) > 3", {"field": "QQ"}, "do not stand in one statement"),
-        ("0 <= s <= 1", {}, "comparisons do not chain"),
         ("p[0] >= 0", {"algebra": "table(e, i: e, i; i, -e|QQ)"}, "algebra by its table"),
     ],
 )

@@ -20,7 +20,7 @@ from hfield.errors import UndecidedError
         ("GF(5)[e1]/(e1^2)", "GF(5)[e1]/(e1^2)"),
         ("QQ[x]/(x^3-2)", "QQ[x]/(x^3-2)"),
         ("ZZ[x]/(2*x^2)", None),
-        ("QQ[x]/(x-1)", None),
+        ("QQ[x]/(x-1)", "QQ[x]/(x-1)"),
     ],
 )
 def test_names(text: str, name: str | None) -> None:
