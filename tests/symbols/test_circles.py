@@ -187,3 +187,19 @@ def test_numbers_in_angles_are_computed() -> None:
     assert F("cos((1+2)*t)") == F("cos(3*t)") != F("cos(t)")
     assert F("cos((3-1)*t)") == F("cos(2*t)")
     assert F("sin((1/2+1/2)*t - 0)") == F("sin(t)")
+
+
+@pytest.mark.parametrize(
+    ("statement", "field"),
+    [
+        ("norm(vector(p)) == 1 => norm(cos(t) + sin(t)*vector(p)) == 1", "QQ(cos(t),sin(t))"),
+        ("s*s == 1 => (cos(t)*s)**2 + sin(t)**2 == 1", "QQ(sqrt(2))(cos(t),sin(t))"),
+        ("s*s == 1 => cos(t)**2 + s*s*sin(t)**2 == cos(u)**2 + sin(u)**2", "QQ(cos(t),sin(t),cos(u),sin(u))"),
+    ],
+)  # fmt: skip
+def test_conclusions_use_the_unit_circle(statement: str, field: str) -> None:
+    answer = prove(statement, field=field)
+    assert answer.verdict == "proved"
+    assert check(answer.certificate)
+    wrong = prove(statement.replace("== 1 =>", "== 2 =>"), field=field)
+    assert wrong.verdict != "proved"

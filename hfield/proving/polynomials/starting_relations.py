@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
@@ -26,13 +27,23 @@ MAX_QUATERNION_TERMS = 200
 
 
 def relations_of(x: Expanded, field: Ring | None) -> tuple[flint.fmpz_mpoly, ...]:
-    """Return the polynomials that the constants of the field satisfy, as far as they are known."""
-    out = []
+    """Return the polynomials that the constants of the field satisfy, as far as they are known.
+
+    Those are polynomials in one constant, and for a cosine and the sine of the same angle the unit circle.
+    """
+    if field is None:
+        return ()
+    out, free = [], []
     for n in range(x.unknowns, len(x.variables)):
-        found = relation(field, x.variables[n]) if field is not None else None
+        g, text = x.context.gens()[n], x.variables[n]
+        found = relation(field, text)
         if found is not None:
-            g = x.context.gens()[n]
             out.append(sum((c * g**k for k, c in enumerate(found)), x.context.constant(0)))
+        elif text.startswith(("cos(", "sin(")):
+            free.append((g, field(text)))
+    for (g, c), (h, s) in combinations(free, 2):
+        if field.is_zero(c * c + s * s - field.one):
+            out.append(g**2 + h**2 - 1)
     return tuple(out)
 
 
