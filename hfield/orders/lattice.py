@@ -1324,11 +1324,6 @@ class IntegersOrder(Lattice, WithStableClasses, Certified):
         """That this is an order of its discriminant, as a statement with its evidence."""
         return certificates_over_fields.of_order(self)
 
-    @property
-    def units_claim(self) -> Claim:
-        """How many units there are modulo those of the field, likewise."""
-        return certificates_over_fields.of_unit_index(self)
-
     def mass(self) -> Fraction:
         """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, by a formula. Raises likewise."""
         return class_number.mass(self.value)
@@ -1365,7 +1360,7 @@ class IntegersOrder(Lattice, WithStableClasses, Certified):
 
         return IndefiniteClassSet(self)
 
-    def expect_right_ideal(self, ideal: object) -> None:
+    def _expect_right_ideal(self, ideal: object) -> None:
         """Raise :class:`LatticeError` unless this is an invertible right ideal of the order."""
         if not isinstance(ideal, IntegersIdeal) or ideal.side != "right":
             raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
@@ -1570,7 +1565,7 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
 
     def index(self, ideal: IntegersIdeal) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        self.order.expect_right_ideal(ideal)
+        self.order._expect_right_ideal(ideal)
         return self.class_of(ideal.value)
 
     def left_orders(self) -> list[IntegersOrder]:

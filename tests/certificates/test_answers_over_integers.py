@@ -33,7 +33,8 @@ def genuine(field: str) -> tuple[Certificate, ...]:
     moved = conjugated(order, x)
     smaller = order.suborders(order.algebra.ring.primes_above(3)[0])[0]
     claims = [
-        order.claim, order.units_claim, ideal.claim, ideal.conjugate().claim, ideal.is_principal().claim,
+        order.claim, certificates.of_unit_index(order), ideal.claim, ideal.conjugate().claim,
+        ideal.is_principal().claim,
         ideal.conjugate().is_principal().claim, ideal.equivalence(x * ideal).claim,
         order.isomorphism(moved).claim,
         order.isomorphism(ideal.left_order()).claim, order.isomorphism(smaller).claim,
@@ -166,7 +167,10 @@ def test_lattices_that_are_compared_are_modules() -> None:
 
 def test_nothing_is_exhausted_in_an_indefinite_algebra() -> None:
     order, ideal, _ = ideals("QQ(sqrt(5))")
-    for claim in (order.units_claim, certificates.of_isomorphism(order, ideal.left_order(), None)):
+    for claim in (
+        certificates.of_unit_index(order),
+        certificates.of_isomorphism(order, ideal.left_order(), None),
+    ):
         data = {**established_data(claim), "algebra": "(1,-1|QQ(sqrt(5)))"}
         rejects(data)
     A = QuaternionAlgebra("QQ(sqrt(5))", "sqrt(5)", -1)

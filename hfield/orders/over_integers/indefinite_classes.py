@@ -90,7 +90,7 @@ class IndefiniteClassSet(Hinted):
 
     def index(self, ideal: Any) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        self.order.expect_right_ideal(ideal)
+        self.order._expect_right_ideal(ideal)
         return list(self._ideals).index(self.group.class_of(ideal.norm()))
 
     @property

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 from hfield import QuaternionAlgebra, ring
+from hfield.orders.over_integers import certificates
 from tests.adversary.hostile.writing import Hostile
 
 
@@ -67,7 +68,11 @@ FILES: dict[str, Hostile] = {
         11,
         401,
     ),
-    "unit-index: a large level": (over_integers(lambda order, *_: order.units_claim), 11, 401),
+    "unit-index: a large level": (
+        over_integers(lambda order, *_: certificates.of_unit_index(order)),
+        11,
+        401,
+    ),
     "equivalent-over-integers: a large level": (
         over_integers(lambda _, ideal, __: ideal.is_principal().claim),
         31,
