@@ -180,20 +180,10 @@ ORDER = LATTICE | {
     "unit_ideal": "left_ideal([1])",
     "isomorphism_to": "isomorphism(other)",
     "optimal_embeddings": "embeddings(discriminant)",
-    "is_gorenstein": "conductor() == 1",
     "one": "algebra.one",
     "eichler_order": "algebra.eichler_order(level)",
 }
 """Sage, Magma: orders."""
-
-ONLY_OVER_Z = {"ternary_quadratic_form"}
-"""Names whose hint asks for a ternary theta series."""
-
-
-def over_fields(hints: Mapping[str, str]) -> dict[str, str]:
-    """Return the hints that hold for lattices over the integers of a number field, too."""
-    return {name: hint for name, hint in hints.items() if name not in ONLY_OVER_Z}
-
 
 FIELD = {
     "class_number": "class_group().order",

@@ -50,6 +50,8 @@ FLOORS = [
     {"hfield.exploring"},  # stands on the element and on maps, and the algebra hands over to it
     {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
     {"hfield.orders.over_integers"},
+    {"hfield.orders.ideals_at_primes"},
+    {"hfield.orders.order_functions"},
     {"hfield.orders.lattice"},
     {"hfield.orders.hurwitz_order"},
     {"hfield.algebra"},

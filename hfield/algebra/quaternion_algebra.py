@@ -60,7 +60,7 @@ if TYPE_CHECKING:
     from hfield.modules.matrix import Matrix
     from hfield.modules.polynomials import Polynomials
     from hfield.orders.hurwitz_order import HurwitzOrder
-    from hfield.orders.lattice import IntegersOrder, Lattice, Order
+    from hfield.orders.lattice import Lattice, Order
     from hfield.orders.ternary_forms import TernaryForm
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
@@ -1196,7 +1196,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         return Lattice.spanned(self, elements)
 
-    def order(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
+    def order(self, elements: Iterable[object]) -> Order:
         """Return the order that elements generate as a ring, or over the integers of a number field.
 
         Raises :class:`LatticeError` when they generate a ring of lower rank, or one that is no lattice.
@@ -1205,29 +1205,24 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> O.discriminant(), O.maximal_overorder().index(O)
         (ideal(4), ideal(4))
         """
-        from hfield.orders.lattice import order_of_value
-        from hfield.orders.rings import generated
+        from hfield.orders.lattice import Order
 
-        return order_of_value(generated(self, elements))
+        return Order.generated(self, elements)
 
-    def order_from_basis(self, elements: Iterable[object]) -> Any:  # Order, or IntegersOrder
+    def order_from_basis(self, elements: Iterable[object]) -> Order:
         """Return the order with a basis of four elements; over ℤ_K, that elements or a pseudo-basis span.
 
         Raises :class:`LatticeError` unless they span a ring with 1.
         """
-        from hfield.orders.lattice import IntegersOrder, Order
-        from hfield.orders.lattice_values import spanned
-        from hfield.orders.rings import checked_ring
+        from hfield.orders.lattice import Order
 
-        if self.over_integers:
-            return IntegersOrder(checked_ring(spanned(self, elements)))
         return Order.from_basis(self, elements)
 
-    def maximal_order(self, factors: Factors | None = None) -> Order | IntegersOrder:
+    def maximal_order(self, factors: Factors | None = None) -> Order:
         """Return a maximal order, of an algebra that is not degenerate: always the same.
 
-        Over ℚ it is an :class:`hfield.Order`. Over another number field it is one over the integers of the
-        field, with ``basis`` over ℤ, ``pseudo_basis()`` and ``discriminant()``: an ``IntegersOrder``.
+        Over ℚ it is one over ℤ, over another number field one over the integers of the field, with ``basis``
+        over ℤ, ``pseudo_basis()`` and ``discriminant()``.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
@@ -1235,15 +1230,15 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         (ideal(1), 8)
         """
         from hfield.orders import standard_orders
-        from hfield.orders.lattice import IntegersOrder, Order
+        from hfield.orders.lattice import Order
         from hfield.orders.over_integers import orders
 
         with known_primes(factors):
             if self.over_integers:
-                return IntegersOrder(orders.maximal_order(self))
+                return Order(orders.maximal_order(self))
             return Order(standard_orders.maximal_order(self))
 
-    def eichler_order(self, level: object, factors: Factors | None = None) -> Any:
+    def eichler_order(self, level: object, factors: Factors | None = None) -> Order:
         """Return an Eichler order of the given level, the same for the same algebra and level.
 
         Over a number field the level is a number, an ideal, or pairs (prime ideal, exponent).
@@ -1255,12 +1250,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         (True, 2)
         """
         from hfield.orders import standard_orders
-        from hfield.orders.lattice import IntegersOrder, Order
+        from hfield.orders.lattice import Order
         from hfield.orders.over_integers import orders
 
         with known_primes(factors):
             if self.over_integers:
-                return IntegersOrder(orders.eichler_order(self, level))
+                return Order(orders.eichler_order(self, level))
             return Order(standard_orders.eichler_order(self, level))
 
     def extremal_order(self) -> Order:

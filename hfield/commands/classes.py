@@ -23,7 +23,7 @@ from hfield.commands.parser import UsageError
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
-    from hfield.orders.lattice import ClassSet, IntegersOrder
+    from hfield.orders.lattice import ClassSet, Order
     from hfield.presenting import Part
 
 HELP = (
@@ -135,7 +135,7 @@ def _table(C: ClassSet) -> Part:
     )
 
 
-def _over_integers(args: Namespace, O: IntegersOrder) -> tuple[Answer, Callable[[], Claim]]:
+def _over_integers(args: Namespace, O: Order) -> tuple[Answer, Callable[[], Claim]]:
     """Answer for an order over the integers of a number field."""
     if args.formula:
         raise UsageError(

@@ -23,7 +23,7 @@ from hfield.errors import TooLargeError
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
-    from hfield.orders.lattice import IntegersOrder, Order
+    from hfield.orders.lattice import Order
     from hfield.presenting import Part
 
 HELP = (
@@ -96,7 +96,7 @@ def _listed_units(O: Any) -> Part:
 
 
 def _made(args: Namespace) -> Any:
-    """Return the order that is asked for: an Order, or an IntegersOrder over other number fields."""
+    """Return the order that is asked for."""
     A = algebra_of(args.algebra)
     if args.extremal:
         return A.extremal_order()
@@ -118,7 +118,7 @@ def to_json(O: Order) -> dict[str, Any]:
         "basis": [[O.algebra.ring.text(x) for x in q.coordinates] for q in O.basis],
         "discriminant": O.discriminant(),
         "level": O.level,
-        "maximal": O.is_maximal(),
+        "maximal": bool(O.is_maximal()),
         "eichler": O.is_eichler(),
         "conductor": O.conductor(),
         "units": O.unit_count() if definite else None,
@@ -169,7 +169,7 @@ def parts(O: Order) -> list[Part]:
     return [Facts(facts, 22, formulas=formulas)]
 
 
-def data_over_integers(O: IntegersOrder) -> dict[str, Any]:
+def data_over_integers(O: Order) -> dict[str, Any]:
     """Return what programs read of an order over the integers of a number field."""
     maximal = O.is_maximal()
     return {
@@ -190,7 +190,7 @@ def data_over_integers(O: IntegersOrder) -> dict[str, Any]:
     }
 
 
-def _units(O: IntegersOrder) -> tuple[int | None, str]:
+def _units(O: Order) -> tuple[int | None, str]:
     """Return how many units there are modulo those of the field, if that is known, and what people read."""
     if not O.is_definite():
         return None, "infinitely many modulo those of the field"
@@ -200,7 +200,7 @@ def _units(O: IntegersOrder) -> tuple[int | None, str]:
         return None, f"not counted: {error}"
 
 
-def parts_over_integers(O: IntegersOrder) -> list[Part]:
+def parts_over_integers(O: Order) -> list[Part]:
     """Return what people read of it."""
     from hfield.presenting import Facts
 

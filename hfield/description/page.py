@@ -10,7 +10,6 @@ from hfield.algebra.maps import matrix_text
 from hfield.errors import shorten
 from hfield.latex import words
 from hfield.notation import element_text
-from hfield.orders.lattice import IntegersOrder
 from hfield.presenting import Facts, Part, Piece, hanging
 from hfield.rings.base import Ring
 from hfield.rings.printing import is_sum, number_text, parentheses
@@ -186,7 +185,7 @@ def _places(d: Description) -> list[tuple[str, str]]:
     value = d.discriminant_json()
     shown = " · ".join(value) or "1" if isinstance(value, list) else value
     rows.append(("discriminant", str(shown)))
-    if isinstance(d.order, IntegersOrder):
+    if d.order is not None and d.algebra.over_integers:
         rows.append(("maximal order", f"the direct sum of these, discriminant {shown}:"))
         F = d.algebra.ring
         for ideal, q in d.order.pseudo_basis():

@@ -16,7 +16,7 @@ from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.factorisation import Factors, known_primes
 from hfield.fields.names import RingName
 from hfield.notation import element_text
-from hfield.orders.lattice import IntegersOrder, Order
+from hfield.orders.lattice import Order
 from hfield.rings.base import INFINITY, Ring, WithIntegers
 from hfield.structure.global_field import global_field
 
@@ -52,7 +52,7 @@ class Description:
     splitting: Splitting | None = None
     ramified: tuple[Any, ...] | None = None
     discriminant: Any = None
-    order: Order | IntegersOrder | None = None
+    order: Order | None = None
     units: int | None = None
     integers: tuple[Any, ...] | None = None
     undecided: dict[str, str] = field(default_factory=dict)
@@ -255,7 +255,7 @@ def _ramify(d: Description) -> None:
         )
         return
     d.order = order = d.ask("maximal_order", A.maximal_order)
-    if isinstance(order, Order) and "inf" in d.ramified:
+    if order is not None and "inf" in d.ramified:
         d.units = d.ask("units", lambda: len(order.units()))
 
 

@@ -10,13 +10,15 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import lru_cache
+from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
+from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_poly
 
 from hfield.errors import LatticeError, RingError, TooLargeError, shorten
 from hfield.factorisation import factorise, remove
 from hfield.fields.number_fields import ideals
+from hfield.fields.number_fields.classes.class_groups import class_group
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.quadratic.places import QuadraticPlace
@@ -36,6 +38,7 @@ from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import discriminant, normal_form
 
 if TYPE_CHECKING:
+    from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
 Quadruple = tuple[Any, Any, Any, Any]
@@ -100,6 +103,24 @@ class Base(Protocol):
 
     def factorisation(self, ideal: Any) -> list[tuple[Any, int]]:
         """Return the primes of an ideal with their exponents, ascending. Raises :class:`UnfactoredError`."""
+
+    def residues(self, prime: Any) -> list[Any]:
+        """Return integers of the field, one of each class modulo a prime, 0 first."""
+
+    def lift(self, prime: Any, residue: nmod_poly) -> Any:
+        """Return an integer of the field with a given residue modulo a prime."""
+
+    def integer_near(self, x: Any, modulus: int) -> Any:
+        """Return an integer of the field that is x modulo a power of p, where x is integral at p."""
+
+    def integral_ideal(self, x: object) -> Any:
+        """Return what a user gives as a norm. Raises :class:`LatticeError` for what is no integral ideal."""
+
+    def ideal_text(self, ideal: Any) -> int | str:
+        """Return an integral ideal for JSON."""
+
+    def classes_modulo_signs(self, ambient: AlgebraBasis) -> Any:
+        """Return the group of ideals modulo generators positive at the real places that ramify."""
 
     def quadratic_symbol(self, trace: Any, norm: Any, prime: Any) -> int:
         """Return 1, 0 or −1 where x² − trace·x + norm has two roots, one or none modulo a prime."""
@@ -181,6 +202,24 @@ class RationalIntegers:
             found[p] = found.get(p, 0) - e
         return sorted(found.items())
 
+    def residues(self, prime: int) -> list[fmpq]:
+        return list(map(fmpq, range(prime)))
+
+    def lift(self, prime: int, residue: nmod_poly) -> fmpq:
+        return fmpq(int(residue[0]))
+
+    def integer_near(self, x: fmpq, modulus: int) -> fmpq:
+        return fmpq(int(x.p) * pow(int(x.q), -1, modulus) % modulus)
+
+    def integral_ideal(self, x: object) -> int:
+        return validation.positive(x, "norm")
+
+    def ideal_text(self, ideal: Fraction | int) -> int:
+        return int(ideal)
+
+    def classes_modulo_signs(self, ambient: AlgebraBasis) -> OneClass:
+        return OneClass()
+
     def quadratic_symbol(self, trace: fmpq, norm: fmpq, prime: int) -> int:
         return kronecker(int(trace.p) ** 2 - 4 * int(norm.p), prime)  # both are integers
 
@@ -248,6 +287,17 @@ class RationalIntegers:
         return ideal.numerator if ideal.denominator == 1 else ideal
 
 
+class OneClass:
+    """The ideals of ℤ modulo those with positive generators, all of them."""
+
+    order = 1
+    invariants: tuple[int, ...] = ()
+
+    def class_of(self, ideal: object) -> tuple[int, ...]:
+        """Return the one class."""
+        return ()
+
+
 def degenerate(algebra: Any) -> RingError:
     """Return the error that refuses an algebra."""
     return RingError(
@@ -294,6 +344,31 @@ class NumberFieldIntegers:
 
     def factorisation(self, ideal: ideals.Ideal) -> list[tuple[PrimeIdeal, int]]:
         return [(self.prime(P), e) for P, e in ideal.factorisation()]
+
+    def residues(self, prime: PrimeIdeal) -> list[Any]:
+        digits = product(range(prime.p), repeat=prime.f)
+        return [self.lift(prime, nmod_poly(list(c), prime.p)) for c in digits]
+
+    def lift(self, prime: PrimeIdeal, residue: nmod_poly) -> Any:
+        return self.integer_near(prime.lift(residue), prime.p)
+
+    def integer_near(self, x: Any, modulus: int) -> Any:
+        (row,) = self.coordinate_rows([x]).tolist()
+        digits = [int(c.p) * pow(int(c.q), -1, modulus) % modulus for c in row]
+        return self.element_of([fmpq(c) for c in digits])
+
+    def integral_ideal(self, x: object) -> ideals.Ideal:
+        found = self.ideal(x)
+        if not found.is_integral():
+            raise LatticeError(f"expected an ideal of integers as the norm, not {found}")
+        return found
+
+    def ideal_text(self, ideal: ideals.Ideal) -> str:
+        return str(ideal)
+
+    def classes_modulo_signs(self, ambient: AlgebraBasis) -> Any:
+        signs = (v.index for v in self.field.real_places() if v not in ambient.split_places)
+        return class_group(self.ring, tuple(signs))
 
     def quadratic_symbol(self, trace: Any, norm: Any, prime: PrimeIdeal) -> int:
         expect_small(prime)

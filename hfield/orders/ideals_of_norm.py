@@ -29,12 +29,14 @@ from hfield.orders.lattice_values import (
     LatticeValue,
     add,
     contains,
+    discriminant,
     dual,
     hermite_form,
     includes,
     meet,
     multiple,
     scaled,
+    times_ideal,
 )
 from hfield.orders.linear_algebra_mod_p import echelon, lead
 from hfield.orders.maximal_orders import (
@@ -48,26 +50,26 @@ from hfield.orders.maximal_orders import (
 from hfield.orders.z_order import ZOrder
 
 
-def two_sided_prime(order: ZOrder, p: int) -> LatticeValue:
-    """Return the two-sided ideal at p that generates the group of them there, up to the numbers.
+def two_sided_prime(order: LatticeValue, prime: Any) -> LatticeValue:
+    """Return the two-sided ideal at P that generates, with the ideals of the base, all of them there.
 
-    It is p·O, of norm p², where p does not divide the discriminant; else it has the norm pᵉ, the part of
-    the discriminant at p. Raises :class:`LatticeError` where the order is neither maximal nor Eichler at p.
+    It is P·O, of norm P², where P does not divide the discriminant; else it has the norm Pᵉ, the part of
+    the discriminant at P. Raises :class:`LatticeError` where the order is neither maximal nor Eichler at P.
     """
-    e, _ = remove(order.discriminant, p)
-    if e == 0:
-        return scaled(order, p)
-    if not is_maximal_or_eichler(order, p, e):
+    base, whole = order.ambient.base, discriminant(order)
+    e = base.valuation(whole, prime)
+    if e > 1 and not is_maximal_or_eichler(order, prime, e):
         raise LatticeError(
-            f"the order is neither maximal nor an Eichler order at {p}: its two-sided ideals there are "
+            f"the order is neither maximal nor an Eichler order at {prime}: its two-sided ideals there are "
             "not known"
         )
-    return add(scaled(dual(order), order.discriminant), scaled(order, p**e))
+    found = times_ideal(order, base.prime_ideal(prime) ** max(e, 1))
+    return add(found, times_ideal(dual(order), whole)) if e else found
 
 
-def is_maximal_or_eichler(order: ZOrder, p: int, e: int) -> bool:
-    """Tell whether an order is maximal or Eichler at a prime, where pᵉ is the part of its discriminant."""
-    return e == 1 or bool(order.ambient.discriminant % p and eichler_symbol(order, p) == 1)
+def is_maximal_or_eichler(order: LatticeValue, prime: Any, e: int) -> bool:
+    """Tell whether an order is maximal or Eichler at a prime, where Pᵉ is the part of its discriminant."""
+    return e == 1 or (prime not in order.ambient.ramified and eichler_symbol(order, prime) == 1)
 
 
 MOST = 10**5
@@ -198,6 +200,13 @@ def _unit_cosets(
             u = larger.element(larger.row(v))
             found.setdefault(add(multiple(order, u, "left"), whole).hnf, u)
     return list(found.values())
+
+
+def subideals(order: ZOrder, ideal: LatticeValue, p: int) -> list[LatticeValue]:
+    """Return the invertible right ideals of relative norm p in an invertible right ideal of an order."""
+    y, below = ideal.element(_of_least_norm(ideal, p)), scaled(ideal, p)
+    around = of_prime_power_norm(order, p, 1)
+    return [add(multiple(K, y, "left"), below) for K in around]
 
 
 def _of_least_norm(lattice: LatticeValue, p: int) -> tuple[int, ...]:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from heapq import heappop, heappush
+from itertools import count
 from typing import Any
 
 from hfield.orders.lattice_values import LatticeValue, discriminant, dual
+from hfield.primality import primes
 from hfield.product import trace
 
 
@@ -45,3 +49,35 @@ def conductor(order: LatticeValue) -> Any:
     It is N(O#)·discrd(O): for Gorenstein orders the dual is locally principal, and f⁻² comes from f⁻¹·G#.
     """
     return dual(order).norm * discriminant(order)
+
+
+def is_bass(order: LatticeValue, larger_at: Callable[[LatticeValue, Any], LatticeValue]) -> bool:
+    """Tell whether every order that contains this one is Gorenstein.
+
+    With the Eichler symbols 1 and −1 those are Bass that are Gorenstein; with 0 the left order of the
+    radical, which ``larger_at`` returns, is the only minimal overorder of a Gorenstein order.
+    """
+    base = order.ambient.base
+    for prime, e in base.factorisation(discriminant(order)):
+        larger, exponent = order, e
+        while exponent > 1:
+            if base.valuation(conductor(larger), prime):
+                return False
+            if eichler_symbol(larger, prime):
+                break
+            larger = larger_at(larger, prime)
+            exponent = base.valuation(discriminant(larger), prime)
+    return True
+
+
+def good_primes(order: LatticeValue) -> Iterator[Any]:
+    """Yield the primes that do not divide the discriminant of an order, ascending by their norms."""
+    number, base, whole = count(), order.ambient.base, discriminant(order)
+    waiting: list[tuple[int, int, Any]] = []
+    for p in primes():
+        while waiting and waiting[0][0] < p:
+            yield heappop(waiting)[2]
+        for _, prime in base.primes_above(p):
+            if not base.valuation(whole, prime):
+                norm = base.absolute_norm(base.prime_ideal(prime))
+                heappush(waiting, (norm, next(number), prime))

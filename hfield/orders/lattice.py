@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, partial
@@ -17,11 +17,16 @@ from typing import TYPE_CHECKING, Any, Self, overload
 from flint import fmpq
 
 from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.errors import IndefiniteError, LatticeError, MixedParentsError, TooLargeError, shorten
+from hfield.errors import (
+    IndefiniteError,
+    LatticeError,
+    MixedParentsError,
+    NotFiniteError,
+    shorten,
+)
 from hfield.evidence import Certified, Claim
 from hfield.fuchsian.group import NormOneGroup
-from hfield.fuchsian.split_order import RationalOrder
-from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted, over_fields
+from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.orders import (
     certificates,
     class_number,
@@ -30,42 +35,30 @@ from hfield.orders import (
     ideal_products,
     ideals_of_norm,
     invariants,
-    isomorphic_orders,
     klpt,
     lattice_values,
-    maximal_orders,
     pseudo_bases,
-    quadratic_orders,
     rings,
     short_elements,
     ternary_forms,
-    z_order,
 )
+from hfield.orders.basis import basis_of
 from hfield.orders.certificates import Answer
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import WithForms
 from hfield.orders.hecke_modules import RationalModule
 from hfield.orders.lattice_values import LatticeValue, rows_json
+from hfield.orders.order_functions import from_the_plane, functions
 from hfield.orders.over_integers import certificates as certificates_over_fields
-from hfield.orders.over_integers import class_sets, local_orders, related_orders, stable_classes
+from hfield.orders.over_integers import class_sets, local_orders, related_orders
 from hfield.orders.over_integers import equivalence as equivalence_over_fields
 from hfield.orders.over_integers import ideals_of_norm as ideals_over_fields
-from hfield.orders.over_integers import quadratic_orders as quadratic_orders_over_fields
 from hfield.orders.over_integers.hecke_modules import IntegersModule
-from hfield.orders.over_integers.local_orders import Local, Rows
-from hfield.orders.over_integers.quadratic_orders import IntegersEmbeddings
-from hfield.orders.quadratic_orders import Embeddings
+from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.ternary_forms import TernaryForm
-from hfield.orders.validation import (
-    checked_side,
-    integer,
-    listed,
-    natural,
-    positive,
-    prime,
-)
+from hfield.orders.validation import checked_side, listed, natural
 from hfield.orders.validation import prime as checked_prime
 from hfield.orders.z_order import ZOrder
 from hfield.rings.whole_numbers import fraction
@@ -77,8 +70,6 @@ if TYPE_CHECKING:
     from hfield.orders.over_integers.indefinite_classes import IndefiniteClassSet
     from hfield.orders.pseudo_bases import PseudoBasis
 
-UNIT_GROUPS = {2: "C2", 4: "C4", 6: "C6", 8: "Q8", 12: "Dic3", 24: "SL(2,3)"}
-"""Which group the units are, by their number, in a definite algebra over ℚ (Voight, section 11.5)."""
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
 
@@ -105,6 +96,7 @@ class Lattice(Hinted, PrintedBySympy):
 
     elsewhere = LATTICE
     multiplied_by_elements = True  # so that ``q * L`` is asked of L
+    value: LatticeValue
 
     def __init__(self, value: LatticeValue) -> None:
         self.value = value
@@ -264,16 +256,16 @@ class Lattice(Hinted, PrintedBySympy):
         """
         return self.value.ambient.base.shown_index(self.value.volume)
 
-    def left_order(self) -> Any:
+    def left_order(self) -> Order:
         """Return ``{x : x·L ⊆ L}``, an order; in matrix algebras as in division algebras."""
         return self._order_on("left")
 
-    def right_order(self) -> Any:
+    def right_order(self) -> Order:
         """Return ``{x : L·x ⊆ L}``, an order."""
         return self._order_on("right")
 
-    def _order_on(self, side: str) -> Any:
-        return order_of_value(lattice_values.order_of(self.value, side))
+    def _order_on(self, side: str) -> Order:
+        return Order(lattice_values.order_of(self.value, side))
 
     def is_invertible(self) -> bool:
         """Tell whether ``L·L⁻¹`` is the left order: whether L is locally principal (Voight, 16.7.7)."""
@@ -364,39 +356,67 @@ class Lattice(Hinted, PrintedBySympy):
         return short_elements.theta_series(self.value, n)
 
 
+@dataclass(frozen=True)
+class Because:
+    """True or false in an ``if``, with the ``reason``; it equals True or False."""
+
+    holds: bool
+    reason: str
+
+    def __bool__(self) -> bool:
+        return self.holds
+
+    def __eq__(self, other: object) -> bool:
+        return self.holds == bool(other) if isinstance(other, bool | Because) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.holds)
+
+    def __repr__(self) -> str:
+        return str(self.holds)
+
+
 class Order(WithStableClasses, Certified, Lattice):
-    """A lattice that is a ring with 1: ``q in O`` asks for membership.
+    """A lattice over ℤ, or over the integers ℤ_K of a number field, that is a ring with 1.
 
     >>> from hfield import QuaternionAlgebra
     >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order()
     >>> O.discriminant(), O.is_maximal(), O.is_definite(), O.unit_count()
     (11, True, True, 4)
+    >>> A = QuaternionAlgebra("QQ[s]/(s^3-2)", -1, -1); O = A.maximal_order()
+    >>> O.discriminant(), len(O.basis), O.is_maximal()
+    (ideal(2, s), 12, True)
+    >>> M = A.order(["i", "j"])
+    >>> M.is_maximal().reason
+    'its discriminant ideal(4) is that of the algebra, ideal(2, s), times ideal(4, 2*s^2)'
+    >>> M.maximal_overorder() >= M, M.local_index(A.ring.primes_above(2)[0])
+    (True, 5)
     """
 
     elsewhere = ORDER
-    value: ZOrder
 
-    def __init__(self, value: ZOrder) -> None:
-        super().__init__(value)
+    def __init__(self, value: LatticeValue) -> None:
+        super().__init__(ZOrder.of(value) if value.ambient.base.is_rational else value)
+        self._functions = functions(value)
 
     @classmethod
     def generated(cls, algebra: Parent, elements: Iterable[object]) -> Order:
-        """Return the ring that elements generate.
+        """Return the ring that elements generate over the integers of the field.
 
         Raises :class:`LatticeError` when it has a rank below 4, or is no lattice, because it contains
         elements that are not integral.
         """
-        return cls(ZOrder.of(rings.generated(algebra, elements)))
+        return cls(rings.generated(algebra, elements))
 
     @classmethod
     def from_basis(cls, algebra: Parent, elements: Iterable[object]) -> Order:
-        """Return the order with the given ℤ-basis.
+        """Return the order with a basis of four elements; over ℤ_K, that elements or a pseudo-basis span.
 
-        Raises :class:`LatticeError` unless they are four that span a ring with 1; the message names
-        the product that is missing.
+        Raises :class:`LatticeError` unless they span a ring with 1; the message names the product that is
+        missing.
         """
         basis = listed(elements)
-        if len(basis) != 4:
+        if basis_of(algebra).base.is_rational and len(basis) != 4:
             raise LatticeError(
                 f"a basis of an order has four elements, and {len(basis)} were given"
             )
@@ -405,7 +425,7 @@ class Order(WithStableClasses, Certified, Lattice):
     @classmethod
     def from_lattice(cls, lattice: Lattice) -> Order:
         """Return a lattice as an order. Raises :class:`LatticeError` unless it is a ring with 1."""
-        return cls(ZOrder.of(rings.checked_ring(lattice.value)))
+        return cls(rings.checked_ring(lattice.value))
 
     @overload
     def __and__(self, other: Order) -> Order: ...
@@ -414,248 +434,423 @@ class Order(WithStableClasses, Certified, Lattice):
     def __and__(self, other: object) -> Lattice:
         """Return the intersection with a lattice; that with another order is an order."""
         found = super().__and__(other)
-        return Order(ZOrder.of(found.value)) if isinstance(other, Order) else found
+        return Order(found.value) if isinstance(other, Order) else found
 
     @cached_property
     def claim(self) -> Claim:
-        """What there is to certify, as a statement with its evidence."""
-        return certificates.of_order(self.value)
+        """That this is an order of its discriminant, as a statement with its evidence."""
+        return self._functions.claim(self)
 
     @property
     def evidence(self) -> dict[str, object]:
-        """What a program needs to check the order: its rows, closed under products, and its discriminant."""
+        """What a program needs to check the order: its rows, closed under products, and its discriminant.
+
+        Rows are those of :attr:`hnf`; over ℤ_K discriminants are texts of ideals.
+        """
+        ambient = self.value.ambient
         return {
             "kind": "order",
             "algebra": str(self.algebra),
             **rows_json(self.value),
-            "discriminant": self.value.discriminant,
-            "discriminant_of_algebra": self.value.ambient.discriminant,
+            "discriminant": ambient.base.ideal_text(self.discriminant()),
+            "discriminant_of_algebra": ambient.base.ideal_text(ambient.discriminant),
         }
+
+    def __repr__(self) -> str:
+        if self.value.ambient.base.is_rational:
+            return super().__repr__()
+        kind = "a maximal order" if self.is_maximal() else "an order"
+        return f"{kind} of {self.algebra} with the discriminant {self.discriminant()}"
 
     # --- what it is as a ring --------------------------------------------------------------------
 
-    def discriminant(self) -> int:
-        """Return the reduced discriminant; for a maximal order it is that of the algebra."""
-        return self.value.discriminant
+    def discriminant(self) -> Any:
+        """Return the reduced discriminant, an int over ℤ and an ideal over ℤ_K."""
+        return self._discriminant
+
+    @cached_property
+    def _discriminant(self) -> Any:
+        return self.value.ambient.base.shown_index(lattice_values.discriminant(self.value))
+
+    def norm_of_discriminant(self) -> int:
+        """Return the absolute norm of the reduced discriminant; over ℤ it is that number itself."""
+        return self.value.ambient.base.absolute_norm(self._discriminant)
 
     @property
-    def level(self) -> int:
+    def level(self) -> Any:
         """The index in a maximal order: the reduced discriminant over that of the algebra."""
-        return self.value.level
+        return self.value.ambient.base.shown_index(invariants.level(self.value))
+
+    def local_index(self, prime: object) -> int:
+        """Return v_P[M : O] for a maximal order M that contains O."""
+        base = self.value.ambient.base
+        return base.valuation(invariants.level(self.value), base.prime(prime))
 
     def is_definite(self) -> bool:
-        """Tell whether the algebra ramifies at the infinite place: the order has finitely many units."""
+        """Tell whether the algebra is totally definite: units modulo those of the field are finitely many."""
         return bool(self.value.ambient.definite)
 
-    def is_maximal(self) -> bool:
-        """Tell whether no larger order contains this one: whether its discriminant is that small."""
-        return self.value.level == 1
+    def is_maximal(self) -> Because:
+        """Tell whether no larger order contains this one, with a ``reason``: its discriminant decides."""
+        level = self.level
+        whole = f"its discriminant {self.discriminant()} is that of the algebra"
+        if level == 1:
+            return Because(True, whole)
+        return Because(False, f"{whole}, {self.value.ambient.discriminant}, times {level}")
 
     def is_eichler(self) -> bool:
         """Tell whether this is an intersection of two maximal orders (Voight, section 24.3)."""
         return invariants.is_eichler(self.value)
 
-    def eichler_symbol(self, p: int) -> int | None:
-        """Return the Eichler symbol (O | p): 1, 0 or −1; None where the order is M₂(ℤₚ).
+    def eichler_symbol(self, prime: object) -> int | None:
+        """Return the Eichler symbol (O | P): 1, 0 or −1; None where the order is M₂(ℤ_P).
 
         It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2).
         """
-        return invariants.eichler_symbol(self.value, prime(p))
+        return invariants.eichler_symbol(self.value, self.value.ambient.base.prime(prime))
 
-    def conductor(self) -> int:
-        """Return the largest f with O = ℤ + f·G for an order G; 1 for a Gorenstein order."""
-        return int(invariants.conductor(self.value))
+    def conductor(self) -> Any:
+        """Return the largest f with O = R + f·G for an order G, R being ℤ or ℤ_K: 1 for Gorenstein orders."""
+        return self.value.ambient.base.shown_index(invariants.conductor(self.value))
 
-    def ternary_theta_series(self, n: int) -> list[int]:
+    def is_gorenstein(self) -> bool:
+        """Tell whether the codifferent is invertible: whether the conductor is 1 (Voight, section 24.2)."""
+        return bool(self.conductor() == 1)
+
+    def is_bass(self) -> bool:
+        """Tell whether every order that contains this one is Gorenstein (Voight, section 24.5)."""
+        return invariants.is_bass(self.value, self._functions.larger_at)
+
+    def is_hereditary(self) -> bool:
+        """Tell whether all ideals are invertible: whether no square divides the discriminant."""
+        factors = self.value.ambient.base.factorisation(self._discriminant)
+        return all(e == 1 for _, e in factors)
+
+    def ternary_theta_series(self, n: int) -> Any:
         """Return [r(0), …, r(n)], where r(m) elements of norm m are in the trace-0 part of ℤ + 2O.
 
-        Raises :class:`IndefiniteError` and :class:`TooLargeError`. It is Gross's ternary lattice ("Heights
-        and the special values of L-series", 1987).
+        Over ℤ_K return {ν: r(ν)} as :meth:`theta_series` does. Raises :class:`IndefiniteError` and
+        :class:`TooLargeError`. It is Gross's ternary lattice ("Heights and the special values of L-series",
+        1987).
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().ternary_theta_series(6)
+        {0: 1, 5/2+1/2*sqrt(5): 12, 5/2-1/2*sqrt(5): 12, 3: 20}
         """
         expect_definite(self.value.ambient, "ternary_theta_series()")
-        return short_elements.theta_series_of_form(self.value.reduced_ternary[2], n)
+        return self._functions.ternary_theta_series(self.value, n)
 
     def ternary_form(self) -> TernaryForm:
-        """Return the form whose even Clifford algebra is the order, reduced where it is definite.
+        """Return a form whose even Clifford algebra is the order; up to units its discriminant is that.
 
-        Its discriminant is that of the order (Voight, *Quaternion Algebras*, chapter 22).
+        Over ℤ it is reduced where it is definite (Voight, *Quaternion Algebras*, chapter 22). Raises
+        :class:`LatticeError` for an order that is no free module, see :meth:`pseudo_basis`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); f = O.ternary_form()
         >>> f, f.discriminant(), f.genus()
         (x²+y²+3·z²+y·z, 11, (x²+y²+3·z²+y·z, x²+y²+4·z²+x·z+x·y))
+        >>> f = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().ternary_form()
+        >>> f.order().is_maximal().holds, f.ring.norm(f.discriminant())
+        (True, 1)
         """
-        value = self.value
-        den, rows, _ = value.reduced_ternary if value.ambient.definite else value.ternary
-        i, j, k = (self.algebra(*x) / (2 * den) for x in rows.tolist())  # up to scalars
-        found = ternary_forms.form_of((i, j, k), type(self.algebra))
-        return found.reduced() if found.is_definite() else found
+        basis = self._functions.ternary_basis(self.value)
+        found = ternary_forms.form_of(basis, type(self.algebra))
+        reducible = self.value.ambient.base.is_rational and found.is_definite()
+        return found.reduced() if reducible else found
+
+    # --- other orders ----------------------------------------------------------------------------
 
     def maximal_overorder(self) -> Order:
-        """Return a maximal order that contains this one, always the same."""
-        return Order(maximal_orders.overorder(self.value))
+        """Return a maximal order that contains this one, always the same.
+
+        Raises :class:`UnfactoredError`, and over ℤ_K :class:`TooLargeError` at primes of 64 bits and more.
+        """
+        return Order(self._functions.maximal_overorder(self.value))
 
     def gorenstein_closure(self) -> Order:
-        """Return the Gorenstein order G with O = ℤ + f·G, f the conductor (Voight, section 24.2)."""
-        return Order(z_order.gorenstein_closure(self.value))
+        """Return the Gorenstein order G with O = R + f·G, f the conductor (Voight, section 24.2)."""
+        return Order(self._functions.gorenstein_closure(self.value))
 
-    def suborders(self, p: int, k: int = 1) -> list[Order]:
-        """Return all orders of index pᵏ in this one. Raises :class:`TooLargeError` for many candidates.
+    def suborders(self, prime: object, k: int = 1) -> list[Order]:
+        """Return all orders of index Pᵏ in this one. Raises :class:`TooLargeError` for many candidates.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order()
         >>> [len(O.suborders(2, k)) for k in (1, 2)], O.suborders(11)[0].eichler_symbol(11)
         ([3, 13], 0)
+        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.maximal_order(); P = A.ring.primes_above(2)[0]
+        >>> [len(O.suborders(P, k)) for k in (1, 2)], len(O.suborders(P)[0].overorders(P))
+        ([5, 41], 2)
         """
-        exponent = natural(k, "the exponent of an index is")
-        return [Order(O) for O in maximal_orders.suborders(self.value, checked_prime(p), exponent)]
+        return self._related(related_orders.suborders, prime, k)
+
+    def overorders(self, prime: object, k: int = 1) -> list[Order]:
+        """Return all orders in which this one has the index Pᵏ. Raises :class:`TooLargeError` likewise."""
+        return self._related(related_orders.overorders, prime, k)
+
+    def _related(
+        self, search: Callable[[LatticeValue, Any, int], list[LatticeValue]], prime: object, k: int
+    ) -> list[Order]:
+        P = self.value.ambient.base.prime(prime)
+        found = search(self.value, P, natural(k, "the exponent of an index is"))
+        return [Order(value) for value in found]
+
+    def isomorphism(self, other: Lattice) -> Any:
+        """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
+
+        Over ℤ decided for all orders of definite algebras, and for ℤ + f·Eichler orders of indefinite ones,
+        where the element may be missing; others raise :class:`UndecidedError`. Over ℤ_K raises
+        :class:`IndefiniteError` unless the algebra is totally definite.
+        """
+        return self._functions.isomorphism(self, self._order_like(other))
+
+    def is_isomorphic(self, other: Lattice) -> bool:
+        """Tell whether two orders are isomorphic. Raises as :meth:`isomorphism` does."""
+        return bool(self.isomorphism(other))
+
+    def _order_like(self, other: object) -> Order:
+        """Return an order of the same algebra, perhaps given as a lattice, ``x * O * x.inverse()``."""
+        found = self._same(other, "compare")
+        return found if isinstance(found, Order) else Order.from_lattice(found)
 
     # --- units -------------------------------------------------------------------------------------
 
     def units(self) -> tuple[Quaternion, ...]:
-        """Return all units of an order in a definite algebra; over other fields one of each coset of ℤ_Kˣ.
+        """Return all units over ℤ; over ℤ_K one of each coset of ℤ_Kˣ.
 
-        Raises :class:`NotFiniteError` for an indefinite algebra, whose orders have infinitely many.
+        :meth:`units_modulo_scalars` is the same over both. Raises :class:`IndefiniteError` where they are
+        infinitely many, as in an indefinite algebra.
         """
-        expect_definite(self.value.ambient, "units()")
-        return self.elements_of_norm(1)
-
-    def unit_count(self) -> int:
-        """Return how many units there are; at most 24. Raises as :meth:`units` does."""
-        expect_definite(self.value.ambient, "unit_count()")
-        return 2 * sum(1 for _ in short_elements.up_to(self.value, 1))
-
-    def unit_index(self) -> int:
-        """Return [Oˣ : ±1]. Raises as :meth:`units` does.
-
-        >>> from hfield import H
-        >>> H("QQ").hurwitz_order().unit_index(), len(H("QQ").hurwitz_order().units_modulo_scalars())
-        (12, 12)
-        """
-        return self.unit_count() // 2
+        return self._functions.units(self.value)
 
     def units_modulo_scalars(self) -> tuple[Quaternion, ...]:
-        """Return one of u and −u for each unit. Raises as :meth:`units` does."""
+        """Return one unit of each coset of ℤˣ or ℤ_Kˣ. Raises as :meth:`units` does.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> len(QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().units_modulo_scalars())
+        60
+        """
         units = self.units()
         return tuple(u for n, u in enumerate(units) if -u not in units[:n])
+
+    def unit_index(self) -> int:
+        """Return [Oˣ : ±1], over ℤ_K [Oˣ : ℤ_Kˣ]. Raises as :meth:`units` does.
+
+        >>> from hfield import H, QuaternionAlgebra
+        >>> H("QQ").hurwitz_order().unit_index(), len(H("QQ").hurwitz_order().units_modulo_scalars())
+        (12, 12)
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+        >>> O.unit_index(), O.unit_group()
+        (60, 'A5')
+        """
+        return self._functions.unit_index(self.value)
+
+    def unit_count(self) -> int:
+        """Return how many units there are, at most 24. Raises as :meth:`units` does.
+
+        Over a field other than ℚ they are infinitely many, and :class:`NotFiniteError` is raised.
+        """
+        if self.value.ambient.degree > 1:
+            raise NotFiniteError(
+                f"the order has infinitely many units, as {self.algebra.ring.name} has: unit_index() counts "
+                "them modulo those of the field"
+            )
+        return 2 * self.unit_index()
 
     def unit_group(self) -> str:
         """Return the name of the group of units: ``C2 C4 C6 Q8 Dic3`` or ``SL(2,3)``.
 
-        Of an indefinite algebra, ``"infinite"``: a finitely presented group that is not written down.
+        Of an indefinite algebra over ℚ, ``"infinite"``: a finitely presented group that is not written down.
+        Over ℤ_K, of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on; :class:`IndefiniteError` where it is infinite.
         """
-        return UNIT_GROUPS[self.unit_count()] if self.value.ambient.definite else "infinite"
+        return self._functions.unit_group(self.value)
 
     def norm_one_group(self) -> NormOneGroup:
         """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
 
-        Its Dirichlet domains, signature, presentation and words. Raises :class:`IndefiniteError`
-        in a definite
-        algebra.
+        Its Dirichlet domains, signature, presentation and words. Raises :class:`IndefiniteError` unless the
+        field is totally real and exactly one real place splits.
+
+        >>> from hfield import QuaternionAlgebra, ring
+        >>> K = ring("QQ[s]/(s^3+s^2-2*s-1)")
+        >>> A = QuaternionAlgebra.from_ramification(K, K.real_places()[:2])
+        >>> G = A.maximal_order().norm_one_group(); G.area, G.signature
+        (Fraction(1, 42), Signature(genus=0, orders=(2, 3, 7), cusps=0))
         """
-        return NormOneGroup(RationalOrder(self.value))
+        return NormOneGroup(self._functions.split_order(self))
 
     # --- ideals ------------------------------------------------------------------------------------
 
-    def left_ideal(self, generators: Iterable[object]) -> Ideal:
+    def left_ideal(self, generators: Iterable[object]) -> Any:
         """Return the left ideal ``O·gens``. Raises :class:`LatticeError` when its rank is below 4."""
-        return Ideal.generated(self, generators, "left")
+        return self._generated(generators, "left")
 
-    def right_ideal(self, generators: Iterable[object]) -> Ideal:
+    def right_ideal(self, generators: Iterable[object]) -> Any:
         """Return the right ideal ``gens·O``. Raises :class:`LatticeError` when its rank is below 4."""
-        return Ideal.generated(self, generators, "right")
+        return self._generated(generators, "right")
 
-    def two_sided_ideal(self, generators: Iterable[object]) -> Ideal:
+    def two_sided_ideal(self, generators: Iterable[object]) -> Any:
         """Return the ideal ``O·gens·O``. Raises :class:`LatticeError` for a rank below 4."""
-        return Ideal.generated(self, generators, "two-sided")
+        return self._generated(generators, "two-sided")
 
-    def two_sided_prime(self, p: int) -> Ideal:
-        """Return the two-sided ideal at a prime that generates, with the numbers, all those there.
+    def _generated(self, generators: Iterable[object], side: str) -> Any:
+        found = lattice_values.generated_ideal(self.value, listed(generators), side)
+        return self._ideal(found, side)
 
-        Its square is pᵉ·O, the part of the discriminant at p; it is p·O where p does not divide that.
-        Raises :class:`LatticeError` where the order is neither maximal nor Eichler at p.
+    def _ideal(self, value: LatticeValue, side: str) -> Any:
+        """Return a lattice that is known to be an ideal of this order on a side as one."""
+        if self.value.ambient.base.is_rational:
+            return Ideal(value, side, self)
+        return IntegersIdeal(value, "left" if side == "left" else "right", self)
+
+    def two_sided_prime(self, prime: object) -> Any:
+        """Return the two-sided ideal at P that generates, with the scalars, all invertible ones there.
+
+        Its square is Pᵉ·O, the part of the discriminant at P; it is P·O where P does not divide that.
+        Raises :class:`LatticeError` where the order is neither maximal nor Eichler at P.
         """
-        return Ideal(ideals_of_norm.two_sided_prime(self.value, prime(p)), "two-sided", self)
+        P = self.value.ambient.base.prime(prime)
+        return self._ideal(ideals_of_norm.two_sided_prime(self.value, P), "two-sided")
 
-    def ideals_of_norm(self, n: int, side: str = "left") -> list[Ideal]:
-        """Return all invertible integral ideals of norm n on a side: p + 1 where p is off the discriminant.
+    def ideals_of_norm(self, n: object, side: str = "left") -> list[Any]:
+        """Return all invertible integral ideals of norm n on a side.
 
-        Raises :class:`LatticeError`, and :class:`TooLargeError` for more than 10⁵.
+        Of prime norm P, off the discriminant, they are N(P) + 1. Over ℤ_K n is an ideal or a prime of the
+        field. Raises :class:`LatticeError`, and :class:`TooLargeError` for more than 10⁵.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.eichler_order(3)
+        >>> [len(O.ideals_of_norm(n)) for n in (1, 2, 3)]
+        [1, 5, 19]
         """
-        norm, side = positive(n, "norm"), checked_side(side)
-        found = [Ideal(J, "right", self) for J in ideals_of_norm.ideals_of_norm(self.value, norm)]
+        norm, side = self.value.ambient.base.integral_ideal(n), checked_side(side)
+        values = self._functions.ideals_of_norm(self.value, norm)
+        found = [self._ideal(J, "right") for J in values]
         return found if side == "right" else [J.conjugate() for J in found]
 
-    def random_ideal(self, n: int, side: str = "left", seed: int | None = None) -> Ideal:
-        """Return a random ideal of norm n, prime to the discriminant, which no integer divides.
+    def subideals(self, ideal: Lattice, prime: object) -> list[Any]:
+        """Return all invertible right ideals of relative norm P in an invertible right ideal of this order.
 
-        The same for the same seed. Raises :class:`LatticeError`.
+        They are N(P) + 1 where P does not divide the discriminant. Raises :class:`LatticeError` for another
+        lattice, and :class:`TooLargeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); I = O.right_ideal([3, "1 + j"])
+        >>> [(J.norm(), J <= I) for J in O.subideals(I, 2)]
+        [(6, True), (6, True), (6, True)]
         """
-        norm, side = positive(n, "norm"), checked_side(side)
-        lattice = ideals_of_norm.random_ideal(self.value, norm, random.Random(seed))
-        found = Ideal(lattice, "left", self)
+        P, value = self.value.ambient.base.prime(prime), self._same(ideal, "compare").value
+        if not lattice_values.is_locally_principal(value, self.value) or (
+            lattice_values.product(value, self.value) != value
+        ):
+            raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of the order")
+        values = self._functions.subideals(self.value, value, P)
+        return [self._ideal(J, "right") for J in values]
+
+    def random_ideal(self, n: object, side: str = "left", seed: int | None = None) -> Any:
+        """Return a random ideal of norm n, prime to the discriminant, which no prime divides.
+
+        The same for the same seed. Raises :class:`LatticeError`, and over ℤ_K :class:`TooLargeError` for
+        primes of 64 bits and more.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+        >>> O.random_ideal(49, seed=1).norm(), O.random_ideal(49, seed=1).primitive_part()[1]
+        (ideal(49), ideal(1))
+        """
+        norm, side = self.value.ambient.base.integral_ideal(n), checked_side(side)
+        value = self._functions.random_ideal(self.value, norm, random.Random(seed))
+        found = self._ideal(value, "left")
         return found if side == "left" else found.conjugate()
 
-    def connecting_ideal(self, other: Order) -> Ideal:
+    def connecting_ideal(self, other: Lattice) -> Any:
         """Return the primitive integral ideal with this left order and the right order ``other``.
 
         Raises :class:`LatticeError` unless both are Eichler orders of one level.
         """
-        found = isomorphic_orders.connecting_ideal(self.value, self._order_like(other))
-        return Ideal(found, "left", self)
-
-    def isomorphism(self, other: Order) -> Answer:
-        """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
-
-        Decided for all orders of definite algebras, and for ℤ + f·Eichler orders of indefinite ones, where
-        the element may be missing. Raises :class:`UndecidedError`.
-        """
-        search = _from_the_plane(self.value)
-        return isomorphic_orders.isomorphism(self.value, self._order_like(other), search)
-
-    def _order_like(self, other: object) -> ZOrder:
-        """Return an order of the same algebra, perhaps given as a lattice, ``x * O * x.inverse()``."""
-        value = self._same(other, "compare").value
-        return value if isinstance(value, ZOrder) else ZOrder.of(rings.checked_ring(value))
-
-    def is_isomorphic(self, other: Order) -> bool:
-        """Tell whether two orders are isomorphic. Raises as :meth:`isomorphism` does."""
-        return bool(self.isomorphism(other))
+        second = self._order_like(other).value
+        return self._ideal(self._functions.connecting_ideal(self.value, second), "left")
 
     # --- elements ----------------------------------------------------------------------------------
 
-    def represent_integer(self, n: int, seed: int | None = None) -> Quaternion | None:
-        """Return an element of norm n, or None where there is none; n may have hundreds of digits.
+    def represent_integer(self, n: object, seed: int | None = None) -> Quaternion | None:
+        """Return an element of norm n, an integer of the field, or None where there is none.
 
-        Raises :class:`IndefiniteError`, and :class:`UndecidedError` for a large n in an order without small
-        quadratic orders.
+        Over ℤ, n may have hundreds of digits. Raises :class:`IndefiniteError` unless the algebra is totally
+        definite, and :class:`UndecidedError` for a large n that was not decided.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> A = QuaternionAlgebra("QQ(sqrt(2))", -1, -1); M, s = A.maximal_order(), A.ring.gen
+        >>> A.order(["i", "j"]).represent_integer(2 + s), M.represent_integer(2 + s).norm()
+        (None, 2+sqrt(2))
         """
-        return quadratic_orders.represent_integer(self.value, positive(n, "norm"), seed)
+        return self._functions.represent_integer(self.value, n, seed)
 
-    def embeddings(self, discriminant: int) -> Embeddings:
-        """Return the optimal embeddings of the quadratic order of a negative discriminant.
+    def embeddings(self, discriminant: object) -> Any:
+        """Return the optimal embeddings of the quadratic order of a totally negative discriminant.
 
         Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); found = O.embeddings(-3)
+        >>> len(found), found.orbits, found.element**3
+        (20, 1, −1)
         """
-        d = integer(discriminant, "discriminant")
-        return Embeddings(self, d, *quadratic_orders.embeddings(self.value, d))
+        return self._functions.embeddings(self, discriminant)
 
     # --- classes -----------------------------------------------------------------------------------
 
-    def class_set(self) -> ClassSet:
-        """Return the right ideal classes, enumerated and checked by the mass, in a definite algebra.
+    def class_set(self) -> Any:
+        """Return the invertible right ideal classes, complete by the mass formula.
 
-        Raises :class:`IndefiniteError`; there the number of classes is 1 for an Eichler order.
+        Raises :class:`IndefiniteError` unless the algebra is totally definite; see :meth:`classes_by_norm`.
         """
-        return ClassSet(self)
+        if self.value.ambient.base.is_rational:
+            return ClassSet(self)
+        if not self.is_definite():
+            number = class_sets.number_by_signs(self.algebra)
+            raise IndefiniteError(
+                f"{self.algebra} is split at an infinite place: by strong approximation an Eichler order "
+                f"has as many right ideal classes as the ideals of {self.algebra.ring.name} have modulo "
+                f"generators that are positive where the algebra ramifies, {number}, told by the reduced "
+                "norm, and classes_by_norm() has representatives; class_set() enumerates in totally definite "
+                "algebras"
+            )
+        return IntegersClassSet(self)
+
+    def classes_by_norm(self) -> IndefiniteClassSet:
+        """Return the right ideal classes where the algebra splits at an infinite place, with representatives.
+
+        Raises :class:`IndefiniteError` for a totally definite algebra, and for orders of which local units do
+        not have all norms.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra("QQ(sqrt(10))", -1, 3).maximal_order().classes_by_norm()
+        >>> len(C), [I.norm() for I in C], [C.index(I) for I in C], C.type_number
+        (2, [ideal(1), ideal(2, sqrt(10))], [0, 1], 1)
+        """
+        from hfield.orders.over_integers.indefinite_classes import IndefiniteClassSet
+
+        return IndefiniteClassSet(self)
 
     @cached_property
     def _stable(self) -> StableClasses:
-        return class_number.over_z(self.value)
+        return self._functions.stable_classes(self)
 
     def mass(self) -> Fraction:
-        """Return ``Σ 1/[O_L(I)^× : ±1]`` over the right ideal classes, by a formula."""
+        """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ], over ℤ modulo ±1, over the right ideal classes, by a formula.
+
+        Raises :class:`IndefiniteError`.
+        """
         return class_number.mass(self.value)
+
+    def _expect_right_ideal(self, ideal: object) -> None:
+        """Raise :class:`LatticeError` unless this is an invertible right ideal of the order."""
+        if not isinstance(ideal, Ideal | IntegersIdeal) or ideal.side == "left":
+            raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
+        if ideal.order != self or not ideal.is_invertible():
+            raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of {self}")
 
 
 class Ideal(Certified, Lattice):
@@ -715,8 +910,7 @@ class Ideal(Certified, Lattice):
 
     def colon_order(self, side: str) -> Order:
         """Return the left or the right order, as for any lattice."""
-        found: Order = self._order_on("right" if side == "right" else "left")
-        return found
+        return self._order_on("right" if side == "right" else "left")
 
     def left_order(self) -> Order:
         """Return ``{x : x·I ⊆ I}``; for an invertible left ideal it is :attr:`order`."""
@@ -830,7 +1024,7 @@ class Ideal(Certified, Lattice):
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        return certificates.of_ideal(self.value, self.side, self.order.value)
+        return certificates.of_ideal(self.value, self.side, ZOrder.of(self.order.value))
 
     @property
     def evidence(self) -> dict[str, object]:
@@ -854,8 +1048,8 @@ class Ideal(Certified, Lattice):
         ideal of another order, and :class:`UndecidedError`.
         """
         second = self._joint(other).value
-        order = self.order.value
-        return equivalence.equivalence(self.value, second, order, self.side, _from_the_plane(order))
+        order = ZOrder.of(self.order.value)
+        return equivalence.equivalence(self.value, second, order, self.side, from_the_plane(order))
 
     def is_equivalent(self, other: Ideal) -> bool:
         """Tell whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""
@@ -863,8 +1057,8 @@ class Ideal(Certified, Lattice):
 
     def is_principal(self) -> Answer:
         """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
-        order = self.order.value
-        return equivalence.equivalence(order, self.value, order, self.side, _from_the_plane(order))
+        order = ZOrder.of(self.order.value)
+        return equivalence.equivalence(order, self.value, order, self.side, from_the_plane(order))
 
     def equivalent_of_prime_norm(self, avoid: Iterable[int] = ()) -> tuple[Ideal, Quaternion]:
         """Return (J, c) with J equivalent to I of the least prime norm that is not in ``avoid``.
@@ -882,23 +1076,8 @@ class Ideal(Certified, Lattice):
         Raises :class:`LatticeError` for another order, and :class:`UndecidedError`.
         """
         p = checked_prime(prime)
-        c, e = klpt.to_power_norm(self.value, self.order.value, self.side, p, seed)
+        c, e = klpt.to_power_norm(self.value, ZOrder.of(self.order.value), self.side, p, seed)
         return Ideal.of(self * c, "left", self.order), c, e
-
-
-def _from_the_plane(order: ZOrder) -> equivalence.Search:
-    """Return a search for elements of an indefinite algebra that are short from points of its plane."""
-
-    def search(lattice: LatticeValue, size: Fraction) -> Quaternion | None:
-        from hfield.fuchsian.search import element_of_norm
-
-        split, rows = RationalOrder(order), hermite.tuples(lattice.reduced[0])
-        basis = [lattice.element(row) for row in rows]
-        return element_of_norm(split, basis, split.scalar(size)) or element_of_norm(
-            split, basis, split.scalar(-size)
-        )
-
-    return search
 
 
 class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
@@ -916,7 +1095,7 @@ class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
     order: Order
 
     def __init__(self, order: Order) -> None:
-        super().__init__(order.value)
+        super().__init__(ZOrder.of(order.value))
         self.order = order
 
     def __getitem__(self, n: int) -> Ideal:
@@ -970,404 +1149,6 @@ def _is_number(x: object) -> bool:
     return not isinstance(x, (Lattice, Quaternion, tuple, list, str))
 
 
-@dataclass(frozen=True)
-class Because:
-    """True or false in an ``if``, with the ``reason``; it equals True or False."""
-
-    holds: bool
-    reason: str
-
-    def __bool__(self) -> bool:
-        return self.holds
-
-    def __eq__(self, other: object) -> bool:
-        return self.holds == bool(other) if isinstance(other, bool | Because) else NotImplemented
-
-    def __hash__(self) -> int:
-        return hash(self.holds)
-
-    def __repr__(self) -> str:
-        return str(self.holds)
-
-
-class IntegersOrder(Lattice, WithStableClasses, Certified):
-    """A lattice over the integers of a number field that is a ring with 1.
-
-    >>> from hfield import QuaternionAlgebra
-    >>> A = QuaternionAlgebra("QQ[s]/(s^3-2)", -1, -1); O = A.maximal_order()
-    >>> O.discriminant(), len(O.basis), O.is_maximal()
-    (ideal(2, s), 12, True)
-    >>> M = A.order(["i", "j"])
-    >>> M.is_maximal().reason
-    'its discriminant ideal(4) is that of the algebra, ideal(2, s), times ideal(4, 2*s^2)'
-    >>> M.maximal_overorder() >= M, M.local_index(A.ring.primes_above(2)[0])
-    (True, 5)
-    """
-
-    elsewhere = over_fields(ORDER) | {"ternary_quadratic_form": "ternary_form()"}
-
-    def __and__(self, other: object) -> Lattice:
-        """Return the intersection with a lattice; that with another order is an order."""
-        found = super().__and__(other)
-        return IntegersOrder(found.value) if isinstance(other, IntegersOrder) else found
-
-    # --- what it is as a ring ----------------------------------------------------------------------
-
-    def discriminant(self) -> FieldIdeal:
-        """Return the reduced discriminant, an ideal of the integers of the field."""
-        return self._discriminant
-
-    @cached_property
-    def _discriminant(self) -> FieldIdeal:
-        found: FieldIdeal = lattice_values.discriminant(self.value)
-        return found
-
-    def norm_of_discriminant(self) -> int:
-        """Return the absolute norm of the reduced discriminant."""
-        return int(self.discriminant().norm())
-
-    @property
-    def level(self) -> FieldIdeal:
-        """The index in a maximal order: the reduced discriminant over that of the algebra."""
-        found: FieldIdeal = self.discriminant() / self.value.ambient.discriminant
-        return found
-
-    def local_index(self, prime: object) -> int:
-        """Return v_P[M : O] for a maximal order M that contains O."""
-        P = self.value.ambient.base.prime(prime)
-        return self.discriminant().valuation(P) - (P in self.value.ambient.ramified)
-
-    def eichler_symbol(self, prime: object) -> int | None:
-        """Return the Eichler symbol (O | P): 1, 0 or −1; None where the order is M₂(ℤ_P).
-
-        It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2).
-        """
-        P = self.value.ambient.base.prime(prime)
-        return invariants.eichler_symbol(self.value, P)
-
-    def is_eichler(self) -> bool:
-        """Tell whether this is an intersection of two maximal orders (Voight, section 24.3)."""
-        return invariants.is_eichler(self.value)
-
-    def is_maximal(self) -> Because:
-        """Tell whether no larger order contains this one, with a ``reason``: its discriminant decides."""
-        level = self.level
-        if level == 1:
-            return Because(True, f"its discriminant {self.discriminant()} is that of the algebra")
-        whole = f"its discriminant {self.discriminant()} is that of the algebra"
-        return Because(False, f"{whole}, {self.value.ambient.discriminant}, times {level}")
-
-    def ternary_form(self) -> TernaryForm:
-        """Return a form whose even Clifford algebra is the order; up to units its discriminant is that.
-
-        Raises :class:`LatticeError` for an order that is no free module, see :meth:`pseudo_basis`.
-
-        >>> from hfield import QuaternionAlgebra
-        >>> f = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().ternary_form()
-        >>> f.order().is_maximal().holds, f.ring.norm(f.discriminant())
-        (True, 1)
-        """
-        _, *pairs = self.pseudo_basis()  # the first are the integers of the field
-        i, j, k = pseudo_bases.free_basis(self.value.ambient, tuple(pairs))
-        return ternary_forms.form_of((i, j, k), type(self.algebra))
-
-    def maximal_overorder(self) -> IntegersOrder:
-        """Return a maximal order that contains this one, always the same.
-
-        Raises :class:`UnfactoredError`, and :class:`TooLargeError` at primes of 64 bits and more.
-        """
-        return IntegersOrder(local_orders.maximal(self.value, self.level))
-
-    def is_definite(self) -> bool:
-        """Tell whether the algebra is totally definite: units modulo those of the field are finitely many."""
-        return self.value.ambient.definite
-
-    def conductor(self) -> FieldIdeal:
-        """Return the largest ideal f with O = ℤ_K + f·G for an order G; 1 for a Gorenstein order."""
-        found: FieldIdeal = invariants.conductor(self.value)
-        return found
-
-    def is_gorenstein(self) -> bool:
-        """Tell whether the codifferent is invertible: whether the conductor is 1 (Voight, section 24.2)."""
-        return self.conductor() == 1
-
-    def gorenstein_closure(self) -> IntegersOrder:
-        """Return the Gorenstein order G with O = ℤ_K + f·G, f the conductor (Voight, section 24.2)."""
-        return IntegersOrder(related_orders.gorenstein_closure(self.value))
-
-    def is_bass(self) -> bool:
-        """Tell whether every order that contains this one is Gorenstein (Voight, section 24.5)."""
-        return related_orders.is_bass(self.value)
-
-    def is_hereditary(self) -> bool:
-        """Tell whether all ideals are invertible: whether no square divides the discriminant."""
-        return all(e == 1 for _, e in self.discriminant().factorisation())
-
-    def suborders(self, prime: object, k: int = 1) -> list[IntegersOrder]:
-        """Return all orders of index Pᵏ in this one. Raises :class:`TooLargeError` for many candidates.
-
-        >>> from hfield import QuaternionAlgebra
-        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.maximal_order(); P = A.ring.primes_above(2)[0]
-        >>> [len(O.suborders(P, k)) for k in (1, 2)], len(O.suborders(P)[0].overorders(P))
-        ([5, 41], 2)
-        """
-        return self._related(related_orders.suborders, prime, k)
-
-    def overorders(self, prime: object, k: int = 1) -> list[IntegersOrder]:
-        """Return all orders in which this one has the index Pᵏ. Raises :class:`TooLargeError` likewise."""
-        return self._related(related_orders.overorders, prime, k)
-
-    def _related(self, search: Any, prime: object, k: int) -> list[IntegersOrder]:
-        local = Local(self.value.ambient, self.value.ambient.base.prime(prime))
-        found = search(local, self.value, natural(k, "the exponent of an index is"))
-        return [IntegersOrder(value) for value in found]
-
-    # --- elements ----------------------------------------------------------------------------------
-
-    def represent_integer(self, n: object) -> Quaternion | None:
-        """Return an element of norm n, an integer of the field, or None where there is none.
-
-        Decided by enumeration, or by a prime that forbids it. Raises :class:`IndefiniteError` unless the
-        algebra is totally definite, and :class:`UndecidedError` for large n.
-
-        >>> from hfield import QuaternionAlgebra
-        >>> A = QuaternionAlgebra("QQ(sqrt(2))", -1, -1); M, s = A.maximal_order(), A.ring.gen
-        >>> A.order(["i", "j"]).represent_integer(2 + s), M.represent_integer(2 + s).norm()
-        (None, 2+sqrt(2))
-        """
-        return quadratic_orders_over_fields.represent(self.value, n)
-
-    def embeddings(self, discriminant: object) -> IntegersEmbeddings:
-        """Return the optimal embeddings of the quadratic order of a totally negative discriminant.
-
-        Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
-
-        >>> from hfield import QuaternionAlgebra
-        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); found = O.embeddings(-3)
-        >>> len(found), found.orbits, found.element**3
-        (20, 1, −1)
-        """
-        return quadratic_orders_over_fields.embeddings(self.value, discriminant)
-
-    # --- ideals ------------------------------------------------------------------------------------
-
-    def two_sided_prime(self, prime: object) -> IntegersIdeal:
-        """Return the two-sided ideal at P that generates, with those of the field, all invertible ones there.
-
-        Its square is Pᵉ·O, the part of the discriminant at P; it is P·O where P does not divide that.
-        Raises :class:`LatticeError` where the order is neither maximal nor Eichler at P.
-        """
-        P = self.value.ambient.base.prime(prime)
-        e = self.discriminant().valuation(P)
-        if e > 1 and (P in self.value.ambient.ramified or self.eichler_symbol(P) != 1):
-            raise LatticeError(
-                f"the order is neither maximal nor an Eichler order at {shorten(prime)}: its two-sided "
-                "ideals there are not known"
-            )
-        found = self * self.value.ambient.base.prime_ideal(P) ** max(e, 1)
-        if e:
-            found = found + self.dual() * self.discriminant()
-        return IntegersIdeal(found.value, "right", self)
-
-    def connecting_ideal(self, other: IntegersOrder) -> IntegersIdeal:
-        """Return the primitive integral ideal with this left order and the right order ``other``.
-
-        Raises :class:`LatticeError` unless both are Eichler orders of one level.
-        """
-        self._same(other, "connect")
-        level = self.level
-        if (
-            not isinstance(other, IntegersOrder)
-            or other.level != level
-            or not (self.is_eichler() and other.is_eichler())
-        ):
-            raise LatticeError(
-                "connecting ideals exist here between Eichler orders of one level, and these are none"
-            )
-        value = related_orders.connecting(self.value, other.value, level)
-        return IntegersIdeal(value, "left", self)
-
-    def left_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
-        """Return the left ideal O·x + O·y + … . Raises :class:`LatticeError` for a rank below 4."""
-        return IntegersIdeal.generated(self, generators, "left")
-
-    def two_sided_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
-        """Return the ideal of the sums of all a·x·b, as a right ideal. Raises :class:`LatticeError`."""
-        return IntegersIdeal((self.left_ideal(generators) * self).value, "right", self)
-
-    def right_ideal(self, generators: Iterable[object]) -> IntegersIdeal:
-        """Return the right ideal x·O + y·O + … . Raises :class:`LatticeError` for a rank below 4."""
-        return IntegersIdeal.generated(self, generators, "right")
-
-    def ideals_of_prime_norm(self, prime: PrimeIdeal) -> tuple[Local, list[Rows]]:
-        """Return what is needed to list right ideals of norm P, computed once."""
-        if prime not in self._known:
-            local = Local(self.value.ambient, prime)
-            exponent = self.discriminant().valuation(prime)
-            found = ideals_over_fields.generators(local, self.value, exponent)
-            self._known[prime] = local, found
-        return self._known[prime]
-
-    @cached_property
-    def _known(self) -> dict[PrimeIdeal, tuple[Local, list[Rows]]]:
-        return {}
-
-    def subideals(self, ideal: Lattice, prime: object) -> list[IntegersIdeal]:
-        """Return all invertible right ideals of relative norm P in an invertible right ideal of this order.
-
-        They are N(P) + 1 where P does not divide the discriminant. Raises :class:`TooLargeError`.
-        """
-        local, found = self.ideals_of_prime_norm(self.value.ambient.base.prime(prime))
-        values = ideals_over_fields.subideals(local, self._same(ideal, "compare").value, found)
-        return [IntegersIdeal(J, "right", self) for J in values]
-
-    def ideals_of_norm(self, norm: object, side: str = "left") -> list[IntegersIdeal]:
-        """Return all invertible integral ideals on a side whose norm is an ideal or a prime of the field.
-
-        Of prime norm P, off the discriminant, there are N(P) + 1. Raises :class:`LatticeError`,
-        and :class:`TooLargeError` for more than 10⁵.
-
-        >>> from hfield import QuaternionAlgebra
-        >>> A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1); O = A.eichler_order(3)
-        >>> [len(O.ideals_of_norm(n)) for n in (1, 2, 3)]
-        [1, 5, 19]
-        """
-        wanted = self.value.ambient.base.ideal(norm)
-        if not wanted.is_integral():
-            raise LatticeError(f"expected an ideal of integers as the norm, not {wanted}")
-        layer = [IntegersIdeal(self.value, "right", self)]
-        for P, e in wanted.factorisation():
-            if e > 1 and self.discriminant().valuation(P) > 1:
-                raise LatticeError(
-                    f"ideals of norm {wanted} are not listed at {P}, whose square divides the discriminant; "
-                    "those of norm P are"
-                )
-            for _ in range(e):
-                if (
-                    len(layer) * (self.value.ambient.base.prime(P).norm() + 1)
-                    > ideals_over_fields.MOST
-                ):
-                    raise TooLargeError(f"there are too many ideals of norm {wanted} to list them")
-                layer = list({J: J for I in layer for J in self.subideals(I, P)})
-        return layer if checked_side(side) == "right" else [J.conjugate() for J in layer]
-
-    def __repr__(self) -> str:
-        kind = "a maximal order" if self.is_maximal() else "an order"
-        return f"{kind} of {self.algebra} with the discriminant {self.discriminant()}"
-
-    # --- units, in an algebra that splits at one real place -----------------------------------------
-
-    def norm_one_group(self) -> NormOneGroup:
-        """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
-
-        Raises :class:`IndefiniteError` unless the field is totally real and exactly one real place splits.
-
-        >>> from hfield import QuaternionAlgebra, ring
-        >>> K = ring("QQ[s]/(s^3+s^2-2*s-1)")
-        >>> A = QuaternionAlgebra.from_ramification(K, K.real_places()[:2])
-        >>> G = A.maximal_order().norm_one_group(); G.area, G.signature
-        (Fraction(1, 42), Signature(genus=0, orders=(2, 3, 7), cusps=0))
-        """
-        from hfield.orders.over_integers.split_order import SplitIntegersOrder
-
-        return NormOneGroup(SplitIntegersOrder(self))
-
-    # --- units and classes, in a totally definite algebra ------------------------------------------
-
-    def unit_index(self) -> int:
-        """Return [Oˣ : ℤ_Kˣ]. Raises :class:`IndefiniteError` where it is infinite.
-
-        >>> from hfield import QuaternionAlgebra
-        >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
-        >>> O.unit_index(), O.unit_group()
-        (60, 'A5')
-        """
-        return equivalence_over_fields.unit_index(self.value)
-
-    def units_modulo_scalars(self) -> tuple[Quaternion, ...]:
-        """Return one unit of each coset of ℤ_Kˣ. Raises :class:`IndefiniteError` where they are infinite.
-
-        >>> from hfield import QuaternionAlgebra
-        >>> len(QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().units_modulo_scalars())
-        60
-        """
-        return self.units()
-
-    def units(self) -> tuple[Quaternion, ...]:
-        """Return one unit of each coset of ℤ_Kˣ. Raises :class:`IndefiniteError` where they are infinite.
-
-        Over ℚ these are all units; :meth:`units_modulo_scalars` is the same over both.
-        """
-        rows = equivalence_over_fields.units(self.value)
-        return tuple(self.value.ambient.quaternion(row.entries()) for row in rows)
-
-    def unit_group(self) -> str:
-        """Return the name of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on. Raises :class:`IndefiniteError`."""
-        return equivalence_over_fields.unit_group(self.value)
-
-    def isomorphism(self, other: Lattice) -> equivalence_over_fields.Comparison:
-        """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
-
-        Raises :class:`IndefiniteError`.
-        """
-        ring = self._same(other, "compare").left_order()
-        if ring != other:
-            raise LatticeError(f"{shorten(repr(other))} is no order")
-        if self.discriminant() != ring.discriminant():
-            found = equivalence_over_fields.Comparison(False, "their discriminants differ")
-        else:
-            found = equivalence_over_fields.conjugator(self.value, ring.value)
-        return replace(found, claimed=partial(certificates_over_fields.of_isomorphism, self, ring))
-
-    @property
-    def claim(self) -> Claim:
-        """That this is an order of its discriminant, as a statement with its evidence."""
-        return certificates_over_fields.of_order(self)
-
-    def mass(self) -> Fraction:
-        """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes, by a formula. Raises likewise."""
-        return class_number.mass(self.value)
-
-    @cached_property
-    def _stable(self) -> StableClasses:
-        return stable_classes.stable_classes(self)
-
-    def class_set(self) -> IntegersClassSet:
-        """Return the invertible right ideal classes, complete by the mass formula. Raises likewise."""
-        if not self.is_definite():
-            number = class_sets.number_by_signs(self.algebra)
-            raise IndefiniteError(
-                f"{self.algebra} is split at an infinite place: by strong approximation an Eichler order "
-                f"has as many right ideal classes as the ideals of {self.algebra.ring.name} have modulo "
-                f"generators that are positive where the algebra ramifies, {number}, told by the reduced "
-                "norm, and classes_by_norm() has representatives; class_set() enumerates in totally definite "
-                "algebras"
-            )
-        return IntegersClassSet(self)
-
-    def classes_by_norm(self) -> IndefiniteClassSet:
-        """Return the right ideal classes where the algebra splits at an infinite place, with representatives.
-
-        Raises :class:`IndefiniteError` for a totally definite algebra, and for orders of which local units do
-        not have all norms.
-
-        >>> from hfield import QuaternionAlgebra
-        >>> C = QuaternionAlgebra("QQ(sqrt(10))", -1, 3).maximal_order().classes_by_norm()
-        >>> len(C), [I.norm() for I in C], [C.index(I) for I in C], C.type_number
-        (2, [ideal(1), ideal(2, sqrt(10))], [0, 1], 1)
-        """
-        from hfield.orders.over_integers.indefinite_classes import IndefiniteClassSet
-
-        return IndefiniteClassSet(self)
-
-    def _expect_right_ideal(self, ideal: object) -> None:
-        """Raise :class:`LatticeError` unless this is an invertible right ideal of the order."""
-        if not isinstance(ideal, IntegersIdeal) or ideal.side != "right":
-            raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
-        if ideal.order != self or not ideal.is_invertible():
-            raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of {self}")
-
-
 class IntegersIdeal(Lattice, Certified):
     """A lattice with O·I = I for the order O (``side="left"``), or I·O = I (``side="right"``).
 
@@ -1378,9 +1159,9 @@ class IntegersIdeal(Lattice, Certified):
     (ideal(3), True, True, 'left')
     """
 
-    elsewhere = over_fields(IDEAL)
+    elsewhere = IDEAL
 
-    def __init__(self, value: LatticeValue, side: str, order: IntegersOrder | None = None) -> None:
+    def __init__(self, value: LatticeValue, side: str, order: Order | None = None) -> None:
         super().__init__(value)
         self.side, self._order = side, order
 
@@ -1389,25 +1170,25 @@ class IntegersIdeal(Lattice, Certified):
         return self.value, self.side, self._order
 
     @classmethod
-    def generated(cls, order: IntegersOrder, generators: Iterable[object], side: str) -> Self:
+    def generated(cls, order: Order, generators: Iterable[object], side: str) -> Self:
         """Return the ideal O·x + O·y + …, or x·O + y·O + …. Raises :class:`LatticeError`."""
         return cls(
             lattice_values.generated_ideal(order.value, listed(generators), side), side, order
         )
 
     @property
-    def order(self) -> IntegersOrder:
+    def order(self) -> Order:
         """The order of which this is an ideal."""
         if self._order is None:
             self._order = self._order_on(self.side)
         return self._order
 
-    def left_order(self) -> IntegersOrder:
+    def left_order(self) -> Order:
         """Return the x with x·I ⊂ I; for an invertible left ideal it is :attr:`order`."""
         known = self.side == "left" and self.is_invertible()
         return self.order if known else super().left_order()
 
-    def right_order(self) -> IntegersOrder:
+    def right_order(self) -> Order:
         """Return the x with I·x ⊂ I; for an invertible right ideal it is :attr:`order`."""
         known = self.side == "right" and self.is_invertible()
         return self.order if known else super().right_order()
@@ -1541,9 +1322,9 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
     """
 
     elsewhere = CLASSES
-    order: IntegersOrder
+    order: Order
 
-    def __init__(self, order: IntegersOrder) -> None:
+    def __init__(self, order: Order) -> None:
         super().__init__(order)
         self.order = order
 
@@ -1568,7 +1349,7 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
         self.order._expect_right_ideal(ideal)
         return self.class_of(ideal.value)
 
-    def left_orders(self) -> list[IntegersOrder]:
+    def left_orders(self) -> list[Order]:
         """Return the left orders of the representatives, one a class."""
         return [I.left_order() for I in self]
 
@@ -1589,18 +1370,13 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
         def of_level(level: list[tuple[PrimeIdeal, int]]) -> IntegersClassSet:
             primes = [ambient.base.prime_ideal(P) ** e for P, e in level]
             ideal = math.prod(primes, start=ambient.base.one)
-            return IntegersClassSet(IntegersOrder(local_orders.eichler(self._maximal.value, ideal)))
+            return IntegersClassSet(Order(local_orders.eichler(self._maximal.value, ideal)))
 
         return IntegersModule(self, of_level)
 
     @cached_property
-    def _maximal(self) -> IntegersOrder:
+    def _maximal(self) -> Order:
         return self.order.maximal_overorder()
 
     def __repr__(self) -> str:
         return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
-
-
-def order_of_value(value: LatticeValue) -> Any:
-    """Return a lattice that is known to be a ring with 1 as an order."""
-    return Order(ZOrder.of(value)) if value.ambient.base.is_rational else IntegersOrder(value)

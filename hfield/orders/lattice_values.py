@@ -32,6 +32,8 @@ class LatticeValue:
     @classmethod
     def of(cls, lattice: LatticeValue) -> Self:
         """Return a lattice as one of this class."""
+        if isinstance(lattice, cls):
+            return lattice
         return cls(lattice.ambient, lattice.den, lattice.matrix)
 
     @property

@@ -18,7 +18,7 @@ from flint import fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError
 from hfield.factorisation import factorise
-from hfield.orders import hermite, lattice_values
+from hfield.orders import hermite
 from hfield.orders.lattice_values import LatticeValue, hermite_form, order_of
 from hfield.orders.linear_algebra_mod_p import kernel, lifted, roots, simple_root
 from hfield.orders.validation import expect_coprime
@@ -154,11 +154,6 @@ def small_lines() -> Iterator[Line]:
 # --- orders below ----------------------------------------------------------------------------------
 
 
-def suborders(order: ZOrder, p: int, k: int) -> list[ZOrder]:
-    """Return the orders of index pᵏ in an order. Raises :class:`TooLargeError`."""
-    return in_steps(order, k, lambda O: _maximal_suborders(O, p), lambda O: O.hnf)
-
-
 def in_steps(
     start: Value,
     k: int,
@@ -175,30 +170,3 @@ def in_steps(
         if sum(map(len, reached)) > MOST:
             raise TooLargeError("there are too many orders of this index to list them")
     return list(reached[k].values())
-
-
-def _maximal_suborders(order: ZOrder, p: int) -> Iterator[tuple[int, ZOrder]]:
-    """Yield the orders of index p, and those of index p² that contain p·O, with the exponents."""
-    if p * p + p + 1 > MOST:
-        raise TooLargeError(f"there are too many candidates for orders at {p} to try them")
-    one = [order.den, 0, 0, 0]
-    first = lattice_values.coordinates(order, 1)
-    pivot = next(n for n, c in enumerate(first) if int(c.p) % p)
-    b, c, d = (row for n, row in enumerate(order.hnf[1]) if n != pivot)
-
-    def spanned(*rows: tuple[int, ...]) -> ZOrder:
-        return ZOrder.of(above(order, fmpz_mat([one, *rows]), p))
-
-    def plus(v: tuple[int, ...], *others: tuple[int, tuple[int, ...]]) -> tuple[int, ...]:
-        return tuple(x + sum(t * w[n] for t, w in others) for n, x in enumerate(v))
-
-    digits = range(p)
-    planes = [(plus(b, (x, d)), plus(c, (y, d))) for x, y in product(digits, repeat=2)]
-    planes += [*((plus(b, (x, c)), d) for x in digits), (c, d)]
-    for pair in planes:
-        found = spanned(*pair)
-        if lattice_values.add(found, lattice_values.product(found, found)) == found:
-            yield 1, found
-    lines = [plus(b, (x, c), (y, d)) for x, y in product(digits, repeat=2)]
-    for v in (*lines, *(plus(c, (y, d)) for y in digits), d):
-        yield 2, spanned(v)

@@ -19,6 +19,7 @@ from flint import fmpq, fmpq_mat, fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, TooLargeError, shorten
 from hfield.orders import enumeration, hermite
+from hfield.orders.base import Base
 from hfield.orders.basis import AlgebraBasis
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.validation import natural
@@ -172,11 +173,15 @@ def theta_series(lattice: LatticeValue, n: object) -> Any:
     if lattice.ambient.base.is_rational:
         return theta_series_of_form(lattice.reduced[1], n)
     bound = natural(n, "a theta series goes up to the trace")
-    base, ambient = lattice.ambient.base, lattice.ambient
+    base = lattice.ambient.base
     counts = norm_counts(lattice, bound)
-    norms = {base.element_of(values): count for values, count in counts.items()}
+    return _by_traces(base, {base.element_of(values): count for values, count in counts.items()})
+
+
+def _by_traces(base: Base, norms: dict[Any, int]) -> dict[Any, int]:
+    """Return numbers of elements by their norms as a user sees them, ascending by traces."""
     ordered = sorted(norms.items(), key=lambda pair: (base.trace(pair[0]), str(pair[0])))
-    return {ambient.base.outside(norm): count for norm, count in ordered}
+    return {base.outside(norm): count for norm, count in ordered}
 
 
 def norm_counts(lattice: LatticeValue, bound: int) -> dict[tuple[fmpq, ...], int]:
@@ -184,11 +189,7 @@ def norm_counts(lattice: LatticeValue, bound: int) -> dict[tuple[fmpq, ...], int
     ambient = lattice.ambient
     rows, gram = lattice.reduced
     length = math.floor(2 * _multiple_of_content(lattice, bound))
-    if (estimate := enumeration.volume(gram, length, len(gram))) > 8 * MAX_LISTED:
-        raise TooLargeError(
-            f"about {estimate:.0e} elements have norms of trace at most {bound}, and at most "
-            f"{2 * MAX_LISTED} are counted; expected a smaller bound"
-        )
+    _expect_countable(gram, length, bound)
     forms = [[list(map(int, row)) for row in form.tolist()] for form in ambient.grams(rows)]
     counts = Counter({(0,) * len(forms): 1})
     for number, (x, _) in enumerate(enumeration.short_vectors(gram, length), 1):
@@ -201,6 +202,35 @@ def norm_counts(lattice: LatticeValue, bound: int) -> dict[tuple[fmpq, ...], int
         counts[tuple(values)] += 2
     below = 2 * ambient.scale * lattice.den**2
     return {tuple(fmpq(v, below) for v in values): count for values, count in counts.items()}
+
+
+def _expect_countable(gram: enumeration.Gram, length: int, bound: int) -> None:
+    """Raise :class:`TooLargeError` where too many elements have norms of trace at most a bound."""
+    if (estimate := enumeration.volume(gram, length, len(gram))) > 8 * MAX_LISTED:
+        raise TooLargeError(
+            f"about {estimate:.0e} elements have norms of trace at most {bound}, and at most "
+            f"{2 * MAX_LISTED} are counted; expected a smaller bound"
+        )
+
+
+def ternary_theta_series(order: LatticeValue, n: object) -> dict[Any, int]:
+    """Return how many elements of trace 0 in ℤ_K + 2O have each norm of trace at most n, by traces."""
+    ambient, bound = order.ambient, natural(n, "a theta series goes up to the trace")
+    gram, basis, den = reduced(ambient, ternary_rows(order), ambient.base.field.one)
+    _expect_countable(gram, 2 * den * bound, bound)
+    counts = Counter({ambient.base.field.zero: 1})
+    for x, _ in enumeration.short_vectors(gram, 2 * den * bound):
+        counts[ambient.norm((fmpz_mat(1, len(x), x) * basis).entries())] += 2
+    return _by_traces(ambient.base, counts)
+
+
+def ternary_rows(order: LatticeValue) -> fmpq_mat:
+    """Return a basis of the elements 2x − tr(x), of rank 3n over ℤ."""
+    n = order.ambient.degree
+    doubled = [[0] * n + [2 * c for c in row[n:]] for row in order.rows.tolist()]
+    whole, den = fmpq_mat(doubled).numer_denom()
+    table = whole.hnf().tolist()[: 3 * n]
+    return fmpq_mat(fmpz_mat(table)) * fmpq(1, int(den))
 
 
 def theta_series_of_form(gram: enumeration.Gram, n: object) -> list[int]:

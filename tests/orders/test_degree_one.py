@@ -2,12 +2,15 @@
 
 import json
 import math
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
 
 import pytest
 
-from hfield import QuaternionAlgebra, ring
+from hfield import Lattice, Order, QuaternionAlgebra, ring
+from hfield.errors import IndefiniteError, LatticeError, NotFiniteError
 from hfield.factorisation import factorise
 from hfield.orders import class_number
 from hfield.primality import is_prime
@@ -195,3 +198,113 @@ def test_symbols_and_conductors_over_both() -> None:
             assert O.eichler_symbol(p) == P.eichler_symbol(p)
             seen.add(P.eichler_symbol(p))
     assert seen == {None, 0, 1, -1}
+
+
+def test_orders_are_one_class_over_both() -> None:
+    O, P = algebra(11).maximal_order(), QuaternionAlgebra(11).maximal_order()
+    assert type(O) is type(P)
+    assert dir(O) == dir(P)
+
+
+def pairs_of_orders() -> Iterator[tuple[Order, Order]]:
+    """Orders over the field of degree 1, and the same over the rational numbers."""
+    A = QuaternionAlgebra(K, -1, -11)
+    B = plain(A)
+    for gens in (("i", "j"), ("3*i", "j"), ("2*i", "3*j"), ("i + j", "2*k + i"), ("4*i", "4*j")):
+        yield A.order(gens), B.order(gens)
+    yield (
+        A.order_from_basis(rows(q.coordinates for q in B.maximal_order().basis)),
+        B.maximal_order(),
+    )
+
+
+def forms(lattices: Iterable[Lattice]) -> list[object]:
+    return sorted(L.hnf for L in lattices)
+
+
+def test_what_orders_are_over_both() -> None:
+    """The functions over ℤ and those over ℤ_K, which are chosen in one place."""
+    seen = set()
+    for O, P in pairs_of_orders():
+        assert O.hnf == P.hnf
+        for name in ("is_bass", "is_hereditary", "is_gorenstein", "is_maximal", "unit_index"):
+            assert getattr(O, name)() == getattr(P, name)()
+            seen.add((name, bool(getattr(P, name)())))
+        assert O.unit_count() == P.unit_count() == len(P.units())
+        assert O.norm_of_discriminant() == P.norm_of_discriminant() == P.discriminant()
+        assert O.gorenstein_closure().hnf == P.gorenstein_closure().hnf
+        assert O.maximal_overorder().discriminant() == P.maximal_overorder().discriminant() == 11
+        known = P.ternary_theta_series(60)
+        found = O.ternary_theta_series(60)
+        assert [found.get(K(m), 0) for m in range(61)] == known
+        for p in (2, 3, 11):
+            assert O.local_index(p) == P.local_index(p)
+            assert forms(O.overorders(p)) == forms(P.overorders(p))
+            assert len(P.overorders(p, P.local_index(p))) > 0
+            assert forms(O.suborders(p)) == forms(P.suborders(p))
+        assert set(map(type, (O.evidence["discriminant"], P.evidence["discriminant"]))) == {
+            str,
+            int,
+        }
+    assert {("is_bass", True), ("is_bass", False), ("is_hereditary", True)} <= seen
+
+
+def test_overorders_over_the_integers_by_brute_force() -> None:
+    """Those between an order and its dual lattice, one for each line of the quotient that is a ring."""
+    for _, P in pairs_of_orders():
+        for p in (2, 3):
+            around = (P / p & P.dual()).basis
+            found = set()
+            for digits in product(range(p), repeat=4):
+                x = sum((c * q for c, q in zip(digits, around, strict=True)), P.algebra(0))
+                L = P + P.algebra.lattice([x, *P.basis])
+                if L != P and L.index(P) == p and L * L == L:
+                    found.add(L.hnf)
+            assert sorted(found) == forms(P.overorders(p))
+
+
+def test_ideals_over_both() -> None:
+    for O, P in pairs_of_orders():
+        for n in (3, 5):
+            if P.discriminant() % n:
+                assert forms(O.ideals_of_norm(n)) == forms(P.ideals_of_norm(n))
+                I, J = O.random_ideal(n**3, seed=1), P.random_ideal(n**3, seed=1)
+                assert I.norm() == J.norm() == n**3
+                assert I.primitive_part()[1] == J.primitive_part()[1] == 1
+                assert I.is_invertible()
+                assert J.is_invertible()
+        J = P.random_ideal(5, "right", seed=2)
+        I = O.right_ideal(rows(q.coordinates for q in J.basis))
+        for p in (2, 3, 11):
+            assert forms(O.subideals(I, p)) == forms(P.subideals(J, p))
+            assert all(X.norm() == 5 * p and X.order == P for X in P.subideals(J, p))
+    O, P = algebra(11).eichler_order(3), QuaternionAlgebra(11).eichler_order(3)
+    for p in (2, 3, 11):
+        assert O.two_sided_prime(p).norm() == P.two_sided_prime(p).norm()
+    other = P.random_ideal(25, seed=2).right_order()
+    assert P.connecting_ideal(other).right_order() == other
+
+
+def test_classes_by_norm_over_both() -> None:
+    O, P = (
+        QuaternionAlgebra(K, -1, 3).eichler_order(5),
+        QuaternionAlgebra("QQ", -1, 3).eichler_order(5),
+    )
+    for order in (O, P):
+        C = order.classes_by_norm()
+        assert (len(C), C.type_number, C.index(order.right_ideal([7]))) == (1, 1, 0)
+        assert C[0] == order.right_ideal([1])
+    with pytest.raises(IndefiniteError, match="totally definite"):
+        QuaternionAlgebra(11).maximal_order().classes_by_norm()
+    with pytest.raises(IndefiniteError, match="symbol 0"):
+        QuaternionAlgebra("QQ", -1, 3).order(["i", "4*j"]).classes_by_norm()
+
+
+def test_what_orders_over_fields_refuse() -> None:
+    O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
+    with pytest.raises(NotFiniteError, match="unit_index"):
+        O.unit_count()
+    with pytest.raises(LatticeError, match="no invertible right ideal"):
+        O.subideals(O.left_ideal([3, "1 + i + j"]), 2)
+    with pytest.raises(LatticeError, match="divides both"):
+        O.suborders(2)[0].random_ideal(2)

@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
-from hfield.orders.lattice import IntegersOrder, Lattice
+from hfield.orders.lattice import Lattice, Order
 from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.rings import checked_ring
 from tests.subcases import share_quick
@@ -71,7 +71,7 @@ def test_ideals_of_prime_norm_are_all_of_them(name: str) -> None:
             assert set(found) == by_brute_force(O, P)
 
 
-def by_brute_force(O: IntegersOrder, P: object) -> set:
+def by_brute_force(O: Order, P: object) -> set:
     A = O.algebra
     prime = A.ring.ideal(P)
     residues: list = [A(0)]
@@ -91,7 +91,7 @@ def by_brute_force(O: IntegersOrder, P: object) -> set:
 # --- above and below -------------------------------------------------------------------------------
 
 
-def lattices_of_index(O: IntegersOrder, P: object, k: int) -> Iterator[Lattice]:
+def lattices_of_index(O: Order, P: object, k: int) -> Iterator[Lattice]:
     """All lattices of index Pᵏ in O, for P of norm 2, by Hermite forms over the integers."""
     A = O.algebra
     local = Local(O.value.ambient, O.value.ambient.base.prime(P))

@@ -20,8 +20,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
-from heapq import heappop, heappush
-from itertools import count
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -31,6 +29,7 @@ from hfield.orders.brandt import of_power
 from hfield.orders.class_number import mass
 from hfield.orders.classes import orbits, renumbered
 from hfield.orders.enumeration import Vector, least_vectors
+from hfield.orders.invariants import good_primes
 from hfield.orders.lattice_values import (
     LatticeValue,
     inverse,
@@ -40,13 +39,13 @@ from hfield.orders.lattice_values import (
 )
 from hfield.orders.over_integers import ideals_of_norm
 from hfield.orders.over_integers.equivalence import conjugator
+from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.over_integers.positive_generators import (
     narrow_classes,
     totally_positive_generator,
     units_modulo_squares,
 )
 from hfield.orders.short_elements import rows_of_norm
-from hfield.primality import primes
 from hfield.progress import along, tell
 
 if TYPE_CHECKING:
@@ -54,7 +53,6 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.ideals import Ideal
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.orders.basis import AlgebraBasis
-    from hfield.orders.over_integers.local_orders import Local
 
 Key = tuple[int, ...]
 Row = list[int]
@@ -243,18 +241,6 @@ def _table(matrix: flint.fmpz_mat) -> list[list[int]]:
     return [list(map(int, row)) for row in matrix.tolist()]
 
 
-def good_primes(order: Any) -> Iterator[PrimeIdeal]:
-    """Yield the primes that do not divide the discriminant of an order, ascending by their norms."""
-    number = count()
-    waiting: list[tuple[int, int, PrimeIdeal]] = []
-    for p in primes():
-        while waiting and waiting[0][0] < p:
-            yield heappop(waiting)[2]
-        for _, prime in order.value.ambient.base.primes_above(p):
-            if not order.discriminant().valuation(prime):
-                heappush(waiting, (prime.norm(), next(number), prime))
-
-
 class Classes:
     """The classes as values: keys, norms, units of left orders, and neighbours."""
 
@@ -293,7 +279,7 @@ class Classes:
 
     def good_primes(self) -> Iterator[PrimeIdeal]:
         """Yield the primes that do not divide the discriminant, ascending by their norms."""
-        return good_primes(self.ring)
+        return good_primes(self.ring.value)
 
     def _look_up(self, around: Around, coordinates: flint.fmpz_mat) -> int:
         """Return the number of the class of a sublattice, which may be new."""
@@ -330,7 +316,7 @@ class Classes:
     def _inside(self, prime: PrimeIdeal) -> tuple[Local, list[flint.fmpq_mat]]:
         """Return what :func:`coordinates_of_subideals` asks, for a prime."""
         if prime not in self._local:
-            local, found = self.ring.ideals_of_prime_norm(prime)
+            found = ideals_of_norm.generators(local := Local(self.ambient, prime), self.ring.value)
             scalars = self.ambient.scalars
             spans = [
                 [(flint.fmpq_mat([x]) * m).entries() for x in pair for m in scalars]

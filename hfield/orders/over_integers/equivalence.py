@@ -23,7 +23,7 @@ from hfield.orders.over_integers.positive_generators import (
     totally_positive_generator,
     units_modulo_squares,
 )
-from hfield.orders.short_elements import expect_definite, reduced, rows_of_norm
+from hfield.orders.short_elements import expect_definite, reduced, rows_of_norm, ternary_rows
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
@@ -123,11 +123,7 @@ class _Ternary:
     """The elements 2x − tr(x) for x in an order, a lattice of rank 3n over ℤ."""
 
     def __init__(self, order: LatticeValue) -> None:
-        self.ambient, n = order.ambient, order.ambient.degree
-        doubled = [[0] * n + [2 * c for c in row[n:]] for row in order.rows.tolist()]
-        whole, den = flint.fmpq_mat(doubled).numer_denom()
-        table = [row for row in whole.hnf().tolist() if any(row)]
-        self.basis = flint.fmpq_mat(flint.fmpz_mat(table)) * flint.fmpq(1, int(den))
+        self.ambient, self.basis = order.ambient, ternary_rows(order)
 
     def two_generators(self) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
         """Return two short elements that do not commute, the first of them as short as possible."""

@@ -16,7 +16,7 @@ import flint
 
 from hfield.errors import LatticeError, TooLargeError
 from hfield.orders.invariants import eichler_symbol
-from hfield.orders.lattice_values import LatticeValue, add_elements, add_rows
+from hfield.orders.lattice_values import LatticeValue, add_elements, add_rows, discriminant
 from hfield.orders.over_integers.local_orders import Local, Rows
 
 if TYPE_CHECKING:
@@ -26,11 +26,9 @@ MOST = 10**5
 """No more ideals of one norm than this are listed."""
 
 
-def generators(local: Local, order: LatticeValue, exponent: int) -> list[Rows]:
-    """Return elements that generate over the integers, with P·O, the right ideals K of norm P.
-
-    The discriminant of the order has the given exponent at P. Raises :class:`TooLargeError`.
-    """
+def generators(local: Local, order: LatticeValue) -> list[Rows]:
+    """Return what generates the right ideals K of norm P with P·O. Raises :class:`TooLargeError`."""
+    exponent = order.ambient.base.valuation(discriminant(order), local.prime)
     if local.prime.norm() > MOST:
         raise TooLargeError(f"there are too many ideals of norm {local.prime} to list them")
     if not exponent or eichler_symbol(order, local.prime) == 1:

@@ -15,9 +15,9 @@ import flint
 
 from hfield.errors import IndefiniteError, LatticeError
 from hfield.evidence import Claim
-from hfield.fields.number_fields.classes.class_groups import class_group
 from hfield.hints import CLASSES, Hinted
-from hfield.orders.over_integers.class_sets import good_primes
+from hfield.orders.invariants import eichler_symbol, good_primes
+from hfield.orders.lattice_values import discriminant
 from hfield.orders.over_integers.equivalence import Comparison
 
 if TYPE_CHECKING:
@@ -54,28 +54,26 @@ class IndefiniteClassSet(Hinted):
                 f"{order.algebra} is totally definite: class_set() enumerates its classes, and norms tell "
                 "stable classes alone"
             )
-        for P, _ in order.discriminant().factorisation():
-            if order.eichler_symbol(P) == 0:
+        for P, _ in ambient.base.factorisation(discriminant(order.value)):
+            if eichler_symbol(order.value, P) == 0:
                 raise IndefiniteError(
                     f"classes are told by narrow classes of norms where all local units are norms; at {P} "
                     "the order has the Eichler symbol 0, which asks for a ray class group: none is computed"
                 )
-        places = ambient.base.field.real_places()
-        ramified = tuple(v.index for v in places if v not in ambient.split_places)
-        self.group = class_group(ambient.base.ring, ramified)
+        self.group = ambient.base.classes_modulo_signs(ambient)
 
     def __len__(self) -> int:
-        return self.group.order
+        return int(self.group.order)
 
     @cached_property
     def _ideals(self) -> dict[tuple[int, ...], Any]:
         """A representative of each class, by its class in the group: O, and ideals of prime norms."""
-        order, ring = self.order, self.order.value.ambient.base.ring
-        found = {self.group.class_of(ring.ideal(1)): order.right_ideal([1])}
-        for P in good_primes(order):
+        order, base = self.order, self.order.value.ambient.base
+        found = {self.group.class_of(base.one): order.right_ideal([1])}
+        for P in good_primes(order.value):
             if len(found) == len(self):
                 break
-            ideal = order.value.ambient.base.prime_ideal(P)
+            ideal = base.prime_ideal(P)
             kind = self.group.class_of(ideal)
             if kind not in found:
                 found[kind] = order.ideals_of_norm(ideal, "right")[0]
@@ -105,7 +103,8 @@ class IndefiniteClassSet(Hinted):
             )
         even = [k for k, d in enumerate(self.group.invariants) if d % 2 == 0]
         ambient = self.order.value.ambient
-        norms = [ambient.base.ideal(P) ** e for P, e in self.order.discriminant().factorisation()]
+        primes = ambient.base.factorisation(discriminant(self.order.value))
+        norms = [ambient.base.prime_ideal(P) ** e for P, e in primes]
         rows = [[self.group.class_of(a)[k] % 2 for k in even] for a in norms]
         rank = flint.nmod_mat(rows, 2).rank() if rows and even else 0
         return 1 << (len(even) - rank)

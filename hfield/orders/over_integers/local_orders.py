@@ -11,20 +11,20 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable
 from functools import cached_property
-from itertools import product
 from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.errors import LatticeError
 from hfield.fields.number_fields.integers import left_kernel
-from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
+from hfield.fields.number_fields.integral_basis import coordinate_rows
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.symbols import square_class
 from hfield.orders.base import expect_small
 from hfield.orders.basis import AlgebraBasis
 from hfield.orders.hermite import stacked
+from hfield.orders.invariants import level
 from hfield.orders.lattice_values import (
     LatticeValue,
     add,
@@ -45,16 +45,16 @@ Rows = list[list[flint.fmpq]]
 TRIALS = 1_000
 
 
-def maximal(order: LatticeValue, level: Ideal) -> LatticeValue:
-    """Return a maximal order that contains an order whose index in it is known."""
-    for prime, e in level.factorisation():
-        order = Local(order.ambient, order.ambient.base.prime(prime)).maximal(order, e)
+def maximal(order: LatticeValue) -> LatticeValue:
+    """Return a maximal order that contains an order."""
+    for prime, e in order.ambient.base.factorisation(level(order)):
+        order = Local(order.ambient, prime).maximal(order, e)
     return order
 
 
-def eichler(order: LatticeValue, level: Ideal) -> LatticeValue:
-    """Return an Eichler order in an order that is maximal and split at the primes of the level."""
-    for prime, k in level.factorisation():
+def eichler(order: LatticeValue, index: Ideal) -> LatticeValue:
+    """Return an Eichler order of some index in an order, maximal and split at the primes of the index."""
+    for prime, k in index.factorisation():
         order = Local(order.ambient, order.ambient.base.prime(prime)).eichler_suborder(order, k)
     return order
 
@@ -84,14 +84,8 @@ class Local:
 
     def lift(self, residue: flint.nmod_poly) -> FieldElement:
         """Return an integer of the field with a given residue."""
-        return self.integral(self.prime.lift(residue), 1)
-
-    def integral(self, x: FieldElement, k: int) -> FieldElement:
-        """Return an integer of the field that is x modulo pᵏ, where x may not be integral away from p."""
-        (row,) = coordinate_rows(self.ambient.base.field, [x]).tolist()
-        modulus = self.p**k
-        digits = [int(c.p) * pow(int(c.q), -1, modulus) % modulus for c in row]
-        return element_of(self.ambient.base.field, [flint.fmpq(c) for c in digits])
+        found: FieldElement = self.ambient.base.lift(self.prime, residue)
+        return found
 
     def _digits(self, residue: flint.nmod_poly) -> list[int]:
         found = coefficients(residue)
@@ -218,8 +212,7 @@ class Local:
     @cached_property
     def representatives(self) -> list[FieldElement]:
         """Integers of the field, one of each class modulo P, 0 first."""
-        digits = product(range(self.p), repeat=self.prime.f)
-        return [self.lift(flint.nmod_poly(list(c), self.p)) for c in digits]
+        return self.ambient.base.residues(self.prime)
 
     def times_prime(self, lattice: LatticeValue) -> LatticeValue:
         """Return P·L."""
@@ -227,12 +220,7 @@ class Local:
 
     def independent(self, larger: flint.fmpq_mat, below: LatticeValue) -> Rows:
         """Return some rows that are a basis of what rows span modulo a lattice, which contains P times it."""
-        found: Rows = []
-        for row in larger.tolist():
-            if any(c.q != 1 for c in (flint.fmpq_mat([row]) * below.inverse_rows).entries()):
-                found.append(row)
-                below = add_elements(below, flint.fmpq_mat([row]))
-        return found
+        return independent(larger, below)
 
     def corners(
         self, lattice: LatticeValue, e: flint.fmpq_mat
@@ -274,6 +262,16 @@ class Local:
         below = times_ideal(order, ambient.base.prime_ideal(self.prime) ** k)
         left = add_rows(below, order.rows * ambient.times(e))
         return add(left, conjugate(left))
+
+
+def independent(larger: flint.fmpq_mat, below: LatticeValue) -> Rows:
+    """Return some rows that are a basis of what rows span modulo a lattice, over the residues of a prime."""
+    found: Rows = []
+    for row in larger.tolist():
+        if any(c.q != 1 for c in (flint.fmpq_mat([row]) * below.inverse_rows).entries()):
+            found.append(row)
+            below = add_elements(below, flint.fmpq_mat([row]))
+    return found
 
 
 def _ints(row: list[flint.nmod]) -> list[int]:

@@ -23,7 +23,7 @@ def maximal_order(algebra: Any) -> LatticeValue:
     """
     ambient = basis_of(algebra)
     start = hermite_form(ambient, 1, ambient.identity)
-    found = local_orders.maximal(start, discriminant(start) / ambient.discriminant)
+    found = local_orders.maximal(start)
     if discriminant(found) != ambient.discriminant:
         raise AssertionError("a maximal order has the discriminant of its algebra")
     return found

@@ -1,4 +1,4 @@
-"""Orders above and below an order at a prime ideal; Gorenstein closures, Bass orders; connecting ideals.
+"""Orders above and below an order at a prime; over ℤ_K Gorenstein closures and connecting ideals.
 
 A maximal suborder of O contains P·O, and is of index P or P², so that subalgebras of O/P·O give all of them.
 A minimal overorder is O[x] for an x in P⁻¹·O whose products with O have integral traces.
@@ -10,18 +10,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import product as tuples
-from typing import TYPE_CHECKING
+from typing import Any
 
 import flint
 
-from hfield.errors import TooLargeError
-from hfield.orders.invariants import conductor, eichler_symbol
+from hfield.errors import LatticeError, TooLargeError
+from hfield.orders.invariants import conductor, is_eichler, level
 from hfield.orders.lattice_values import (
     LatticeValue,
     add,
     add_elements,
     add_rows,
-    discriminant,
     dual,
     includes,
     meet,
@@ -30,36 +29,37 @@ from hfield.orders.lattice_values import (
     times_ideal,
 )
 from hfield.orders.maximal_orders import MOST, in_steps
-from hfield.orders.over_integers.local_orders import Local
-
-if TYPE_CHECKING:
-    from hfield.fields.number_fields.ideals import Ideal
+from hfield.orders.over_integers.local_orders import Local, independent
 
 # --- below and above -------------------------------------------------------------------------------
 
 
-def suborders(local: Local, order: LatticeValue, k: int) -> list[LatticeValue]:
+def suborders(order: LatticeValue, prime: Any, k: int) -> list[LatticeValue]:
     """Return the orders of index Pᵏ in an order. Raises :class:`TooLargeError`."""
-    return in_steps(order, k, lambda O: _maximal_suborders(local, O), lambda O: O.hnf)
+    return in_steps(order, k, lambda O: _maximal_suborders(O, prime), lambda O: O.hnf)
 
 
-def overorders(local: Local, order: LatticeValue, k: int) -> list[LatticeValue]:
+def overorders(order: LatticeValue, prime: Any, k: int) -> list[LatticeValue]:
     """Return the orders in which an order has the index Pᵏ. Raises :class:`TooLargeError`."""
-    return in_steps(order, k, lambda O: _minimal_overorders(local, O), lambda O: O.hnf)
+    return in_steps(order, k, lambda O: _minimal_overorders(O, prime), lambda O: O.hnf)
 
 
-def _maximal_suborders(local: Local, order: LatticeValue) -> Iterator[tuple[int, LatticeValue]]:
+def _digits(order: LatticeValue, prime: Any, dimension: int) -> list[flint.fmpq_mat]:
+    """Return residues modulo a prime as matrices. Raises :class:`TooLargeError` for too many lines."""
+    base = order.ambient.base
+    q = base.absolute_norm(base.prime_ideal(prime))
+    if sum(q**n for n in range(dimension)) > MOST:
+        raise TooLargeError(f"there are too many candidates for orders at {prime} to try them")
+    return [order.ambient.scalar(x) for x in base.residues(prime)]
+
+
+def _maximal_suborders(order: LatticeValue, prime: Any) -> Iterator[tuple[int, LatticeValue]]:
     """Yield the orders of index P, and those of index P² that contain P·O, with the exponents."""
-    ambient, q = local.ambient, local.prime.norm()
-    if q * q + q + 1 > MOST:
-        raise TooLargeError(
-            f"there are too many candidates for orders at {local.prime} to try them"
-        )
-    below = local.times_prime(order)
+    ambient, digits = order.ambient, _digits(order, prime, 3)
+    below = times_ideal(order, ambient.base.prime_ideal(prime))
     one = ambient.row(1).entries()
-    basis = local.independent(flint.fmpq_mat([one, *order.rows.tolist()]), below)[1:]
+    basis = independent(flint.fmpq_mat([one, *order.rows.tolist()]), below)[1:]
     b, c, d = (flint.fmpq_mat([row]) for row in basis)
-    digits = [ambient.scalar(x) for x in local.representatives]
     planes = [(b + d * x, c + d * y) for x in digits for y in digits]
     planes += [*((b + c * x, d) for x in digits), (c, d)]
     for pair in planes:
@@ -72,17 +72,14 @@ def _maximal_suborders(local: Local, order: LatticeValue) -> Iterator[tuple[int,
         yield 2, add_elements(below, flint.fmpq_mat([one, x.entries()]))
 
 
-def _minimal_overorders(local: Local, order: LatticeValue) -> Iterator[tuple[int, LatticeValue]]:
+def _minimal_overorders(order: LatticeValue, prime: Any) -> Iterator[tuple[int, LatticeValue]]:
     """Yield all minimal overorders at P, and perhaps others, with the exponents of the indices."""
-    ambient, q = local.ambient, local.prime.norm()
-    limit = dual(order)
-    around = meet(times_ideal(order, ambient.base.prime_ideal(local.prime).inverse()), limit)
-    basis = [flint.fmpq_mat([row]) for row in local.independent(around.rows, order)]
-    if basis and q ** (len(basis) - 1) > MOST:
-        raise TooLargeError(
-            f"there are too many candidates for orders at {local.prime} to try them"
-        )
-    digits = [ambient.scalar(x) for x in local.representatives]
+    ambient, base, limit = order.ambient, order.ambient.base, dual(order)
+    around = meet(times_ideal(order, base.inverse(base.prime_ideal(prime))), limit)
+    basis = [flint.fmpq_mat([row]) for row in independent(around.rows, order)]
+    if not basis:
+        return
+    digits = _digits(order, prime, len(basis))
     for k, first in enumerate(basis):
         for scalars in tuples(digits, repeat=len(basis) - k - 1):
             x = first
@@ -92,7 +89,7 @@ def _minimal_overorders(local: Local, order: LatticeValue) -> Iterator[tuple[int
                 continue
             larger = _generated(add_elements(order, x), limit)
             if larger is not None:
-                yield (order.volume / larger.volume).valuation(local.prime), larger
+                yield base.valuation(order.volume / larger.volume, prime), larger
 
 
 def _generated(lattice: LatticeValue, limit: LatticeValue) -> LatticeValue | None:
@@ -105,7 +102,7 @@ def _generated(lattice: LatticeValue, limit: LatticeValue) -> LatticeValue | Non
     return None
 
 
-# --- Gorenstein and Bass orders --------------------------------------------------------------------
+# --- Gorenstein closures --------------------------------------------------------------------
 
 
 def gorenstein_closure(order: LatticeValue) -> LatticeValue:
@@ -135,28 +132,8 @@ def _without_scalar(local: Local, y: flint.fmpq_mat, m: int) -> flint.fmpq_mat:
             norm = ambient.norm(found.entries())
             if not norm or P.valuation(norm) >= 2 * j + 2:
                 break
-        y, power = found, local.integral(power * P.uniformiser, m)
+        y, power = found, ambient.base.integer_near(power * P.uniformiser, P.p**m)
     return y
-
-
-def is_bass(order: LatticeValue) -> bool:
-    """Tell whether every order that contains this one is Gorenstein.
-
-    With the Eichler symbols 1 and −1 those are Bass that are Gorenstein; with 0 the left order of the radical
-    is the only minimal overorder of a Gorenstein order.
-    """
-    ambient = order.ambient
-    for place, e in discriminant(order).factorisation():
-        prime = ambient.base.prime(place)
-        local, larger, exponent = Local(ambient, prime), order, e
-        while exponent > 1:
-            if conductor(larger).valuation(prime):
-                return False
-            if eichler_symbol(larger, prime):
-                break
-            larger = local.left_order(local.radical(larger))
-            exponent = discriminant(larger).valuation(prime)
-    return True
 
 
 # --- what connects two orders ----------------------------------------------------------------------
@@ -179,14 +156,19 @@ def _ends(local: Local, order: LatticeValue, k: int) -> Ends:
     return ends[0], ends[1]
 
 
-def connecting(first: LatticeValue, second: LatticeValue, level: Ideal) -> LatticeValue:
+def connecting(first: LatticeValue, second: LatticeValue) -> LatticeValue:
     """Return a primitive integral ideal that connects two Eichler orders of one level.
 
-    It is the intersection of those that connect their ends, multiplied so that they have one norm.
+    It is the intersection of those that connect their ends, multiplied so that they have one norm. Raises
+    :class:`LatticeError` for other orders.
     """
-    ambient = first.ambient
+    ambient, whole = first.ambient, level(first)
+    if level(second) != whole or not (is_eichler(first) and is_eichler(second)):
+        raise LatticeError(
+            "connecting ideals exist here between Eichler orders of one level, and these are none"
+        )
     ideals = [product(first, second)] * 2
-    for place, k in level.factorisation():
+    for place, k in whole.factorisation():
         local = Local(ambient, ambient.base.prime(place))
         (a, b), (c, d) = _ends(local, first, k), _ends(local, second, k)
         # of the two ways to match the ends the one that makes the norm smaller
@@ -196,7 +178,7 @@ def connecting(first: LatticeValue, second: LatticeValue, level: Ideal) -> Latti
         better = products[sums[1] > sums[0]]
         ideals = [add(x, y) for x, y in zip(ideals, better, strict=True)]
     found, other = ideals
-    if level != 1:
+    if whole != 1:
         root = ambient.base.one
         for P, e in (found.norm / other.norm).factorisation():
             assert e % 2 == 0, "the distances of the two ends have the same parity"
