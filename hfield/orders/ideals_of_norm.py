@@ -203,7 +203,12 @@ def _unit_cosets(
 
 
 def subideals(order: ZOrder, ideal: LatticeValue, p: int) -> list[LatticeValue]:
-    """Return the invertible right ideals of relative norm p in an invertible right ideal of an order."""
+    """Return the invertible right ideals of relative norm p in an invertible right ideal of an order.
+
+    Raises :class:`TooLargeError` for more than 10⁵.
+    """
+    if number_maximal(p, 1) > MOST:
+        raise TooLargeError(f"there are too many ideals of norm {p} to list them")
     y, below = ideal.element(_of_least_norm(ideal, p)), scaled(ideal, p)
     around = of_prime_power_norm(order, p, 1)
     return [add(multiple(K, y, "left"), below) for K in around]

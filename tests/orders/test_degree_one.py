@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from hfield import Lattice, Order, QuaternionAlgebra, ring
-from hfield.errors import IndefiniteError, LatticeError, NotFiniteError
+from hfield.errors import IndefiniteError, LatticeError, NotFiniteError, TooLargeError
 from hfield.factorisation import factorise
 from hfield.orders import class_number
 from hfield.primality import is_prime
@@ -298,6 +298,17 @@ def test_classes_by_norm_over_both() -> None:
         QuaternionAlgebra(11).maximal_order().classes_by_norm()
     with pytest.raises(IndefiniteError, match="symbol 0"):
         QuaternionAlgebra("QQ", -1, 3).order(["i", "4*j"]).classes_by_norm()
+
+
+def test_large_primes_are_refused_at_once() -> None:
+    p = 2**89 - 1
+    O = QuaternionAlgebra(p).maximal_order()
+    assert O.overorders(p) == O.overorders(2**61 - 1) == []
+    assert O.is_bass()
+    assert O.local_index(p) == 0
+    for ask in (O.subideals, lambda O, p: O.suborders(p)):
+        with pytest.raises(TooLargeError):
+            ask(O, p)
 
 
 def test_what_orders_over_fields_refuse() -> None:

@@ -41,6 +41,8 @@ def suborders(order: LatticeValue, prime: Any, k: int) -> list[LatticeValue]:
 
 def overorders(order: LatticeValue, prime: Any, k: int) -> list[LatticeValue]:
     """Return the orders in which an order has the index Pᵏ. Raises :class:`TooLargeError`."""
+    if order.ambient.base.valuation(level(order), prime) < k:
+        return []
     return in_steps(order, k, lambda O: _minimal_overorders(O, prime), lambda O: O.hnf)
 
 
@@ -50,6 +52,8 @@ def _digits(order: LatticeValue, prime: Any, dimension: int) -> list[flint.fmpq_
     q = base.absolute_norm(base.prime_ideal(prime))
     if sum(q**n for n in range(dimension)) > MOST:
         raise TooLargeError(f"there are too many candidates for orders at {prime} to try them")
+    if dimension == 1:  # of one line
+        return []
     return [order.ambient.scalar(x) for x in base.residues(prime)]
 
 
