@@ -1,6 +1,7 @@
 """Orders and ideals over the integers of number fields: identities, brute force over residue fields."""
 
 import pickle
+from collections import Counter
 from collections.abc import Iterator
 from itertools import product
 from random import Random
@@ -306,3 +307,31 @@ def test_bases_coordinates_and_two_sided_ideals(name: str) -> None:
     T = O.two_sided_ideal([x * den])
     assert O * T == T * O == T
     assert x * den in T
+
+
+@pytest.mark.parametrize(("name", "bound"), [("QQ(sqrt(5))", 10), ("QQ(zeta7)+", 12)])
+def test_ternary_theta_series_count_elements(name: str, bound: int) -> None:
+    A, seen = QuaternionAlgebra(name, -1, -1), set()
+    for O in (A.maximal_order(), A.order(["i", "j"])):
+        around = A.lattice([1, *(2 * q for q in O.basis)])
+        short = around.elements_of_norm_at_most(bound)
+        found = Counter(x.norm() for x in short if x.trace() == 0)
+        assert O.ternary_theta_series(bound) == found
+        seen |= set(found)
+    assert len(seen) > 2
+
+
+def test_random_ideals_have_cyclic_quotients() -> None:
+    A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    O, K = A.eichler_order(3), A.ring
+    P = K.primes_above(11)[0]
+    assert len({O.random_ideal(P, seed=n) for n in range(60)}) == 12
+    norm = K.ideal(11) ** 2 * 2**3
+    for side in ("left", "right"):
+        for seed in range(2):
+            I = O.random_ideal(norm, side, seed)
+            assert (I.side, I.order, I.norm(), I.primitive_part()[1]) == (side, O, norm, 1)
+            assert I.is_invertible()
+            assert I == O.random_ideal(norm, side, seed)
+    with pytest.raises(LatticeError, match="divides both"):
+        O.random_ideal(3)

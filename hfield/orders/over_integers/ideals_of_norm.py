@@ -40,8 +40,10 @@ def generators(local: Local, order: LatticeValue) -> list[Rows]:
 
 
 def random_generators(local: Local, order: LatticeValue, rng: Random) -> Rows:
-    """Return those of one ideal of norm P, but for one any with the same chance; the order is M₂(ℤ_P)."""
+    """Return those of one ideal of norm P, any with the same chance; the order is M₂(ℤ_P)."""
     e, u, v = _matrix_units(local, order)
+    if not rng.randrange(local.prime.norm() + 1):
+        return [v.entries(), (v * local.ambient.times(u.entries())).entries()]
     digits = [rng.randrange(local.p) for _ in range(local.prime.f)]
     return _line(local, e, v, u, local.lift(flint.nmod_poly(digits, local.p)))
 
