@@ -248,7 +248,7 @@ class _Writer:
             if isinstance(item, _Token) and item.kind == "sign":
                 if item.text == "/":
                     numerator, divisor = last, [item]
-                elif item.text in ("*", "+", "-") and before not in ("**", "^"):
+                elif item.text in ("*", "+", "-") and before not in ("**", "^", "/"):
                     divisor = []
                 before = item.text
             else:
@@ -256,7 +256,7 @@ class _Writer:
                     divisor.append(item)
                     if self.is_product(item):
                         self.need_one_reading(numerator, divisor[:1], item)
-                before = kind
+                before = "operand" if kind == "index" else kind
             last = item
         return Letters.join(parts)
 
@@ -297,6 +297,10 @@ class _Writer:
     def written(self, item: _Token | _Group, is_argument: bool) -> Letters:
         """Write one item, a group after a function as its arguments."""
         if isinstance(item, _Token):
+            if item.kind == "number" and "e" in item.text:
+                self.remarks[f"{item.text} is a decimal number, not a product with the unit e"] = (
+                    None
+                )
             return self.word(item) if item.kind == "name" else item.letters
         body = self.body(item.items)
         if item.close is None:

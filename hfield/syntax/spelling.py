@@ -26,17 +26,20 @@ _COMMANDS = {  # of LaTeX
     **dict.fromkeys(("overline", "bar"), "conj"),
     **dict.fromkeys(("left", "right", "quad", "qquad"), ""),
     **dict.fromkeys(("frac", "dfrac", "tfrac"), "frac"),
+    **dict.fromkeys(("lvert", "rvert", "vert", "lVert", "rVert", "Vert", "|"), "|"),
+    "sqrt": "sqrt",
     "exists": "exists ",
 }
-_COMMAND = re.compile(r"\\([A-Za-z]+)\s*|\\([,;:! ])|^\s*\$+|\$+\s*$")
+_COMMAND = re.compile(r"\\([A-Za-z]+|\|)\s*|\\([,;:! ])|^\s*\$+|\$+\s*$")
 _DOLLARS = re.compile(r"(?s)\s*\$.*\$\s*$")
 _FUNCTIONS = {"N": "norm", "tr": "trace", "Sc": "scalar", "Vec": "vector"}
 _FUNCTIONS |= {"Nrd": "norm", "nrd": "norm", "Tr": "trace", "Trd": "trace", "trd": "trace"}
 _FUNCTIONS |= {"Re": "scalar", "Im": "vector"}
-_MODULUS = re.compile(r"[|‖]([^|‖]+)[|‖](\s*(?:\^|\*\*)\s*2(?!\d))?")
+_MODULUS = re.compile(r"[|‖]([^|‖]+)[|‖](\s*(?:\^|\*\*)\s*2(?!\d|\.|\s*(?:\^|\*\*)))?")
 _ROOT = re.compile(r"√(\d+)|√(?=\()")
 _WORDS = ("and", "or", "not")
-_FUNCTION = re.compile(rf"\b({'|'.join(_FUNCTIONS)})(?=\s*\()")
+# After a number, and N after small letters too: 2N(p) and pN(q) are products with norms.
+_FUNCTION = re.compile(rf"(?:\b|(?<=\d)|(?<=[a-z])(?=N\())({'|'.join(_FUNCTIONS)})(?=\s*\()")
 _BRACE = re.compile(r"frac\{|\^?\{|\}")
 _COORDINATE_IN_BRACES = re.compile(r"_\{([0-3])\}")
 _BAR_OF_LETTER = re.compile(r"\\(?:overline|bar)\s*([A-Za-z])")
@@ -44,7 +47,7 @@ _ROMAN = re.compile(r"\\(?:operatorname|math\w+|text)\s*\{([^{}]*)\}")
 # What begins with a name looks behind first, so that a long word is read once, not from each letter on.
 _BAR = re.compile("(?<!\\w)(\\d*)([^\\W\\d]\\w*)\u0304")
 _SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
-_POWER = re.compile(f"[{_SUPERSCRIPTS}]+")
+_POWER = re.compile(f"([{_SUPERSCRIPTS}]+)(?=(\\d)?)")
 _TO_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
 _LETTER = rf"[^\W{_SUPERSCRIPTS}]"
 _COORDINATE_OF_POWER = re.compile(
@@ -97,7 +100,7 @@ def _signs_read(letters: Letters) -> Letters:
     """Return a text with words and operators in the place of mathematical signs."""
     in_latex = "\\" in letters.text or _DOLLARS.match(letters.text) is not None
     if in_latex:
-        letters = letters.sub(_BAR_OF_LETTER, lambda found: ("conj(", 1, ")"))
+        letters = letters.sub(_BAR_OF_LETTER, lambda found: (_apart(found) + "conj(", 1, ")"))
         letters = letters.sub(_ROMAN, lambda found: (" ", 1, " "))
         letters = letters.sub(_COMMAND, _command)
     letters = letters.sub(_COORDINATE_IN_BRACES, lambda found: ("[", 1, "]"))
@@ -107,7 +110,7 @@ def _signs_read(letters: Letters) -> Letters:
         letters = _without_signs(letters)
     letters = letters.sub(_MODULUS, lambda found: ("norm(" if found[2] else "abs(", 1, ")"))
     letters = letters.sub(_EQUAL, lambda found: ("==",))
-    letters = letters.sub(_FUNCTION, lambda found: (_FUNCTIONS[found[1]],))
+    letters = letters.sub(_FUNCTION, lambda found: (_apart(found) + _FUNCTIONS[found[1]],))
     return _commutators(letters)
 
 
@@ -117,7 +120,7 @@ def _without_signs(letters: Letters) -> Letters:
     letters = letters.sub(_OWN_BAR, lambda found: (_decomposed(found[0]),))
     letters = letters.sub(_BAR, lambda found: (1, "conj(", 2, ")"))
     letters = letters.sub(_COORDINATE_OF_POWER, lambda found: (1, "(", 2, ")", 3))
-    letters = letters.sub(_POWER, lambda found: ("**" + found[0].translate(_TO_DIGITS),))
+    letters = letters.sub(_POWER, _power)
     letters = letters.sub(_ROOT, lambda found: ("sqrt(", 1, ")") if found[1] else ("sqrt",))
     letters = letters.sub(_COORDINATE, lambda found: (f"[{'₀₁₂₃'.index(found[0])}]",))
     for sign, words in _SIGNS.items():
@@ -133,7 +136,18 @@ def _command(found: re.Match[str]) -> tuple[str, ...]:
     """Return what a command of LaTeX means; one that is not known stays, so that an error shows it."""
     if found[1] is None:
         return ("" if "$" in found[0] else " ",)
-    return (_COMMANDS.get(found[1], found[0]),)
+    meaning = _COMMANDS.get(found[1], found[0])
+    return (_apart(found) + meaning if meaning[:1].isalpha() else meaning,)
+
+
+def _apart(found: re.Match[str]) -> str:
+    """Return the blank that keeps a word apart from a letter in front of it."""
+    return " " if found.start() and found.string[found.start() - 1].isalpha() else ""
+
+
+def _power(found: re.Match[str]) -> tuple[str, ...]:
+    """Return a power; a digit behind it does not belong to the exponent."""
+    return ("**" + found[1].translate(_TO_DIGITS), " " if found[2] else "")
 
 
 def _without_braces(letters: Letters, in_latex: bool) -> Letters:

@@ -114,6 +114,14 @@ def test_fractions_and_blanks():
         ("every one", "every one"),
         ("|pq|^2 = ‖p‖² |q|", "norm(p*q) == norm(p)*abs(q)"),
         ("Re(p) √2 = nrd(q)", "scalar(p)*sqrt(2) == norm(q)"),
+        ("N(p+q) + N(p-q) = 2N(p) + 2N(q)", "norm(p+q) + norm(p-q) == 2*norm(p) + 2*norm(q)"),
+        ("pN(q)^2N(p) = 3tr(p)q", "p*norm(q)^2*norm(p) == 3*trace(p)*q"),
+        ("p₀q₁ - 2q[1] p[0]q", "p[0]*q[1] - 2*q[1]*p[0]*q"),
+        (
+            r"q\bar q = q\overline{q} = \lvert q\rvert^2",
+            "q*conj(q) == norm(q) and q*conj(q) == norm(q)",
+        ),
+        (r"x\sqrt{2} = \|p\|", "x*sqrt(2) == abs(p)"),
     ],
 )
 def test_what_is_left_out_is_written(text, meant):
@@ -133,6 +141,10 @@ def test_what_is_left_out_is_written(text, meant):
         ("i² = p¹ and pq = foo", 17, "means nothing"),
         ("(1,2) = p", 2, "four coordinates"),
         ("p = q != r", 6, "!= does not chain"),
+        ("1/-2x = y", 4, "two readings"),
+        ("1/-pq = r", 3, "two readings"),
+        ("2²3 = 12", 2, "did not expect '3'"),
+        ("|p|^2^3 = 1", 5, "powers do not chain"),
     ],
 )
 def test_errors_are_reported_at_what_was_typed(text, position, reason):
@@ -155,6 +167,13 @@ def test_a_name_of_the_field_is_no_product_and_the_answer_says_so():
     assert "pq is one name here, not the product p*q" in answer.decision.steps
     with pytest.raises(NotationError, match="two readings, since pq is a name"):
         prove("pqr = 0", "QQ(pq)")
+
+
+def test_a_decimal_number_with_an_exponent_is_pointed_out():
+    answer = prove("2e+1 = 3", "QQ")
+    assert answer.verdict == "refuted"
+    assert "2e+1 is a decimal number, not a product with the unit e" in answer.decision.steps
+    assert prove("2e + 1 = 3", "QQ").verdict == "proved"
 
 
 def test_elements_are_read_as_they_are_typed():
