@@ -21,7 +21,7 @@ K = ring("QQ(sqrt(3))(cos(t),sin(t))")
 @pytest.mark.parametrize("field", [F, K, R, HALF])
 @pytest.mark.parametrize("multiple", [1, 2, -3])
 def test_polar_forms_come_back(field: Any, multiple: int) -> None:
-    """The angle begins with a positive multiple; the axis has the sign of the given one."""
+    """The angle is that in [0, π] for small positive t; the axis has the sign of the given one."""
     A = H(field)
     n, r = A("(3*i + 4*j)/5"), field(2)
     angle = field.angle("t") * multiple
@@ -43,6 +43,20 @@ def test_shifted_and_several_angles() -> None:
     assert H(F)(-2).polar()[::2] == (F(2), F.angle("pi"))
     assert H(F)("k").polar().angle == "pi/2"
     assert H(HALF)("1 + cos(t) + sin(t)*k").polar()[::2] == (HALF("2*cos(t/2)"), HALF.angle("t/2"))
+
+
+@pytest.mark.parametrize(
+    ("text", "angle"),
+    [
+        ("-cos(t) - sin(t)*k", "pi - t"),
+        ("-cos(t) + sin(t)*k", "pi - t"),
+        ("cos(t) - sin(t)*(3*i + 4*j)/5", "t"),
+    ],
+)
+def test_powers_and_roots_are_principal_for_small_angles(text: str, angle: str) -> None:
+    q = H(HALF)(text)
+    assert q.polar().angle == angle
+    assert q ** Fraction(1, 2) == q.sqrt() == (q.log() / 2).exp()
 
 
 def test_the_modulus_is_positive_for_small_angles() -> None:

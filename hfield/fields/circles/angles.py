@@ -131,11 +131,6 @@ class SymbolicAngle(PrintedBySympy):
         factor = rational(other)
         return NotImplemented if not factor else self * Fraction(1, factor)
 
-    def is_positive(self) -> bool:
-        """Tell whether the first multiple is positive, where there are only multiples of π that of π."""
-        named = [c for name, c in self.multiples.items() if name != PI]
-        return next(iter([*named, *self.multiples.values()]), Fraction(0)) > 0
-
     def __eq__(self, other: object) -> bool:
         try:
             return self.multiples == angle_of(other)

@@ -169,7 +169,7 @@ def has_angles(ring: Any) -> bool:
 def _polar_with_angles(
     ring: Any, c: Constants, of: tuple[Any, Coordinates, Any], r: Any
 ) -> tuple[Any, Coordinates, Any]:
-    """Return the polar form; of n, θ and −n, −θ the one whose angle begins with a positive multiple."""
+    """Return the polar form; where all angles are small and positive, θ lies in [0, π], as over RR."""
     w, v, s = of
     if ring.is_zero(r):
         raise NoSolutionError("there is no polar form of an element of norm 0")
@@ -181,9 +181,9 @@ def _polar_with_angles(
         raise NoSolutionError(
             f"there is no polar form over {ring}, which has no root of {shorten(ring.text(-s))}"
         )
+    if not positive(ring, phi):
+        phi = -phi
     angle = ring.angle_of_point(w * scale, phi * scale)
-    if not angle.is_positive():
-        phi, angle = -phi, -angle
     return r, _combined(ring.zero, ring.inverse(phi), v), angle
 
 
