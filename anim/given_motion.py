@@ -1,4 +1,4 @@
-"""Motions of one's own: from arrays of quaternions, rotations, a function of time, or a file."""
+"""Make motions from arrays of quaternions, rotations, functions of time, and files."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ COLUMNS = {4: "w, x, y, z of a quaternion", 5: "seconds, then w, x, y, z"}
 
 
 def motion_of(source: Any, film: Clip | None = None) -> Motion:
-    """Return a motion made of what a user has.
+    """Return the motion that ``source`` describes.
 
     ``source`` is
 
@@ -34,8 +34,8 @@ def motion_of(source: Any, film: Clip | None = None) -> Motion:
     - the path of a text file, as :func:`read_motion` takes it;
     - the name of one of the thesis's pipelines, or a :class:`~anim.motion.Motion`, returned as it is.
 
-    Quaternions need not have norm 1. ``film`` says how many frames there are and how fast, instead of what is
-    said above; attitudes are then turned between the shortest way. Raises
+    Quaternions need not have norm 1. ``film`` sets another number of frames and another rate; attitudes
+    between those given are interpolated along the shortest rotation. Raises
     :class:`~anim.errors.AnimationError`.
 
     >>> from math import cos, sin
@@ -46,7 +46,7 @@ def motion_of(source: Any, film: Clip | None = None) -> Motion:
     """
     if isinstance(source, Motion):
         if film is not None and film != source.clip:
-            raise AnimationError("a Motion has its own frames; expected no clip beside it")
+            raise AnimationError("a Motion has its own frames; expected no clip with it")
         return source
     if isinstance(source, str) and source in PIPELINES:
         return kinematic(source, film)
@@ -63,14 +63,14 @@ def motion_of(source: Any, film: Clip | None = None) -> Motion:
 
 @dataclass(frozen=True, eq=False)
 class Recorded:
-    """Attitudes (n, 4), at ``times`` (n,) in seconds or, without them, evenly apart."""
+    """Attitudes (n, 4) at ``times`` (n,) in seconds; without times they are equally spaced."""
 
     name: str
     attitudes: Floats
     times: Floats | None = None
 
     def seconds(self, fps: float = FPS) -> float:
-        """Return how long it takes, one attitude a frame at ``fps`` where there are no times."""
+        """Return the duration in seconds; without times each attitude is a frame at rate ``fps``."""
         return len(self.attitudes) / fps if self.times is None else float(self.times[-1])
 
     def motion(self, film: Clip | None = None) -> Motion:
@@ -94,8 +94,9 @@ class Recorded:
 def read_motion(path: str | Path) -> Recorded:
     """Return the attitudes in a text file: w, x, y, z on each line, or the seconds before them.
 
-    Without seconds a line is a frame. Raises :class:`~hfield.errors.TableError` for a file that is no table,
-    and :class:`~anim.errors.AnimationError` for what is no motion; both name the file and the line.
+    Without seconds a line is a frame. Raises :class:`~hfield.errors.TableError` for a file that is no table
+    of numbers, and :class:`~anim.errors.AnimationError` for numbers that are no motion. Both messages name
+    the file and the line.
     """
     table = read_table(path, COLUMNS)
     q, times = table.rows[:, -4:], None
@@ -112,7 +113,7 @@ def read_motion(path: str | Path) -> Recorded:
         if len(late):
             raise AnimationError(
                 f"{table.place(int(late[0]) + 1)}: the time is not after that of the line before; "
-                "expected seconds that rise"
+                "expected increasing times"
             )
     return Recorded(Path(path).name, np.asarray(normalised(q)), times)
 
@@ -130,7 +131,7 @@ class Function:
             return np.empty((0, 4))
         if any(value.shape != found[0].shape for value in found):
             raise AnimationError(
-                "the motion's function returns quaternions and matrices by turns; expected one kind"
+                "the motion's function returns both quaternions and matrices; expected one kind"
             )
         return np.stack(found)
 
@@ -191,7 +192,7 @@ def _quaternions(source: Any) -> Floats:
 
 
 def _of_rotation(value: Any) -> Floats:
-    """Return the quaternions of our rotations, or of scipy's."""
+    """Return the quaternions of a Rotation of this package or of scipy."""
     ours = value if isinstance(value, Rotation) else Rotation.from_scipy(value)
     return np.asarray(ours.as_quat(), dtype=np.float64)
 

@@ -1,4 +1,4 @@
-"""The top in somebody's matplotlib axes: a picture in plain ones, its surface in three-dimensional ones."""
+"""Draw the top in matplotlib axes: as a picture in plain axes, as a surface in three-dimensional axes."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-FINENESS = 300.0
-"""Pixels for the top's extent: after this, points on the circles that make no difference are left out."""
+PIXELS_PER_EXTENT = 300.0
+"""The assumed size of the top in pixels, from which the number of points on each circle follows."""
 
 
 def draw_in_axes(model: Model, motion: Motion, ax: Axes, t: float, look: Look | None) -> Artist:
@@ -37,7 +37,9 @@ def draw_in_axes(model: Model, motion: Motion, ax: Axes, t: float, look: Look | 
         raise AnimationError(f"ax is a {type(ax).__name__}; expected axes of matplotlib")
     if isinstance(ax, Axes3D):
         if look is not None:
-            raise AnimationError("three-dimensional axes have their own view; expected no look")
+            raise AnimationError(
+                "three-dimensional axes have a view of their own; expected no look"
+            )
         task = Scene(model, motion, replace(FILM_LOOK, trace=False)).task_at(t)
         return _surface(ax, model, task.matrices[0], task.places[0])
     if look is None:
@@ -58,11 +60,11 @@ def _surface(ax: Any, model: Model, rotation: Floats, tip: Floats) -> Surface3D:
 
 
 class Surface3D(PolyCollection):
-    """The top's faces in three-dimensional axes, those turned to the eye, in an order that is exact."""
+    """The faces of the top that are visible in three-dimensional axes, in exact drawing order."""
 
     def __init__(self, model: Model, rotation: Floats, tip: Floats) -> None:
         super().__init__([], closed=True)
-        mesh = Mesh.of(model, FINENESS / model.extent)
+        mesh = Mesh.of(model, PIXELS_PER_EXTENT / model.extent)
         self._motion = np.eye(4)
         self._motion[:3, :3], self._motion[:3, 3] = rotation, tip
         self._points, self._parts, self._heights = mesh.points, pieces(mesh), mesh.heights
@@ -84,7 +86,7 @@ class Surface3D(PolyCollection):
         self.set_verts(list(np.concatenate(faces)))
         tones = np.concatenate(colours)
         self.set_facecolor(tones)
-        self.set_edgecolor(tones)  # what two smoothed edges leave open is closed
+        self.set_edgecolor(tones)  # closes the gaps between antialiased faces
         self.set_linewidth(0.4)
         rows = view.matrix
         depths = (self._points @ rows[2, :3] + rows[2, 3]) / (
@@ -94,5 +96,5 @@ class Surface3D(PolyCollection):
 
 
 def _towards_eye() -> Floats:
-    """Return what turns matplotlib's depth, which grows away from the eye, round."""
+    """Return the matrix that reverses matplotlib's depth, which increases away from the eye."""
     return np.diag([1.0, 1.0, -1.0, 1.0])

@@ -113,7 +113,7 @@ class Model:
             object.__setattr__(self, name, value)
 
     def __reduce__(self) -> tuple[Any, tuple[int, int, Profile]]:
-        """Travel to another process as numbers, without the arrays made of them."""
+        """Pickle the parameters alone, without the arrays computed from them."""
         return Model._of, (self.ring, self.bands, self.profile)
 
     @property
@@ -132,14 +132,14 @@ class Model:
 
     @property
     def extent(self) -> float:
-        """How far from the tip the farthest point of the top is."""
+        """The distance of the farthest point of the top from the tip."""
         return max(hypot(r, z) for r, z in self.profile)
 
     @property
     def magnified(self) -> float:
-        """How many times as large as the model its picture is; there the farthest point is 3 from the tip.
+        """The factor by which pictures enlarge the model, so that its farthest point is 3 from the tip.
 
-        So cameras, ground and shadows fit a top of any size.
+        Thus cameras, ground and shadows fit a top of any size.
 
         >>> small = Model.from_outline([(0, 0), (1, 0.8), (1.5, 0)])
         >>> small.extent, small.magnified, small.scaled(small.magnified).height
@@ -156,7 +156,7 @@ class Model:
         return self if profile == self.profile else self._of(self.ring, self.bands, profile)
 
     def with_ring(self, ring: int) -> "Model":
-        """Return the model of the same profile with so many points on each circle.
+        """Return the model of the same profile with ``ring`` points on each circle.
 
         >>> Model().with_ring(10) == Model(10)
         True
@@ -164,7 +164,7 @@ class Model:
         return self._of(ring, None, self.profile)
 
     def scaled(self, factor: float) -> "Model":
-        """Return the same shape, so many times as large."""
+        """Return the same shape enlarged by a factor."""
         return self.with_profile(tuple((r * factor, z * factor) for r, z in self.profile))
 
     @cached_property

@@ -154,11 +154,11 @@ class Motion:
 
 @dataclass(frozen=True, eq=False)
 class Shortest:
-    """The sampler that turns the shortest way from each attitude (frames, 4) to the next."""
+    """Interpolates along the shortest rotation from each attitude (frames, 4) to the next."""
 
     attitudes: Floats
     times: Floats
-    """When each is taken, (frames,), in seconds, rising."""
+    """The time of each attitude in seconds, (frames,), increasing."""
 
     def __call__(self, times: Floats) -> Floats:
         """Return the quaternions (n, 4) at ``times`` (n,)."""

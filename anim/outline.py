@@ -14,7 +14,7 @@ from hfield.tables import read_table
 Profile = tuple[tuple[float, float], ...]
 """Pairs (radius, z) from the tip (0, 0) up to the axis again."""
 
-MOST_OUTLINE_POINTS = 2000
+MAX_OUTLINE_POINTS = 2000
 
 
 def checked_outline(
@@ -31,10 +31,10 @@ def checked_outline(
     if isinstance(outline, str) or not isinstance(outline, Iterable):
         raise AnimationError(f"the outline is {outline!r}; expected pairs (z, radius)")
     pairs = [_pair(point, where(n)) for n, point in enumerate(outline)]
-    if not 2 <= len(pairs) <= MOST_OUTLINE_POINTS:
+    if not 2 <= len(pairs) <= MAX_OUTLINE_POINTS:
         raise AnimationError(
             f"the outline has {len(pairs)} point{'s' * (len(pairs) != 1)}; expected 2 to "
-            f"{MOST_OUTLINE_POINTS} pairs (z, radius)"
+            f"{MAX_OUTLINE_POINTS} pairs (z, radius)"
         )
     before = -inf
     for n, (z, radius) in enumerate(pairs):

@@ -27,26 +27,26 @@ from hfield.executors import InProcess, ordered
 if TYPE_CHECKING:
     from anim.output.format import Film, Frame
 
-FINE = 5000
-"""At how many instants, at least, the apex's path is followed."""
+MIN_PATH_INSTANTS = 5000
+"""The least number of instants at which the apex's path is computed."""
 FRAMED = 500
-"""At so many instants a motion is looked at to decide how close a picture may be."""
-CALM = 0.4
-"""The seconds of the film over which a camera that follows the top evens out its way."""
-LONG = 1.5
-"""A camera follows a top that goes farther than this many times its own extent."""
-MOST_TRACKED = 5000
-UNSEEN = 0.1
+"""The least number of instants of a motion from which the size of the top in a picture is chosen."""
+SMOOTHING_SECONDS = 0.4
+"""The standard deviation, in seconds of the film, of the filter that smooths a following camera's path."""
+MAX_UNFOLLOWED_EXTENTS = 1.5
+"""By default the camera follows a top whose path spans more than this, in units of its extent."""
+MAX_TRACKED_INSTANTS = 5000
+PATH_TOLERANCE = 0.1
 """How many pixels the line of the trace may stray from the apex's path."""
 
 Progress = Callable[[int, int], None]
 
 
 def framed(look: Look, model: Model, motion: Motion, follow: bool | None = None) -> Look:
-    """Return the look, as close as all places of a top in motion allow.
+    """Return the look, with the camera as close as possible to show the whole motion.
 
-    ``follow`` is whether the camera goes along with the top; None: where the top would otherwise be small,
-    and the style can.
+    ``follow`` says whether the camera moves with the top. With None it does if the top would otherwise be
+    small, unless the style has fixed axes.
     """
     from anim.picture.projection import outermost, swept
     from rotation.matrices import to_matrix
@@ -62,17 +62,17 @@ def framed(look: Look, model: Model, motion: Motion, follow: bool | None = None)
 
 
 class Track:
-    """Where a camera goes that follows the top: over the middle of its axis, without its quick swings."""
+    """The path of a camera that follows the top: the smoothed path of the middle of the top's axis."""
 
     def __init__(self, model: Model, motion: Motion) -> None:
         self._extent = model.extent
-        count = max(FRAMED, min(motion.frames, MOST_TRACKED))
+        count = max(FRAMED, min(motion.frames, MAX_TRACKED_INSTANTS))
         self.times: NDArray[np.float64] = np.linspace(0.0, motion.clip.seconds, count)
         middles = motion.tips(self.times)
         if motion.places is not None:
             middles += model.height / 2 * attitude.axes(motion.at(self.times))
-        # A Gaussian mean over the film's time; beyond its ends the way is that of before, turned about them.
-        width = CALM * count / motion.duration
+        # A Gaussian mean over the film's time; beyond both ends the path is continued by point reflection.
+        width = SMOOTHING_SECONDS * count / motion.duration
         reach = min(count - 1, int(4 * width) + 1)
         weights = np.exp(-((np.arange(-reach, reach + 1) / width) ** 2) / 2)
         padded = np.pad(middles[:, :2], ((reach, reach), (0, 0)), "reflect", reflect_type="odd")
@@ -82,8 +82,8 @@ class Track:
 
     @property
     def is_long(self) -> bool:
-        """Whether the way is so long that the top would be small in a picture of all of it."""
-        return bool(np.ptp(self.centres, axis=0).max() > LONG * self._extent)
+        """Whether the path is so long that the top would be small in a picture of the whole path."""
+        return bool(np.ptp(self.centres, axis=0).max() > MAX_UNFOLLOWED_EXTENTS * self._extent)
 
     def at(self, time: float) -> tuple[float, float]:
         """Return where the camera is at an instant."""
@@ -184,7 +184,7 @@ class Scene:
 
     @cached_property
     def _widest(self) -> tuple[str, ...]:
-        """The captions of a frame in which they take the most room."""
+        """The widest captions that a frame can have."""
         return caption(self.captions or "en", self.motion.name, *WIDEST)
 
     @cached_property
@@ -194,14 +194,14 @@ class Scene:
 
     @cached_property
     def _scene_look(self) -> Look:
-        """The look of what is below the captions."""
+        """The look of the picture below the captions."""
         if self.captions is None:
             return self.look
         width, height = self.look.size
         return replace(self.look, size=(width, height - self._strip))
 
     def _spin(self, instant: float) -> float:
-        """Return the spin at an instant in rad/s, between frames in proportion."""
+        """Return the spin at an instant in rad/s, interpolated linearly between frames."""
         return float(np.interp(instant, self.motion.times, self._spins))
 
     @cached_property
@@ -225,19 +225,19 @@ class Scene:
     def _path(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The apex's path as far as a picture can show it: instants (k,) and points (k, 3).
 
-        Between few frames it is followed too; of many, those that make no difference are left out, so that
-        what a frame costs does not grow with the film.
+        The path is also computed between frames if there are few. Points whose absence cannot be seen are
+        left out, so that the cost of a frame does not grow with the length of the film.
         """
         from anim.picture.trace import thinned
 
         clip = self.motion.clip
-        between = -(-FINE // clip.frames)
+        between = -(-MIN_PATH_INSTANTS // clip.frames)
         places = np.linspace(0, clip.frames - 1, (clip.frames - 1) * between + 1)
         times = places * clip.interval
         path = self.model.height * attitude.axes(self.motion.at(times)) + self.motion.tips(times)
         # The top is two thirds of its extent wide at least, and no wider than the picture.
         pixel = 2 / (max(self._scene_look.size) * self.look.camera.zoom * self.model.magnified)
-        kept = thinned(path, pixel * UNSEEN)
+        kept = thinned(path, pixel * PATH_TOLERANCE)
         return times[kept], path[kept]
 
 
@@ -245,9 +245,9 @@ class Scene:
 class Task:
     """One frame: attitudes (steps, 3, 3) and places (steps, 3) of the tip to draw and average.
 
-    ``trail`` is the apex's path so far, (k, 3), ``ages`` (k,) how many seconds of the film ago it was there;
-    ``centre`` (2,) is where a camera has gone that follows. ``said`` are the lines to be written above the
-    picture, in a strip of so many pixels; ``widest`` lines that take the most room.
+    ``trail`` is the apex's path so far, (k, 3); ``ages`` (k,) are the seconds of the film since it passed
+    each point. ``centre`` (2,) is the place of a camera that follows the top. ``said`` are the captions,
+    written above the picture in a strip of ``strip`` pixels; ``widest`` are the widest captions of the film.
     """
 
     model: Model

@@ -33,9 +33,9 @@ class Top:
 
     ``motion`` is a :class:`~anim.motion.Motion`, the name of one of the thesis's pipelines, quaternions
     (n, 4), a :class:`~rotation.Rotation`, a function of time, or the path of a file of quaternions;
-    :func:`~anim.given_motion.motion_of` says more. ``clip`` is its film, where the motion has none of its
-    own. Raises :class:`~anim.errors.AnimationError` for what is no motion, and
-    :class:`~hfield.errors.TableError` for a file that is no table of numbers.
+    see :func:`~anim.given_motion.motion_of`. ``clip`` gives the number and rate of frames, unless ``motion``
+    is a Motion, which has its own. Raises :class:`~anim.errors.AnimationError` if ``motion`` is no motion,
+    and :class:`~hfield.errors.TableError` for a file that is no table of numbers.
 
     >>> from anim import Model, Top
     >>> Top("product", Model(ring=60))
@@ -55,9 +55,9 @@ class Top:
     def frame(self, t: float, look: Look | None = None) -> Pixels:
         """Return the picture at ``t`` seconds of the motion, uint8 (height, width, 3), top row first.
 
-        Without ``look`` it is shaded, 640 × 480 pixels, with trace and shadow, as films are; where ``t`` is a
-        frame of the film, it is that frame. Raises :class:`~anim.errors.AnimationError` for ``t`` outside
-        the motion.
+        The default look is that of films: shaded, 640 × 480 pixels, with trace and shadow. At the time of a
+        frame of the film the picture is that frame. Raises :class:`~anim.errors.AnimationError` for ``t``
+        outside the motion.
         """
         from anim.rendering import draw
 
@@ -70,13 +70,13 @@ class Top:
         return frames(self._scene(look))
 
     def draw(self, ax: Axes, t: float = 0.0, look: Look | None = None) -> Artist:
-        """Draw the top at ``t`` seconds of the motion into matplotlib axes of yours; return the artist.
+        """Draw the top at ``t`` seconds of the motion into matplotlib axes; return the artist.
 
-        Into plain axes goes the picture that :meth:`frame` makes, without ``look`` as many pixels as the axes
-        have. Into three-dimensional ones goes the surface, in the model's unit; it hides itself rightly from
-        wherever the axes are seen, and ``ax.set_aspect("equal")`` keeps its shape. Raises
-        :class:`~anim.errors.AnimationError` for ``t`` outside the motion, and for a look in
-        three-dimensional axes, which have their own.
+        Plain axes get the picture that :meth:`frame` makes, by default with as many pixels as the axes have.
+        Three-dimensional axes get the surface, in the model's unit. Hidden faces are removed correctly from
+        every direction; ``ax.set_aspect("equal")`` keeps the proportions. Raises
+        :class:`~anim.errors.AnimationError` for ``t`` outside the motion, and for a ``look`` in
+        three-dimensional axes, which have a view of their own.
         """
         from anim.in_axes import draw_in_axes
 
@@ -125,7 +125,7 @@ class Top:
         )
 
     def _scene(self, look: Look | None) -> Scene:
-        """Return what decides the frames; the last ones are kept."""
+        """Return the scene of the frames; recent scenes are cached."""
         return _scene(self.model, self.motion, look)
 
     def show(self) -> None:

@@ -77,8 +77,8 @@ def _motion(group: _ArgumentGroup) -> None:
     group.add_argument(
         "--motion",
         metavar="FILE",
-        help="text or CSV file of the attitudes: w, x, y, z of a quaternion on each line, one line a frame, "
-        "or the seconds before them",
+        help="text or CSV file of attitudes: each line is a frame with the quaternion w, x, y, z; with five "
+        "numbers on a line, the first is the time in seconds",
     )
     group.add_argument("--frames", type=int, metavar="N", help="number of frames (default: 500)")
     group.add_argument("--fps", type=float, metavar="X", help="frames per second (default: 50)")
@@ -142,13 +142,13 @@ def _picture(group: _ArgumentGroup) -> None:
     group.add_argument(
         "--outline",
         metavar="FILE",
-        help="text or CSV file of another shape: z and the radius on each line, from the tip up, in one unit "
-        "(--scale says how long it is)",
+        help="text or CSV file of another shape: z and the radius on each line, from the tip up, in the same "
+        "unit (--scale gives its length in m)",
     )
     group.add_argument(
         "--follow",
         action=BooleanOptionalAction,
-        help="let the camera go along with the top (default: where it goes far)",
+        help="move the camera with the top (default: only if the top goes far)",
     )
     group.add_argument(
         "--style",
@@ -206,7 +206,8 @@ def _physics(group: _ArgumentGroup) -> None:
         ("density", "kg/m³, in place of the mass"),
         (
             "scale",
-            "m, the radius of the rim, or the unit of --outline (default: 0.5, or as large a top)",
+            "m: the radius of the rim, or the length of the unit of --outline (default: 0.5, or a top "
+            "of the same size)",
         ),
         (
             "spin-decay",

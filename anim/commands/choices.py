@@ -45,7 +45,7 @@ def model_of(args: Namespace) -> Model:
 
 
 def clip_of(args: Namespace, recorded: Recorded | None = None) -> Clip:
-    """Return how many frames there are, and how fast; of a recorded motion, all of it."""
+    """Return the number of frames and their rate; by default a recorded motion is shown in full."""
     from anim.film import FPS, clip
 
     if recorded is not None:
@@ -73,7 +73,7 @@ def numbers_of(args: Namespace, clip: Clip) -> list[int]:
 
 
 def recorded_of(args: Namespace) -> Recorded | None:
-    """Return the motion in a file that the flags name, if they do."""
+    """Return the motion in the file of ``--motion``, or None without that flag."""
     from anim.given_motion import read_motion
 
     if args.motion is None:
@@ -86,7 +86,7 @@ def recorded_of(args: Namespace) -> Recorded | None:
     ]
     if others:
         flag = others[0].replace("_", "-")
-        raise UsageError(f"--motion has the whole motion; leave out --{flag}")
+        raise UsageError(f"--motion gives the whole motion; leave out --{flag}")
     return read_motion(args.motion)
 
 
@@ -126,7 +126,7 @@ def simulated(args: Namespace, model: Model, motion: Motion) -> HeavyTop | FreeT
         return motion.sampler
     if args.model is not None or args.motion is not None:
         return None
-    body, launch, contact = _usual(args, model, True)
+    body, launch, contact = _default_setup(args, model, True)
     return FreeTop(body, launch, motion.clip.seconds, contact) if contact else None
 
 
@@ -189,29 +189,33 @@ def _heavy(args: Namespace, model: Model, film: Clip, free: bool) -> Motion:
 
         given["heading"] = Random(args.seed).uniform(-pi, pi)
     touching = {"radius": args.tip_radius, "friction": args.friction, "rolling": args.rolling}
-    body, launch, contact = _usual(args, model, free)
+    body, launch, contact = _default_setup(args, model, free)
     return physical(
         film,
         body,
-        replace(launch, **_given(given)),
-        contact and replace(contact, **_given(touching)),
+        replace(launch, **_without_none(given)),
+        contact and replace(contact, **_without_none(touching)),
     )
 
 
-def _usual(args: Namespace, model: Model, free: bool) -> tuple[Body, Launch, Contact | None]:
-    """Return the body, and the launch and the ground that it has where the flags say nothing."""
+def _default_setup(
+    args: Namespace, model: Model, free: bool
+) -> tuple[Body, Launch, Contact | None]:
+    """Return the body, and its default launch and ground."""
     from anim.physics import Body, Launch
     from anim.physics.inertia import SCALE
     from anim.physics.simulate import STORY, story_of
 
     sizes = {"scale": args.scale, "mass": args.mass, "density": args.density}
     if args.outline is None:
-        return Body.turned(model.profile, **_given(sizes)), *(STORY if free else (Launch(), None))
+        return Body.turned(model.profile, **_without_none(sizes)), *(
+            STORY if free else (Launch(), None)
+        )
     if args.scale is None:  # as large as the thesis's top
         sizes["scale"] = SCALE * model.magnified
-    body = Body.turned(model.profile, **_given(sizes))
+    body = Body.turned(model.profile, **_without_none(sizes))
     return body, *story_of(body, free)
 
 
-def _given(values: dict[str, float | None]) -> dict[str, Any]:
+def _without_none(values: dict[str, float | None]) -> dict[str, Any]:
     return {name: value for name, value in values.items() if value is not None}

@@ -17,8 +17,8 @@ Profile = Sequence[tuple[float, float]]
 SCALE = 0.5
 # What mass and moments of inertia exceed, and their inverses too, so that products of three stay numbers.
 LEAST = 1e-90
-# How far the corners that touch the ground may be from the outline, as a part of its extent.
-CORNERS = 1e-3
+# The largest distance between the outline and the corners that may touch the ground, relative to the extent.
+CONTACT_TOLERANCE = 1e-3
 
 
 @dataclass(frozen=True)
@@ -58,8 +58,8 @@ class Body:
         ``scale`` is the length of the profile's unit in m. Give the ``mass`` in kg or the ``density`` in
         kg/m³; without either the mass is 1 kg. The moments are integrals of the polynomials r², z·r², r⁴
         and z²·r² over each frustum, in closed form. Raises :class:`~anim.errors.AnimationError`
-        for both, for what is not positive, and for an outline that holds no volume above the ground. One that
-        begins with a flat base has a body too, whose ``reach`` is 0: it cannot lean on its tip.
+        for both, for a value that is not positive, and for an outline without volume above the ground. A body
+        with a flat base has ``reach`` 0: it cannot lean on its tip.
         """
         if mass is not None and density is not None:
             raise AnimationError("mass and density are both given; the size makes one of the other")
@@ -77,7 +77,7 @@ class Body:
                 f"a top of {weight:.3g} kg and {size:.3g} m has moments of inertia that cannot be "
                 "computed with; choose another mass or size"
             )
-        fine = CORNERS * max(hypot(r, z) for r, z in profile)
+        fine = CONTACT_TOLERANCE * max(hypot(r, z) for r, z in profile)
         outline = tuple((size * r, size * z) for r, z in simplified(tuple(profile), fine))
         return cls(weight, size * moment / volume, *moments, reach(profile), outline, size)
 

@@ -149,10 +149,11 @@ STORY = (
 
 
 def story_of(body: Body, free: bool) -> tuple[Launch, Contact | None]:
-    """Return the launch and the ground of :data:`STORY`, or without a ground, for a body of another shape.
+    """Return the launch and the ground of :data:`STORY` in proportion for another body.
 
-    Its spin is as many times that at which it sleeps upright, its tip as large for its size, and it leans no
-    more than half of what brings its rim to the ground.
+    Without ``free`` there is no ground. Two ratios are those of the thesis's top: of the spin to the spin at
+    which the body sleeps upright, and of the tip's radius to the size of the body. The tilt is at most half
+    the tilt at which the rim touches the ground.
     """
     usual = Body.turned(Model().profile)
     launch, contact = STORY if free else (Launch(), None)

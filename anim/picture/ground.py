@@ -58,7 +58,7 @@ def lit_ground(
 
 @kernel
 def seen_ground(places: Light, to_ground: Floats, near: float, far: float) -> None:
-    """Write into ``places`` (height, width, 5): where on the ground a pixel is, how much of it, noise, −1."""
+    """Fill ``places`` (height, width, 5): for each pixel its x and y on the ground, visibility, noise, −1."""
     height, width, _ = places.shape
     for y in range(height):
         for x in range(width):
@@ -83,11 +83,11 @@ def moved_ground(
     paper: Light,
     numbers: Light,
 ) -> None:
-    """Write the ground that a camera sees that has gone some way, in floats and bytes, from row ``top`` down.
+    """Draw the ground as a moved camera sees it, as floats and as bytes, from row ``top`` down.
 
-    The light is around the point that the camera looks at. ``numbers`` are how dark the paper is, shade,
-    pool, ring, and the two coordinates of the way. Only the rings move: ``places`` keeps how much of one
-    there is in a pixel, and what has not changed is left as it is.
+    The light is centred at the point that the camera looks at. ``numbers`` are the darkness of the paper,
+    shade, pool, ring, and the two coordinates of the camera's displacement. Only the rings move:
+    ``places`` stores the share of a ring in each pixel, and pixels with an unchanged share are skipped.
     """
     dark, shade_, pool, ring = numbers[0], numbers[1], numbers[2], numbers[3]
     one, half, most = np.float32(1.0), np.float32(0.5), np.float32(255.0)

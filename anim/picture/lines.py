@@ -16,9 +16,9 @@ Samples = NDArray[np.float32]
 def draw_line(pixels: Bytes, mask: Samples, points: Floats, half: float, colour: Floats) -> None:
     """Draw a line through ``points`` (k, 3), y upwards, with round ends; ``half`` is half its width.
 
-    The third coordinate is how much of the ink there is, from 0 to 1. ``mask`` (height, width) is zero, and
-    left so: how much of a pixel is covered, by the distance of its middle. What the line covers twice it
-    covers once.
+    The third coordinate is the opacity, from 0 to 1. ``mask`` (height, width) is working memory for the
+    coverage of each pixel, by the distance of its centre from the line; it is zero before and after. Pixels
+    that the line crosses twice are painted once.
     """
     height, width = mask.shape
     reach = half + 0.5

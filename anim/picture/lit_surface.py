@@ -1,4 +1,4 @@
-"""What the shaded style draws on: ground in the light, over which a camera may follow the top."""
+"""The background of the shaded style: lit ground, over which a camera may follow the top."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,7 @@ class LitSurface(Surface):
         self._places: Light | None = None
 
     def move(self, centre: Floats) -> None:
-        """Show the ground as the camera sees it that has gone to ``centre`` (2,)."""
+        """Show the ground as seen by a camera moved to ``centre`` (2,)."""
         from anim.picture.ground import moved_ground, seen_ground
 
         if self._view.eye[2] <= 0:

@@ -128,7 +128,8 @@ class Look:
         object.__setattr__(self, "follow", bool(self.follow))
         if self.follow and STYLES[self.style].fixed_axes:
             raise AnimationError(
-                f"the style {self.style} draws fixed axes, which no camera follows; choose another style"
+                f"the style {self.style} has fixed axes, so its camera cannot follow the top; "
+                "choose another style"
             )
 
 

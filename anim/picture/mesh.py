@@ -1,4 +1,4 @@
-"""The model as finely as a picture can show it: of its circles and of their points those that show.
+"""The model without the circles and points whose absence a picture cannot show.
 
 A thousand points a ring are more than pixels can tell apart. Neighbouring faces of one colour become one as
 long as the straight edge stays within ``INVISIBLE`` pixels of the points left out; what it costs to draw a
@@ -25,7 +25,7 @@ INVISIBLE = 0.05
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A model's tip, apex, and of each circle the points numbered ``places`` (n,), rising from 0."""
+    """A model's tip, its apex, and the points of each circle numbered ``places`` (n,), increasing from 0."""
 
     model: Model
     places: Indices
@@ -81,7 +81,7 @@ class Mesh:
 
     @cached_property
     def groups(self) -> tuple[int, ...]:
-        """How many times ``ring`` triangles each piece between neighbouring circles has: 1 or 2."""
+        """The number of triangles of each piece between neighbouring circles, divided by ``ring``: 1 or 2."""
         return tuple(int(low > 0) + int(high > 0) for (low, _), (high, _) in pairwise(self.profile))
 
     @property

@@ -19,10 +19,10 @@ from anim.picture.trace import in_sight, near_and_far, on_near_side, strengths
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 Path = tuple[Floats, Floats]
-"""The places of the apex (k, 3), and how much of its colour the path has there (k,)."""
+"""Places of the apex (k, 3), and the opacity of the path there (k,)."""
 
-FINE = 0.003
-"""How far the outline that hides parts of the path may be from the top's, as a part of its extent."""
+HIDING_TOLERANCE = 0.003
+"""The largest distance of the outline that hides the path from the true one, relative to the extent."""
 
 
 class Painter:
@@ -46,9 +46,11 @@ class Painter:
         self.body = style.body(self.mesh, _colours(model, look), self.light, look)
         self.shadow = style.shadow(self.mesh, self.light, self.view, look)
         self._pen = max(1.0, min(look.size) / 320)
-        # The outline where it hides what the apex's sphere does not know of.
+        # A wide top reaches out of the apex's sphere: then the outline decides what is hidden.
         self._wide = (
-            () if model.extent <= model.height else simplified(model.profile, FINE * model.extent)
+            ()
+            if model.extent <= model.height
+            else simplified(model.profile, HIDING_TOLERANCE * model.extent)
         )
 
     def __reduce__(self) -> tuple[type["Painter"], tuple[Model, Look]]:
@@ -85,9 +87,9 @@ class Painter:
     ) -> Pixels:
         """Return the picture of an open shutter: attitudes (k, 3, 3) at places (k, 3).
 
-        They are evenly apart in time; ``spin`` is the turn in radians about the top's own axis from the first
-        to the last. Shadow, trace and camera are those of the middle. A style that cannot expose draws every
-        moment, of which the mean is taken.
+        They are equally spaced in time; ``spin`` is the turn in radians about the top's own axis from first
+        to last. Shadow, trace and camera are those of the middle moment. A style that cannot expose draws
+        every moment, and the result is the mean.
         """
         rotations = [_rotation(matrix) for matrix in np.asarray(matrices, dtype=np.float64)]
         tips = [self._place(place) for place in np.asarray(places, dtype=np.float64)]
@@ -122,7 +124,7 @@ class Painter:
         return self._magnified * points, strengths(times)
 
     def _near(self, trail: Floats, rotation: Floats, tip: Floats) -> NDArray[np.bool_]:
-        """Return which points of the apex's path (k, 3) the top does not hide, and may be hidden by."""
+        """Return which points of the apex's path (k, 3) are in front of the top."""
         if not self._wide:
             return on_near_side(trail, self.view.eye, tip)
         eye = self.view.moved(rotation, tip).eye

@@ -28,7 +28,7 @@ ROWS = 32
 def workspace(
     width: int, moments: int, triangles: int, pieces: int
 ) -> tuple[Samples | Indices | Floats, ...]:
-    """Return what :func:`paint` reckons in, for a box of this width."""
+    """Return the working memory of :func:`paint` for a box of this width."""
     return (
         np.zeros((ROWS, width, 4), np.float32),
         np.empty((ROWS, width), np.float32),
@@ -68,13 +68,15 @@ def paint(
     The picture is the mean of some moments. ``corners`` (moments, k, 2) are pixels, y downwards;
     ``triangles`` (m, 3) index them, counter-clockwise as seen from outside: those of piece k begin at
     ``starts`` [k], (pieces + 1,); ``order`` (moments, pieces) has the pieces from the farthest to the
-    nearest. ``lit`` (m, 3) index ``light`` (moments, l, 2), the share of its own colour and the white that
-    each corner sends; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB, ``encoded``
-    encodes equal steps of linear light. Unless ``smooth``, a pixel is what its middle shows. How much of each
-    pixel is covered is written into ``covered`` (height, width), if that has the size of the picture.
+    nearest. ``lit`` (m, 3) index ``light`` (moments, l, 2): the shares of its own colour and of white that
+    each corner reflects; ``paints`` (m, 3) are linear colours. ``linear`` (256,) decodes sRGB, ``encoded``
+    encodes equal steps of linear light. Unless ``smooth``, a pixel has the colour at its centre. The
+    coverage of each pixel is written into ``covered`` (height, width) if that has the size of the picture.
 
-    The rest is :func:`workspace`: of a stripe a piece, what it covers, the sum, and what is reached of rows;
-    ``front``, the triangles that face the viewer, with first and last rows, and how many; three corners.
+    The other arguments are working memory made by :func:`workspace`. For a stripe of rows: the colours of one
+    piece, its coverage, the sum of the moments, and the part of each row that is reached. ``front``: the
+    triangles that face the viewer, with their first and last rows, and their number. ``corner``: the three
+    corners of a triangle.
     """
     xs, ys = corner[0], corner[1]
     left, top, right, bottom = box
@@ -301,9 +303,9 @@ def outline(
     share: float,
     colour: Floats,
 ) -> None:
-    """Lay ``share`` of a colour where what is ``covered`` (height, width) ends within ``reach`` pixels.
+    """Blend a colour with weight ``share`` over pixels within ``reach`` of the edge of ``covered``.
 
-    ``covered`` is zero afterwards.
+    ``covered`` (height, width) is set to zero.
     """
     left, top, right, bottom = box
     height, width = covered.shape

@@ -11,9 +11,9 @@ from anim.picture.room import room, to_ground
 Floats = NDArray[np.float64]
 
 STEP = 0.035
-"""How far apart on the ground the light is reckoned."""
-UNSEEN = 0.01
-"""How far the outline that throws it may be from the top's: less than the shadow's softness."""
+"""The distance on the ground of the points at which the light is computed."""
+OUTLINE_TOLERANCE = 0.01
+"""The largest distance of the outline that casts the shadow from the true one: below its softness."""
 BEHIND = 0.02
 """Ground at less of the camera's distance than this is beside or behind it."""
 
@@ -23,7 +23,7 @@ class SoftShadow:
 
     def __init__(self, profile: Profile, light: Floats, view: View) -> None:
         self._light, self._view = light, view
-        self._rings: Floats = np.array(simplified(profile, UNSEEN))
+        self._rings: Floats = np.array(simplified(profile, OUTLINE_TOLERANCE))
         wider, taller = np.diff(self._rings, axis=0).T
         solid = taller > 0  # a flat ring is the end of a cone
         growth = (wider[solid] / taller[solid])[:, None]

@@ -48,10 +48,10 @@ class Style(ABC):
     paper = PAPER
     """The background where the look has none."""
     fixed_axes = False
-    """Whether the top stands in axes, which show its own unit and along which no camera goes."""
+    """Whether the style draws axes in the model's unit, so that the camera does not move."""
 
     def scene(self, model: Model, look: Look) -> tuple[View, Any]:
-        """Return the projection, and the picture without the top as what body and shadow are drawn on."""
+        """Return the projection and the background on which body and shadow are drawn."""
         width, height = look.size
         paper = np.full((height, width, 3), self.paper_of(look), dtype=np.uint8)
         seen = view(look.camera, look.size, places(model, look))

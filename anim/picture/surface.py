@@ -47,8 +47,7 @@ class Surface:
     def stroke(self, lines: Sequence[Floats], colour: RGB, width: float) -> None:
         """Draw open lines ``width`` pixels wide, with round ends, over their own box.
 
-        A line goes through points (k, 2), or (k, 3) where the third coordinate is how much of the colour is
-        laid there, from 0 to 1.
+        A line goes through points (k, 2), or (k, 3) with the opacity, from 0 to 1, as the third coordinate.
         """
         from anim.picture.lines import draw_line
 
@@ -60,7 +59,7 @@ class Surface:
             draw_line(self.pixels, self._mask, points, width / 2, ink)
 
     def move(self, centre: Floats) -> None:
-        """Show what is behind the top as a camera sees it that has gone to ``centre`` (2,): even paper."""
+        """Show the background as seen by a camera moved to ``centre`` (2,): plain paper stays as it is."""
 
     def rgb(self) -> Pixels:
         """Return the picture, (height, width, 3)."""

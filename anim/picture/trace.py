@@ -1,10 +1,10 @@
-"""The path of the apex, in two parts: what the top may hide, and what may hide the top.
+"""Split the path of the apex into a part behind the top and a part in front of it.
 
-The apex moves on a sphere about the tip. Where the top lies inside that sphere, nothing of it hides a point
-of the near side, and such a point may hide everything inside; for the far side it is the other way round.
-So a piece of the trace is drawn after the top when it lies on the near side, else before. A tip that wanders
-takes the sphere along; what it left behind is nearly on it. A top that is wider than it is tall reaches out
-of the sphere: there a ray from each point to the eye is met with the top.
+The apex moves on a sphere about the tip. A top inside that sphere cannot hide a point on the near side, and
+a point on the far side cannot hide the top. So the near side of the path is drawn after the top, the far side
+before it. If the tip moves, the sphere is centred at its present place; the older points are close to it. A
+top that is wider than it is tall is not inside the sphere. Then the ray from each point to the eye is
+intersected with the top.
 """
 
 from collections.abc import Sequence
@@ -18,19 +18,19 @@ from anim.picture.projection import View
 Floats = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
 
-OLD = 0.22
-"""How much of its colour the oldest part of the path keeps."""
-FADING = 2.0
-"""The seconds of the film in which the rest of it falls to 1/e."""
-AHEAD = 0.02
-"""Points at less of the camera's distance than this are beside or behind it and not drawn."""
-GRAZING = 1e-6
-"""A ray that meets the top so near to its start begins on the surface."""
+LEAST_STRENGTH = 0.22
+"""The opacity of the oldest part of the path."""
+FADING_SECONDS = 2.0
+"""The seconds of the film in which the opacity above that falls to 1/e of it."""
+MIN_DEPTH = 0.02
+"""The least depth of points drawn, relative to the camera's distance: others are beside or behind it."""
+MIN_RAY_LENGTH = 1e-6
+"""Intersections of a ray with the top nearer than this belong to its start on the surface."""
 
 
 def strengths(ages: Floats) -> Floats:
-    """Return how much of its colour a path has (k,) where the apex was ``ages`` (k,) seconds ago."""
-    return np.asarray(OLD + (1 - OLD) * np.exp(-ages / FADING))
+    """Return the opacity (k,) of a path at points that the apex passed ``ages`` (k,) seconds ago."""
+    return np.asarray(LEAST_STRENGTH + (1 - LEAST_STRENGTH) * np.exp(-ages / FADING_SECONDS))
 
 
 def on_near_side(trail: Floats, eye: Floats, tip: Floats) -> Booleans:
@@ -40,7 +40,7 @@ def on_near_side(trail: Floats, eye: Floats, tip: Floats) -> Booleans:
 
 
 def in_sight(points: Floats, eye: Floats, profile: Sequence[tuple[float, float]]) -> Booleans:
-    """Return which ``points`` (k, 3) no part of the solid of ``profile`` hides; all in the top's own room."""
+    """Return which ``points`` (k, 3), in the top's coordinates, the solid of ``profile`` does not hide."""
     way = eye[:3] - eye[3] * points
     far = 1.0 if eye[3] else np.inf
     (ox, oy, oz), (dx, dy, dz) = points.T, way.T
@@ -51,7 +51,7 @@ def in_sight(points: Floats, eye: Floats, profile: Sequence[tuple[float, float]]
                 t = (z0 - oz) / dz
                 radius = np.hypot(ox + t * dx, oy + t * dy)
                 met = (radius > min(r0, r1)) & (radius < max(r0, r1))
-                seen &= ~(met & (t > GRAZING) & (t < far))
+                seen &= ~(met & (t > MIN_RAY_LENGTH) & (t < far))
                 continue
             slope = (r1 - r0) / (z1 - z0)
             radius, change = r0 + slope * (oz - z0), slope * dz
@@ -60,23 +60,23 @@ def in_sight(points: Floats, eye: Floats, profile: Sequence[tuple[float, float]]
             root = np.sqrt(b * b - a * (ox * ox + oy * oy - radius * radius))
             for t in ((-b - root) / a, (-b + root) / a):
                 z = oz + t * dz
-                seen &= ~((z > z0) & (z < z1) & (t > GRAZING) & (t < far))
+                seen &= ~((z > z0) & (z < z1) & (t > MIN_RAY_LENGTH) & (t < far))
     return seen
 
 
 def near_and_far(
     trail: Floats, view: View, near: Booleans, ink: Floats
 ) -> tuple[list[Floats], list[Floats]]:
-    """Return the polylines (k, 3) to be drawn after the top, where the points are ``near``, and before it.
+    """Return the polylines to draw after the top, through the points that are ``near``, and before it.
 
-    Of each point they have the place in pixels and its ``ink`` (k,).
+    Each polyline (k, 3) has the two pixel coordinates of its points and their opacity, ``ink``.
     """
     if len(trail) < 2:
         return [], []
     depth = trail @ view.matrix[3, :3] + view.matrix[3, 3]
-    seen = depth > AHEAD
+    seen = depth > MIN_DEPTH
     lines = np.column_stack([view.project(trail), ink])
-    # Of each piece from point to point: 1 after the top, 0 before it, −1 not at all.
+    # For each segment: 1 after the top, 0 before it, −1 not drawn.
     kinds = np.where(seen[1:] & seen[:-1], (near[1:] & near[:-1]).astype(int), -1)
     cuts = np.flatnonzero(kinds[1:] != kinds[:-1]) + 1
     starts, stops = [0, *cuts.tolist()], [*cuts.tolist(), len(kinds)]

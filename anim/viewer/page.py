@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
 SCRIPTS = ("vectors.js", "scene.js", "curves.js", "player.js")
 LIVE_SCRIPTS = ("heavy_top.js", "free_top.js", "simulator.js")
-FINEST, MOST_CORNERS = 0.003, 36
-"""How far the page's outline may be from the top's, at first, and how many corners its shadow can have."""
+OUTLINE_TOLERANCE, MAX_CORNERS = 0.003, 36
+"""The first tolerance of the page's outline, and the largest number of corners of its shadow."""
 READINGS = '<table id="readings"></table>\n'
 KEYS = """<dt>l, p</dt><dd>launch the live top anew, push it</dd>
 <dt>m</dt><dd>the live top, or the film</dd>
@@ -163,12 +163,12 @@ def _style(background: str | None) -> str:
 
 
 def _shape(model: Model) -> dict[str, Any]:
-    """Describe the top by its profile, and the colour of each sector by its place in a list.
+    """Return the profile of the top, its colours, and the index of the colour of each sector.
 
     As in pictures, the farthest point of a top of any size is 3 from its tip.
     """
-    profile, tolerance = model.scaled(model.magnified).profile, FINEST
-    while len(profile) > MOST_CORNERS:
+    profile, tolerance = model.scaled(model.magnified).profile, OUTLINE_TOLERANCE
+    while len(profile) > MAX_CORNERS:
         profile, tolerance = simplified(profile, tolerance), 2 * tolerance
     return {
         "profile": profile,
@@ -178,7 +178,7 @@ def _shape(model: Model) -> dict[str, Any]:
 
 
 def _magnified(model: Model, places: ArrayLike) -> ArrayLike:
-    """Return places in the model's unit in that of the page."""
+    """Convert places from the model's unit to that of the page."""
     import numpy as np
 
     return model.magnified * np.asarray(places, dtype=np.float64)

@@ -69,7 +69,7 @@ def test_a_function_of_time(function) -> None:
         (lambda t: "x", "returns a str"),
         (lambda t: (nan, 0, 0, 0), "not finite"),
         (lambda t: 2 * np.eye(3), "no rotation"),
-        (lambda t: np.eye(3) if t else (1, 0, 0, 0), "by turns"),
+        (lambda t: np.eye(3) if t else (1, 0, 0, 0), "both quaternions and matrices"),
     ],
 )
 def test_what_is_no_motion_is_refused(source, words) -> None:

@@ -19,8 +19,8 @@ from anim.picture.style import Style
 
 Floats = NDArray[np.float64]
 
-# How much lighter (towards white) or darker (towards black) a piece is than the colours given, if it looks
-# down, up, or to the side: the shape is to be seen also where two pieces of one colour meet.
+# Pieces that face up are lighter than the given colours, pieces that face down darker, so that the shape is
+# visible also where two pieces of one colour meet.
 DOWN, UP, ASIDE = -0.14, 0.30, 0.0
 
 
@@ -32,7 +32,7 @@ def tone_of(low: tuple[float, float], high: tuple[float, float]) -> float:
 
 
 def tinted(colours: tuple[RGB, RGB], mesh: Mesh) -> list[tuple[RGB, RGB]]:
-    """Return the two colours of each piece, told apart by their lightness."""
+    """Return the two colours of each piece; neighbouring pieces differ in lightness."""
 
     def tone(channel: int, share: float) -> int:
         # Black cannot darken: a quarter of the light goes to it whatever the piece.
@@ -78,7 +78,7 @@ class FlatBody:
 
 
 class Flat(Style):
-    """Even colours, the pieces told apart by their lightness."""
+    """Even colours; pieces differ in lightness."""
 
     def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> FlatBody:
         """Return the body in tinted colours."""

@@ -25,12 +25,12 @@ Pixels = NDArray[np.uint8]
 _levels = np.arange(256) / 255
 LINEAR: Floats = np.where(_levels <= 0.04045, _levels / 12.92, ((_levels + 0.055) / 1.055) ** 2.4)
 """sRGB (IEC 61966-2-1) decoded."""
-RIM = np.array([214.0, 222.0, 235.0])
+EDGE_LIGHT = np.array([214.0, 222.0, 235.0])
 """The colour of the light on the top's edge on dark paper, in sRGB."""
-OUTLINES = 320
-"""That edge is a pixel wide for so many pixels of the picture's shorter side."""
-SMOOTH = np.cos(np.radians(25))
-"""Pieces of an outline at a smaller angle than this are parts of one curve."""
+PIXELS_PER_EDGE_PIXEL = 320
+"""The edge is one pixel wide for each of so many pixels of the picture's shorter side."""
+MIN_SMOOTH_COSINE = np.cos(np.radians(25))
+"""The cosine of the largest angle between two pieces of one smooth curve."""
 
 
 class ShadedBody:
@@ -113,8 +113,8 @@ class ShadedBody:
             *workspace(width, len(views), len(self._triangles), len(self._starts) - 1),
         )
         if self._outline > 0:
-            reach = max(1, round(min(size) / OUTLINES))
-            outline(canvas.pixels, self._covered, box, reach, self._outline, RIM)
+            reach = max(1, round(min(size) / PIXELS_PER_EDGE_PIXEL))
+            outline(canvas.pixels, self._covered, box, reach, self._outline, EDGE_LIGHT)
 
     def lighting(self, view: View, rotation: Floats) -> Floats:
         """Return, for each normal, the share of its own colour and the white that it sends to the eye."""
@@ -145,7 +145,7 @@ def _normals(mesh: Mesh) -> tuple[Indices, Floats]:
     out, rise = np.diff(outline, axis=0).T
     slopes = np.column_stack([rise, -out]) / np.hypot(rise, out)[:, None]
     low, high = slopes.copy(), slopes.copy()
-    smooth = np.flatnonzero(np.sum(slopes[1:] * slopes[:-1], axis=1) > SMOOTH)
+    smooth = np.flatnonzero(np.sum(slopes[1:] * slopes[:-1], axis=1) > MIN_SMOOTH_COSINE)
     means = slopes[smooth] + slopes[smooth + 1]
     low[smooth + 1] = high[smooth] = means / np.hypot(*means.T)[:, None]
     blocks: dict[tuple[float, float, bool], int] = {}
