@@ -16,7 +16,7 @@ from hfield import (
     check,
     prove,
 )
-from hfield.rings.array_held.floats import COMPILED
+from hfield.rings.array_held.floats import MIN_COMPILED
 from hfield.structure.single_elements import float_functions
 from rotation import Rotation
 from rotation.compat import Rotation as ScipysRotation
@@ -88,7 +88,7 @@ def test_arrays_change_their_ring() -> None:
 
 def test_compiled_loops_beside_the_formulas(monkeypatch: pytest.MonkeyPatch) -> None:
     """Loops over many elements give what numpy gives, up to rounding."""
-    p, q = (A.from_array(RNG.normal(size=(4, COMPILED + 7))) for _ in range(2))
+    p, q = (A.from_array(RNG.normal(size=(4, MIN_COMPILED + 7))) for _ in range(2))
     B = QuaternionAlgebra(RDF, 2, -3, 1)
     x, y = B.from_array(p.to_array()), B.from_array(q.to_array())
 
@@ -99,13 +99,13 @@ def test_compiled_loops_beside_the_formulas(monkeypatch: pytest.MonkeyPatch) -> 
     quick = results()
     for algebra in (A, B):
         monkeypatch.setattr(algebra.array_holding, "_compiles", lambda size: False)
-    monkeypatch.setattr(float_functions, "COMPILED", 10**9)
+    monkeypatch.setattr(float_functions, "MIN_COMPILED", 10**9)
     for fast, slow in zip(quick, results(), strict=True):
         assert np.abs(fast - slow).max() <= 1e-14 * (1 + np.abs(slow).max())
 
 
 def test_loops_leave_what_is_out_of_range_to_the_careful_way() -> None:
-    q = np.zeros((4, COMPILED))
+    q = np.zeros((4, MIN_COMPILED))
     q[0] = 1.0
     q[:, 5] = (3e200, 4e200, 0, 0)
     assert abs(A.from_array(q))[5] == pytest.approx(5e200)

@@ -21,9 +21,9 @@ class Code:
         self.head = head
         self.lines: list[str] = []
         self.declared: set[str] = set()
-        self.told: list[
+        self.conditions: list[
             str
-        ] = []  # values that tell of something, for who wrote them to put together
+        ] = []  # values that the writer of the loop combines into one result
         self._known: dict[str, str] = {}
         self._count = 0
         self._label = "start"

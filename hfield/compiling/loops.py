@@ -86,8 +86,8 @@ def looped(
         results = written(code, program, arithmetic, operands, literals, i)
         for name, result in zip(outputs, results, strict=True):
             _write(code, arithmetic, name, i, result)
-        for flag in code.told:
-            told = code.value(f"or i64 {told}, {flag}")
+        for condition in code.conditions:
+            told = code.value(f"or i64 {told}, {condition}")
         return [told]
 
     marks = "" if arithmetic.vectorise else NOT_VECTORISED

@@ -204,7 +204,7 @@ def _block(
         names = [program.value(f"fptrunc {program.kind} {x} to {HALVES}") for x in names]
     _store(program, names, words[-1])
     told = "false"
-    for condition in program.told:
+    for condition in program.conditions:
         told = program.value(f"or i1 {told}, {program.some(condition)}")
     program.end(f"i1 {told}")
     return program, _shape(answer)

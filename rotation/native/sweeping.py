@@ -135,7 +135,7 @@ def _eight(
     if results:
         _write(program, near[-1], columns[-1], image, "0")
     told = "false"
-    for condition in program.told:
+    for condition in program.conditions:
         told = program.value(f"or i1 {told}, {program.some(condition)}")
     program.end(f"i1 {told}")
     return program

@@ -58,16 +58,16 @@ class Program(Code):
         self, condition: str, compute: Callable[[], Iterable["Lanes"]], usual: Iterable["Lanes"]
     ) -> "tuple[Lanes, ...]":
         """Write what is computed where a condition holds in a row at least, else the usual."""
-        before, self.told = self.told, []
+        before, self.conditions = self.conditions, []
 
         def computed() -> list[tuple[str, str, str]]:
             pairs = zip(compute(), usual, strict=True)
             values = [(self.kind, a.name, b.name) for a, b in pairs]
-            return values + [(self.bits, t, "zeroinitializer") for t in self.told]
+            return values + [(self.bits, t, "zeroinitializer") for t in self.conditions]
 
         found = self.when(self.some(condition), computed, rarely=True)
-        count = len(found) - len(self.told)
-        self.told = [*before, *found[count:]]
+        count = len(found) - len(self.conditions)
+        self.conditions = [*before, *found[count:]]
         return tuple(Lanes(self, name) for name in found[:count])
 
 

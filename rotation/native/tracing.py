@@ -137,7 +137,7 @@ def rarely(condition: Condition, compute: Callable[[], Any], usual: tuple[Lanes,
 
 def tell(condition: Condition) -> None:
     """Have the function say so at the end if the condition holds in a row."""
-    condition.program.told.append(condition.name)
+    condition.program.conditions.append(condition.name)
 
 
 def finfo(dtype: Any) -> Any:

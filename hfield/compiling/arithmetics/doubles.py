@@ -65,7 +65,7 @@ def _computed(x: Symbol, text: str) -> Symbol:
 
 
 def constant(x: Symbol, number: float) -> Symbol:
-    """Return a number as a symbol beside x."""
+    """Return a number as a symbol in the code of x."""
     return Symbol(x.arithmetic, x.code, floating(number, "double"))
 
 
@@ -92,8 +92,8 @@ def where_negative(x: Symbol, yes: Symbol, no: Symbol) -> Symbol:
     return _computed(x, f"select i1 {negative}, double {yes.payload}, double {no.payload}")
 
 
-def tell_unless_between(x: Symbol, low: float, high: float) -> None:
-    """Set a flag of the loop where x is not between two numbers."""
+def flag_unless_between(x: Symbol, low: float, high: float) -> None:
+    """Set the flag of the loop if x is not between two numbers."""
     code: Any = x.code
     above, below = (
         code.value(f"fcmp {how} double {x.payload}, {floating(bound, 'double')}")
@@ -101,4 +101,4 @@ def tell_unless_between(x: Symbol, low: float, high: float) -> None:
     )
     inside = code.value(f"and i1 {above}, {below}")
     outside = code.value(f"xor i1 {inside}, true")
-    code.told.append(code.value(f"zext i1 {outside} to i64"))
+    code.conditions.append(code.value(f"zext i1 {outside} to i64"))

@@ -50,7 +50,7 @@ class SmallWholeNumbers(Arithmetic):
                 return Bounded(raw, -most, most)
         sign = code.value(f"ashr i64 {raw}, 63")
         size = code.value(f"xor i64 {raw}, {sign}")
-        code.told.append(code.value(f"lshr i64 {size}, {self.bits}"))
+        code.conditions.append(code.value(f"lshr i64 {size}, {self.bits}"))
         return Bounded(raw, -most - 1, most)
 
     def store(self, code: Code, x: Bounded) -> str:
@@ -137,7 +137,7 @@ class CheckedWholeNumbers(Arithmetic):
         name = f"llvm.{operation}.with.overflow.i64"
         both = code.call("{i64, i1}", name, ("i64", x), ("i64", y))
         over = code.value(f"extractvalue {{i64, i1}} {both}, 1")
-        code.told.append(code.value(f"zext i1 {over} to i64"))
+        code.conditions.append(code.value(f"zext i1 {over} to i64"))
         return code.value(f"extractvalue {{i64, i1}} {both}, 0")
 
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from hfield.rings.base import Ring
 
 Block = np.ndarray[Any, np.dtype[Any]]
-COMPILED = 1000  # quaternions from which on a loop is compiled for them
+MIN_COMPILED = 1000  # quaternions from which on a loop is compiled for them
 
 
 class FloatArrays(Batch[Block]):
@@ -52,7 +52,7 @@ class FloatArrays(Batch[Block]):
 
     def _compiles(self, size: int) -> bool:
         """Tell whether a loop is compiled for so many elements."""
-        return size >= COMPILED and self.dtype == "<f8" and machine_code.available()
+        return size >= MIN_COMPILED and self.dtype == "<f8" and machine_code.available()
 
     def elementwise(self, name: str, *operands: Block) -> Block:
         """Do an operation, of many elements in a compiled loop."""

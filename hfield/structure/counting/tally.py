@@ -27,7 +27,7 @@ Rows = tuple["np.ndarray", ...]
 LIMIT = 2 * 10**6
 """The greatest number of elements that are gone through, in a second or, by tables, three."""
 MIN_COMPILED = 10**5
-"""So many elements pay for loops that are compiled, or read from the disk."""
+"""The number of elements from which on compiled loops are used."""
 
 MANY_SCALARS = 64
 """The order from which on tables of sums and products are computed by compiled loops."""

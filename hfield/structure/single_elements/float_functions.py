@@ -1,8 +1,8 @@
 """Functions of quaternions of floats: modulus, polar form, exponential, logarithm, root and power.
 
-A batch is cut into blocks that stay near the processor, and a single element is a block of one. With
-q = w + v, tr(v) = 0, v² = s and φ = √|s|, as in :mod:`.analysis`, a function gives the number ``even`` and
-the factor ``odd`` of ``f(q) = even + odd·v``. The errors, in units of 2⁻⁵², are in docs/algebras.md;
+A batch is computed in blocks that fit the processor's cache; a single element is a block of one. As in
+:mod:`.analysis`, q = w + v with tr(v) = 0, v² = s and φ = √|s|. Then ``f(q) = even + odd·v`` with numbers
+``even`` and ``odd``, which a function computes. The errors, in units of 2⁻⁵², are in docs/algebras.md;
 scripts/measure_float_functions.py measures them.
 """
 
@@ -22,7 +22,7 @@ from hfield.compiling.calling import Kernel
 from hfield.compiling.memory import Rows
 from hfield.errors import NoSolutionError
 from hfield.product import Constants, Coordinates, norm
-from hfield.rings.array_held.floats import COMPILED
+from hfield.rings.array_held.floats import MIN_COMPILED
 from hfield.straight_line import FIRST
 from hfield.structure.single_elements.no_values import NO_POLAR_FORM, no_value
 
@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Number: TypeAlias = Any  # a float, or an array of floats
 HAMILTON = Constants(-1.0, 0.0, -1.0)
-BLOCK = 8192  # quaternions that are computed with at once
-SAFE = 1e-290, 1e290  # norms between these were computed without underflow and overflow
+BLOCK_SIZE = 8192  # quaternions
+SAFE_NORMS = 1e-290, 1e290  # between these, sums of squares have no underflow and overflow
 
 
 class FloatFunction(NamedTuple):
@@ -71,8 +71,8 @@ def _any(flags: Any) -> bool:
 def _is_safe(total: Number) -> bool:
     """Tell whether sums of squares were computed without underflow and overflow."""
     if isinstance(total, float):
-        return SAFE[0] < total < SAFE[1]
-    return bool(SAFE[0] < total.min(initial=1.0) and total.max(initial=1.0) < SAFE[1])
+        return SAFE_NORMS[0] < total < SAFE_NORMS[1]
+    return bool(SAFE_NORMS[0] < total.min(initial=1.0) and total.max(initial=1.0) < SAFE_NORMS[1])
 
 
 def _length(w: Number, phi: Number, square: Number) -> Number:
@@ -82,7 +82,7 @@ def _length(w: Number, phi: Number, square: Number) -> Number:
 
 
 def _even_and_odd(f: FloatFunction, c: Constants, q: Sequence[Number]) -> tuple[Any, ...]:
-    """Return what :func:`parts` returns, ``even`` and ``odd``; where there is no value, no finite ones."""
+    """Return the result of :func:`parts`, ``even`` and ``odd``; these are not finite if there is no value."""
     w, middle, s = parts(c, q)
     if isinstance(s, float):
         return w, middle, s, *_of_one(f, w, s, not any(q[1:]))
@@ -110,11 +110,11 @@ def _of_one(f: FloatFunction, w: float, s: float, is_scalar: bool) -> tuple[Any,
 
 
 def _compiled(kernel: Kernel, c: Constants, q: Coordinates) -> Rows | None:
-    """Return what a loop gives of a batch in Hamilton's algebra, None where it does not serve."""
-    if c != HAMILTON or q[0].size < COMPILED or not machine_code.available():
+    """Compute a batch in Hamilton's algebra by a compiled loop; None if the loop does not apply."""
+    if c != HAMILTON or q[0].size < MIN_COMPILED or not machine_code.available():
         return None
-    rows, told = kernel(tuple(q))
-    return None if told else rows
+    rows, flagged = kernel(tuple(q))
+    return None if flagged else rows
 
 
 def value(ring: Ring, c: Constants, q: Coordinates, f: FloatFunction) -> Coordinates:
@@ -141,9 +141,10 @@ def value(ring: Ring, c: Constants, q: Coordinates, f: FloatFunction) -> Coordin
 def _in_blocks(
     rows: Callable[[Sequence[Number]], tuple[Iterable[Number], Any]], q: Coordinates, count: int
 ) -> tuple[Any, Array | None]:
-    """Return the rows that a function gives of a single element, or of a batch block by block.
+    """Apply a function to a single element, or to a batch block by block.
 
-    The second result is True where what the function gives besides is not finite, None if that is nowhere.
+    The function returns rows and a test value. The second result marks the entries whose test value is not
+    finite; it is None if there are none.
     """
     with np.errstate(all="ignore"):
         if not is_batch(q):
@@ -153,8 +154,8 @@ def _in_blocks(
         size = flat[0].size
         out, _ = memory.block((count, size), "f8")
         wrong = []
-        for start in range(0, size, BLOCK):
-            part = slice(start, start + BLOCK)
+        for start in range(0, size, BLOCK_SIZE):
+            part = slice(start, start + BLOCK_SIZE)
             found, sure = rows([x[part] for x in flat])
             for row, numbers in zip(out, found, strict=True):
                 row[part] = numbers
@@ -175,7 +176,7 @@ def is_batch(q: Coordinates) -> bool:
 
 
 def _error(ring: Ring, q: Coordinates, wrong: Array, noun: str) -> NoSolutionError:
-    """Return the error that says at which entry there is no value, and why."""
+    """Return the error for the first entry without a value."""
     where = tuple(int(n[0]) for n in wrong.nonzero()) if is_batch(q) else ()
     shown = ", ".join(ring.text(x[where] if is_batch(q) else x) for x in q)
     at = f" at index {where}" if is_batch(q) else ""
@@ -197,7 +198,7 @@ def _log(w: Number, phi: Number, square: Number) -> tuple[Number, Number]:
     if _any(far):
         real = np.where(far, np.log(total) / 2, real)
     if not _is_safe(total):
-        right = (SAFE[0] < total) & (total < SAFE[1])
+        right = (SAFE_NORMS[0] < total) & (total < SAFE_NORMS[1])
         real = np.where(right, real, np.log(np.hypot(w, phi)))
     return real, np.arctan2(phi, w) / phi
 
@@ -237,9 +238,9 @@ def power_function(exponent: float | Fraction) -> FloatFunction:
 def _root(w: Symbol, x: Symbol, y: Symbol, z: Symbol) -> tuple[Symbol, ...]:
     """Return the principal square root in Hamilton's algebra, as :func:`_sqrt` finds it."""
     half, square = doubles.constant(w, 0.5), x * x + y * y + z * z
-    doubles.tell_unless_between(square, *SAFE)
+    doubles.flag_unless_between(square, *SAFE_NORMS)
     total = w * w + square
-    doubles.tell_unless_between(total, *SAFE)
+    doubles.flag_unless_between(total, *SAFE_NORMS)
     larger = doubles.sqrt((doubles.sqrt(total) + doubles.absolute(w)) * half)
     behind = doubles.quotient(doubles.sqrt(square), larger + larger)
     even = doubles.where_negative(w, behind, larger)
@@ -249,7 +250,7 @@ def _root(w: Symbol, x: Symbol, y: Symbol, z: Symbol) -> tuple[Symbol, ...]:
 
 def _length_of(w: Symbol, x: Symbol, y: Symbol, z: Symbol) -> tuple[Symbol, ...]:
     total = w * w + x * x + y * y + z * z
-    doubles.tell_unless_between(total, *SAFE)
+    doubles.flag_unless_between(total, *SAFE_NORMS)
     return (doubles.sqrt(total),)
 
 
