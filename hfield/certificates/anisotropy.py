@@ -65,7 +65,7 @@ def is_certified(algebra: str, ring: object, data: object) -> bool:
 
 
 def is_readable(algebra: str, ring: object) -> bool:
-    """Tell whether the constants of an algebra are known here, and the places of its field."""
+    """Tell whether this module can read the constants of an algebra and the places of its field."""
     try:
         field, _ = constants_of(algebra, ring)
     except Rejected:

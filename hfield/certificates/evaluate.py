@@ -60,7 +60,7 @@ class Quaternion(tuple[Any, ...]):
 def products(
     one: S, a: S, t: S, b: S, ab: S, tb: S, neg: Callable[[S], S]
 ) -> list[list[list[tuple[int, S]]]]:
-    """Return of each two elements of (1, i, j, k) the places and the coefficients of their product."""
+    """Return the products of 1, i, j, k: for each pair, indices of basis elements and their coefficients."""
     return [
         [[(0, one)], [(1, one)], [(2, one)], [(3, one)]],
         [[(1, one)], [(0, a), (1, t)], [(3, one)], [(2, a), (3, t)]],

@@ -1,9 +1,9 @@
-"""Statements with moduli and comparisons, which are about an ordered field in its real closure.
+"""Check statements with moduli and comparisons, in the real closure of an ordered field.
 
-What names an element of the field must be a sum of square roots of rational numbers, of which the order is
-that of the real numbers. Evidence is then read over RR. What an identity or an implication shows there holds
-over every real closed field: cofactors are multiplied out in any field, a sum of squares is 0 in any ordered
-one only where all its terms are, and a rational number is a square in all real closed fields or in none.
+The constants of a statement must be sums of square roots of rational numbers, ordered as real numbers.
+Evidence is then read over RR. Identities and implications proved there hold over every real closed field, for
+three reasons: products with cofactors are the same in every field; in an ordered field a sum of squares is 0
+only if every square is 0; and a rational number is a square in all real closed fields or in none.
 """
 
 from collections.abc import Mapping
@@ -22,7 +22,7 @@ from hfield.certificates.words import ARGUMENTS
 
 REALS = Reals()
 KINDS = ("identity", "implication", "unsatisfiable", "witness")
-COST = 400  # what evaluating a statement once is charged
+EVALUATION_COST = 400  # of evaluating a statement once
 
 
 def in_real_closure(statement: Statement, setting: Setting, kind: str) -> tuple[Setting, str]:
@@ -37,16 +37,16 @@ def in_real_closure(statement: Statement, setting: Setting, kind: str) -> tuple[
         if field.name == REALS.name:
             return setting, scope
         if statement.divides and not field.is_field:
-            reject(f"a statement with an order that divides is not shown over {field.name}")
+            reject(f"comparisons of quotients are not shown over {field.name}, which is no field")
     if kind not in KINDS:
         reject(f"evidence of the kind {kind!r} is not about all real closed fields")
     if any(REALS.constant(tree) is None for tree in statement.constants):
-        reject("the order compares an element of the field that is no sum of square roots")
+        reject("a statement with comparisons has a constant that is no sum of square roots")
     return replace(setting, field=REALS), scope
 
 
 def names_of_unknowns(statement: Statement) -> set[str]:
-    """Return the unknowns of a statement before its words are written out."""
+    """Return the unknowns of a statement as typed."""
     return {name for name, _ in _unknowns(statement)}
 
 

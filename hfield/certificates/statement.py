@@ -12,7 +12,7 @@ from hfield.certificates.matrices import ENTRIES, MATRICES, without_matrices
 from hfield.certificates.rejection import reject, shown
 from hfield.certificates.scalars.ring import Ring
 from hfield.certificates.tables import Table, in_coordinates, is_table, read_table
-from hfield.certificates.words import speaks_of_order, without_words
+from hfield.certificates.words import has_order_words, without_words
 from hfield.certificates.work import charge
 
 LETTERS, SCALARS, BASIS = "pqruvw", "styxz", "eijk"
@@ -153,7 +153,7 @@ class _Reader:
     def read(self, tree: Tree) -> Statement:
         """Return the statement."""
         tree = without_matrices(tree, self.is_constant)
-        ordered = tree if speaks_of_order(tree) else None
+        ordered = tree if has_order_words(tree) else None
         tree = without_words(tree, self.field, self.structure == HAMILTON, self.is_scalar)
         hypotheses: list[Tree] = []
         while tree[0] == "=>":

@@ -1,9 +1,8 @@
 """The words ``dot``, ``cross``, ``abs`` and ``>= > <= <``, written out as docs/language.md defines them.
 
-``abs(q)`` is the number m² with m⁴ = norm(q): in a real closed field there is exactly one. A statement about
-all values of its unknowns, with moduli, is the statement about all these and all m with m⁴ = norm(q).
-``x >= 0`` is ``x == 0 or x != -z**2`` for all z, where it is to be shown, and ``x == z**2`` for some z where
-it is a hypothesis; ``x > 0`` likewise.
+In a real closed field ``abs(q)`` is the only number m² with m⁴ = norm(q). So a statement with moduli is
+equivalent to the statement for all values of its unknowns and all m with m⁴ = norm(q). As a claim, ``x >= 0``
+means ``x == 0 or x != -z**2`` for all z; as a hypothesis, ``x == z**2`` for some z. ``x > 0`` likewise.
 """
 
 from collections.abc import Callable
@@ -18,8 +17,8 @@ from hfield.certificates.work import charge
 ARGUMENTS = {"dot": 2, "cross": 2, "abs": 1}
 
 
-def speaks_of_order(tree: Tree) -> bool:
-    """Tell whether a statement has words that mean something over ordered fields only."""
+def has_order_words(tree: Tree) -> bool:
+    """Tell whether a statement has a comparison or a modulus, which need an ordered field."""
     return any(node[0] in ORDER or node[:2] == ("call", "abs") for node in walk(tree))
 
 
@@ -28,8 +27,8 @@ def without_words(
 ) -> Tree:
     """Return a statement that says the same without these words, over the real closure of the field.
 
-    There are moduli where the norm has no negative values: in H. ``is_scalar`` tells it of a term without
-    these words.
+    Moduli are defined where the norm is never negative: in H. ``is_scalar`` tells whether a term without
+    these words is a scalar.
     """
     nodes = walk(tree)
     if not any(node[0] in ORDER or (node[0] == "call" and node[1] in ARGUMENTS) for node in nodes):
@@ -57,7 +56,7 @@ class _Writer:
         self.hypotheses: list[Tree] = []
 
     def statement(self, tree: Tree, claimed: bool) -> Tree:
-        """Write out a statement that is ``claimed``, or else a hypothesis."""
+        """Write out a statement, as a claim or, unless ``claimed``, as a hypothesis."""
         charge(5)
         kind = tree[0]
         if kind == "exists":
@@ -76,9 +75,9 @@ class _Writer:
         return self.write(tree)
 
     def order(self, kind: str, left: Tree, right: Tree, claimed: bool) -> Tree:
-        """Write out a comparison: what is not negative is a square, what is negative the opposite of one."""
+        """Write out a comparison: x is nonnegative if it is a square, negative if −x is one and x ≠ 0."""
         if self.quantified:
-            reject("a comparison and 'exists' do not stand in one statement")
+            reject("a statement cannot have both a comparison and 'exists'")
         if not (self.is_scalar(left) and self.is_scalar(right)):
             reject(f"{kind} compares scalars")
         x = ("-", left, right) if kind in (">=", ">") else ("-", right, left)
@@ -113,7 +112,7 @@ class _Writer:
         if not self.hamilton:
             reject("abs is about H over ordered fields")
         if self.quantified:
-            reject("abs and 'exists' do not stand in one statement")
+            reject("a statement cannot have both abs and 'exists'")
         for node in walk(x):
             undefined = node[0] == "/" or (node[0] == "pow" and node[2] < 0)
             if undefined or node[:2] == ("call", "inv") or _is_fraction(node):

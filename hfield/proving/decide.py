@@ -44,7 +44,7 @@ class Question:
     """A ``problem``, whose clock does not run yet, and the texts from which it was read.
 
     ``given`` are the hypotheses that were named apart, ``algebra`` is None for H, ``timeout`` in seconds.
-    ``remarks`` say how words were read that have two readings.
+    ``remarks`` say how ambiguous words were read.
     """
 
     text: str

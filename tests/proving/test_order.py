@@ -83,11 +83,11 @@ def test_an_order_elsewhere(statement: str, options: dict[str, str], verdict: st
     ("statement", "options", "words"),
     [
         ("norm(q) >= 0", {"field": "GF(7)"}, "GF.7. is not known to have an order"),
-        ("norm(q) > 0", {"field": "QQ(I)"}, "over ordered fields, such as QQ"),
-        ("norm(q) <= 0", {"field": "Qp(5)"}, "<= has a meaning over ordered fields"),
+        ("norm(q) > 0", {"field": "QQ(I)"}, "needs an ordered field, such as QQ"),
+        ("norm(q) <= 0", {"field": "Qp(5)"}, "<= needs an ordered field"),
         ("p >= 0", {}, "compares scalars, and this is a quaternion"),
         ("M >= 0", {}, "compares scalars, and this is a matrix"),
-        ("exists q: norm(q) > 3", {"field": "QQ"}, "do not stand in one statement"),
+        ("exists q: norm(q) > 3", {"field": "QQ"}, "a statement cannot have both"),
         ("p[0] >= 0", {"algebra": "table(e, i: e, i; i, -e|QQ)"}, "algebra by its table"),
     ],
 )

@@ -85,9 +85,9 @@ def test_statements_with_words(statement: str, field: str | None, verdict: str) 
     [
         ("dot(p) == 0", {}, "dot takes 2 arguments"),
         ("abs(p, q) == 0", {"field": "RR"}, "abs takes 1 argument"),
-        ("abs(p) == 1", {"field": "QQ(I)"}, "over ordered fields, .* and QQ.I. is not known"),
+        ("abs(p) == 1", {"field": "QQ(I)"}, "needs an ordered field, .* and QQ.I. is not known"),
         ("abs(p) == 1", {"field": "RR", "algebra": "(1,1|RR)"}, "where no norm is negative"),
-        ("exists p: abs(p) == 1", {"field": "RR"}, "do not stand in one statement"),
+        ("exists p: abs(p) == 1", {"field": "RR"}, "a statement cannot have both"),
         ("abs(inv(p)) == 1", {"field": "RR"}, "no quotient and no inverse"),
         ("abs(M) == 1", {"field": "RR"}, "abs takes no matrix"),
         ("cross(M, N) == 1", {}, "cross takes no matrix"),

@@ -23,25 +23,27 @@ from hfield.certificates.values import read_values
 def counterexample(statement: Statement, setting: Setting, evidence: object) -> Finding:
     """Refute by values for which the statement is false."""
     if statement.ordered is not None and not _has_helpers(statement, setting, evidence):
-        return in_order(statement, setting, evidence)
+        return refute_with_order(statement, setting, evidence)
     ring, values = _witness(statement, setting, evidence)
     if truth_at(ring, setting, statement, values) is not False:
-        reject("the statement is true for the values of the witness, or the algebra not defined")
+        reject(
+            "the statement is true at the values of the witness, or the algebra is not defined there"
+        )
     if not ring.is_exact:
         return Finding(FIELD, FLOATS_EXACT)
     return Finding(FIELD, _refuted(statement.matrix, ring.order is None))
 
 
 def _has_helpers(statement: Statement, setting: Setting, evidence: object) -> bool:
-    """Tell whether values over RR are given of the unknowns by which words are written out."""
+    """Tell whether the evidence gives real values of the unknowns that define moduli and comparisons."""
     if setting.field is None or setting.field.name != REALS.name:
         return False
     values = evidence.get("values") if isinstance(evidence, dict) else None
     return isinstance(values, dict) and values.keys() > names_of_unknowns(statement)
 
 
-def in_order(statement: Statement, setting: Setting, evidence: object) -> Finding:
-    """Refute by values for which a statement with moduli and comparisons is false."""
+def refute_with_order(statement: Statement, setting: Setting, evidence: object) -> Finding:
+    """Refute a statement with moduli and comparisons by values at which it is false."""
     data = an_object(evidence, "kind values ring", "the evidence")
     ring = read_ring(data["ring"])
     if setting.field is None and ring.name != "QQ":
@@ -51,7 +53,9 @@ def in_order(statement: Statement, setting: Setting, evidence: object) -> Findin
     there, _ = in_real_closure(statement, setting, "witness")
     if is_false_at(statement, there, ring, data["values"]):
         return Finding(FIELD, COUNTEREXAMPLE)
-    reject("the statement is true for the values of the witness, or the algebra not defined")
+    reject(
+        "the statement is true at the values of the witness, or the algebra is not defined there"
+    )
 
 
 def _refuted(tree: Tree, infinite: bool) -> str:
@@ -83,7 +87,9 @@ def example(statement: Statement, setting: Setting, evidence: object) -> Finding
         reject("one element shows that something exists only for one field, and no other unknowns")
     ring, values = _witness(statement, setting, evidence)
     if truth_at(ring, setting, statement, values) is not True:
-        reject("the statement is false for the values of the witness, or the algebra not defined")
+        reject(
+            "the statement is false at the values of the witness, or the algebra is not defined there"
+        )
     return Finding(FIELD, WITNESS)
 
 

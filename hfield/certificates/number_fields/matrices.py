@@ -1,7 +1,6 @@
 """Matrices of integers: products, Hermite forms, inverses and determinants.
 
-Rows of four, which are most of all, are multiplied by code of their own: it says the same and takes half the
-time.
+Most rows have four entries. Their products are computed by a special case, which takes half the time.
 """
 
 from collections.abc import Iterable, Sequence
@@ -15,14 +14,14 @@ from hfield.certificates.scalars.rationals import over_one_denominator
 from hfield.certificates.work import charge, charge_products
 
 Row = tuple[Any, ...]
-"""Integers; or real numbers of a number field, which are multiplied and added here as well."""
+"""Integers, or real numbers of a number field."""
 Rows = tuple[Row, ...]
 Key = tuple[int, Rows]
 """A Hermite form over its least denominator."""
 
 
 def longest(rows: Iterable[Sequence[int]]) -> int:
-    """Return how many bits the longest number has."""
+    """Return the bit length of the longest number."""
     return max([n.bit_length() for row in rows for n in row], default=0)
 
 
@@ -32,7 +31,7 @@ def unit(n: int, k: int, value: int = 1) -> Row:
 
 
 def times(rows: Iterable[Sequence[Any]], matrix: Sequence[Sequence[Any]]) -> list[Row]:
-    """Return the products of rows with a matrix. Who calls it pays."""
+    """Return the products of rows with a matrix. The caller charges the work."""
     if len(matrix) != 4:
         return times_any(rows, matrix)
     a, b, c, d = matrix

@@ -1,6 +1,7 @@
 """The integers of a number field as real numbers, ordered by a real place.
 
-Bounds of the basis tell the sign of any but 0, as fine as it takes.
+The sign of an integer other than 0 follows from bounds of the integral basis at the place. The bounds are
+refined until they decide.
 """
 
 from fractions import Fraction
@@ -12,8 +13,8 @@ from hfield.certificates.number_fields.modular import Vector
 from hfield.certificates.scalars.real_roots import RealRoot
 from hfield.certificates.work import charge
 
-BITS = 128
-"""So precisely bounds at a place are found first."""
+FIRST_BITS = 128
+"""The precision of the first bounds, in bits."""
 
 
 class RealPlace:
@@ -32,7 +33,7 @@ class RealPlace:
             if n == len(self._bounds):
                 self._refine()
             bounds = self._bounds[n]
-            charge(2 * len(x) + sum(map(int.bit_length, x)) * (BITS << n) // 500_000)
+            charge(2 * len(x) + sum(map(int.bit_length, x)) * (FIRST_BITS << n) // 500_000)
             least = sum(c * ends[c < 0] for c, ends in zip(x, bounds, strict=True))
             most = sum(c * ends[c > 0] for c, ends in zip(x, bounds, strict=True))
             if least > 0 or most < 0:
@@ -40,8 +41,8 @@ class RealPlace:
             n += 1
 
     def _refine(self) -> None:
-        """Find bounds of the basis with twice as many bits."""
-        bits = BITS << len(self._bounds)
+        """Compute bounds of the basis with twice as many bits."""
+        bits = FIRST_BITS << len(self._bounds)
         self._root = self._root.within(Fraction(1, 1 << bits))
         values = map(self._root.bounds, self.integers.rows)
         self._bounds.append([(floor(a * 2**bits), ceil(b * 2**bits)) for a, b in values])

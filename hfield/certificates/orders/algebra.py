@@ -23,7 +23,7 @@ MAX_DEGREE = 6
 class Algebra:
     """Products, conjugates, traces and pairings of rows; all of them come ``scale`` times too large.
 
-    Who calls them pays, by the ``bits`` of the lattice that the rows are from.
+    The caller charges the work, by the ``bits`` of the lattice that contains the rows.
     """
 
     def __init__(self, setting: Setting, integers: Integers) -> None:
@@ -43,7 +43,7 @@ class Algebra:
         one = _multiple(integers.one, self.scale)
         a, t, b, ab, tb = (_multiple(row, self.scale // den) for den, row in entries)
         self.products = products(one, a, t, b, ab, tb, lambda row: _multiple(row, -1))
-        """For each two of 1, i, j, k the places in their product and the numbers there."""
+        """For each pair of 1, i, j, k, the indices of the coordinates in their product and their values."""
         four = _multiple(a, 4 * self.scale)
         self.signs = tuple(map(sum, zip(integers.mul(t, t), four, strict=True))), b
         """Positive multiples of t² + 4a and b: where both are negative the algebra is definite."""

@@ -1,6 +1,6 @@
-"""What statements about orders and ideals say, and how it is shown or refuted, over any base.
+"""Check statements about orders and ideals, over any base.
 
-Each check is given the parts of the statement and what reads them and the evidence.
+Each check takes a reader, which knows the evidence, and the parts of the statement.
 """
 
 from fractions import Fraction

@@ -1,9 +1,9 @@
 """The right ideal classes of an order in a totally definite algebra: a set with their mass is all of them.
 
-With a right ideal I go the lattices x⁻¹·I, for the x in I with the least Tr(N(x)/νu): they lie in its class,
-and those of c·I are the same. Here ν·a is the norm of I, with ν totally positive and a one of some ideals in
-different narrow classes, and u any of the totally positive units, of which those that differ by squares do
-not matter (docs/trust.md). Over ℚ these are the x of least norm.
+The class of a right ideal I is recognised by the lattices x⁻¹·I for the x in I with the least Tr(N(x)/νu).
+They lie in the class of I, and c·I has the same ones. Here the norm of I is ν·a, where ν is totally positive
+and a represents a narrow ideal class. The totally positive unit u runs through representatives modulo
+squares (docs/trust.md). Over ℚ the x are the elements of least norm.
 """
 
 from collections.abc import Iterable, Sequence
@@ -33,7 +33,7 @@ def need_class_set(
     units: Sequence[Number],
     mass: Fraction,
 ) -> None:
-    """Reject unless these ideals represent every class once: each with 1/ν, and the number of its a."""
+    """Reject unless these ideals represent each class once; each has 1/ν and the index of its a."""
     seen: dict[tuple[int, Key], int] = {}
     total = Fraction(0)
     for number, (ideal, scale, kind) in enumerate(classes):
@@ -50,9 +50,9 @@ def need_class_set(
 def _divided_by_least(
     ideal: Lattice, scale: Number, units: Sequence[Number]
 ) -> tuple[set[Key], int]:
-    """Return the x⁻¹·I, and the index of the units of the field in those of the left order of I.
+    """Return the lattices x⁻¹·I, and the index of the field's units in the units of the left order of I.
 
-    That many ±x have both x⁻¹·I and N(x)/νu in common with one x.
+    The index is the number of ±x with the same x⁻¹·I and the same N(x)/νu.
     """
     integers = ideal.algebra.integers
     # 1/u differs from u by a square

@@ -1,4 +1,4 @@
-"""Presentations of groups by words: generators that others express are put away (Tietze).
+"""Presentations of groups: eliminate generators that others express (Tietze).
 
 A word is a tuple of ±1, ±2, …, for the generators and their inverses.
 """
@@ -11,7 +11,7 @@ Word = tuple[int, ...]
 
 
 def simplified(left: list[int], relations: list[Word]) -> tuple[list[int], list[Word]]:
-    """Put away generators that occur once in a relation, short relations first."""
+    """Eliminate generators that occur once in a relation, short relations first."""
     relations = [r for r in map(_cyclically_reduced, relations) if r]
     while True:
         charge(10 + 10 * sum(map(len, relations)))

@@ -1,7 +1,7 @@
-"""How statements and evidence about orders are read, in two spellings: over ℚ, and over a number field.
+"""Read statements and evidence about orders, over ℚ and over a number field.
 
-Over ℚ numbers are fractions, and the evidence leaves out what is known of ℤ: an integral basis, the units,
-the prime ideals. Over a number field it gives them.
+Over ℚ numbers are fractions. Over a number field the evidence also gives an integral basis, the units and the
+prime ideals, which are known for ℤ.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -109,7 +109,7 @@ class Given:
 
 
 class OverQ(Given):
-    """An algebra over ℚ: what evidence would say of ℤ is known."""
+    """An algebra over ℚ; integral basis, units and primes are those of ℤ."""
 
     def __init__(self, setting: Setting, data: Data) -> None:
         if setting.field is None or setting.field.name != "QQ" or setting.letters:

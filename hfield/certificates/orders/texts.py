@@ -1,4 +1,4 @@
-"""What stands in the texts of statements about orders: rational numbers, rows, sides, words of a group."""
+"""Read the parts of statements about orders: rational numbers, rows, sides, words of a group."""
 
 import re
 from fractions import Fraction

@@ -290,7 +290,7 @@ def _functions(data: Mapping[str, object], ring: ReadRing) -> Ring:
 
 
 def need_constants(base: Ring) -> None:
-    """Reject what functions are not over."""
+    """Reject constants other than QQ, a number field or a finite field."""
     known = base.name == "QQ" or base.is_number_field or base.order is not None
     if not (known and base.is_field):
         reject(

@@ -1,7 +1,7 @@
 """R[x]/(f) for a monic f over ℤ, ℚ or GF(p) that need not be irreducible, such as dual numbers ℚ[x]/(x²).
 
-Elements are their coefficients, low degree first. Nothing is claimed of these rings but that they are
-commutative: a quotient by an irreducible polynomial is a field under another kind of data.
+Elements are their coefficients, low degree first. The checker uses only that these rings are commutative. A
+quotient by an irreducible polynomial that is to be a field has another kind of data.
 """
 
 from collections.abc import Hashable, Iterator, Mapping

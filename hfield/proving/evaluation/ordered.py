@@ -29,7 +29,7 @@ SIGNS = {">=": (0, 1), ">": (1,), "<=": (0, -1), "<": (-1,)}
 
 
 class Numbers(Decided[float, bool]):
-    """Floats, where what is nearly 0 counts as 0: they tell which places to look at exactly."""
+    """Floats, with values near 0 taken as 0, to choose the places at which to evaluate exactly."""
 
     zero, one = 0.0, 1.0
     times = staticmethod(mul)  # type: ignore[assignment]
@@ -71,7 +71,7 @@ class OrderedEvaluator(Evaluator):
             return False
 
     def margins(self, node: Node) -> list[Callable[[Values], float]]:
-        """Return functions of the places of floats that are negative where a comparison is false."""
+        """Return functions of float places that are negative where a comparison is false."""
         out: list[Callable[[Values], float]] = []
         for part in walk_once(node):
             if isinstance(part, Compare) and part.op in ORDER:

@@ -23,7 +23,7 @@ from hfield.proving.polynomials.recognition import (
     has_no_root,
     polynomial_text,
 )
-from hfield.proving.polynomials.sums_of_squares import as_sum_of_squares, eliminated
+from hfield.proving.polynomials.sums_of_squares import as_sum_of_squares, eliminate_variables
 from hfield.proving.polynomials.vanishing import factored
 from hfield.rings.base import Ring
 
@@ -133,7 +133,7 @@ class _Search:
         self.denominators: list[int] = []
         self.used: dict[Rule, None] = {}
         self.complete, self.unreliable = True, False
-        self.taken_apart: list[Any] = []  # polynomials of which sums of squares were looked for
+        self.tried_as_sums: list[Any] = []  # polynomials of which sums of squares were looked for
         count = len(conditions.nonzero)
         self.names = (*conditions.variables, *(f"T{n + 1}" for n in range(count)))
 
@@ -232,13 +232,13 @@ class _Search:
         if rule is None or not rule.positive:
             return False
         candidates = [*ideal.generators, *ideal.elements()]
-        candidates += eliminated(ideal.generators)
+        candidates += eliminate_variables(ideal.generators)
         for f in sorted(candidates, key=len):
             if self.clock.is_late:
                 return False
-            if f in self.taken_apart:
+            if f in self.tried_as_sums:
                 continue
-            self.taken_apart.append(f)
+            self.tried_as_sums.append(f)
             squares = as_sum_of_squares(f, self.clock)
             if squares is None:
                 continue

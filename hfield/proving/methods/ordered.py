@@ -1,7 +1,8 @@
-"""Statements with moduli and comparisons: about an ordered field, in its real closure.
+"""Decide statements with moduli and comparisons, about ordered fields.
 
-Their proofs are found over RR, and hold over every real closed field, so for all elements of every ordered
-field. Elements of the field itself refute: rational numbers, which all ordered fields have, are tried first.
+Proofs are found over RR. They hold over every real closed field, so for all elements of every ordered field.
+A counterexample has values in the field itself. Rational numbers, which every ordered field contains, are
+tried first.
 """
 
 from __future__ import annotations
@@ -37,30 +38,28 @@ from hfield.proving.statements.trees import taken_apart, walk_once
 from hfield.proving.steps import say
 from hfield.syntax import Call
 
-SMALL, INTEGERS, FRACTIONS = 400, 400, 800  # places that are tried
-HEAVIEST = 12
-STARTS, STEPS = 4, 400  # of searches downhill
+MAX_SMALL_PLACES, INTEGER_PLACES, FRACTION_PLACES = 400, 400, 800  # counterexamples tried
+MAX_WEIGHT = 12
+DESCENT_STARTS, DESCENT_STEPS = 4, 400  # of searches downhill
 MAX_SQUARES = 12  # that a step shows
 
 
 def decide(problem: Problem, tried: Callable[[Problem], Decision]) -> Decision:
-    """Decide a statement with an order; ``tried`` decides what it says over RR."""
+    """Decide a statement with moduli or comparisons; ``tried`` decides it over RR."""
     field = problem.field
     reals = problem.over(ring("RR"))
     if field is not None and not field.is_exact:
-        why = f"{field.name} is inexact, so nothing is decided by its order: decide over RR or QQ"
+        why = f"{field.name} is inexact, so its comparisons decide nothing: use RR or QQ"
         return undecided(why, method=FLOATS)
     if field is not None and not field.is_field and problem.statement.divides:
         return undecided(
-            f"a statement with an order that divides is decided over fields, not {field.name}"
+            f"comparisons of quotients are decided over fields, and {field.name} is none"
         )
     attempts = Attempts()
     for text in problem.statement.constants:
         if attempts.answer(reals.ring, text) is None:
             name = "" if field is None else field.name
-            return undecided(
-                f"{text} in {name} has several orderings, of which none is the usual one"
-            )
+            return undecided(f"{name} has several orderings, and they differ at {text}")
     found = attempts.answer(counterexample, problem, reals)
     if found is not None:
         return refuted(problem, found)
@@ -83,7 +82,7 @@ def decide(problem: Problem, tried: Callable[[Problem], Decision]) -> Decision:
 
 
 def _sums(decision: Decision) -> Iterator[str]:
-    """Yield the sums of squares in the evidence for a decision, which are 0, so that all squares are."""
+    """Yield the sums of squares that the evidence shows to be 0, so that every square is 0."""
     evidence = decision.evidence
     items = evidence.values.get("items", ()) if evidence is not None else ()
     for item in items:
@@ -125,7 +124,7 @@ def _in_field(problem: Problem, decision: Decision) -> Assignment | None:
 
 
 def _unknowns(problem: Problem) -> tuple[tuple[str, Sort], ...]:
-    """Return the unknowns of the statement before its words are written out."""
+    """Return the unknowns of the statement as typed."""
     read = problem.statement
     return tuple((name, sort) for name, sort in read.unknowns if name not in read.helpers)
 
@@ -154,7 +153,7 @@ def counterexample(problem: Problem, reals: Problem) -> Assignment | None:
 
 
 def _downhill(problem: Problem, floats: OrderedEvaluator) -> Iterator[Assignment]:
-    """Run through places at which what is claimed not to be negative is small, from better to better ones."""
+    """Search places by descent for a negative value of an expression that is claimed to be nonnegative."""
     assert problem.statement.ordered is not None
     compared = floats.margins(taken_apart(problem.statement.ordered)[1])
     unknowns, rng = _unknowns(problem), Random(1)
@@ -170,10 +169,10 @@ def _downhill(problem: Problem, floats: OrderedEvaluator) -> Iterator[Assignment
         }
 
     for margin in compared:
-        for _ in range(STARTS):
+        for _ in range(DESCENT_STARTS):
             x = [Fraction(rng.randint(-8, 8), 4) for _ in range(width)]
             best, step = margin(lifted(ring("RDF"), place(x))), Fraction(1)
-            for _ in range(STEPS):
+            for _ in range(DESCENT_STEPS):
                 if problem.is_late:
                     return
                 n = rng.randrange(width)
@@ -189,15 +188,17 @@ def _downhill(problem: Problem, floats: OrderedEvaluator) -> Iterator[Assignment
 
 
 def _places(problem: Problem, whole: bool) -> Iterator[Assignment]:
-    """Run through values of the unknowns: small integers, then larger ones, then fractions."""
+    """Yield values of the unknowns: small integers, then larger ones, then fractions."""
     unknowns = _unknowns(problem)
-    yield from islice(by_weight(unknowns, prime_scalars(0), HEAVIEST, problem.letters), SMALL)
+    yield from islice(
+        by_weight(unknowns, prime_scalars(0), MAX_WEIGHT, problem.letters), MAX_SMALL_PLACES
+    )
     rng = Random(len(unknowns))
 
     def fraction() -> Fraction:
         return Fraction(rng.randint(-12, 12), rng.choice((1, 2, 3, 4, 10))) * rng.choice((1, 1, 9))
 
-    for number, make in ((INTEGERS, lambda: rng.randint(-4, 4)), (FRACTIONS, fraction)):
+    for number, make in ((INTEGER_PLACES, lambda: rng.randint(-4, 4)), (FRACTION_PLACES, fraction)):
         if whole and make is fraction:
             return
         for _ in range(number):

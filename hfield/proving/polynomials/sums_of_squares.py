@@ -1,9 +1,9 @@
-"""Polynomials as sums of squares of polynomials with positive rational weights.
+"""Write polynomials as sums of squares of polynomials with positive rational weights.
 
-``f = mᵀ·G·m`` for monomials m and a symmetric matrix G, the Gram matrix, of which some entries are free. A
-positive semidefinite one is looked for with floats, by an interior point method, made rational, and taken
-apart exactly as G = L·D·Lᵀ: so nothing depends on the floats but whether a sum is found. Where all Gram
-matrices are singular, as for the inequality of Cauchy and Schwarz, their common kernel is made rational first
+A Gram matrix of f is a symmetric matrix G with ``f = mᵀ·G·m`` for monomials m; some of its entries are free.
+An interior point method finds a positive semidefinite G in floats. G is rounded to rational numbers and
+factored exactly as L·D·Lᵀ, so the floats decide only whether a sum is found, not whether it is right. If all
+Gram matrices are singular, as for the Cauchy–Schwarz inequality, their common kernel is rounded first
 (Peyrl and Parrilo, "Computing sum of squares decompositions with rational coefficients", Theoretical Computer
 Science 409 (2008); Powers and Wörmann on Gram matrices, J. Pure Appl. Algebra 127 (1998)).
 """
@@ -28,13 +28,13 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 MAX_TERMS = 150
-MAX_BOX = 20_000  # monomials that are looked at
-MAX_MONOMIALS = 60  # of which the squares are
+MAX_BOX = 20_000  # monomials in the bounding box of the Newton polytope, halved
+MAX_MONOMIALS = 60  # in the squared polynomials
 MAX_FREE = 160  # entries of the Gram matrix
-DIRECTIONS = 40  # in which the Newton polytope is bounded
+RANDOM_DIRECTIONS = 40  # that bound the Newton polytope
 DENOMINATORS = (1, 2, 3, 4, 6, 12, 60, 840, 10**4, 10**6, 10**9)
 MAX_DENOMINATOR = 60  # of the entries of a kernel
-CLOSE = 1e-4
+KERNEL_TOLERANCE = 1e-4
 
 Monomial = tuple[int, ...]
 Terms = Mapping[Monomial, int]
@@ -45,9 +45,9 @@ Square = tuple[Fraction, dict[Monomial, Fraction]]  # d and g of d·g²
 def as_sum_of_squares(
     f: flint.fmpz_mpoly, clock: Clock = UNTIMED
 ) -> list[tuple[int, flint.fmpz_mpoly]] | None:
-    """Return c > 0 and polynomials g with integer coefficients, so that Σ c·g² is a multiple of f.
+    """Return pairs of an integer c > 0 and an integer polynomial g with Σ c·g² a multiple of f or −f.
 
-    None where no such sum is found, for f or for −f.
+    None if no such sum is found.
     """
     terms = {tuple(map(int, m)): int(c) for m, c in f.terms()}
     if not 2 <= len(terms) <= MAX_TERMS:
@@ -73,28 +73,28 @@ def as_sum_of_squares(
     return [(int(c * scale), g) for c, g in cleared]
 
 
-def eliminated(generators: Sequence[flint.fmpz_mpoly]) -> list[flint.fmpz_mpoly]:
-    """Return polynomials of an ideal without the powers vᵏ of variables that its generators express.
+def eliminate_variables(generators: Sequence[flint.fmpz_mpoly]) -> list[flint.fmpz_mpoly]:
+    """Substitute in polynomials of an ideal the powers vᵏ of variables that its generators express.
 
-    ``s - z**2`` expresses s, and ``m**2 - n**2 - z**2`` expresses m² where m occurs in even powers alone.
-    What is put in their place often shows that a polynomial is a sum of squares.
+    ``s - z**2`` expresses s; ``m**2 - n**2 - z**2`` expresses m² if m occurs in even powers only. After
+    this substitution a polynomial is often a sum of squares.
     """
     left, out = [f for f in generators if len(f) <= MAX_TERMS], list["flint.fmpz_mpoly"]()
     while True:
-        expressed = (hit for f in left for hit in _expressed(f, left))
+        expressed = (hit for f in left for hit in _powers_expressed(f, left))
         found = min(expressed, key=lambda hit: hit[2], default=None)
         if found is None:
             return out
         f, n, k, value = found
-        left = [h for g in left if g != f and (h := _put(g, n, k, value)) != 0]
+        left = [h for g in left if g != f and (h := _substitute(g, n, k, value)) != 0]
         left = [g for g in left if len(g) <= MAX_TERMS]
         out += left
 
 
-def _expressed(
+def _powers_expressed(
     f: flint.fmpz_mpoly, others: Sequence[flint.fmpz_mpoly]
 ) -> Iterator[tuple[flint.fmpz_mpoly, int, int, flint.fmpz_mpoly]]:
-    """Run through variables v and k with f = ±(vᵏ − value), where all powers of v are of vᵏ."""
+    """Yield v, k and value with f = ±(vᵏ − value), where v occurs only in powers of vᵏ."""
     terms = {tuple(map(int, m)): int(c) for m, c in f.terms()}
     for m, c in terms.items():
         powers = [(n, e) for n, e in enumerate(m) if e]
@@ -107,8 +107,8 @@ def _expressed(
             yield f, n, k, f.context().from_dict({m: 1}) - c * f
 
 
-def _put(f: flint.fmpz_mpoly, n: int, k: int, value: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
-    """Put a value in for the k-th power of variable n."""
+def _substitute(f: flint.fmpz_mpoly, n: int, k: int, value: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
+    """Substitute a value for the k-th power of variable n."""
     context, parts = f.context(), dict[int, dict[Monomial, int]]()
     for m, c in f.terms():
         rest = (*m[:n], 0, *m[n + 1 :])
@@ -129,7 +129,7 @@ def _squares(f: Terms, clock: Clock) -> list[Square] | None:
     if gram is None or len(gram.free) > MAX_FREE:
         return None
     for values in gram.candidates(clock):
-        squares = gram.taken_apart(values)
+        squares = gram.squares(values)
         if squares is not None:
             return squares
     return None
@@ -139,7 +139,7 @@ def _directions(width: int) -> list[Monomial]:
     """Return linear functions of exponents: coordinates, the degree, and some at random."""
     rng = Random(width)
     units = [tuple(int(n == m) for n in range(width)) for m in range(width)]
-    random = [tuple(rng.randint(-9, 9) for _ in range(width)) for _ in range(DIRECTIONS)]
+    random = [tuple(rng.randint(-9, 9) for _ in range(width)) for _ in range(RANDOM_DIRECTIONS)]
     both = [(1,) * width, *units, *random]
     return [tuple(s * e for e in w) for w in both for s in (1, -1)]
 
@@ -185,7 +185,7 @@ def _times(m: Monomial, n: Monomial) -> Monomial:
 
 
 def _blocks(f: Terms, monomials: Sequence[Monomial]) -> list[list[Monomial]]:
-    """Return classes of monomials: signs of variables that leave f as it is tell them apart."""
+    """Return the classes of monomials under the sign changes of variables that leave f unchanged."""
     basis: dict[int, int] = {}  # by the highest bit
 
     def reduced(m: Monomial) -> int:
@@ -243,18 +243,18 @@ class _Gram:
             out[number][i][j] = out[number][j][i] = left if i == j else left / 2
         return out
 
-    def taken_apart(self, values: Sequence[Fraction]) -> list[Square] | None:
-        """Return the squares that L·D·Lᵀ gives for all blocks; None where one is not positive."""
+    def squares(self, values: Sequence[Fraction]) -> list[Square] | None:
+        """Return the squares by L·D·Lᵀ of all blocks; None if a block is not positive semidefinite."""
         out: list[Square] = []
         for block, g in zip(self.blocks, self.matrices(values), strict=True):
-            found = _completed(block, g)
+            found = _complete_squares(block, g)
             if found is None:
                 return None
             out.extend(found)
         return out
 
     def candidates(self, clock: Clock) -> Iterator[list[Fraction]]:
-        """Run through values of the free entries for which the matrix may be positive."""
+        """Yield values of the free entries for which the matrix may be positive semidefinite."""
         if not self.free:
             yield []
             return
@@ -272,7 +272,7 @@ class _Gram:
     def interior(self, clock: Clock) -> tuple[Floats, list[Floats]] | None:
         """Return free entries with a positive semidefinite matrix of the largest rank, and its kernels.
 
-        The least s is looked for such that the matrix and s on the diagonal is positive; None for s > 0.
+        Minimises s subject to G + s·1 being positive semidefinite; None if the minimum is positive.
         """
         import numpy as np
 
@@ -351,17 +351,17 @@ def _rounded(x: Floats) -> list[list[Fraction]]:
 
 
 def _kernel(g: Floats, size: float) -> Floats:
-    """Return a basis of what a matrix nearly maps to 0, in echelon form, as rows."""
+    """Return a basis of the numerical kernel of a matrix, in echelon form, as rows."""
     import numpy as np
 
     values, vectors = np.linalg.eigh(g)
-    rows = vectors[:, values < CLOSE * (1 + size)].T.copy()
+    rows = vectors[:, values < KERNEL_TOLERANCE * (1 + size)].T.copy()
     done = 0
     for column in range(rows.shape[1]):
         if done == len(rows):
             break
         best = done + int(np.argmax(np.abs(rows[done:, column])))
-        if abs(rows[best, column]) < 10 * CLOSE:
+        if abs(rows[best, column]) < 10 * KERNEL_TOLERANCE:
             continue
         rows[[done, best]] = rows[[best, done]]
         rows[done] /= rows[done, column]
@@ -393,7 +393,10 @@ class _Solutions:
         for number, rows in enumerate(kernels):
             for row in rows:
                 v = [Fraction(float(c)).limit_denominator(MAX_DENOMINATOR) for c in row]
-                if any(abs(float(c) - float(d)) > 100 * CLOSE for c, d in zip(v, row, strict=True)):
+                if any(
+                    abs(float(c) - float(d)) > 100 * KERNEL_TOLERANCE
+                    for c, d in zip(v, row, strict=True)
+                ):
                     return None
                 for i in range(len(v)):
                     left, right = dict[int, Fraction](), Fraction(0)
@@ -443,7 +446,7 @@ def _eliminate(
     return True
 
 
-def _completed(block: Sequence[Monomial], g: list[list[Fraction]]) -> list[Square] | None:
+def _complete_squares(block: Sequence[Monomial], g: list[list[Fraction]]) -> list[Square] | None:
     """Complete squares: return d and polynomials with mᵀ·G·m = Σ d·g², None where a d is negative."""
     out: list[Square] = []
     rows = [row[:] for row in g]

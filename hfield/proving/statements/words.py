@@ -1,13 +1,13 @@
-"""Words of the language that others define: ``dot``, ``cross``, ``abs`` and the comparisons ``>= > <= <``.
+"""Expand the words ``dot``, ``cross``, ``abs`` and the comparisons ``>= > <= <`` by their definitions.
 
-They are written out before anything is decided, so that methods and checker do not know of them. Those that
-need an order are about an ordered field in its real closure, where what is not negative is a square:
+They are expanded before anything is decided, so the methods need not know them. Comparisons and moduli are
+interpreted in the real closure of the ordered field, where the nonnegative elements are the squares:
 
-* ``abs(q)`` is the number m² with m⁴ = norm(q), of which there is exactly one.
-* ``x >= 0`` says that x is −z² for no z, or 0; where it is a hypothesis, that x is z² for some z.
-* ``x > 0`` says that x is −z² for no z; where it is a hypothesis, that x is z² for some z that is not 0.
+* ``abs(q)`` is the only number m² with m⁴ = norm(q).
+* ``x >= 0``, as a claim, means: x = 0, or x ≠ −z² for all z. As a hypothesis it means x = z² for some z.
+* ``x > 0``, as a claim, means: x ≠ −z² for all z. As a hypothesis it means x = z² for some z ≠ 0.
 
-m and z are coordinates of unknowns that do not stand in the statement, and it is about all their values.
+m and z are coordinates of new unknowns, over which the whole statement is quantified universally.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ ZERO = Number(0)
 
 
 def order_word(node: Node) -> Node | None:
-    """Return a part of a statement that has a meaning over ordered fields only; None where none has."""
+    """Return a comparison or modulus in a statement; None if it has neither."""
     for n in walk_once(node):
         if isinstance(n, Compare) and n.op in ORDER:
             return n
@@ -52,7 +52,7 @@ def order_word(node: Node) -> Node | None:
 
 
 def is_about_order(text: str) -> bool:
-    """Tell whether a text is a statement with a word that needs an order."""
+    """Tell whether a text is a statement with a comparison or a modulus."""
     try:
         return order_word(parse(text)) is not None
     except NotationError:
@@ -71,8 +71,8 @@ def need_order(node: Node, field: Ring | None, text: str) -> None:
         return
     name = word.op if isinstance(word, Compare) else "abs"
     raise NotationError(
-        f"{name} has a meaning over ordered fields, such as QQ, QQ(sqrt(2)) and RR, and {field.name} is not "
-        "known to have an order",
+        f"{name} needs an ordered field, such as QQ, QQ(sqrt(2)) or RR, and {field.name} is not known to "
+        "have an order",
         text,
         word.position,
     )
@@ -87,8 +87,8 @@ def without_words(
 ) -> Node:
     """Return a statement that says the same without these words.
 
-    There are moduli where the norm has no negative values: in H, as ``hamilton`` says. ``is_scalar`` tells
-    of a term without these words whether it is a scalar. Raises :class:`NotationError`.
+    Moduli are defined where the norm is never negative: in H, if ``hamilton``. ``is_scalar`` tells whether a
+    term without these words is a scalar. Raises :class:`NotationError`.
     """
     need_order(node, field, text)
     if not any(
@@ -123,7 +123,7 @@ class _Writer:
         raise NotationError(message, self.text, node.position)
 
     def statement(self, node: Node, claimed: bool) -> Node:
-        """Write out a statement; ``claimed`` tells whether it is to be shown, and is no hypothesis."""
+        """Write out a statement, as a claim or, unless ``claimed``, as a hypothesis."""
         match node:
             case Compare(op, left, right):
                 x, y = self.term(left), self.term(right)
@@ -192,7 +192,7 @@ class _Writer:
 
     def need_no_quantifier(self, word: str, node: Node) -> None:
         if self.quantified:
-            self.fail(f"{word} and 'exists' do not stand in one statement", node)
+            self.fail(f"a statement cannot have both {word} and 'exists'", node)
 
     def helper(self, node: Node) -> Node:
         """Return a scalar that is new in the statement."""
@@ -202,7 +202,7 @@ class _Writer:
 
 
 def _compares(node: Node) -> bool:
-    """Tell whether an order is spoken of in a statement."""
+    """Tell whether a statement has a comparison."""
     return any(isinstance(n, Compare) and n.op in ORDER for n in walk_once(node))
 
 
