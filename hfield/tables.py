@@ -1,4 +1,4 @@
-"""Numbers in text files, a row a line: what a user writes by hand or another program exports."""
+"""Read tables of numbers from text files with one row on each line."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,22 +15,22 @@ MAX_ROWS = 1_000_000
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """Rows of numbers (n, columns), and the line of the file on which each stands."""
+    """Rows of numbers (n, columns), and the line number of each row in the file."""
 
     name: str
     rows: NDArray[np.float64]
     lines: tuple[int, ...]
 
     def place(self, row: int) -> str:
-        """Return where a row, counted from 0, stands: file and line."""
+        """Return the file and the line of a row, counted from 0."""
         return f"{self.name}, line {self.lines[row]}"
 
 
 def read_table(path: str | Path, columns: Mapping[int, str]) -> Table:
     """Return the numbers of a text file, separated by semicolons, commas, or spaces and tabs.
 
-    Empty lines and what follows ``#`` are left out, and a first line without any number is a heading.
-    ``columns`` says what the numbers of a row of each length are; all rows have one of these lengths. Raises
+    Empty lines and comments after ``#`` are skipped. A first line without any number is a heading.
+    ``columns`` maps each allowed number of columns to a description; all rows have the same length. Raises
     :class:`TableError`, which names the file and the line.
     """
     file = Path(path)

@@ -838,13 +838,13 @@ class Quaternion(Hinted, PrintedBySympy):
     def to_array(self, axis: int = 0) -> Any:
         """Return all coordinates as one numpy array, which ``A.from_array`` takes back.
 
-        Its shape is ``(4, *shape)``; with ``axis=-1`` it is ``(*shape, 4)``. Over RDF and CDF the numbers are
-        floats and complex ones. Over ℤ/n they are residues, over GF(pⁿ) labels (the digits of an element in
-        base p, as galois has them), over ℤ the numbers as int64, however few bits hold them. Over ℚ there
+        Its shape is ``(4, *shape)``; with ``axis=-1`` it is ``(*shape, 4)``. Over RDF and CDF the numbers
+        are real and complex floats. Over ℤ/n they are residues, over GF(pⁿ) labels (the digits of an element
+        in base p, as galois has them), over ℤ the numbers as int64, however few bits hold them. Over ℚ there
         are five for an element: four numerators over the denominator that comes last, after the basis is
-        scaled to integral structure constants. It is read-only, and no copy where the array was computed,
-        or holds floats. Raises :class:`CoercionError` over other rings, for another axis, and for numbers
-        of more than 64 bits.
+        scaled to integral structure constants. It is read-only. It is not copied if the
+        array was computed or contains floats. Raises :class:`CoercionError` over other rings, for another
+        axis, and for numbers of more than 64 bits.
 
         >>> from hfield import H
         >>> H("GF(9)")([1, 2], "x", 0, 0).to_array().tolist()

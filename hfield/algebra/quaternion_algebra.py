@@ -220,7 +220,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return self._element(coordinates)
 
     def _of_rotation(self, x: Any) -> Quaternion:
-        """Return the unit quaternions of a rotation, which hands them out by ``as_quat`` as scipy's do."""
+        """Return the unit quaternions of a rotation with scipy's method ``as_quat``."""
         if self.ring.is_exact or not is_hamilton(*self._here()):
             raise CoercionError(
                 f"a rotation has unit quaternions of floats, in Hamilton's algebra, not in {self}: "
@@ -347,9 +347,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """Return the array of quaternions with these numbers, as :meth:`Quaternion.to_array` gives them.
 
         The coordinates lie along the first axis, or with ``axis=-1`` along the last: an array of shape
-        (N, 4) has N quaternions. Numbers of one element give that element. They are copied; with
-        ``copy=False`` floats of the type of the ring are not, and must not be changed afterwards. Raises
-        :class:`CoercionError` for what stands for no elements.
+        (N, 4) has N quaternions. Numbers of one element give that element. Numbers are
+        copied. With ``copy=False`` an array of the float type of the ring is shared and must not be changed
+        afterwards. Raises :class:`CoercionError` for an array that represents no elements.
 
         >>> import numpy as np
         >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]

@@ -52,7 +52,7 @@ class Projection:
         return self.target(self._coordinates(self.source(q)))
 
     def lift(self, x: object) -> Quaternion:
-        """Return the element with image x that is a combination of the basis vectors that are kept."""
+        """Return the element with image x that is a combination of the basis vectors kept in the quotient."""
         coordinates = [self.source.ring.zero] * 4
         for n, c in zip(self._kept, self.target(x).coordinates, strict=True):
             coordinates[n] = c

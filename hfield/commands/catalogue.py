@@ -56,7 +56,7 @@ GROUPS: dict[str, dict[str, str]] = {
         "warm": "compile the loops over arrays ahead of time",
     },
 }
-OTHERWISE = {
+LINES_OF_OTHER_NAMES = {
     "hilbert": "hfield eval 'hilbert(2,5,5)'",
     "ramified": "hfield info '(-1,-1|QQ)'",
     "discriminant": "hfield info '(-1,-1|QQ)'",
@@ -65,7 +65,7 @@ OTHERWISE = {
     "test": "hfield verify",
     "rotate": "python, with the package rotation",
 }
-"""What is computed, and the line to type for it."""
+"""Names that are no commands, with the line to type instead."""
 COMMANDS = {name: text for group in GROUPS.values() for name, text in group.items()}
 LAST, OTHER = "Tools", "Other packages"
 GROUP = "hfield.commands"
@@ -106,8 +106,8 @@ def _load(name: str) -> Any:
         raise UsageError(
             f"unknown option {shorten(name)!r}; expected a command first, `hfield --help` lists them"
         )
-    if name in OTHERWISE:
-        raise UsageError(f"there is no command {name!r}: write {OTHERWISE[name]}")
+    if name in LINES_OF_OTHER_NAMES:
+        raise UsageError(f"there is no command {name!r}: write {LINES_OF_OTHER_NAMES[name]}")
     hint = suggest(name, names()) or "`hfield --help` lists them"
     raise UsageError(f"there is no command {shorten(name)!r}: {hint}")
 

@@ -79,8 +79,7 @@ class Parser(ArgumentParser):
         for word in words:
             if word.startswith("'"):
                 self.error(
-                    f"{shorten(word)} came with its single quotes, which this shell does not take away: use "
-                    "double quotes"
+                    f"{shorten(word)} has single quotes, which this shell passes on: use double quotes"
                 )
         self._need_output(words)
         args, unknown = self.parse_known_args(self._mark_expressions(words))
@@ -95,7 +94,7 @@ class Parser(ArgumentParser):
         return args
 
     def _need_output(self, words: Sequence[str]) -> None:
-        """Say how the output is named, where it has to be and only the name of a file is given."""
+        """Refuse a file name without ``-o`` where the output is required, and say what to write."""
         option = self._option_string_actions.get("-o")
         if option is None or not option.required or any(_OUTPUT.match(word) for word in words):
             return

@@ -58,7 +58,7 @@ def configure(parser: ArgumentParser) -> None:
         type=seconds,
         default=30.0,
         metavar="S",
-        help="seconds of processor time to try (default: 30); a busy machine answers later, the same",
+        help="limit in seconds of processor time (default: 30); the load of the machine does not count",
     )
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
     add_standalone(parser)

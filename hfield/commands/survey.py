@@ -20,9 +20,8 @@ HELP = (
     "Tabulate class numbers, masses, type numbers and units of the Eichler orders with "
     "discriminants and levels in given ranges. With --field the levels are given by their "
     "norms. With --groups the rows are signatures, presentations and systoles of unit "
-    "groups in indefinite algebras. Rows are written as they are found: a table on a terminal, "
-    "otherwise a JSON object each. With -o, an "
-    "interrupted run continues from its last row."
+    "groups in indefinite algebras. Rows are written as they are found: as a table on a terminal, "
+    "otherwise as JSON objects. With -o, an interrupted run continues after its last row."
 )
 DOING = "surveying"
 EXAMPLES = (

@@ -13,13 +13,13 @@ if TYPE_CHECKING:
     import numpy as np
 
 MAX_PRUNED = 4096
-"""Groups up to this order have no generator that the others generate, and generators of greatest order."""
+"""Up to this order redundant generators are removed, and elements of greatest order are preferred."""
 
 MAX_NORMAL = 600
-"""So many normal subgroups are listed, and those that one more class makes."""
+"""The number of normal subgroups after which no further class is added."""
 
 MAX_NUMBER = 4 * 10**6
-"""The greatest number of a member up to which the places of all numbers are kept."""
+"""The largest number of a group element for which a table of indices by number is kept."""
 
 Multiply = Callable[["np.ndarray", "np.ndarray"], "np.ndarray"]
 

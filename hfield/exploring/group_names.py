@@ -29,10 +29,10 @@ MAX_TRIALS = 3000
 
 @dataclass(frozen=True)
 class GroupInvariants:
-    """What is computed of a group that may have no name: orders, and abelian groups as texts.
+    """Invariants of a finite group: orders, and abelian groups as texts.
 
-    ``abelian_quotient`` is the group modulo its commutators, ``derived_series`` the orders of the group, of
-    its commutator subgroup, of that of this one and so on, down to 1 or to a perfect group.
+    ``abelian_quotient`` is the group modulo its commutators. ``derived_series`` are the orders of the group
+    and of its iterated commutator subgroups, down to a perfect group, such as the trivial one.
 
     >>> from hfield import H
     >>> print(H("GF(3)").unit_group().invariants)

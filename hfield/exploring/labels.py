@@ -108,11 +108,11 @@ class LabelledAlgebra:
 
     @cached_property
     def _loops(self) -> LabelArrays | None:
-        """The compiled loops of the algebra, if there are some."""
+        """The compiled loops of the algebra, or None."""
         return compiled_loops(self.ring, self.algebra.constants)
 
     def product(self, p: Rows, q: Rows) -> Rows:
-        """Return the products, elementwise: of many by compiled loops, of others by tables."""
+        """Return the elementwise products: of many elements by compiled loops, of few by tables."""
         if max(p[0].size, q[0].size) >= MIN_COMPILED and self._loops is not None:
             dtype = self._loops.dtype
             left, right = (tuple(row.astype(dtype) for row in rows) for rows in (p, q))

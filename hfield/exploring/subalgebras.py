@@ -20,7 +20,7 @@ from hfield.exploring.submodules import Submodule, check_listed, products
 from hfield.exploring.unit_groups import unit_group
 
 MAX_SUBMODULES = 50_000
-"""The greatest number of submodules that are looked at."""
+"""The greatest number of submodules that are tried."""
 
 
 class Subalgebra(Submodule):

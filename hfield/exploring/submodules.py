@@ -53,9 +53,9 @@ class Submodule:
 
     @cached_property
     def invariants(self) -> tuple[int, ...]:
-        """The orders of cyclic modules of which it is the direct sum, over ℤ/n, each divided by the next.
+        """The orders of cyclic modules whose direct sum it is over ℤ/n; each is divisible by the next.
 
-        Over a finite field they are as many times its order as the dimension says. Raises
+        Over a finite field the order of the field, repeated as often as the dimension. Raises
         :class:`NotFiniteError` over an infinite one.
         """
         n = order_of_ring(self.algebra)

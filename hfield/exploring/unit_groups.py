@@ -58,8 +58,8 @@ class UnitGroup(ABC):
     def structure(self) -> str:
         """The name of the group, ``GL(2,3)``, else its structure in the notation of GAP, ``C2 x C2``.
 
-        Of a group for which neither is found it is the text of its :attr:`invariants`. Raises
-        :class:`hfield.errors.TooLargeError` where they are not found either.
+        If neither is found, the text of its :attr:`invariants`. Raises :class:`hfield.errors.TooLargeError`
+        if these are not found either.
         """
         try:
             return self.find_name()
@@ -333,8 +333,8 @@ class LinearGroup(UnitGroup):
 def unit_group(algebra: Parent, special: bool = False) -> UnitGroup:
     """Return the group of all units of a finite algebra, or of the elements of norm 1.
 
-    It is the same object for equal algebras. Raises :class:`NotFiniteError` over infinite rings; what has
-    to list too much raises :class:`TooLargeError`.
+    It is the same object for equal algebras. Raises :class:`NotFiniteError` over infinite rings. Its
+    properties raise :class:`TooLargeError` if they would have to list too many elements.
     """
     order_of_ring(algebra)
     key: Any = algebra  # which is hashable, as a Parent need not be

@@ -1,7 +1,7 @@
-"""The rings of integers over which there are orders: ℤ and ℤ_K, and what the theory asks of them.
+"""The rings of integers over which orders are defined, ℤ and ℤ_K, with one interface.
 
-Scalars are elements of ``field``, in which is computed; ``ring`` is the field that a user has. Ideals of ℤ
-are positive rational numbers. Which of the two a base is, is a question for this module and for kernels.
+Computations use elements of ``field``; results for the user are elements of ``ring``. Ideals of ℤ are
+positive rational numbers. Only this module and ``kernels`` distinguish the two kinds of base.
 """
 
 from __future__ import annotations
@@ -156,10 +156,10 @@ class Base(Protocol):
         """Return the trace of an element down to ℚ."""
 
     def inside(self, x: Any) -> Any:
-        """Return an element of the ring as one of the field."""
+        """Convert an element of ``ring`` to one of ``field``."""
 
     def outside(self, x: Any) -> Any:
-        """Return an element of the field as one of the ring."""
+        """Convert an element of ``field`` to one of ``ring``."""
 
     def shown_norm(self, lattice: LatticeValue) -> Any:
         """Return the norm of a lattice as a user sees it."""
@@ -299,7 +299,7 @@ class OneClass:
 
 
 def degenerate(algebra: Any) -> RingError:
-    """Return the error that refuses an algebra."""
+    """Return the error for a degenerate algebra."""
     return RingError(
         f"{shorten(algebra)} is a degenerate algebra, (t² + 4a)·b = 0: it is not simple, and has no orders "
         "here"
@@ -470,7 +470,7 @@ def expect_small(prime: PrimeIdeal) -> None:
     """Raise :class:`TooLargeError` for a prime ideal whose residues exceed a machine's word."""
     if prime.p >= WORD:
         raise TooLargeError(
-            f"orders are not looked at {shorten(prime)}, whose residues exceed a machine's word"
+            f"orders are not computed at {shorten(prime)}, whose residues exceed a machine's word"
         )
 
 
@@ -485,6 +485,6 @@ def base_of(ring: Ring) -> Base:
     if isinstance(ring, NumberField | QuadraticField):
         return NumberFieldIntegers(ring)
     raise RingError(
-        f"there are no lattices, orders and ideals over {shorten(ring.name)}: expected an algebra over QQ or "
-        "over another number field"
+        f"lattices, orders and ideals are not defined over {shorten(ring.name)}: expected an algebra over "
+        "QQ or another number field"
     )

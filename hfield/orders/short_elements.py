@@ -2,9 +2,9 @@
 
 The forms Tr(c·N(x)) are positive definite over ℤ for totally positive c. An element of norm ν has the value
 n = [K : ℚ] in the form with c = 1/ν; by the inequality of the means every x ≠ 0 with N(x)/ν integral has at
-least that. So equivalences, generators and units are vectors of least conceivable length: they are there, or
-an exhausted enumeration says that they are not (J. Voight, *Quaternion Algebras*, section 17.6; M. Kirschmer
-and J. Voight, *SIAM J. Comput.* 39, 2010). All is integral.
+least that. So equivalences, generators and units are vectors of the least possible length. An enumeration
+finds them or proves that there are none (J. Voight, *Quaternion Algebras*, section 17.6; M. Kirschmer and
+J. Voight, *SIAM J. Comput.* 39, 2010). All is integral.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ from hfield.orders.validation import natural
 
 Row = tuple[int, ...]
 MAX_LISTED = 10**6
-"""More vectors than this are not listed."""
+"""The largest number of vectors in a list."""
 MAX_STEPS = 2 * 10**7
-"""More vectors than this are not run through."""
+"""The largest number of vectors that are enumerated."""
 
 
 def expect_definite(ambient: AlgebraBasis, what: str) -> None:

@@ -1,7 +1,7 @@
-"""Products without a sign, coordinates in parentheses, and chains of comparisons, written out.
+"""Write out products without a sign, coordinates in parentheses, and chains of comparisons.
 
-``(1+2i)(3+j)`` is a product, ``ij`` too where ``i`` and ``j`` are known and no name is ``ij``;
-``(0,1,0,0)`` is ``i``; ``a == b == c`` is ``a == c and b == c``. What has two readings is refused.
+``(1+2i)(3+j)`` is a product. So is ``ij``, if ``i`` and ``j`` are names and ``ij`` is none. ``(0,1,0,0)`` is
+``i``, and ``a == b == c`` is ``a == c and b == c``. Ambiguous texts are refused.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _FUNCTIONS = (
 )
 _MATRICES = ("matrix", "column", "row", "transpose")
 _KEYWORDS = frozenset(("and", "or", "not", "exists"))
-# Words of known letters that mean something, here or to people.
+# Words made of known letters that are not read as products.
 _WORDS = frozenset(["pi", "exp", "sqrt", "tr", "re", "sp", "true", "every", "set", "yet"])
 MAX_SPLIT = 4  # letters of a word that is read as a product, unless it consists of e, i, j and k
 _LOGIC = ("=>", "<=>", ":", *_KEYWORDS)
@@ -47,7 +47,7 @@ _TOKEN = re.compile(
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """What words may be: ``letters`` that are multiplied, other ``names``, and ``functions``."""
+    """The known words: ``letters``, whose products need no sign, other ``names``, and ``functions``."""
 
     letters: frozenset[str]
     names: frozenset[str] = frozenset()
@@ -175,7 +175,7 @@ def _split(items: _Items, signs: Collection[str]) -> tuple[list[_Items], list[_T
 
 
 class _Writer:
-    """One text being written out; ``remarks`` say what one may not expect."""
+    """Writes out one text; ``remarks`` report unexpected readings."""
 
     def __init__(self, source: str, vocabulary: Vocabulary) -> None:
         self.source, self.vocabulary = source, vocabulary

@@ -1,7 +1,7 @@
-"""A text that was typed and the text that is read in its place, each letter with its origin.
+"""Texts rewritten before parsing, with the position in the typed text of each letter.
 
-The reader rewrites signs, products and coordinates in the plain letters of the language. Errors are found in
-the text that is read; they are reported at the letters that were typed.
+Signs, products and coordinates are rewritten in the grammar of the language. The parser finds errors in the
+rewritten text; they are reported at the position in the typed text.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from hfield.errors import NotationError
 
 @dataclass(frozen=True)
 class Letters:
-    """A text and, for each of its letters, the offset in the typed text that it stands for.
+    """A text and, for each of its letters, the offset of its origin in the typed text.
 
     >>> Letters.of("q^2").replaced("^", "**").places
     (0, 1, 1, 2)
@@ -32,7 +32,7 @@ class Letters:
 
     @classmethod
     def written(cls, text: str, place: int) -> Letters:
-        """Return a text that stands for the letter at ``place``."""
+        """Return a text all of whose letters originate at ``place``."""
         return cls(text, (place,) * len(text))
 
     @classmethod
@@ -86,7 +86,7 @@ class Letters:
 class Typed:
     """A text as it was typed, ``source``, and the text that is read, ``text``.
 
-    ``remarks`` are sentences about readings that one may not expect.
+    ``remarks`` are sentences about unexpected readings.
     """
 
     source: str

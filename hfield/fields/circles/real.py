@@ -1,8 +1,8 @@
 """RR(cos(t), sin(t), …): functions on circles whose coefficients are real algebraic numbers.
 
-It is the union of the fields K(cos(t), sin(t), …) over the real number fields K: an element lies in the one
-that its coefficients generate, and two elements meet where the numbers of both do. Elements are written P/Q
-as over ℚ, with rational coefficients in Q, which makes them unique.
+It is the union of the fields K(cos(t), sin(t), …) over the real number fields K. An element is stored over
+the field that its coefficients generate; sums and products are computed over the compositum. Elements have
+the normal form P/Q, as over ℚ, with rational coefficients in Q.
 """
 
 from __future__ import annotations
@@ -213,7 +213,7 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return RealCircleElement(self, inner, texts)
 
     def together(self, x: RealCircleElement, y: RealCircleElement) -> tuple[Any, Any, Texts]:
-        """Return both over one number field, and the numbers that generate it."""
+        """Return both elements over one number field, and the numbers that generate the field."""
         texts = tuple(sorted({*x.texts, *y.texts}))
         return self._lifted(x, texts), self._lifted(y, texts), texts
 

@@ -1,4 +1,4 @@
-"""Functions on matrices and lattices for which ℤ has a quicker way; the choice is made here.
+"""Choose between the functions for any base and their quicker variants over ℤ.
 
 ``general`` has every function for any rank 4n; ``rank4`` has some of them for n = 1, over ℤ. Leaving a
 function out of ``rank4`` changes times only.
