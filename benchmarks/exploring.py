@@ -2,8 +2,8 @@
 
     python benchmarks/exploring.py
 
-The split algebra, whose groups and ideals are known by formulas, and degenerate ones, whose groups are
-listed. Times are seconds of the processor. A group is kept, so that what follows the generators has them.
+Groups and ideals of the split algebra come from formulas; groups of the degenerate algebras are listed. Times
+are seconds of processor time. The unit group is created once, so later tasks reuse its generators.
 """
 
 import time

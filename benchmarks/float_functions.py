@@ -2,8 +2,9 @@
 
     python benchmarks/float_functions.py [SECONDS]
 
-For an array of 10⁵ quaternions and for a single one, in microseconds, the best of many calls; the ways take
-turns for SECONDS (default 1) a function. The last column is our time over that of the faster peer.
+The table shows the best time of a call in microseconds, for an array of 10⁵ quaternions and for a single one.
+The libraries are timed in turns, for SECONDS (default 1) a function. The last column is the time of hfield
+divided by that of the faster of the others.
 """
 
 import sys
@@ -26,7 +27,7 @@ FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     "power 0.3": lambda q: q**0.3,
     "product": lambda q: q * q,
 }
-MANY = 100_000
+ARRAY_SIZE = 100_000
 
 
 def best(ways: list[Callable[[], Any]], seconds: float, repeat: int) -> list[float]:
@@ -47,12 +48,12 @@ def best(ways: list[Callable[[], Any]], seconds: float, repeat: int) -> list[flo
 def main() -> None:
     """Print the table."""
     seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 1.0
-    x = np.random.default_rng(1).normal(size=(MANY, 4))
+    x = np.random.default_rng(1).normal(size=(ARRAY_SIZE, 4))
     A = H("RDF")
     many = (A.from_array(x, axis=-1), quaternion.as_quat_array(x), quaternionic.array(x))
     one = tuple(q[0] for q in many)
     print(f"{'':22}{'ours':>10}{'quaternion':>12}{'quaternionic':>14}{'ratio':>8}")
-    for title, operands, repeat in ((f"{MANY}", many, 1), ("one", one, 100)):
+    for title, operands, repeat in ((f"{ARRAY_SIZE}", many, 1), ("one", one, 100)):
         for name, function in FUNCTIONS.items():
             times = best([partial(function, q) for q in operands], seconds, repeat)
             ratio = times[0] / min(times[1:])

@@ -415,22 +415,22 @@ class Rotation(Conversions):
         Parameters
         ----------
         ax : mpl_toolkits.mplot3d.axes3d.Axes3D, optional
-            Where to draw; colours are the first two of its cycle, and its settings stay. Without it a figure
-            of pyplot is made, which has our settings, whatever a matplotlibrc says, and a title.
+            Where to draw, with the first two colours of its cycle; its settings are not changed. By default
+            a new figure of pyplot with a title, whose settings do not depend on the matplotlibrc.
         points : array_like, shape (n, 3), optional
             In any unit of length; by default the three unit vectors. Paths are drawn for up to 24 points.
 
         Returns
         -------
         Axes3D
-            Where it was drawn; ``.figure.savefig(…)`` writes it to a file.
+            The axes; ``.figure.savefig(…)`` writes the picture to a file.
 
         Raises
         ------
         RotationError
             An array of rotations, a rotation or points that are not finite, points of another shape.
         DTypeError
-            What are no three-dimensional axes, or no points.
+            ``ax`` is no three-dimensional axes, or ``points`` no array of points.
         ForeignArrayError
             The rotation is not stored in a numpy array.
 

@@ -1,9 +1,9 @@
-"""Check that the modules of two theories of orders vanish: ``scripts/migration.txt`` lists them.
+"""Check that the modules listed in ``scripts/migration.txt`` shrink until they are removed.
 
     python -m scripts.check_migration
 
-Each line is a module and how many lines it had at most. The check fails when a listed module has gained
-lines, when one is gone and still listed, and when the list has grown since the last commit.
+Each line is a module and the largest number of lines that it may have. The check fails if a listed module has
+more lines, if a removed module is still listed, and if the list has grown since the last commit.
 """
 
 import subprocess
@@ -27,7 +27,7 @@ def faults(listed: dict[str, int], before: dict[str, int], root: Path) -> list[s
     ]
     for path, most in listed.items():
         if not (root / path).exists():
-            found.append(f"{path} is gone: take it from {LIST}")
+            found.append(f"{path} is removed: remove it from {LIST}")
             continue
         count = len((root / path).read_text(encoding="utf-8").splitlines())
         if count > most:

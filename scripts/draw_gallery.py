@@ -1,7 +1,7 @@
-"""Draw the pictures of docs/gallery.md again, each by the line that the page shows below it, and compare.
+"""Redraw the pictures of docs/gallery.md by the commands on that page, and compare.
 
-``python tasks.py gallery`` draws them, says which are not those in docs/images, and puts the new ones there;
-it fails if there was any.
+``python tasks.py gallery`` draws them, replaces those in docs/images that differ, and names them. It fails if
+any picture differed.
 """
 
 import os
@@ -21,21 +21,21 @@ from hfield.cli import main as hfield
 
 ROOT = Path(__file__).parent.parent
 IMAGES = ROOT / "docs" / "images"
-BESIDES = ("hfield domain '(3,-1|QQ)' --dark -o domain-6-dark.svg",)
-"""What other pages show."""
-LEVELS, SHARE = 24, 5e-4
-"""Pictures are the same if at most this share of their pixels differs by more than so many levels."""
+OTHER_PAGES = ("hfield domain '(3,-1|QQ)' --dark -o domain-6-dark.svg",)
+"""Commands for pictures on other pages."""
+LEVEL_TOLERANCE, MAX_DIFFERING_SHARE = 24, 5e-4
+"""Pictures are equal if at most this share of their pixels differs by more than the tolerance."""
 
 
 def commands() -> list[str]:
     """Return the command lines of the page."""
     text = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
     lines: list[str] = re.findall(r"^`(hfield .*)`$", text, re.MULTILINE)
-    return [line for line in (*lines, *BESIDES) if not line.endswith(".html")]
+    return [line for line in (*lines, *OTHER_PAGES) if not line.endswith(".html")]
 
 
 def same(one: Path, other: Path) -> bool:
-    """Tell whether two files show the same: equal texts, or frames that differ by less than can be seen."""
+    """Tell whether two files look the same: equal texts, or frames without a visible difference."""
     if not other.is_file():
         return False
     if one.suffix == ".svg":
@@ -47,7 +47,8 @@ def same(one: Path, other: Path) -> bool:
 
 def _alike(some: list[np.ndarray], others: list[np.ndarray]) -> bool:
     return len(some) == len(others) and all(
-        a.shape == b.shape and np.mean(np.abs(a - b).max(axis=-1) > LEVELS) <= SHARE
+        a.shape == b.shape
+        and np.mean(np.abs(a - b).max(axis=-1) > LEVEL_TOLERANCE) <= MAX_DIFFERING_SHARE
         for a, b in zip(some, others, strict=True)
     )
 
@@ -59,7 +60,7 @@ def _frames(path: Path) -> Iterator[np.ndarray]:
 
 
 def main() -> int:
-    """Draw, compare and replace; return how many were not what their line makes, at most 1."""
+    """Draw, compare and replace; return 1 if any picture differed."""
     changed: list[str] = []
     with TemporaryDirectory() as folder:
         os.chdir(folder)
@@ -68,14 +69,17 @@ def main() -> int:
             with redirect_stdout(StringIO()):
                 status = hfield(shlex.split(line)[1:])
             if status:
-                print(f"this line ended with {status}", file=sys.stderr)
+                print(f"the command failed with status {status}", file=sys.stderr)
                 return status
         for new in sorted(Path(folder).iterdir()):
             old = IMAGES / new.name
             if not same(new, old):
                 changed.append(new.name)
                 old.write_bytes(new.read_bytes())
-    print("replaced, as they were not what their lines make: " + (", ".join(changed) or "none"))
+    print(
+        "replaced, since they differ from what their commands draw: "
+        + (", ".join(changed) or "none")
+    )
     return 1 if changed else 0
 
 

@@ -2,9 +2,9 @@
 
     python scripts/measure_float_functions.py [COUNT]
 
-COUNT values in all (default 100 000, about two minutes), of all directions and lengths, are shared among
-exponential, logarithm, square root, powers and n-th roots. An error is the length of the difference over
-that of the value. The largest and the mean of each function are printed; they stand in docs/algebras.md.
+COUNT random quaternions (default 100 000, about two minutes) are divided among exponential, logarithm, square
+root, powers and n-th roots. The error is the modulus of the difference divided by the modulus of the value.
+The script prints the largest and the mean error of each function, as listed in docs/algebras.md.
 """
 
 import sys
@@ -21,7 +21,7 @@ Value = Callable[[Any], Any]
 
 
 def quaternions(count: int, seed: int, largest: float) -> np.ndarray:
-    """Return rows of lengths from 2⁻²⁰ to 2^largest; of every seventh the vector part is small."""
+    """Return quaternions of modulus 2⁻²⁰ to 2^largest; every seventh has a small vector part."""
     rng = np.random.default_rng(seed)
     q = rng.normal(size=(count, 4))
     q *= (2.0 ** rng.uniform(-20, largest, count) / np.linalg.norm(q, axis=1))[:, None]
@@ -45,7 +45,7 @@ def errors(q: np.ndarray, found: np.ndarray, value: Value) -> np.ndarray:
 
 
 def measure(count: int) -> dict[str, np.ndarray]:
-    """Return the errors by function, of ``count`` values in all."""
+    """Return the errors of ``count`` values in all, by function."""
     A = H("RDF")
     cases: dict[str, tuple[float, Callable[[Any], Any], Value]] = {
         "exp, |q| ≤ 2": (1, lambda q: q.exp(), mpmath.exp),

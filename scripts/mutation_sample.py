@@ -1,14 +1,14 @@
 """Measure what share of random faults the quick and the full test suite notice.
 
-    python scripts/mutation_sample.py reach --seeds 1 2         # all tests once: which come to which mutant
+    python scripts/mutation_sample.py reach --seeds 1 2         # which tests reach which mutant
     python scripts/mutation_sample.py run --seed 1 -o first.json
 
 A mutant is one of the three packages with one operator, comparison, constant or condition changed at a
-place drawn by the seed. It is tried by the tests that come to the changed place, the cheapest first: by
-the quick ones, and where they notice nothing by the slow ones too. docs/mutation.md has the scores.
+place drawn by the seed. It is tried by the tests that reach the changed place, the fastest first. If the
+quick tests notice nothing, the slow tests follow. docs/mutation.md has the scores.
 
-Both commands fork a process that has imported the large libraries, and nothing of the three packages,
-for each file of tests or each mutant. They need a system that forks, such as Linux.
+Both commands start each file of tests, or each mutant, in a fork of a process that has imported the large
+libraries but none of the three packages. They need a system that forks, such as Linux.
 """
 
 import argparse
@@ -45,9 +45,9 @@ OPERATORS = {
     ast.RShift: ast.LShift, ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd, ast.BitXor: ast.BitAnd,
 }  # fmt: skip
 OPTIONS = "tests/subcases.py"  # a file beside the conftest.py that knows --runslow
-FIRST_TESTS = 15  # so many tests, each of another function, try a mutant before all the others do
-QUICK_SECONDS, SLOW_SECONDS = 20, 30  # of computing: more tests than that do not try one mutant
-SPARE_SECONDS = 20  # beyond five times what the tests of a mutant take without it
+FIRST_TESTS = 15  # tests of different functions that try a mutant before the others
+QUICK_SECONDS, SLOW_SECONDS = 20, 30  # of computing that the tests of one mutant may take
+SPARE_SECONDS = 20  # in addition to five times the time of the tests without a mutant
 MAX_BYTES = 8 << 30  # of memory
 PRELOADED = (
     "numpy",
@@ -76,7 +76,7 @@ builtins.__probed__ = __probed__
 
 
 class Mutant(NamedTuple):
-    """A change of one place of one file; ``span`` is where the place begins and ends, in bytes."""
+    """A change at one place of one file; ``span`` are the byte offsets of its start and end."""
 
     file: str
     line: int
@@ -121,7 +121,7 @@ def places(tree: ast.Module) -> Iterator[ast.AST]:
 
 
 def changed(node: ast.AST, step: int = 1) -> tuple[ast.expr, str] | None:
-    """Return the expression at a node that is replaced, and by what; None where nothing can be changed."""
+    """Return the expression to replace at a node and its replacement; None if there is none."""
     match node:
         case ast.Compare(left=left, ops=[op], comparators=right) if type(op) in COMPARISONS:
             return node, ast.unparse(ast.Compare(left, [COMPARISONS[type(op)]()], right))
@@ -144,7 +144,7 @@ def changed(node: ast.AST, step: int = 1) -> tuple[ast.expr, str] | None:
 
 
 def span_of(source: bytes, node: ast.expr) -> tuple[int, int]:
-    """Return where the text of a node begins and ends."""
+    """Return the byte offsets of the start and end of a node."""
     starts = [0]
     for line in source.splitlines(keepends=True):
         starts.append(starts[-1] + len(line))
@@ -156,7 +156,7 @@ def span_of(source: bytes, node: ast.expr) -> tuple[int, int]:
 
 
 def draw(count: int, seed: int) -> list[Mutant]:
-    """Return so many mutants of the tree as it is; no line but the changed ones moves."""
+    """Return ``count`` mutants of the working tree; no mutant changes the numbers of lines."""
     rng = random.Random(seed)
     files = [path for package in PACKAGES for path in sorted((ROOT / package).rglob("*.py"))]
     sources = {path: path.read_bytes() for path in files}
@@ -176,7 +176,7 @@ def draw(count: int, seed: int) -> list[Mutant]:
 
 
 def probed(source: bytes, probes: dict[tuple[int, int], int]) -> bytes:
-    """Return a source in which each of some places says its number when a program comes to it."""
+    """Return a source in which each of some places logs its number when it is reached."""
     inserted = [(start, 1, -end, f"__probed__({n}, ") for (start, end), n in probes.items()]
     inserted += [(end, 0, -start, ")") for start, end in probes]
     for place, _, _, text in sorted(inserted, reverse=True):
@@ -188,7 +188,7 @@ def probed(source: bytes, probes: dict[tuple[int, int], int]) -> bytes:
 
 
 class TimedTest(NamedTuple):
-    """A test, the seconds of computing that it takes, and whether it is marked slow."""
+    """A test, its seconds of processor time, and whether it is marked slow."""
 
     name: str
     seconds: float
@@ -226,7 +226,7 @@ class Only:
 
 
 class Timed:
-    """A plugin of pytest that notes what each test takes, and in the log of the probes where it begins."""
+    """A plugin of pytest that records the time of each test, and writes its name to the log of the probes."""
 
     def __init__(self, log: Path) -> None:
         self.log = log
@@ -245,12 +245,12 @@ class Timed:
 
 
 def computing() -> float:
-    """Return the seconds of computing of this process and those that it waited for."""
+    """Return the processor time of this process and of the children that it waited for, in seconds."""
     return sum(os.times()[:4])
 
 
 def forked(work: Callable[[], object], seconds: float, output: Path) -> int:
-    """Do work in a fork, what it prints in a file, with a limit of computing; return the process."""
+    """Do work in a fork with a limit of processor time, its output in a file; return the process id."""
     child = os.fork()
     if child:
         return child
@@ -271,7 +271,7 @@ def forked(work: Callable[[], object], seconds: float, output: Path) -> int:
 
 
 def ended(child: int, since: float, seconds: float) -> bool:
-    """Whether a fork has ended, which is ended with all that it started when it takes too long."""
+    """Return whether a fork has ended; after too long a time, kill it and all its children."""
     done = os.waitpid(child, os.WNOHANG)[0]
     if done or time.monotonic() - since > 8 * seconds:
         with contextlib.suppress(ProcessLookupError):
@@ -291,7 +291,7 @@ def pytest_here(copy: Path, words: Iterable[str], *plugins: object) -> int:
 
 
 def failures(copy: Path, tests: Sequence[TimedTest], *options: str) -> list[str]:
-    """Return which tests fail in a copy of the project; what does not end has failed."""
+    """Return the tests that fail in a copy of the project; one that does not end has failed."""
     if not tests:
         return []
     seconds = SPARE_SECONDS + 5 * sum(test.seconds for test in tests)
@@ -311,7 +311,7 @@ def failures(copy: Path, tests: Sequence[TimedTest], *options: str) -> list[str]
 
 
 def copied(folder: Path) -> Path:
-    """Return a copy of the project in a folder, and let all processes import that."""
+    """Copy the project to a folder, make all processes import the copy, and return its path."""
     for name in PRELOADED:
         importlib.import_module(name)
     copy = folder / "project"
@@ -328,11 +328,11 @@ def copied(folder: Path) -> Path:
     return copy
 
 
-# -- which tests come to which mutant
+# -- which tests reach which mutant
 
 
 def reach(seeds: Sequence[int], count: int, processes: int) -> None:
-    """Run all tests, each file in a process of its own, and note what they take and where they come."""
+    """Run all tests, each file in its own process; record their times and the probes that they reach."""
     mutants = [mutant for seed in seeds for mutant in draw(count, seed)]
     number = {mutant.place: n for n, mutant in enumerate(mutants)}
     probes: dict[str, dict[tuple[int, int], int]] = defaultdict(dict)
@@ -354,7 +354,7 @@ def reach(seeds: Sequence[int], count: int, processes: int) -> None:
 
 
 def test_files(copy: Path) -> list[list[str]]:
-    """Return the words for pytest of each process: a file of tests, or examples of a package or folder."""
+    """Return the pytest arguments of each process: a file of tests, or a package or folder of examples."""
     tests = [[path.relative_to(copy).as_posix()] for path in sorted((copy / "tests").rglob("*.py"))
              if path.name.startswith("test_") or path.name == "conformance.py"]  # fmt: skip
     examples = [["README.md"], ["docs"], ["tests/subcases.py"], ["rotation"], ["anim"]]
@@ -366,7 +366,7 @@ def test_files(copy: Path) -> list[list[str]]:
 def all_tests(
     copy: Path, files: list[list[str]], processes: int
 ) -> tuple[list[TimedTest], dict[str, set[int]]]:
-    """Run the tests and return them, and to which probes each comes, those of its file included."""
+    """Run the tests; return them, and the probes that each reaches, including those at import of its file."""
     tests: list[TimedTest] = []
     reached: dict[str, set[int]] = {}
     todo = dict(enumerate(files))
@@ -404,7 +404,7 @@ def all_tests(
 
 
 def read_probes(log: Path, tests: Iterable[TimedTest]) -> dict[str, set[int]]:
-    """Return to which probes each test of a file comes; what was met at import was met by all."""
+    """Return the probes that each test of a file reaches; those reached at import count for every test."""
     at_import: set[int] = set()
     met = at_import
     by_test: dict[str, set[int]] = {test.name: set() for test in tests}
@@ -422,9 +422,9 @@ def read_probes(log: Path, tests: Iterable[TimedTest]) -> dict[str, set[int]]:
 
 
 def run(count: int, seed: int, output: Path) -> None:
-    """Try so many mutants and write after each which suite noticed it, and by which test.
+    """Try ``count`` mutants; after each, write which suite noticed it, and by which test.
 
-    What the output already holds is not tried again.
+    Mutants that are already in the output are skipped.
     """
     noted = json.loads(REACH.read_text(encoding="utf-8"))
     tests = {test.name: test for test in (TimedTest(*test) for test in noted["tests"])}
@@ -452,7 +452,7 @@ def run(count: int, seed: int, output: Path) -> None:
 
 
 def compile_tests(copy: Path) -> None:
-    """Let pytest keep the tests with their assertions rewritten, which takes long."""
+    """Let pytest cache the tests with rewritten assertions, since rewriting is slow."""
 
     def work() -> None:
         sys.dont_write_bytecode = False
@@ -483,10 +483,10 @@ def try_mutant(copy: Path, mutant: Mutant, tests: list[TimedTest]) -> dict[str, 
 
 
 def tests_of(mutant: Mutant, tests: list[TimedTest], reaching: list[str]) -> list[TimedTest]:
-    """Return the tests that try a mutant: those that come to it, then the others of their files.
+    """Return the tests that try a mutant: those that reach it, then the others of their files.
 
-    The others matter where a test finds in a cache what the changed line has made. First of each stand
-    those in the folder called as the mutant's, the cheapest first.
+    The others are needed because a test may use a cached result of the changed line. In both groups the
+    tests in the folder named like that of the mutant are first, and fast tests precede slow ones.
     """
     package, part = mutant.file.split("/")[:2]
     folder = f"tests/{part if package == 'hfield' else package}/"
@@ -507,7 +507,7 @@ def tests_of(mutant: Mutant, tests: list[TimedTest], reaching: list[str]) -> lis
 
 
 def within(tests: Iterable[TimedTest], seconds: float) -> list[TimedTest]:
-    """Return the first tests that together take no more than so many seconds."""
+    """Return the longest initial part of the tests that takes at most ``seconds`` in all."""
     found = []
     for test in tests:
         seconds -= test.seconds

@@ -29,11 +29,13 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 TOLERANCE = (
-    1e-13  # largest error of a coordinate, times the largest coordinate where that is over 1
+    1e-13  # largest error of a coordinate, relative to the largest coordinate if that is over 1
 )
 SLOW_POINTS = 5_000  # points that a slow way is timed on
 LEAST_REPEATS = 2
-SHORT = 0.02  # seconds of a frame that is tried again before the number of frames is chosen
+SHORT_FRAME_SECONDS = (
+    0.02  # frames shorter than this are timed again before the number of frames is chosen
+)
 
 Status = Literal["ok", "missing", "wrong", "failed"]
 Told = Callable[[str], None]
@@ -41,9 +43,9 @@ Told = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Settings:
-    """How much is measured; ``seconds`` bounds the time for one way in one test, checks apart.
+    """The extent of a benchmark; ``seconds`` bounds the time of one way in one test, without checks.
 
-    ``cloud`` are a user's points, ``points`` of them; None stands for random ones.
+    ``cloud`` are the user's points, ``points`` is their number; with None the points are random.
     """
 
     points: int = 550_000
@@ -145,7 +147,7 @@ def _prepare(
         frame = deal(way, task)
         turned = points_of(frame(task.check))
         seconds = _times(frame, [0])[0]
-        if seconds < SHORT:
+        if seconds < SHORT_FRAME_SECONDS:
             seconds = min(_times(frame, [0, 0, 0]))
     except Exception as error:
         if way.role not in ("peer", "own"):
@@ -168,9 +170,9 @@ def _prepare(
 
 
 def points_of(found: object) -> Array:
-    """Return what a frame gave as an array of its own: the next frame may write to the same memory.
+    """Return a copy of the result of a frame, since the next frame may write to the same memory.
 
-    What is no array of numbers becomes NaN of shape ().
+    A result that is no array of numbers becomes NaN of shape ().
     """
     try:
         return np.array(found, np.float64)

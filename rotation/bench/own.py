@@ -32,7 +32,7 @@ from rotation.namespaces import refuse_rows
 
 @dataclass(frozen=True)
 class Benchmark:
-    """What `benchmark` measured; printed it is a table."""
+    """The results of `benchmark`; they print as a table."""
 
     results: Sequence[Result]
     settings: Settings
@@ -73,35 +73,35 @@ def benchmark(
     Parameters
     ----------
     points : int or array_like, shape (n, 3)
-        How many random points of the unit cube, or the points.
+        The number of random points in the unit cube, or the points themselves.
     frames : int
-        Frames of a run; each turns the points by another angle.
+        The number of frames of a run; each turns the points by another angle.
     ways : mapping of str to callable, optional
         Functions by name. ``f(points, axis, angle)`` returns the points (n, 3) turned about the axis, which
         has any length but zero, by the angle in radians. In test 1 the axis has the shape (3,) and the
         angle is a float; in test 2 each point has its own, (n, 3) and (n,). A function whose parameters are
         called ``points, angles`` does the matrix test of test 2: it turns point i by R_z(a)·R_y(b)·R_x(c),
-        where (a, b, c) is row i of the angles (n, 3). Arrays are float64 and cannot be written to. With
-        several threads each calls the function with its part of the points, as it does other libraries.
+        where (a, b, c) is row i of the angles (n, 3). Arrays are float64 and read-only. With
+        several threads, each thread calls the function with its part of the points.
     test : "1" or "2"
         The number of the test in the thesis.
     repeats, threads : int
-        Runs of each way; threads of every way, by default as many as :func:`rotation.threads` returns.
+        The numbers of runs and of threads of each way; by default :func:`rotation.threads` threads.
     seconds : float
-        About how long a way is timed in a test; slow ones are timed on fewer points, frames or repeats.
+        The approximate time for a way in a test; slow ones get fewer points, frames or repeats.
 
     Returns
     -------
     Benchmark
-        Its ``rows`` are dicts with times in milliseconds; printed it is a table.
+        Its ``rows`` are dicts with times in milliseconds; it prints as a table.
 
     Raises
     ------
     OwnFunctionError
-        A function fails, or computes something else: the message shows the first wrong point. It is a
+        A function fails or returns wrong points; the message shows the first one. A subclass of
         RotationError.
     RotationError
-        Points, numbers, names or a test that do not fit.
+        An invalid argument.
 
     Examples
     --------
@@ -155,7 +155,7 @@ def chosen_tests(number: str | None) -> list[Test]:
 def with_own(
     functions: Mapping[str, Function], tests: Sequence[Test], settings: Settings
 ) -> tuple[Way, ...]:
-    """Return all ways, a user's functions after the copy; these are checked first.
+    """Check the user's functions, and return all ways, with these functions after the copy.
 
     Raises :class:`OwnFunctionError` for a function that fails or is wrong, and RotationError for a name that
     another way has, or a function that does none of the tests.

@@ -20,12 +20,12 @@ HELP = (
     "frames with hfield, scipy, quaternionic, numpy-quaternion, plain numpy and the "
     "functions of the thesis. Copying the array gives the lower bound. Each library's "
     "result is checked before it is timed. Slow ones are timed on a part, and the output "
-    "says so. --own FILE.py adds functions of your own: every function of the file with the "
-    "parameters (points, axis, angle), which returns the points (n, 3) turned about the axis "
-    "by the angle in radians; axis and angle are one, (3,) and a float, in test 1, and one for "
-    "each point, (n, 3) and (n,), in test 2; and every function with the parameters (points, "
-    "angles), which turns point i by R_z(a) R_y(b) R_x(c) for row i (a, b, c) of the angles, in "
-    "the matrix test. Exit status: 0; 1 if a result was wrong or failed; 2 bad usage."
+    "says so. --own FILE.py adds the functions of a file. A function with the parameters "
+    "(points, axis, angle) returns the points (n, 3) turned about the axis by the angle in "
+    "radians. In test 1 there is one axis (3,) and one angle, a float; in test 2 each point has "
+    "its own, (n, 3) and (n,). A function with the parameters (points, angles) does the matrix "
+    "test: it turns point i by R_z(a) R_y(b) R_x(c), where (a, b, c) is row i of the angles. "
+    "Exit status: 0; 1 if a result was wrong or failed; 2 bad usage."
 )
 EXAMPLES = (
     "hfield bench --quick",

@@ -1,4 +1,4 @@
-"""``hfield figures``: the thesis's figures 2.1 to 2.5 as plots, and one's own points turned."""
+"""``hfield figures``: plot figures 2.1 to 2.5 of the thesis, and rotated points of the user."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ HEADING = "Rotation and film"
 HELP = (
     "Draw figures 2.1 to 2.5 of the thesis: polar and Cartesian coordinates, a rotated "
     "vector, the letter T, the rotated T, and its reflections as printed and as corrected. "
-    "With --points or --angle draw points of your own, or the T, and their images rotated "
-    "about the origin. Print the paths of the files."
+    "With --points and --angle draw your own points and their images rotated about the origin; "
+    "with --angle alone, the letter T. Print the paths of the files."
 )
 EXAMPLES = ("hfield figures -o figures", "hfield figures --points corners.csv --angle 30")
 
@@ -60,8 +60,8 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--points",
         metavar="FILE",
-        help="draw figure-turned: these points, x and y on each line, separated by commas, semicolons or "
-        "spaces; joined in order, the last to the first",
+        help="draw these points in figure-turned: x and y on each line, separated by commas, semicolons or "
+        "spaces; they are joined in order, the last to the first",
     )
     parser.add_argument(
         "--angle",
@@ -118,7 +118,7 @@ def _turned(args: Namespace) -> Drawing:
     from rotation.plane import LETTER_T
 
     if not args.angle:
-        raise UsageError("by what angle? write --angle DEGREES, such as --angle 30")
+        raise UsageError("--points needs an angle: write --angle DEGREES, such as --angle 30")
     points = LETTER_T if args.points is None else read_table(args.points, {2: "x, y"}).rows
     return turned_points(points, args.angle, joined=not args.dots)
 

@@ -48,7 +48,7 @@ DARK_STYLE: dict[str, Any] = {
 
 @contextmanager
 def figure_style(dark: bool = False) -> Iterator[None]:
-    """Draw with our settings, whatever the user's matplotlibrc says."""
+    """Use the settings of this package, independent of the user's matplotlibrc."""
     import_matplotlib()
     from matplotlib import style
 
@@ -80,7 +80,7 @@ def angle_text(angle: Any, degrees: bool = False) -> str:
 
 
 def two_colours() -> tuple[Colour, Colour]:
-    """Return the first two colours of the cycle in force now: for points, and for their images."""
+    """Return the first two colours of the current cycle: for points, and for their images."""
     from matplotlib.colors import to_rgb
 
     return to_rgb("C0"), to_rgb("C1")

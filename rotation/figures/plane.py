@@ -42,7 +42,7 @@ def draw_plane(
     points : array_like, shape (n, 2)
         x and y, in any unit of length.
     angle : array_like, shape () or (m,)
-        One angle or several, in radians; of one the arc is drawn too.
+        One angle or several, in radians; for a single angle its arc is drawn too.
     degrees : bool
         The angles are in degrees.
     joined : bool
@@ -58,7 +58,7 @@ def draw_plane(
     RotationError
         Points of another shape, or points and angles that are not finite.
     DTypeError
-        What are no axes of the plane, no points, or no angles.
+        An argument that is no plane axes, no array of points, or no angles.
 
     Examples
     --------
@@ -152,7 +152,7 @@ def arc(ax: Axes, radius: float, start: float, end: float, colour: Any) -> None:
 def _draw_angle(ax: Axes, corners: Floats, angle: float, text: str) -> None:
     """Draw the angle at the origin from the middle of the points to the middle of their images.
 
-    Where the middle is the origin the first point that is not takes its place.
+    If the middle is the origin, it starts at the first point that is not the origin.
     """
     reach = np.hypot(*corners.T).max()
     middle = corners.mean(axis=0)

@@ -1,4 +1,4 @@
-"""A rotation of space drawn in three-dimensional axes of matplotlib: its axis, its angle, points moved."""
+"""Draw a rotation in three-dimensional axes of matplotlib: its axis, its angle, and rotated points."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ LETTERS = "xyz"
 
 
 def plot_rotation(q: Any, ax: Axes3D | None, points: Any) -> Axes3D:
-    """Draw the rotation by a unit quaternion (4,); `rotation.Rotation.plot` says what and where."""
+    """Draw the rotation by a unit quaternion (4,), as described at `rotation.Rotation.plot`."""
     expect_numpy("plot", q)
     if q.ndim != 1:
         raise RotationError(
-            f"plot draws one rotation, and there is an array of them of shape {q.shape[:-1]}; draw them one "
-            "by one, as by r[0].plot()"
+            f"plot draws a single rotation, and this is an array of shape {q.shape[:-1]}; draw one of them, "
+            "as by r[0].plot()"
         )
     refuse_rows(~np.isfinite(q).all(), "the rotation", "is not finite")
     start = FRAME if points is None else _checked(points)
@@ -110,7 +110,7 @@ def _draw_frame(
 
 
 def _equal_lengths(ax: Any) -> None:
-    """Make the box a cube about all that is drawn, unless somebody fixed the limits."""
+    """Set equal limits on all axes, unless the user has fixed the limits."""
     if ax.get_autoscale_on():
         limits = np.array([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()])
         half = np.ptp(limits, axis=1).max() / 2

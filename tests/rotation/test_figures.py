@@ -182,7 +182,7 @@ def test_only_some_and_larger(tmp_path, run):
         (("--dpi", "9999999"), "20 to 1200"),
         (("--dpi", "many"), "20 to 1200"),
         (("--format", "gif"), "png"),
-        (("--points", "any.csv"), "by what angle?"),
+        (("--points", "any.csv"), "--points needs an angle"),
         (("--points", "any.csv", "--angle", "x"), "an angle in degrees"),
         (("--angle", "inf"), "an angle in degrees"),
         (("--angle", "30", "--only", "2.1"), "leave it out"),

@@ -1,4 +1,4 @@
-"""Functions of a user as ways to rotate: read from a file, checked, and called like the other ways."""
+"""Read functions of a user from a file and wrap them as ways to rotate."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ PARAMETERS = "(points, axis, angle) or (points, angles)"
 
 
 class OwnFunctionError(RotationError):
-    """A function of a user that fails or computes something else."""
+    """A function of a user that fails or returns wrong points."""
 
 
 class OwnFileError(RotationError):
@@ -61,7 +61,7 @@ def _read_only(array: Array) -> Array:
 
 
 def _parameters(function: Function) -> tuple[str, ...]:
-    """Return the names of the parameters that a call has to give."""
+    """Return the names of the required parameters."""
     try:
         parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):  # a builtin
@@ -125,7 +125,7 @@ def definition_of(function: Function) -> tuple[str, int]:
 
 
 def failure(error: BaseException, file: str, what: str = "") -> str:
-    """Return what went wrong, after the last line in ``file`` on the way there; else the last line of all."""
+    """Return the text of an error, with the last line of ``file`` in its traceback, or else the last line."""
     frames = extract_tb(error.__traceback__)
     frame = ([frame for frame in frames if frame.filename == file] or frames)[-1]
     said = "".join(f": {line}" for line in str(error).splitlines()[:1])
