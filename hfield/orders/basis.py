@@ -311,11 +311,11 @@ def _basis_of(algebra: Any) -> AlgebraBasis:
 
 
 def basis_of(algebra: Parent) -> AlgebraBasis:
-    """Return the basis of an algebra in which its lattices are kept.
+    """Return the basis of an algebra in which lattices have coordinates.
 
     Raises :class:`RingError` for an algebra over another ring, or a degenerate one.
     """
-    found: AlgebraBasis | None = vars(algebra).get("_basis")  # every lattice asks for it
+    found: AlgebraBasis | None = vars(algebra).get("_basis")  # cached, since every lattice needs it
     if found is None:
         known: Any = algebra
         found = vars(algebra)["_basis"] = _basis_of(known)

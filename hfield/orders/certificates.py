@@ -64,7 +64,7 @@ def of_answer(answer: Answer) -> Claim | None:
     found = (
         _none_carries(between[0], answer.evidence.get("norm"))
         if kind == "equivalent"
-        else _told_apart(first, second)
+        else _different_invariants(first, second)
     )
     if found is None:
         return None
@@ -79,7 +79,7 @@ def _none_carries(between: LatticeValue, size: str | None) -> tuple[str, dict[st
     return "enumeration", {"between": basis_json(between)}
 
 
-def _told_apart(*orders: LatticeValue) -> tuple[str, dict[str, object]] | None:
+def _different_invariants(*orders: LatticeValue) -> tuple[str, dict[str, object]] | None:
     """Return the method and the evidence that two orders are not isomorphic: what one has more elements of.
 
     Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far enough.

@@ -41,7 +41,7 @@ def expect_definite(ambient: AlgebraBasis, what: str) -> None:
     else:
         why = f"{algebra} is indefinite, split at a real place"
     raise IndefiniteError(
-        f"{why}, so infinitely many elements may have one norm: {what} asks for a totally definite algebra, "
+        f"{why}, so infinitely many elements may have one norm: {what} needs a totally definite algebra, "
         "a < 0 and b < 0 where t = 0"
     )
 
