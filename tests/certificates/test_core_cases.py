@@ -62,7 +62,7 @@ def test_witnesses() -> None:
     values = {"kind": "witness", "ring": data_of("QQ"), "values": {"s": ["2"]}}
     data = certified("exists s: s*s == 4", "QQ", "witness", values)
     assert check(data)
-    rejects({**data, "statement": "exists s: s*s == 5"}, "false for the values")
+    rejects({**data, "statement": "exists s: s*s == 5"}, "false at the values")
     rejects({**data, "statement": "exists s: s*s == y"}, "no other unknowns")
     rejects(about_field(data, None), "only for one field")
     rejects({**data, "verdict": "refuted"}, "does not show")

@@ -8,7 +8,7 @@ MEANT = (
         "has grown too large",
         "too many square roots in one number",
     ),
-    *("does not hold by expanding", "is not covered by the evidence", "is true for the values"),
+    *("does not hold by expanding", "is not covered by the evidence", "is true at the values"),
     *("is false in one of the cases", "for some values nothing exists"),
     *("a sum of cofactors", "a relation does not hold", "a sum of multiples of the relations"),
     *("are not those of the statement", "the sides at eee", "is not linear in each unknown"),
