@@ -44,15 +44,13 @@ _BRACE = re.compile(r"frac\{|\^?\{|\}")
 _COORDINATE_IN_BRACES = re.compile(r"_\{([0-3])\}")
 _BAR_OF_LETTER = re.compile(r"\\(?:overline|bar)\s*([A-Za-z])")
 _ROMAN = re.compile(r"\\(?:operatorname|math\w+|text)\s*\{([^{}]*)\}")
-# What begins with a name looks behind first, so that a long word is read once, not from each letter on.
-_BAR = re.compile("(?<!\\w)(\\d*)([^\\W\\d]\\w*)\u0304")
 _SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _POWER = re.compile(f"([{_SUPERSCRIPTS}]+)(?=(\\d)?)")
 _TO_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
-_LETTER = rf"[^\W{_SUPERSCRIPTS}]"
-_COORDINATE_OF_POWER = re.compile(
-    rf"(?<!{_LETTER})(\d*)((?!\d){_LETTER}+[{_SUPERSCRIPTS}]+)([₀₁₂₃])"
-)
+# A bar and a coordinate belong to the last letter, with its digits: qq̄ is q·q̄, and pq²₀ is p·(q²)₀.
+_LETTER = rf"[^\W\d_{_SUPERSCRIPTS}₀-₉][0-9_]*"
+_BAR = re.compile(f"({_LETTER})\u0304")
+_COORDINATE_OF_POWER = re.compile(f"({_LETTER}[{_SUPERSCRIPTS}]+)([₀₁₂₃])")
 _COORDINATE = re.compile("[₀₁₂₃]")
 _EQUAL = re.compile("(?<![=!<>])=(?![=>])")
 _OWN_BAR = re.compile("[^\\x00-\\x7f]")
@@ -118,8 +116,8 @@ def _without_signs(letters: Letters) -> Letters:
     """Return a text in ASCII, where its signs have a meaning."""
     # Letters with a bar of their own, such as ū, become a letter and a bar.
     letters = letters.sub(_OWN_BAR, lambda found: (_decomposed(found[0]),))
-    letters = letters.sub(_BAR, lambda found: (1, "conj(", 2, ")"))
-    letters = letters.sub(_COORDINATE_OF_POWER, lambda found: (1, "(", 2, ")", 3))
+    letters = letters.sub(_BAR, lambda found: (_apart(found) + "conj(", 1, ")"))
+    letters = letters.sub(_COORDINATE_OF_POWER, lambda found: ("(", 1, ")", 2))
     letters = letters.sub(_POWER, _power)
     letters = letters.sub(_ROOT, lambda found: ("sqrt(", 1, ")") if found[1] else ("sqrt",))
     letters = letters.sub(_COORDINATE, lambda found: (f"[{'₀₁₂₃'.index(found[0])}]",))

@@ -121,6 +121,8 @@ def test_fractions_and_blanks():
             r"q\bar q = q\overline{q} = \lvert q\rvert^2",
             "q*conj(q) == norm(q) and q*conj(q) == norm(q)",
         ),
+        ("qq\u0304 = p²r\u0304i", "q*conj(q) == p**2*conj(r)*i"),
+        ("pq²₀ - 2\u016b = x1\u0304", "p*(q**2)[0] - 2*conj(u) == conj(x1)"),
         (r"x\sqrt{2} = \|p\|", "x*sqrt(2) == abs(p)"),
     ],
 )
@@ -167,6 +169,11 @@ def test_a_name_of_the_field_is_no_product_and_the_answer_says_so():
     assert "pq is one name here, not the product p*q" in answer.decision.steps
     with pytest.raises(NotationError, match="two readings, since pq is a name"):
         prove("pqr = 0", "QQ(pq)")
+
+
+def test_a_bar_over_several_letters_is_not_printed():
+    tree = parse("conj(foo)*q == conj(q)*foo")
+    assert parse(plain(to_unicode(tree))) == tree
 
 
 def test_a_decimal_number_with_an_exponent_is_pointed_out():

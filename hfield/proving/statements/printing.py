@@ -219,8 +219,8 @@ class _Unicode(Writer):
 
     def call(self, function: str, arguments: tuple[Node, ...]) -> str:
         x = arguments[0]
-        if function == "conj" and isinstance(x, Name):
-            return self.name(x.name) + "\u0304"
+        if function == "conj" and isinstance(x, Name) and sum(map(str.isalpha, x.name)) == 1:
+            return self.name(x.name) + "\u0304"  # a bar over several letters is read over the last
         if function == "inv":
             return self.write(x, POSTFIX) + "⁻¹"
         inside = ", ".join(self.write(x) for x in arguments)
