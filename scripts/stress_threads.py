@@ -100,6 +100,7 @@ ROTATION = (
     "Rotation.from_davenport(np.eye(3), 'extrinsic', V).as_davenport(np.eye(3), 'extrinsic')",
     "Rotation.from_davenport(Rotation(Q).as_matrix(), 'intrinsic', V)",
     "Rotation.from_mrp(V).as_mrp()",
+    "list(Rotation(Q).as_columns().values())",
     "Rotation.from_6d(W.repeat(2, 1)[:, ::-1]).as_6d()",
     "Rotation.between(V, W)",
     "Rotation.random(3000, seed=1)",

@@ -20,6 +20,7 @@ PROCESSES = cases(20)
 SCRIPT = Path(__file__).parent.parent / "scripts" / "stress_threads.py"
 NO_CALLS = {"DTypeError", "ForeignArrayError", "RotationError", "ZeroRotationError", "Screw"}
 COMPILES_ALL = {"warm_up"}
+DRAWS_OR_TIMES = {"LETTER_T", "benchmark", "draw_plane", "plot"}
 # What is asked of a quaternion and computes nothing with an array.
 NOT_OF_ARRAYS = {
     "algebra", "annihilator", "change_ring", "characteristic_polynomial", "conj", "conjugacy",
@@ -52,7 +53,7 @@ def test_every_public_function_of_rotation_is_called(stress: ModuleType) -> None
     public = set(rotation.__all__) - NO_CALLS - COMPILES_ALL
     for kind in (rotation.Rotation, rotation.RigidTransform, rotation.RotationSpline):
         public |= methods(kind)
-    assert public <= stress.named()
+    assert public - DRAWS_OR_TIMES <= stress.named()
 
 
 def test_every_operation_on_arrays_is_called(stress: ModuleType) -> None:
