@@ -2,6 +2,7 @@
 
 import re
 import unicodedata
+from dataclasses import replace
 from functools import lru_cache
 
 from hfield.errors import NotationError, shorten
@@ -52,6 +53,8 @@ _LETTER = rf"[^\W\d_{_SUPERSCRIPTS}₀-₉][0-9_]*"
 _BAR = re.compile(f"({_LETTER})\u0304")
 _COORDINATE_OF_POWER = re.compile(f"({_LETTER}[{_SUPERSCRIPTS}]+)([₀₁₂₃])")
 _COORDINATE = re.compile("[₀₁₂₃]")
+_TIMES = re.compile(r"[a-z]\s*(?:×|\\times\b)\s*[a-z]")
+_CROSS = "× is the product here; the cross product of p and q is cross(p, q)"
 _EQUAL = re.compile("(?<![=!<>])=(?![=>])")
 _OWN_BAR = re.compile("[^\\x00-\\x7f]")
 
@@ -69,7 +72,8 @@ def spell(text: str, vocabulary: Vocabulary) -> Typed:
     if len(text) > MAX_LENGTH:  # the parser refuses it
         return Typed(text, text, letters.places)
     try:
-        return write_products(_signs_read(letters), text, vocabulary)
+        typed = write_products(_signs_read(letters), text, vocabulary)
+        return replace(typed, remarks=(*typed.remarks, _CROSS)) if _TIMES.search(text) else typed
     except NotationError as error:
         if error.position is not None or error.text:
             raise

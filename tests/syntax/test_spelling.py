@@ -171,6 +171,14 @@ def test_a_name_of_the_field_is_no_product_and_the_answer_says_so():
         prove("pqr = 0", "QQ(pq)")
 
 
+@pytest.mark.parametrize("text", ["p × q = -q×p", r"p\times q = -q \times p"])
+def test_a_product_that_may_be_meant_as_a_cross_product_is_pointed_out(text):
+    answer = prove(text, "QQ")
+    assert answer.verdict == "refuted"
+    assert any("cross(p, q)" in step for step in answer.decision.steps)
+    assert not any("cross" in step for step in prove("2×p = p×2", "QQ").decision.steps)
+
+
 def test_a_bar_over_several_letters_is_not_printed():
     tree = parse("conj(foo)*q == conj(q)*foo")
     assert parse(plain(to_unicode(tree))) == tree
