@@ -172,10 +172,11 @@ def _prepare(
 def points_of(found: object) -> Array:
     """Return a copy of the result of a frame, since the next frame may write to the same memory.
 
-    A result that is no array of numbers becomes NaN of shape ().
+    A result that is no array of real numbers becomes NaN of shape ().
     """
     try:
-        return np.array(found, np.float64)
+        given = np.asarray(found)
+        return np.array(np.nan if given.dtype.kind == "c" else given, np.float64)
     except (TypeError, ValueError):
         return np.array(np.nan)
 

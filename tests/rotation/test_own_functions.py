@@ -119,6 +119,7 @@ def turned_but_one(points, axis, angle):
         (lambda points, axis, angle: points[0], "the shape"),
         (lambda points, axis, angle: None, "is no array of points"),
         (lambda points, axis, angle: [["a"]], "is no array of points"),
+        (lambda points, axis, angle: points + 1j, "is no array of points"),
         (lambda points, axis, angle: points.fill(1), LINE + "ValueError: .*read-only"),
         (lambda points, axis, angle: axis.fill(1), "read-only"),
         (lambda points: points, "line .*: f, test 1: TypeError"),
