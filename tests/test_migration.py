@@ -12,7 +12,7 @@ def test_the_list_only_shrinks(tmp_path: Path) -> None:
     assert "is new" in faults({"a.py": 3, "b.py": 1}, {"a.py": 3}, tmp_path)[0]
     assert "1 more" in faults({"a.py": 2}, {"a.py": 2}, tmp_path)[0]
     assert "was allowed 2" in faults({"a.py": 3}, {"a.py": 2}, tmp_path)[0]
-    assert "is gone" in faults({"c.py": 3}, {"c.py": 3}, tmp_path)[0]
+    assert "is removed" in faults({"c.py": 3}, {"c.py": 3}, tmp_path)[0]
 
 
 def test_the_modules_have_no_more_lines_than_listed() -> None:
