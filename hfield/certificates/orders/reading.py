@@ -4,6 +4,7 @@ Over ℚ numbers are fractions. Over a number field the evidence also gives an i
 prime ideals, which are known for ℤ.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
@@ -46,7 +47,7 @@ from hfield.certificates.statement import Setting
 Data = Mapping[str, object]
 
 
-class Given:
+class Given(ABC):
     """The parts of a statement and the keys of its evidence, over one base."""
 
     unit_theorems: tuple[str, ...] = ()
@@ -59,13 +60,13 @@ class Given:
     def __init__(self, setting: Setting, integers: Integers, data: Data) -> None:
         self.algebra, self.data = Algebra(setting, integers), data
 
+    @abstractmethod
     def coordinates(self, text: str) -> Sequence[Sequence[Fraction]]:
         """Read elements of the statement, as coordinates in the integral basis."""
-        raise NotImplementedError
 
+    @abstractmethod
     def element(self, value: object) -> Element:
         """Read an element of the evidence."""
-        raise NotImplementedError
 
     def lattice(self, text: str) -> Lattice:
         """Read a lattice of the statement."""
