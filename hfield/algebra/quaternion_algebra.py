@@ -362,8 +362,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         check_axis(axis)
         given = np.asarray(values)
         how = self.array_holding
-        held = how.from_array(np.moveaxis(given, axis, 0) if given.ndim else given, copy)
-        return held_by(self, how, held) if how.shape(held) else self(*how.single(held))
+        rows = how.from_array(np.moveaxis(given, axis, 0) if given.ndim else given, copy)
+        return held_by(self, how, rows) if how.shape(rows) else self(*how.single(rows))
 
     def product(self, values: Any, axis: int | None = None) -> Quaternion:
         """Return the ordered product of an array, or of a list of elements, from left to right.

@@ -107,8 +107,8 @@ def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
         ]
         if C is None:
             return [Facts(facts, 14)]
-        told = Facts([*facts, ("type number", str(C.type_number))], 14)
-        return [told, _table(C), *(_forms(C) if args.newforms else [])]
+        summary = Facts([*facts, ("type number", str(C.type_number))], 14)
+        return [summary, _table(C), *(_forms(C) if args.newforms else [])]
 
     return of_parts(data, parts), lambda: O.claim if C is None else C.claim
 
@@ -201,18 +201,18 @@ def _indefinite(args: Namespace, O: Any) -> tuple[Answer, Callable[[], Claim]]:
         raise UsageError(f"--newforms asks for a definite algebra, and {A} is indefinite")
     ideals: Any = O.classes_by_norm() if over_integers else [O]
     types = ideals.type_number if over_integers else 1
-    told = ideal_json if over_integers else int
+    to_json = ideal_json if over_integers else int
 
     def data() -> dict[str, object]:
         classes = [
-            {"norm": told(I.norm()), **({"pseudo_basis": summands(I)} if over_integers else {})}
+            {"norm": to_json(I.norm()), **({"pseudo_basis": summands(I)} if over_integers else {})}
             for I in ideals
         ]
         return {
             "schema": "hfield-classes/1",
             "algebra": str(A),
-            "discriminant": told(O.discriminant()),
-            "level": told(O.level),
+            "discriminant": to_json(O.discriminant()),
+            "level": to_json(O.level),
             "class_number": len(ideals),
             "type_number": types,
             "classes": classes,
@@ -253,11 +253,11 @@ def _forms(C: Any) -> list[Part]:
     """Return dimensions and newforms, as parts."""
     from hfield.presenting import Facts
 
-    told = (
+    dimensions = (
         f"{C.cusp_dimension()}, newforms among them {C.new_dimension()}; rational ones below, with "
         "eigenvalues a_p and signs w_p of Atkin and Lehner"
     )
-    facts = [("cusp forms", told)]
+    facts = [("cusp forms", dimensions)]
     for n, f in enumerate(C.newforms(), 1):
         values = [f"a_{P} = {a}" for P, a in f.eigenvalues(PRIMES).items()]
         signs = [f"w_{P} = {w}" for P, w in f.signs.items()]
