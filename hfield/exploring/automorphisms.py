@@ -15,9 +15,8 @@ from hfield import structure
 from hfield.algebra.maps import Isomorphism
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import TooLargeError, UndecidedError
-from hfield.exploring import group_names
 from hfield.exploring.finite_groups import FiniteGroup
-from hfield.exploring.group_names import GroupInvariants
+from hfield.exploring.group_names import ListedGroup
 from hfield.exploring.labels import LabelledAlgebra, Rows, labelled, order_of_ring
 from hfield.exploring.unit_groups import linear_name, prime_power_parts, unit_group
 
@@ -28,7 +27,7 @@ MAX_PAIRS = 5 * 10**6
 """The greatest number of pairs (x, y) that are tried."""
 
 
-class AutomorphismGroup:
+class AutomorphismGroup(ListedGroup):
     """The group of automorphisms of a finite algebra that fix its scalars, as maps.
 
     >>> from hfield import H
@@ -68,21 +67,8 @@ class AutomorphismGroup:
         parts = prime_power_parts(self.algebra)
         return [AutomorphismGroup(part) for part in parts] if len(parts) > 1 else []
 
-    def find_name(self) -> str:
-        """Return the name or structure. Raises :class:`TooLargeError`, :class:`UndecidedError`."""
-        name = linear_name(self.algebra, "PGL")
-        if name is not None:
-            return name
-        if self._parts:
-            return group_names.joined([part.find_name() for part in self._parts])
-        return group_names.structure(self._group)
-
-    @cached_property
-    def invariants(self) -> GroupInvariants:
-        """Order, exponent, centre, abelian quotient, and the orders of the derived series."""
-        if self._parts:
-            return group_names.product_invariants([part.invariants for part in self._parts])
-        return group_names.group_invariants(self._group)
+    def _theoretical_name(self) -> str | None:
+        return linear_name(self.algebra, "PGL")
 
     @cached_property
     def generators(self) -> tuple[Isomorphism, ...]:

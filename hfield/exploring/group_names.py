@@ -8,11 +8,13 @@ found. What is written is true of the group; GAP may choose another such decompo
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import islice, pairwise, product
 from math import gcd, lcm, prod
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.exploring.finite_groups import FiniteGroup
@@ -51,6 +53,51 @@ class GroupInvariants:
             f"order {self.order}, exponent {self.exponent}, centre {self.center}, "
             f"abelian quotient {self.abelian_quotient}, derived series {series}"
         )
+
+
+class NamedGroup(Protocol):
+    """A group that has a name and invariants."""
+
+    def find_name(self) -> str:
+        """Return the name or structure."""
+
+    @property
+    def invariants(self) -> GroupInvariants:
+        """Order, exponent, centre, abelian quotient, and the orders of the derived series."""
+
+
+class ListedGroup(ABC):
+    """A group whose elements are listed; over ℤ/n it may be the product of the groups modulo prime powers."""
+
+    @cached_property
+    @abstractmethod
+    def _group(self) -> FiniteGroup:
+        """The group, listed."""
+
+    @cached_property
+    @abstractmethod
+    def _parts(self) -> Sequence[NamedGroup]:
+        """The groups of which this one is the product, or none."""
+
+    @abstractmethod
+    def _theoretical_name(self) -> str | None:
+        """Return the name that the theory gives, such as ``GL(2,3)``."""
+
+    def find_name(self) -> str:
+        """Return the name or structure. Raises :class:`TooLargeError`, :class:`UndecidedError`."""
+        name = self._theoretical_name()
+        if name is not None:
+            return name
+        if self._parts:
+            return joined([part.find_name() for part in self._parts])
+        return structure(self._group)
+
+    @cached_property
+    def invariants(self) -> GroupInvariants:
+        """Order, exponent, centre, abelian quotient, and the orders of the derived series."""
+        if self._parts:
+            return product_invariants([part.invariants for part in self._parts])
+        return group_invariants(self._group)
 
 
 def group_invariants(group: FiniteGroup) -> GroupInvariants:

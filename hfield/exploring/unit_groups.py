@@ -25,7 +25,7 @@ from hfield.exploring.classes import (
 )
 from hfield.exploring.elements import Elements
 from hfield.exploring.finite_groups import FiniteGroup
-from hfield.exploring.group_names import GroupInvariants
+from hfield.exploring.group_names import GroupInvariants, ListedGroup
 from hfield.exploring.labels import LabelledAlgebra, labelled, order_of_ring
 from hfield.exploring.properties import Condition
 from hfield.factorisation import factorise
@@ -142,7 +142,7 @@ class UnitGroup(ABC):
         return f"<the {self.title} of {self.algebra}: order {self.order}>"
 
 
-class ListedUnitGroup(UnitGroup):
+class ListedUnitGroup(ListedGroup, UnitGroup):
     """A group of units whose elements are listed by their numbers."""
 
     def __init__(self, algebra: Parent, title: str, elements: Elements | np.ndarray) -> None:
@@ -177,23 +177,11 @@ class ListedUnitGroup(UnitGroup):
         parts = prime_power_parts(self.algebra)
         return [unit_group(part, special) for part in parts] if len(parts) > 1 else []
 
-    def find_name(self) -> str:
-        """Return the name or structure. Raises :class:`TooLargeError`, :class:`UndecidedError`."""
-        if isinstance(self._given, Elements):
-            special = self._given.property.name == "norm"
-            name = linear_name(self.algebra, "SL" if special else "GL")
-            if name is not None:
-                return name
-        if self._parts:
-            return group_names.joined([part.find_name() for part in self._parts])
-        return group_names.structure(self._group)
-
-    @cached_property
-    def invariants(self) -> GroupInvariants:
-        """Order, exponent, centre, abelian quotient, and the orders of the derived series."""
-        if self._parts:
-            return group_names.product_invariants([part.invariants for part in self._parts])
-        return group_names.group_invariants(self._group)
+    def _theoretical_name(self) -> str | None:
+        if not isinstance(self._given, Elements):
+            return None
+        special = self._given.property.name == "norm"
+        return linear_name(self.algebra, "SL" if special else "GL")
 
     def _elements(self, places: Sequence[int]) -> tuple[Quaternion, ...]:
         return tuple(self._labels.element(int(self._group.members[n])) for n in places)
