@@ -53,7 +53,7 @@ def judge(work: float) -> None:
     """Check the certificate on standard input, and print what that took."""
     resource.setrlimit(resource.RLIMIT_CPU, (STOP_SECONDS, STOP_SECONDS))
     resource.setrlimit(resource.RLIMIT_AS, (STOP_BYTES, STOP_BYTES))
-    from hfield.certificates.check import Rejected, Work, check_text
+    from hfield.checker.check import Rejected, Work, check_text
 
     text, spent = sys.stdin.read(), Work(work)
     begun = time.process_time()

@@ -15,10 +15,10 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from hfield.commands.check import ACCEPTED, NOT_JUDGED, REJECTED
-from hfield.coq.coqc import Coqc, NotJudgedError
-from hfield.coq.theorem import Theorem, theorem
+from hfield.cli.commands.check import ACCEPTED, NOT_JUDGED, REJECTED
 from hfield.errors import HFieldError
+from hfield.export.coq.coqc import Coqc, NotJudgedError
+from hfield.export.coq.theorem import Theorem, theorem
 
 
 def main() -> int:

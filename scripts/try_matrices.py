@@ -14,7 +14,7 @@ from random import Random
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from tests.modules.matrix_checks import ALGEBRAS, Case
+from tests.matrices.matrix_checks import ALGEBRAS, Case
 
 
 def main() -> int:

@@ -16,7 +16,7 @@ from random import Random
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from tests.modules.polynomial_checks import ALGEBRAS, Case
+from tests.polynomials.polynomial_checks import ALGEBRAS, Case
 
 EACH = 20
 """Seconds for one polynomial."""

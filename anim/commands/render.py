@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from anim.commands.arguments import declare
 from anim.output.formats import FORMATS
-from hfield.commands.output import note, open_output
-from hfield.commands.parser import UsageError
-from hfield.commands.status import Progress
+from hfield.cli.output import note, open_output
+from hfield.cli.parser import UsageError
+from hfield.cli.status import Progress
 
 if TYPE_CHECKING:
     from anim.film import Clip
@@ -71,7 +71,7 @@ def run(args: Namespace) -> int:
 
 
 def _film(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recorded | None) -> int:
-    from anim.bands import apparent_spin
+    from anim.aliasing import apparent_spin
     from anim.commands.choices import encoding_of, look_of, motions_of
     from anim.output import Film, check
 

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from anim.ledger.counting import model_has
-from hfield.certificates.glossary import CIRCLE, NO_MEANING
+from hfield.checker.glossary import CIRCLE, NO_MEANING
 from hfield.ledger.claim import Computed, Finding, Proposition
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real_geometry import REAL
 from hfield.ledger.scopes import Only
-from hfield.proving.decision import NOT_APPLICABLE, Decision
+from hfield.prover.decision import NOT_APPLICABLE, Decision
 from hfield.rings.base import Ring
 
 

@@ -56,12 +56,12 @@ if TYPE_CHECKING:
     from hfield.exploring.ideals import AlgebraIdeal
     from hfield.exploring.subalgebras import Subalgebra
     from hfield.exploring.unit_groups import UnitGroup
-    from hfield.modules.equations import LinearSolutions, SystemSolutions
-    from hfield.modules.matrix import Matrix
-    from hfield.modules.polynomials import Polynomials
+    from hfield.matrices.equations import LinearSolutions, SystemSolutions
+    from hfield.matrices.matrix import Matrix
     from hfield.orders.hurwitz_order import HurwitzOrder
     from hfield.orders.lattice import Lattice, Order
     from hfield.orders.ternary_forms import TernaryForm
+    from hfield.polynomials.polynomial import Polynomials
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
 MOST = 10**8  # elements of an array that lists all
@@ -1110,10 +1110,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         ([[1/2, -1/2*j], [-1/2*i, -1/2*k]], [[2 - 2*j], [-2 + 2*j]])
         """
         if isinstance(rows, str):
-            from hfield.modules.texts import read_matrix
+            from hfield.matrices.texts import read_matrix
 
             return read_matrix(self, rows)
-        from hfield.modules.matrix import Matrix
+        from hfield.matrices.matrix import Matrix
 
         return Matrix(self, rows)
 
@@ -1127,7 +1127,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         Raises :class:`RingError` for what is no name.
         """
-        from hfield.modules.polynomials import Polynomials
+        from hfield.polynomials.polynomial import Polynomials
 
         if not (isinstance(variable, str) and variable.isidentifier()):
             raise RingError(f"{shorten(variable)!r} is not the name of a variable such as x")
@@ -1143,7 +1143,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> A.sylvester(i, j, k).reason
         '(-1, 0, 0, 1) times the coordinates of the left side is 0 for every x, and 1 for c = k'
         """
-        from hfield.modules.equations import solve_linear
+        from hfield.matrices.equations import solve_linear
 
         return solve_linear(self, [(a, 1), (-self(1), b)], c)
 
@@ -1155,7 +1155,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> bool(found), len(found.kernel)
         (False, 2)
         """
-        from hfield.modules.equations import solve_linear
+        from hfield.matrices.equations import solve_linear
 
         return solve_linear(self, list(terms), c)
 
@@ -1170,7 +1170,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> found.particular, found.kernel[0], bool(H("QQ").solve("i*x + y = j", "x - y*i = 1"))
         ({'x': −1/2k, 'y': 1/2j}, {'x': i, 'y': 1}, False)
         """
-        from hfield.modules.equations import read_system, unknowns_in
+        from hfield.matrices.equations import read_system, unknowns_in
 
         names = unknowns_in(self, equations) if unknowns is None else unknowns.split(",")
         return read_system(self, equations, [x.strip() for x in names])

@@ -18,10 +18,10 @@ from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import TooLargeError
-from hfield.fuchsian.growing import Shape, grown
 from hfield.fuchsian.plane import Plane, apply, same_point
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, distinct, free_centers
+from hfield.fuchsian.side_search import Shape, grown
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
 from hfield.orders import maximal_orders
 from hfield.orders.invariants import is_eichler

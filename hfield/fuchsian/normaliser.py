@@ -20,10 +20,10 @@ import numpy as np
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import TooLargeError
 from hfield.fuchsian import dirichlet
-from hfield.fuchsian.growing import grown
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, element_of_norm, free_centers
+from hfield.fuchsian.side_search import grown
 from hfield.fuchsian.split_order import SplitOrder
 
 CENTERS = 20

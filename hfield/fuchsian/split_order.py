@@ -12,7 +12,7 @@ from typing import Any
 from flint import arb, fmpq, fmpq_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.certificates.glossary import BY_AREA, SHIMIZU
+from hfield.checker.glossary import BY_AREA, SHIMIZU
 from hfield.errors import IndefiniteError, LatticeError
 from hfield.evidence import Claim
 from hfield.factorisation import factorise

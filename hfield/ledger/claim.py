@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar, Protocol
 
-from hfield.certificates.glossary import NOT_APPLICABLE, NOT_CHECKABLE
-from hfield.proving.decision import PROVED, REFUTED, Decision
+from hfield.checker.glossary import NOT_APPLICABLE, NOT_CHECKABLE
+from hfield.prover.decision import PROVED, REFUTED, Decision
 from hfield.rings.base import Ring
 
 UNIVERSAL = "universal"

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from hfield.certificates.glossary import ALGEBRA, PRESENTATION
+from hfield.checker.glossary import ALGEBRA, PRESENTATION
 from hfield.errors import HFieldError, shorten
 from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
@@ -14,17 +14,17 @@ from hfield.ledger.matrix import Style
 from hfield.ledger.wording import STATED_FIELD, over, pretty, witness_text
 from hfield.notation import element_text
 from hfield.presenting import hanging
-from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
-from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.ordered import OrderedEvaluator
-from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.evaluation.searcher import read_back
-from hfield.proving.problem import Problem
-from hfield.proving.statements.language import Statement, read_statement
-from hfield.proving.statements.printing import to_unicode
-from hfield.proving.statements.setting import Setting, read_setting
-from hfield.proving.statements.trees import taken_apart, walk
-from hfield.proving.statements.words import is_about_order
+from hfield.prover.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
+from hfield.prover.evaluation.evaluator import Evaluator
+from hfield.prover.evaluation.ordered import OrderedEvaluator
+from hfield.prover.evaluation.scalars import RingScalars
+from hfield.prover.evaluation.searcher import read_back
+from hfield.prover.problem import Problem
+from hfield.prover.statements.language import Statement, read_statement
+from hfield.prover.statements.printing import to_unicode
+from hfield.prover.statements.setting import Setting, read_setting
+from hfield.prover.statements.trees import taken_apart, walk
+from hfield.prover.statements.words import is_about_order
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Node, weight
 

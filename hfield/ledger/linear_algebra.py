@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from hfield import structure
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     COUNT,
     DETERMINANT,
     LINEAR_ALGEBRA,
@@ -20,8 +20,8 @@ from hfield.ledger.base_field import hamilton, texts
 from hfield.ledger.claim import Worded
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, multiply
-from hfield.proving.decision import FIELDS, Decision
-from hfield.proving.steps import say
+from hfield.prover.decision import FIELDS, Decision
+from hfield.prover.steps import say
 from hfield.rings.base import Ring
 
 

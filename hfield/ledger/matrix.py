@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from hfield.ledger.claim import Claim, Row
 from hfield.ledger.columns import head, panel_order
-from hfield.proving.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERDICTS
+from hfield.prover.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERDICTS
 
 MARKS = {PROVED: "✓", REFUTED: "✗", VACUOUS: "∅", UNDECIDED: "?", NOT_APPLICABLE: "·"}
 ASCII_MARKS = {PROVED: "+", REFUTED: "x", VACUOUS: "o", UNDECIDED: "?", NOT_APPLICABLE: "."}

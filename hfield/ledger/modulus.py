@@ -8,7 +8,7 @@ from itertools import chain
 from itertools import product as tuples
 from typing import Any
 
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     ALL_CHOICES_OF_ROOTS,
     CHOICE_OF_ROOTS,
     CLOSED_FIELD,
@@ -31,8 +31,8 @@ from hfield.ledger.base_field import hamilton, texts
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import search_panel
 from hfield.product import Coordinates, Scalar, multiply, norm
-from hfield.proving.decision import Decision
-from hfield.proving.steps import say
+from hfield.prover.decision import Decision
+from hfield.prover.steps import say
 from hfield.rings.base import INFINITY, Ring
 
 CHECKED_BELOW = 256  # the largest field whose pairs of roots are all multiplied out

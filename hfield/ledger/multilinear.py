@@ -12,7 +12,7 @@ from functools import lru_cache
 from itertools import product as tuples
 from typing import TYPE_CHECKING, Any
 
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     BASIS_TUPLES,
     EXHAUSTION,
     IDENTITY,
@@ -22,8 +22,8 @@ from hfield.certificates.glossary import (
 )
 from hfield.evidence import Evidence, Kind
 from hfield.notation import BASIS
-from hfield.proving.decision import COMMUTATIVE_RINGS, Decision
-from hfield.proving.steps import say
+from hfield.prover.decision import COMMUTATIVE_RINGS, Decision
+from hfield.prover.steps import say
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:

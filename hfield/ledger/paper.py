@@ -16,9 +16,9 @@ from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import LATEX_MARKS, marked
 from hfield.ledger.report import totals
 from hfield.ledger.wording import witness_text
-from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
-from hfield.proving.statements.printing import to_latex
-from hfield.proving.statements.trees import conjuncts
+from hfield.prover.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
+from hfield.prover.statements.printing import to_latex
+from hfield.prover.statements.trees import conjuncts
 from hfield.rings.printing import latex_name
 from hfield.syntax import parse
 

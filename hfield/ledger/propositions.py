@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from hfield.certificates.glossary import NO_MEANING, NOT_APPLICABLE, PROVED, VACUOUS
+from hfield.checker.glossary import NO_MEANING, NOT_APPLICABLE, PROVED, VACUOUS
 from hfield.errors import NotationError
 from hfield.evidence import Evidence, Kind
 from hfield.ledger.claim import Proposition, Worded
 from hfield.ledger.scopes import TRUE, by_lemmas, search_panel
 from hfield.ledger.transfer import carried
-from hfield.proving.decide import decide
-from hfield.proving.decision import Decision
-from hfield.proving.methods.presentations import decide_presentation, presentation_text
-from hfield.proving.statements.printing import to_text
-from hfield.proving.steps import indented, say
+from hfield.prover.decide import decide
+from hfield.prover.decision import Decision
+from hfield.prover.methods.presentations import decide_presentation, presentation_text
+from hfield.prover.statements.printing import to_text
+from hfield.prover.steps import indented, say
 from hfield.rings.base import Ring
 from hfield.syntax import Node
 

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, NO_MEANING, REFUTED
+from hfield.checker.glossary import CIRCLE, CITED_BY_NAME, NO_MEANING, REFUTED
 from hfield.ledger.claim import Proposition
 from hfield.ledger.propositions import Every
 from hfield.ledger.scopes import Over
-from hfield.proving.decision import NOT_APPLICABLE, Decision
-from hfield.proving.steps import say
+from hfield.prover.decision import NOT_APPLICABLE, Decision
+from hfield.prover.steps import say
 from hfield.rings.base import Ring
 
 REAL = "RR"

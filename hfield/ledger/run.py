@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 
-from hfield.certificates.glossary import GAVE_UP
+from hfield.checker.glossary import GAVE_UP
 from hfield.errors import HFieldError
 from hfield.executors import collecting_rarely, unordered
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, decide
 from hfield.ledger.registry import claims, find
-from hfield.proving.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
+from hfield.prover.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
 
 Piece = tuple[Claim, str]
 Verdicts = tuple[Decision, Decision | None]

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     NO_MEANING,
     NOT_APPLICABLE,
     PROVED,
@@ -18,8 +18,8 @@ from hfield.certificates.glossary import (
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition, Worded
-from hfield.proving.decision import Decision
-from hfield.proving.steps import Step, say
+from hfield.prover.decision import Decision
+from hfield.prover.steps import Step, say
 from hfield.rings.base import Ring
 
 TRUE = ("proved", "vacuous")

@@ -6,17 +6,17 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 from hfield.errors import HFieldError
-from hfield.proving.clock import Clock
-from hfield.proving.counterexamples.candidates import true_place
-from hfield.proving.decide import decide
-from hfield.proving.decision import COMMUTATIVE_RINGS, PROVED, Decision
-from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.scalars import PrimeScalars
-from hfield.proving.evaluation.searcher import Assignment
-from hfield.proving.problem import Problem
-from hfield.proving.statements.language import generators, read_statement
-from hfield.proving.statements.setting import read_setting
-from hfield.proving.statements.trees import conjunction
+from hfield.prover.clock import Clock
+from hfield.prover.counterexamples.candidates import true_place
+from hfield.prover.decide import decide
+from hfield.prover.decision import COMMUTATIVE_RINGS, PROVED, Decision
+from hfield.prover.evaluation.evaluator import Evaluator
+from hfield.prover.evaluation.scalars import PrimeScalars
+from hfield.prover.evaluation.searcher import Assignment
+from hfield.prover.problem import Problem
+from hfield.prover.statements.language import generators, read_statement
+from hfield.prover.statements.setting import read_setting
+from hfield.prover.statements.trees import conjunction
 from hfield.rings.base import Ring
 
 PLACES, SECONDS = 400, 5.0

@@ -20,8 +20,8 @@ from typing import Any
 from hfield.errors import NotationError
 from hfield.ledger.claim import Claim
 from hfield.ledger.document import LedgerError
-from hfield.proving.statements.printing import to_unicode
-from hfield.proving.steps import Step
+from hfield.prover.statements.printing import to_unicode
+from hfield.prover.steps import Step
 from hfield.syntax import parse
 
 Source = tuple[str, str]

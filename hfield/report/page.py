@@ -25,7 +25,7 @@ from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import MARKS, columns_of, marked, tally
 from hfield.ledger.run import contradictions
 from hfield.ledger.wording import witness_text
-from hfield.proving.decision import NOT_APPLICABLE, REFUTED, UNDECIDED, VERDICTS, Decision
+from hfield.prover.decision import NOT_APPLICABLE, REFUTED, UNDECIDED, VERDICTS, Decision
 from hfield.report.chapters import Chapter
 from hfield.report.markup import Words, anchor, field_html, field_text, table, verdict_html
 from hfield.report.words import Language, term

@@ -9,7 +9,7 @@ from hfield.latex import document, words
 from hfield.ledger.claim import Row, by_claim
 from hfield.ledger.paper import explanation, marks, slips
 from hfield.ledger.report import totals
-from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS
+from hfield.prover.decision import NOT_APPLICABLE, REFUTED, VERDICTS
 from hfield.report.words import LANGUAGES
 
 

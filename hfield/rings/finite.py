@@ -141,7 +141,7 @@ class ExtensionField(FiniteField):
     @property
     def data(self) -> dict[str, Any]:
         """The field by its modulus; a default one that the checker has no table of is not written."""
-        from hfield.certificates.scalars.conway import CONWAY
+        from hfield.checker.scalars.conway import CONWAY
 
         known = not self.is_default or self.order in CONWAY
         modulus = self.coefficients if known else None

@@ -9,9 +9,9 @@ from contextlib import ExitStack, redirect_stdout
 from functools import partial
 from pathlib import Path
 
-from hfield.commands.output import note, open_output, say
-from hfield.commands.parser import add_format, add_output, whole
-from hfield.commands.status import Progress
+from hfield.cli.output import note, open_output, say
+from hfield.cli.parser import add_format, add_output, whole
+from hfield.cli.status import Progress
 
 SUMMARY = "time rotations beside scipy and other libraries"
 HEADING = "Rotation and film"

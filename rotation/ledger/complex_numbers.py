@@ -4,7 +4,7 @@ The complex numbers are the elements a + b·i of H(F), as in section 1.4.3; so `
 thesis, and everything has its core over every commutative ring.
 """
 
-from hfield.certificates.glossary import CIRCLE
+from hfield.checker.glossary import CIRCLE
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
 from hfield.ledger.real_geometry import REAL, Angles

@@ -3,7 +3,7 @@
 The angles φ, θ, ψ are the points (p₀, p₁), (p₂, p₃), (q₀, q₁) of the circle, and v is a point of space.
 """
 
-from hfield.certificates.glossary import CIRCLE
+from hfield.checker.glossary import CIRCLE
 from hfield.ledger.claim import Proposition
 from hfield.ledger.document import Propositions
 from hfield.ledger.modulus import ModulusDefined

@@ -8,7 +8,8 @@ from hfield.ledger.claim import Computed, Finding
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import Over
-from rotation.ledger import generator, printed_times, second_test
+from rotation.ledger import generator, printed_times
+from rotation.ledger import second_benchmark as second_test
 from rotation.ledger.inequalities import Less, between
 from rotation.ledger.printed_times import MATRICES_1, MATRICES_2, QUATERNIONS_1, QUATERNIONS_2
 

@@ -5,7 +5,7 @@ core over every commutative ring. The sum of two angles is the product (c + s·i
 points: the addition formulas. ``y`` and ``s`` are the cosine and the sine where one angle is enough.
 """
 
-from hfield.certificates.glossary import CIRCLE
+from hfield.checker.glossary import CIRCLE
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real_geometry import REAL, Angles

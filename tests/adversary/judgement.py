@@ -11,8 +11,8 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from hfield.certificates.check import Pin, check_text
-from hfield.certificates.rejection import Rejected
+from hfield.checker.check import Pin, check_text
+from hfield.checker.rejection import Rejected
 from tests.adversary.falsify import (
     counterexample,
     is_defined,

@@ -11,14 +11,14 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.anisotropy import KEYS
-from hfield.certificates.check import check_text
-from hfield.certificates.kinds import checks
-from hfield.certificates.orders.words import OVER_Q
-from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import KINDS, read_ring
-from hfield.certificates.vocabulary.logic import LOGIC, SPECIAL
-from hfield.certificates.work import Work, bounded
+from hfield.checker.anisotropy import KEYS
+from hfield.checker.budget import Work, bounded
+from hfield.checker.check import check_text
+from hfield.checker.evidence_registry import checks
+from hfield.checker.orders.words import OVER_Q
+from hfield.checker.rejection import Rejected
+from hfield.checker.scalars.fields import KINDS, read_ring
+from hfield.checker.vocabulary.logic import LOGIC, SPECIAL
 from tests.adversary.hostile.files import HOSTILE
 from tests.adversary.hostile.reasons import is_meant
 from tests.adversary.hostile.rings import long_modulus

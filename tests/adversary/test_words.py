@@ -9,14 +9,14 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.finding import Finding
-from hfield.certificates.rejection import Rejected
-from hfield.certificates.vocabulary.logic import establish_any, meaning
-from hfield.certificates.work import bounded
+from hfield.checker.budget import bounded
+from hfield.checker.check_result import Finding
+from hfield.checker.rejection import Rejected
+from hfield.checker.vocabulary.logic import establish_any, meaning
 from tests.adversary.words import split, truth_everywhere, truth_over
-from tests.certificates.cases import with_rings
-from tests.certificates.hand_made import setting
-from tests.certificates.ring_data import data_of
+from tests.checker.cases import with_rings
+from tests.checker.hand_made import setting
+from tests.checker.ring_data import data_of
 from tests.subcases import subcases
 from tests.thorough import pairwise
 

@@ -16,7 +16,7 @@ from anim.ledger.turning import UP, rotation, turned
 from hfield.cli import main
 from hfield.ledger.claim import NO_FIELD, decide
 from hfield.product import Constants, conjugate, multiply
-from hfield.proving.statements.printing import to_text
+from hfield.prover.statements.printing import to_text
 from hfield.rings import ring
 from hfield.syntax import number
 from rotation.ledger.entries import vector

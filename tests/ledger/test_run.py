@@ -10,7 +10,7 @@ from hfield.executors import InProcess
 from hfield.ledger import run
 from hfield.ledger.claim import NO_FIELD, Claim, Row
 from hfield.ledger.run import LEAST, contradictions, decide_row, decide_rows
-from hfield.proving.decision import Decision
+from hfield.prover.decision import Decision
 
 
 @dataclass(frozen=True)

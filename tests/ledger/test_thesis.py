@@ -6,8 +6,8 @@ from collections import Counter
 
 import pytest
 
-from hfield.certificates.check import Pin, check_text
-from hfield.certificates.glossary import METHODS, THEOREMS, UNCERTIFIED
+from hfield.checker.check import Pin, check_text
+from hfield.checker.glossary import METHODS, THEOREMS, UNCERTIFIED
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Computed, decide
 from hfield.ledger.registry import claims, find

@@ -2,7 +2,7 @@
 
 from hfield.ledger.propositions import Statement
 from hfield.ledger.transfer import carried
-from hfield.proving.decide import decide
+from hfield.prover.decide import decide
 from hfield.rings import ring
 from tests.subcases import subcases
 

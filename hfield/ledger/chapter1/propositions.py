@@ -1,6 +1,6 @@
 """What Python decides of sections 1 to 1.4.4: propositions that are no statements of the language."""
 
-from hfield.certificates.glossary import INDUCTION
+from hfield.checker.glossary import INDUCTION
 from hfield.ledger.base_field import Division, LevelAbove, PositiveNorm
 from hfield.ledger.document import Propositions
 from hfield.ledger.linear_algebra import Centre, IsBasis

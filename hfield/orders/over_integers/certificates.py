@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     BY_AREA,
     BY_MASS,
     DISCRIMINANT,

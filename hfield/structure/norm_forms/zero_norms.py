@@ -8,7 +8,7 @@ import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from hfield.certificates.anisotropy import is_certified
+from hfield.checker.anisotropy import is_certified
 from hfield.errors import UndecidedError
 from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import INFINITY, Ring

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from hfield.certificates.check import Established, Pin, check_text
-from hfield.certificates.rejection import Rejected
+from hfield.checker.check import Established, Pin, check_text
+from hfield.checker.rejection import Rejected
 from tests.adversary.forging.kinds import forged
 from tests.adversary.forging.mutants import mutated
 from tests.adversary.forging.sight import seen_false, witness

@@ -1,6 +1,6 @@
 """Whether the items of an implication's evidence are valid: its polynomials multiplied out by flint.
 
-The part of validity.py that is about cofactors; it uses nothing of hfield.certificates either.
+The part of validity.py that is about cofactors; it uses nothing of hfield.checker either.
 """
 
 import re
@@ -10,7 +10,7 @@ from typing import Any
 from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.product import Constants, norm
-from hfield.proving.statements.setting import read_setting
+from hfield.prover.statements.setting import read_setting
 from hfield.rings import ring
 from hfield.syntax import Reader
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     ARTIN,
     BY_S_UNITS,
     CUSICK,

@@ -1,0 +1,23 @@
+"""The process that ``decide`` starts: a request on stdin, the decision on stdout."""
+
+import json
+import pickle
+import sys
+
+from hfield.prover.decide import answer_here, read_question
+
+
+def main(memory: int) -> None:
+    """Answer the request on standard input, within ``memory`` bytes."""
+    try:
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+    except (ImportError, ValueError, OSError):  # not a Unix, or a lower limit holds already
+        pass
+    question = read_question(**json.loads(sys.stdin.read()))
+    pickle.dump(answer_here(question), sys.stdout.buffer)
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]))
