@@ -7,7 +7,7 @@ commutative ring. A rotation is met through the cosine and the sine of its angle
 
 from anim.ledger.counting import SHOWN, film_shows, listed, loop
 from anim.ledger.turning import UP, axis, rotation, turned
-from hfield.ledger.claim import Computed, Finding
+from hfield.ledger.claim import CheckResult, Computed
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement, written
 from hfield.ledger.real_geometry import Angles
@@ -97,7 +97,7 @@ def drawn(falling: bool) -> Computed:
     500 of each set, equally spaced up to rounding, from one end of the printed interval to the other.
     """
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         import numpy as np
 
         from anim.timeline import Timeline
@@ -113,7 +113,7 @@ def drawn(falling: bool) -> Computed:
         }
         off = {name: float(abs(a - b).max()) for name, (a, b) in wanted.items()}
         steps = tuple(f"{name}: at most {most:.1e} from its place" for name, most in off.items())
-        return Finding(max(off.values()) < 1e-12, steps, {"off": [f"{max(off.values()):.3g}"]})
+        return CheckResult(max(off.values()) < 1e-12, steps, {"off": [f"{max(off.values()):.3g}"]})
 
     order = "decreasing" if falling else "increasing"
     return Computed(

@@ -7,7 +7,7 @@ docs/certificates.md describes the format.
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from hfield.checker.budget import Work, bounded
+from hfield.checker.budget import Budget, bounded
 from hfield.checker.evidence_registry import prove
 from hfield.checker.first_schema import current
 from hfield.checker.glossary import CERTIFIED, FIELD, KEYS, REFUTED, SCHEMA, THEOREMS
@@ -89,7 +89,7 @@ class Established:
 
 
 @dataclass(frozen=True)
-class Pin:
+class ExpectedClaim:
     """What a certificate has to be about. ``field`` None is all fields; ``any_field`` any at all.
 
     Statements are compared as trees, algebras as constants; ``statements`` are alternatives. ``field`` is a
@@ -103,8 +103,8 @@ class Pin:
     any_field: bool = False
     claim: bool = False
 
-    def readable(self) -> "Pin":
-        """Return the pin itself. Raises :class:`Rejected` for a statement that cannot be read."""
+    def readable(self) -> "ExpectedClaim":
+        """Return the claim itself. Raises :class:`Rejected` for a statement that cannot be read."""
         for statement in self.statements:
             meaning(statement)
         return self
@@ -154,18 +154,22 @@ def same_algebra(one: Setting, other: Setting) -> bool:
     return True
 
 
-def check_text(text: str, pin: Pin | None = None, work: Work | None = None) -> Established:
+def check_text(
+    text: str, expected: ExpectedClaim | None = None, budget: Budget | None = None
+) -> Established:
     """Check a certificate from its JSON text, with no more than this work. Raises :class:`Rejected`."""
-    work = work or Work()
-    with bounded(work):
+    budget = budget or Budget()
+    with bounded(budget):
         data = read_json(text)
-    return check(data, pin, work)
+    return check(data, expected, budget)
 
 
-def check(data: object, pin: Pin | None = None, work: Work | None = None) -> Established:
+def check(
+    data: object, expected: ExpectedClaim | None = None, budget: Budget | None = None
+) -> Established:
     """Check a certificate from JSON data. Raises :class:`Rejected`, and nothing else.
 
-    ``work`` is how much may be done, ``Work(10)`` by default: ten million units, each of which takes a
+    ``budget`` is how much may be done, ``Budget(10)`` by default: ten million units, each of which takes a
     microsecond and 100 bytes at worst; its ``spent`` tells afterwards what was.
 
     >>> from hfield import prove
@@ -173,8 +177,8 @@ def check(data: object, pin: Pin | None = None, work: Work | None = None) -> Est
     'proved'
     """
     try:
-        with bounded(work):
-            return _check(data, pin)
+        with bounded(budget):
+            return _check(data, expected)
     except RecursionError:
         reject("the certificate nests too deeply")
     except MemoryError:
@@ -183,7 +187,7 @@ def check(data: object, pin: Pin | None = None, work: Work | None = None) -> Est
         reject(f"the certificate cannot be evaluated: {shown(str(error))}")
 
 
-def _check(data: object, pin: Pin | None) -> Established:
+def _check(data: object, expected: ExpectedClaim | None) -> Established:
     data = keyed(current(data), "a certificate")
     if data.get("schema") != SCHEMA:
         reject(f"the schema must be {SCHEMA!r}")
@@ -200,8 +204,8 @@ def _check(data: object, pin: Pin | None) -> Established:
     if not statement.strip():
         reject("the statement is empty")
     setting = read_any_setting(algebra, ring)
-    if pin is not None:
-        pin.check(statement, setting)
+    if expected is not None:
+        expected.check(statement, setting)
     found = establish_any(statement, setting, c["verdict"], c["evidence"])
     if c["method"] != found.method:
         reject(f"the method {shown(c['method'])!r} is not that of the evidence: {found.method}")
@@ -229,4 +233,4 @@ def _check(data: object, pin: Pin | None) -> Established:
     )
 
 
-__all__ = ["Established", "Pin", "Rejected", "Work", "check", "check_text", "meaning"]
+__all__ = ["Budget", "Established", "ExpectedClaim", "Rejected", "check", "check_text", "meaning"]

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.evaluate import Conditions, Evaluator, Quaternion
 from hfield.checker.language import Tree
 from hfield.checker.polynomials import (
@@ -35,7 +35,7 @@ Quotient = tuple[Poly, Pieces]
 
 def freeze(f: Poly) -> Frozen:
     """Return a hashable polynomial, the same for f and −f."""
-    charge(1 + 2 * len(f) + width(f) // 4)
+    spend(1 + 2 * len(f) + width(f) // 4)
     return frozenset(f.items() if not f or f[max(f)] > 0 else [(m, -c) for m, c in f.items()])
 
 
@@ -90,7 +90,7 @@ class Fractions:
         if not x[0] or not y[0]:
             return y if not x[0] else x
         if x[1] or y[1]:
-            charge(len(x[1]) + len(y[1]))
+            spend(len(x[1]) + len(y[1]))
         if x[1] == y[1]:
             return self._made(add(x[0], y[0]), x[1])
         common = dict(x[1])
@@ -101,7 +101,7 @@ class Fractions:
 
     def neg(self, x: Quotient) -> Quotient:
         """Return −x."""
-        charge(2 * len(x[0]))
+        spend(2 * len(x[0]))
         return {m: -c for m, c in x[0].items()}, x[1]
 
     def mul(self, x: Quotient, y: Quotient) -> Quotient:
@@ -109,7 +109,7 @@ class Fractions:
         top = multiply(x[0], y[0])
         if not x[1] or not y[1]:
             return self._made(top, x[1] or y[1])
-        charge(len(x[1]) + len(y[1]))
+        spend(len(x[1]) + len(y[1]))
         pieces = dict(x[1])
         for piece, n in y[1]:
             pieces[piece] = pieces.get(piece, 0) + n
@@ -126,7 +126,7 @@ class Fractions:
                 below = multiply(below, self.factors[piece])
         if top == constant(1):
             return self.polynomial(below), ()
-        charge(2 * len(top))
+        spend(2 * len(top))
         place = self._places.setdefault(frozenset(top.items()), len(self.factors))
         if place == len(self.factors):
             self.factors.append(top)
@@ -169,7 +169,7 @@ class Fractions:
 def deny(f: Formula) -> Formula:
     """Return the opposite formula."""
     kind, parts = f
-    charge(10)
+    spend(10)
     if kind in ("zero", "nonzero"):
         return ("nonzero" if kind == "zero" else "zero", parts)
     return ("or" if kind == "and" else "and", tuple(deny(x) for x in parts))
@@ -201,20 +201,20 @@ def expand(statement: Statement, setting: Setting) -> Expansion:
 def _conjunction(f: Formula) -> list[frozenset[Formula]]:
     """Return the conjunctive normal form, tautologies left out."""
     kind, parts = f
-    charge(20)
+    spend(20)
     if kind in ("zero", "nonzero"):
         return [frozenset([f])]
     out: list[frozenset[Formula]] = [] if kind == "and" else [frozenset()]
     for part in parts:
         right = _conjunction(part)
         size = len(out) + len(right) if kind == "and" else len(out) * len(right)
-        charge(20 * size)
+        spend(20 * size)
         if size > MAX_CLAUSES:
             reject("the statement has too many clauses")
         if kind == "and":
             out += right
         else:
-            charge(len(out) * sum(map(len, right)) + len(right) * sum(map(len, out)))
+            spend(len(out) * sum(map(len, right)) + len(right) * sum(map(len, out)))
             out = [a | b for a in out for b in right]
     return [c for c in dict.fromkeys(out) if not any(deny(x) in c for x in c)]
 
@@ -226,7 +226,7 @@ def _clause(literals: frozenset[Formula]) -> Clause:
 
 def without_factors(f: Poly, known: list[Poly]) -> Poly:
     """Divide by factors that are known not to be 0, as often as they divide."""
-    charge(1 + len(known))
+    spend(1 + len(known))
     for factor in known:
         while f and factor not in (constant(1), constant(-1)):
             quotient = divide(f, factor)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, Generic, Protocol, TypeVar
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.language import FUNCTIONS, Tree
 from hfield.checker.rejection import reject
 from hfield.checker.scalars.ring import MAX_EXPONENT, Ring, power
@@ -94,7 +94,7 @@ class Evaluator(Generic[S, T]):
     def product(self, x: Quaternion, y: Quaternion, asked: range = range(4)) -> Quaternion:
         """Return x·y, of which only the coordinates asked for are worked out, the others 0."""
         s = self.s
-        charge(20)
+        spend(20)
         out = [s.zero] * 4
         for m, u in enumerate(x):
             for n, v in enumerate(y):
@@ -122,7 +122,7 @@ class Evaluator(Generic[S, T]):
     def value(self, tree: Tree) -> S | Quaternion:
         """Return the value of a term; what must be a unit for it to be defined joins ``needed``."""
         kind, s = tree[0], self.s
-        charge(10)
+        spend(10)
         if kind == "num":
             return self._defined(s.number(tree[1]))
         if (
@@ -167,14 +167,14 @@ class Evaluator(Generic[S, T]):
 
     def _defined(self, found: tuple[S, Conditions]) -> S:
         if found[1]:
-            charge(1 + len(self.needed) // 16)
+            spend(1 + len(self.needed) // 16)
             self.needed += found[1]
         return found[0]
 
     def truth(self, tree: Tree) -> T:
         """Return the truth of a statement without quantifiers."""
         kind, s = tree[0], self.s
-        charge(10)
+        spend(10)
         if kind in ("==", "!="):
             self.needed = ()
             x, y = self.value(tree[1]), self.value(tree[2])

@@ -11,13 +11,13 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from hfield.checker import evidence as room
-from hfield.checker.check_result import Finding
+from hfield.checker.check_result import CheckResult
 from hfield.checker.language import Tree
 from hfield.checker.real_closure import in_real_closure
 from hfield.checker.rejection import kind_of, reject, shown
 from hfield.checker.statement import Setting, Statement, read_tree
 
-Check = Callable[[Statement, Setting, object], Finding]
+Check = Callable[[Statement, Setting, object], CheckResult]
 # The verdict, whether the statement says "exists", the kind of evidence.
 Shown = tuple[str, bool, str]
 
@@ -33,7 +33,9 @@ def checks() -> Mapping[Shown, Check]:
     return found
 
 
-def establish(statement: Statement, setting: Setting, verdict: str, evidence: object) -> Finding:
+def establish(
+    statement: Statement, setting: Setting, verdict: str, evidence: object
+) -> CheckResult:
     """Check the evidence for a verdict on a statement; return what it shows."""
     kind = kind_of(evidence)
     if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
@@ -50,6 +52,6 @@ def establish(statement: Statement, setting: Setting, verdict: str, evidence: ob
     return found if limit is None else replace(found, scope=limit)
 
 
-def prove(tree: Tree, setting: Setting, evidence: object) -> Finding:
+def prove(tree: Tree, setting: Setting, evidence: object) -> CheckResult:
     """Check that the evidence proves the statement with this tree."""
     return establish(read_tree(tree, setting), setting, "proved", evidence)

@@ -3,7 +3,7 @@
 import json
 from typing import NoReturn
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.rejection import MAX_DIGITS, reject, shown
 
 MAX_BYTES = 8_000_000
@@ -14,7 +14,7 @@ def read_json(text: str) -> object:
     """Read JSON. Raises :class:`Rejected`."""
     if len(text) > MAX_BYTES:
         reject(f"the file has more than {MAX_BYTES} characters")
-    charge(len(text) // 3)
+    spend(len(text) // 3)
     try:
         data = json.loads(
             text,

@@ -10,7 +10,7 @@ import re
 from fractions import Fraction
 from typing import Any, NoReturn
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.rejection import MAX_DIGITS, reject, shown
 
 Tree = tuple[Any, ...]
@@ -37,7 +37,7 @@ def parse(text: str) -> Tree:
     """Read a statement or a term."""
     if len(text) > MAX_LENGTH:
         reject(f"a text of {len(text)} characters; at most {MAX_LENGTH} are read")
-    charge(10 + 2 * len(text))
+    spend(10 + 2 * len(text))
     parser = _Parser(text)
     tree = parser.infix(0)
     if parser.word:
@@ -57,7 +57,7 @@ def walk(tree: Tree) -> list[Tree]:
         node = stack.pop()
         out.append(node)
         stack.extend(children(node))
-    charge(len(out))
+    spend(len(out))
     return out
 
 
@@ -70,7 +70,7 @@ def children(tree: Tree) -> tuple[Tree, ...]:
 
 def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
     """Put trees in the place of names (there is no ``exists`` in ``tree``)."""
-    charge(1)
+    spend(1)
     if tree[0] == "name":
         return values.get(tree[1], tree)
     if tree[0] == "num":
@@ -225,7 +225,7 @@ class _Parser:
             digits, _, exponent = word.lower().partition("e")
             if len(digits) > MAX_DIGITS or len(exponent) > 4:
                 self.fail("a number is too large")
-            charge(abs(int(exponent or 0)) // 50)
+            spend(abs(int(exponent or 0)) // 50)
             return "num", Fraction(word)
         if self.kind == "name" and self.word not in WORDS:
             name = self.name()

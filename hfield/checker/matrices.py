@@ -6,7 +6,7 @@ A value is a tree, for a quaternion, or rows of trees, kept as ``{"rows": …}``
 from collections.abc import Callable
 from typing import Any
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.language import ORDER, Tree, children, walk
 from hfield.checker.rejection import reject, shown
 
@@ -41,7 +41,7 @@ class _Writer:
 
     def truth(self, tree: Tree) -> Tree:
         """Write out a statement."""
-        charge(5)
+        spend(5)
         kind = tree[0]
         if kind == "exists":
             bound: list[str] = []
@@ -78,7 +78,7 @@ class _Writer:
 
     def value(self, tree: Tree) -> Value:
         """Write out a term."""
-        charge(10)
+        spend(10)
         kind = tree[0]
         if kind == "num":
             return tree
@@ -154,7 +154,7 @@ def _is_table(value: Value) -> bool:
 def _entrywise(value: Value, function: Callable[[Tree], Tree]) -> Value:
     if not _is_table(value):
         return function(value)
-    charge(10)
+    spend(10)
     return {"rows": [[function(x) for x in row] for row in value["rows"]]}
 
 
@@ -180,7 +180,7 @@ def _alike(left: Value, right: Value) -> tuple[list[list[Tree]], list[list[Tree]
 
 def _joined(operator: str, left: Value, right: Value) -> Value:
     """Write out a sum, a difference, a product or a quotient."""
-    charge(20)
+    spend(20)
     if not (_is_table(left) or _is_table(right)):
         return (operator, left, right)
     if operator in ("+", "-"):
@@ -197,7 +197,7 @@ def _joined(operator: str, left: Value, right: Value) -> Value:
 
 def _product(left: Value, right: Value) -> Value:
     """Multiply rows by columns; one row by one column is a quaternion."""
-    charge(50)
+    spend(50)
     rows, others = left["rows"], right["rows"]
     if len(rows[0]) != len(others):
         reject("two matrices whose shapes do not fit are multiplied")

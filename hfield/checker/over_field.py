@@ -4,7 +4,7 @@ from collections.abc import Hashable
 from math import gcd
 from typing import Any
 
-from hfield.checker.budget import charge, charge_products
+from hfield.checker.budget import spend, spend_products
 from hfield.checker.clauses import Clause, Expansion, Frozen, expand
 from hfield.checker.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
 from hfield.checker.polynomials import (
@@ -22,7 +22,7 @@ from hfield.checker.scalars.ring import Ring
 from hfield.checker.statement import Setting, Statement
 
 
-class Place:
+class EvaluationContext:
     """A ring, or all fields of a characteristic (``p`` 0: of all characteristics at once)."""
 
     def __init__(self, expansion: Expansion, ring: Ring | None, p: int = 0) -> None:
@@ -39,7 +39,7 @@ class Place:
 
         The constants of the field are put in; with ``functions`` exponents are reduced by x^q = x.
         """
-        charge(1 + 2 * len(f) + width(f))
+        spend(1 + 2 * len(f) + width(f))
         f, ring = modulo(f, self.p), self.ring
         if ring is None:
             return dict(f)
@@ -66,7 +66,7 @@ class Place:
 
     def vanishes(self, f: Frozen | Poly) -> bool:
         """Tell whether f is 0 at every place of the field (as a function, over a finite field)."""
-        charge(1 + 2 * len(f))
+        spend(1 + 2 * len(f))
         key = f if isinstance(f, frozenset) else frozenset(f.items())
         if key not in self._known:
             self._known[key] = not self.coefficients(dict(key), True)
@@ -108,7 +108,7 @@ class Place:
 
     def same(self, f: Poly) -> Frozen:
         """Return what f has in common with its multiples by units: coefficients made monic."""
-        charge(5 + 2 * len(f) + width(f) // 4)
+        spend(5 + 2 * len(f) + width(f) // 4)
         f = modulo(f, self.p)
         if not f:
             return frozenset()
@@ -117,20 +117,20 @@ class Place:
             scale = pow(lead, -1, self.p)
             return frozenset((m, c * scale % self.p) for m, c in f.items())
         if self.ring is not None and self.ring.is_field:
-            charge_products([lead], f.values())
+            spend_products([lead], f.values())
             scale = gcd(*f.values()) * (1 if lead > 0 else -1)
             return frozenset((m, c // scale) for m, c in f.items())
-        charge(10 * len(f))
+        spend(10 * len(f))
         opposite = modulo({m: -c for m, c in f.items()}, self.p)
         return frozenset(min(f, opposite, key=lambda g: sorted(g.items())).items())
 
 
-def place_of(statement: Statement, setting: Setting) -> Place:
+def evaluation_context(statement: Statement, setting: Setting) -> EvaluationContext:
     """Expand the statement; the algebra must exist somewhere, and "not 0" mean what has an inverse."""
     ring = setting.field
     if ring is not None and not ring.is_field and statement.divides:
         reject(f"a statement that divides is shown over {ring.name} by all cases only")
-    over = Place(expand(statement, setting), ring)
+    over = EvaluationContext(expand(statement, setting), ring)
     over.need_algebra()
     return over
 

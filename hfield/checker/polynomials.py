@@ -2,14 +2,14 @@
 
 A variable is a number. A monomial is a tuple of pairs (variable, exponent) with exponents of at least
 1, variables falling; the empty tuple is 1. So two monomials are equal exactly when the tuples are,
-and tuples compare as monomials do lexicographically. What goes through all terms is charged for before it is
+and tuples compare as monomials do lexicographically. What goes through all terms is paid for before it is
 begun, by their number, by the width of the monomials, which is that of the tuples, and by the coefficients.
 """
 
 import re
 from collections.abc import Iterable, Sequence
 
-from hfield.checker.budget import charge, charge_products
+from hfield.checker.budget import spend, spend_products
 from hfield.checker.language import Tree, parse
 from hfield.checker.rejection import MAX_DIGITS, reject, shown
 
@@ -45,7 +45,7 @@ def variable(number: int) -> Poly:
 def add(f: Poly, g: Poly, scale: int = 1) -> Poly:
     """Return f + scale·g."""
     if len(f) > 8:
-        charge(len(f) // 8)
+        spend(len(f) // 8)
     out = dict(f)
     accumulate(out, g, scale)
     return out
@@ -53,7 +53,7 @@ def add(f: Poly, g: Poly, scale: int = 1) -> Poly:
 
 def accumulate(f: Poly, g: Poly, scale: int = 1) -> None:
     """Add scale·g to f."""
-    charge(1 + 3 * len(g))
+    spend(1 + 3 * len(g))
     for m, c in g.items():
         _collect(f, m, scale * c)
 
@@ -65,7 +65,7 @@ def multiply(f: Poly, g: Poly) -> Poly:
     terms = len(f) * len(g)
     if terms > FEW:
         return _long_product(f, g)
-    charge(terms + len(f) * width(g) + len(g) * width(f))
+    spend(terms + len(f) * width(g) + len(g) * width(f))
     out: Poly = {}
     for m, c in f.items():
         for n, d in g.items():
@@ -76,12 +76,12 @@ def multiply(f: Poly, g: Poly) -> Poly:
 def _long_product(f: Poly, g: Poly) -> Poly:
     """Return f·g, the exponents of a monomial being digits of one number: so adding multiplies monomials.
 
-    What is new is charged for as it comes: many products may be few terms.
+    What is new is paid for as it comes: many products may be few terms.
     """
     names = sorted(variables(f) | variables(g))
     long = len(names) // 16
-    charge(long * len(f) * len(g))
-    charge_products(f.values(), g.values())
+    spend(long * len(f) * len(g))
+    spend_products(f.values(), g.values())
     place = {v: n * EXPONENT_BITS for n, v in enumerate(names)}
     left, right = ([(sum(e << place[v] for v, e in m), c) for m, c in h.items()] for h in (f, g))
     sums: dict[int, int] = {}
@@ -89,7 +89,7 @@ def _long_product(f: Poly, g: Poly) -> Poly:
         before = len(sums)
         for n, d in right:
             sums[m + n] = sums.get(m + n, 0) + c * d
-        charge((4 + long) * (len(sums) - before))
+        spend((4 + long) * (len(sums) - before))
     out: Poly = {}
     for digits, c in sums.items():
         monomial = []
@@ -100,7 +100,7 @@ def _long_product(f: Poly, g: Poly) -> Poly:
             if e > MAX_EXPONENT:
                 reject("a degree has grown too large")
             monomial.append((names[n], e))
-        charge(3 + (1 + long) * len(monomial))
+        spend(3 + (1 + long) * len(monomial))
         _collect(out, tuple(monomial), c)
     return out
 
@@ -127,7 +127,7 @@ def _collect(f: Poly, m: Monomial, c: int) -> None:
     total = f.get(m, 0) + c
     bits = total.bit_length()
     if bits > LONG:
-        charge(bits // 100 + bits * bits // 500_000)
+        spend(bits // 100 + bits * bits // 500_000)
         if bits > 4 * MAX_DIGITS:
             reject("a coefficient has grown too large")
     if total:
@@ -148,9 +148,9 @@ def modulo(f: Poly, p: int) -> Poly:
     """Return f with its coefficients reduced modulo p; f itself for p = 0."""
     if not p:
         return f
-    charge(len(f))
+    spend(len(f))
     if p >> LONG:
-        charge_products([p], f.values())
+        spend_products([p], f.values())
     return {m: c % p for m, c in f.items() if c % p}
 
 
@@ -161,22 +161,22 @@ def is_constant(f: Poly) -> bool:
 
 def variables(f: Poly) -> set[int]:
     """Return the variables that occur in f."""
-    charge(len(f) + width(f))
+    spend(len(f) + width(f))
     return {v for m in f for v, _ in m}
 
 
 def divide(f: Poly, g: Poly) -> Poly | None:
     """Return f/g if g divides f over ℤ, else None."""
-    charge(1 + len(f) + len(g) + width(g))
+    spend(1 + len(f) + len(g) + width(g))
     lead = max(g)
     rest, out = dict(f), dict[Monomial, int]()
     while rest:
-        charge(5 + (len(rest) + width(rest)) // 4)
+        spend(5 + (len(rest) + width(rest)) // 4)
         top = max(rest)
         exponents = dict(top)
         for v, e in lead:
             exponents[v] = exponents.get(v, 0) - e
-        charge_products([rest[top]], [g[lead]])
+        spend_products([rest[top]], [g[lead]])
         if rest[top] % g[lead] or min(exponents.values(), default=0) < 0:
             return None
         m: Monomial = tuple((v, e) for v, e in exponents.items() if e)
@@ -189,7 +189,7 @@ class Names:
     """The variables of a polynomial ring: each is a tree, such as ``("name", "s")`` or q[0]'s."""
 
     def __init__(self, trees: Sequence[Tree]) -> None:
-        charge(5 * len(trees))
+        spend(5 * len(trees))
         self.trees = tuple(trees)
         self.place = {tree: n for n, tree in enumerate(self.trees)}
         if len(self.place) < len(self.trees):
@@ -208,7 +208,7 @@ class Names:
         """Read all of a sum of terms such as ``- 2*q[0]**2*s + sqrt(2)``, or reject it."""
         if len(text) > MAX_TEXT:
             reject(f"{what} is longer than {MAX_TEXT} characters")
-        charge(10 + len(text))
+        spend(10 + len(text))
         out: Poly = {}
         position = 0
         while position < len(text) or not position:

@@ -9,11 +9,11 @@ from collections.abc import Hashable, Mapping, Sequence
 from typing import Any
 
 from hfield.checker.anisotropy import anisotropic
-from hfield.checker.budget import charge, charge_products
+from hfield.checker.budget import spend, spend_products
 from hfield.checker.clauses import Expansion, Formula, Fractions, Quotient, freeze
 from hfield.checker.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.checker.language import Tree
-from hfield.checker.over_field import Place
+from hfield.checker.over_field import EvaluationContext
 from hfield.checker.polynomials import (
     Names,
     Poly,
@@ -51,8 +51,10 @@ FORMS = {
 class Rules:
     """The facts of one implication, verified."""
 
-    def __init__(self, expansion: Expansion, setting: Setting, place: Place, facts: object) -> None:
-        self.expansion, self.setting, self.place = expansion, setting, place
+    def __init__(
+        self, expansion: Expansion, setting: Setting, context: EvaluationContext, facts: object
+    ) -> None:
+        self.expansion, self.setting, self.context = expansion, setting, context
         # By the algebra; "" is that of the statement.
         self.norms: dict[str, Evaluator[Quotient, Formula]] = {}
         self.squares: tuple[int | None, bool] | None = None  # how many; whether with coefficients
@@ -164,7 +166,7 @@ class Rules:
 
     def _value(self, f: Poly) -> Any:
         """Return the element of the field that a polynomial in its constants is."""
-        found = self.place.coefficients(f, False)
+        found = self.context.coefficients(f, False)
         if not set(found) <= {()} or self.setting.field is None:
             reject("a coefficient is no element of the field")
         return found.get((), self.setting.field.zero)
@@ -186,21 +188,23 @@ MAX_DEPTH = 8
 class Item:
     """One entry of ``items`` that has been verified: zeros imply ``member``, or exclude ``nonzero``."""
 
-    def __init__(self, data: object, names: Names, place: Place, rules: Rules) -> None:
+    def __init__(
+        self, data: object, names: Names, context: EvaluationContext, rules: Rules
+    ) -> None:
         direct = isinstance(data, dict) and "member" in data
         own = "member cofactors denominator" if direct else "nonzero steps"
         item = an_object(data, f"characteristic zero relations {own}", "an item")
         self.p = an_integer(item["characteristic"], "a characteristic", 0)
         if self.p and not is_prime(self.p):
             reject(f"the characteristic {self.p} is no prime")
-        if place.ring is not None and self.p not in (0, place.p):
+        if context.ring is not None and self.p not in (0, context.p):
             reject("an item is about another characteristic than the field has")
-        self.modulus = self.p or place.p  # in which characteristic its equations are
+        self.modulus = self.p or context.p  # in which characteristic its equations are
         self.rules, self.denominators = rules, set[int]()
         self.zero = [names.read(z, "a polynomial of 'zero'") for z in texts(item["zero"], "zero")]
         relations = [names.read(z, "a relation") for z in texts(item["relations"], "relations")]
         for relation in relations:
-            if not (place.is_constant(relation) and place.vanishes(relation)):
+            if not (context.is_constant(relation) and context.vanishes(relation)):
                 reject("a relation does not hold in the field")
         self.uses_field = bool(relations)
         self.member: Poly | None = None
@@ -217,7 +221,7 @@ class Item:
         for n, g in enumerate(found, 1):
             inverse = multiply(more.variable(("name", f"T{n}")), g)
             known.append(add(constant(1), inverse, -1))
-            if place.is_constant(g) and place.is_nonzero(freeze(g)):
+            if context.is_constant(g) and context.is_nonzero(freeze(g)):
                 self.uses_field = True
             else:
                 self.nonzero.append(g)
@@ -310,11 +314,11 @@ def texts_of_polynomials(data: object) -> list[str]:
 
 def _proportional(f: Poly, g: Poly, p: int) -> bool:
     """Tell whether f = λ·g with a number λ that is not 0 in characteristic p."""
-    charge(3 * (len(f) + len(g)))
+    spend(3 * (len(f) + len(g)))
     f, g = modulo(f, p), modulo(g, p)
     if not f or not g or f.keys() != g.keys():
         return not f and not g
     top = max(f)
     c, d = f[top], g[top]
-    charge_products([c, d], [*f.values(), *g.values()])
+    spend_products([c, d], [*f.values(), *g.values()])
     return not any((f[m] * d - g[m] * c) % p if p else f[m] * d - g[m] * c for m in f)

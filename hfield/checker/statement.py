@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.language import FUNCTIONS, Tree, parse, split, substitute, walk
 from hfield.checker.matrices import ENTRIES, MATRICES, without_matrices
 from hfield.checker.rejection import reject, shown
@@ -203,7 +203,7 @@ class _Reader:
 
     def truth(self, tree: Tree) -> None:
         """Read a statement without quantifiers."""
-        charge(5)
+        spend(5)
         kind = tree[0]
         if kind in ("==", "!="):
             self.unequal |= kind == "!="
@@ -218,7 +218,7 @@ class _Reader:
 
     def term(self, tree: Tree) -> str:
         """Read a term and return its sort."""
-        charge(5)
+        spend(5)
         kind = tree[0]
         if kind == "num":
             self.divides |= isinstance(tree[1], Fraction)

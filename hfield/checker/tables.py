@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.language import WORDS, Tree, parse, split, walk
 from hfield.checker.matrices import ENTRIES, MAKERS, MATRICES
 from hfield.checker.rejection import reject, shown
@@ -86,7 +86,7 @@ def _check_unit(table: Table) -> None:
         for at in range(n):
             left, right = ring.number(0), ring.number(0)
             for k, c in enumerate(one):
-                charge(10)
+                spend(10)
                 entries = (table.products[k][m][at], table.products[m][k][at])
                 x, y = (ring.value(entry, "a product") for entry in entries)
                 left, right = ring.add(left, ring.mul(c, x)), ring.add(right, ring.mul(c, y))
@@ -116,7 +116,7 @@ class _Linear:
 
     def vector(self, tree: Tree) -> Vector:
         """Return the coordinates as trees."""
-        charge(5 + len(self.names))
+        spend(5 + len(self.names))
         kind = tree[0]
         if kind == "name" and tree[1] in self.names:
             return [ONE if tree[1] == name else ZERO for name in self.names]
@@ -143,7 +143,7 @@ def in_coordinates(tree: Tree, table: Table) -> Tree:
     while stack:
         node = stack.pop()
         size += 1
-        charge(1)
+        spend(1)
         if size > MAX_TERMS:
             reject("in coordinates the statement is too long")
         stack.extend(x for x in node[1:] if isinstance(x, tuple) and x and isinstance(x[0], str))
@@ -177,7 +177,7 @@ class _Writer:
 
     def truth(self, tree: Tree) -> Tree:
         """Write out a statement."""
-        charge(5)
+        spend(5)
         kind = tree[0]
         if kind == "exists":
             if any(name in self.names for name in tree[1]):
@@ -216,7 +216,7 @@ class _Writer:
 
     def value(self, tree: Tree) -> Value:
         """Write out a term."""
-        charge(5 + len(self.names))
+        spend(5 + len(self.names))
         kind = tree[0]
         if kind == "num":
             if isinstance(tree[1], Fraction):
@@ -297,11 +297,11 @@ class _Writer:
         terms: list[Vector] = [[] for _ in x]
         for m, a in enumerate(x):
             for n, b in enumerate(y):
-                charge(5)
+                spend(5)
                 if ZERO in (a, b):
                     continue
                 for own, c in zip(terms, self.table.products[m][n], strict=True):
-                    charge(1)
+                    spend(1)
                     if c != ZERO:
                         own.append(_times(c, _times(a, b)))
         return [_total(own) for own in terms]

@@ -8,7 +8,7 @@ means ``x == 0 or x != -z**2`` for all z; as a hypothesis, ``x == z**2`` for som
 from collections.abc import Callable
 from fractions import Fraction
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.language import ORDER, Tree, walk
 from hfield.checker.matrices import ENTRIES
 from hfield.checker.rejection import reject, shown
@@ -57,7 +57,7 @@ class _Writer:
 
     def statement(self, tree: Tree, claimed: bool) -> Tree:
         """Write out a statement, as a claim or, unless ``claimed``, as a hypothesis."""
-        charge(5)
+        spend(5)
         kind = tree[0]
         if kind == "exists":
             return ("exists", tree[1], self.statement(tree[2], claimed))
@@ -91,7 +91,7 @@ class _Writer:
 
     def write(self, tree: Tree) -> Tree:
         """Write out a term, or a comparison by == or !=."""
-        charge(5)
+        spend(5)
         if tree[0] != "call":
             return (tree[0], *(self.write(x) if isinstance(x, tuple) else x for x in tree[1:]))
         arguments = tuple(map(self.write, tree[2]))

@@ -4,7 +4,7 @@ Numbers are recomputed from the printed times over ℚ. Of the second test, what
 a point is found by running them on symbols.
 """
 
-from hfield.ledger.claim import Computed, Finding
+from hfield.ledger.claim import CheckResult, Computed
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import Over
@@ -26,10 +26,10 @@ def mean_is(times: printed_times.Times, printed: str) -> Over:
 def repeated(count: int) -> Computed:
     """Say that each of the four rows of the tables has so many times, in whole seconds."""
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         lengths = [len(row) for row in printed_times.ALL]
         whole = all(isinstance(time, int) for row in printed_times.ALL for time in row)
-        return Finding(
+        return CheckResult(
             whole and set(lengths) == {count},
             (
                 f"rows of {', '.join(map(str, lengths))} times, {'all' if whole else 'not all'} whole",

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from hfield import QuaternionAlgebra
-from hfield.checker.check import Established, Pin, Work, check, check_text
+from hfield.checker.check import Budget, Established, ExpectedClaim, check, check_text
 from hfield.checker.rejection import Rejected
 from tests.checker.cases import Certificate, certified
 
@@ -20,8 +20,8 @@ HURWITZ = "1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2"
 TWICE = "2,0,0,0 | 0,1,0,0 | 0,0,1,0 | 0,0,0,1"
 
 
-def established(data: Certificate, pin: Pin | None = None) -> Established:
-    return check_text(json.dumps(data), pin)
+def established(data: Certificate, expected: ExpectedClaim | None = None) -> Established:
+    return check_text(json.dumps(data), expected)
 
 
 def rejects(data: Certificate, why: str = ".") -> None:
@@ -96,7 +96,7 @@ def changed_and_passed(
                 evidence = mutated(rng, evidence)
             found[0] += 1
             with suppress(Rejected):
-                work = Work(millions) if millions else None
+                work = Budget(millions) if millions else None
                 check({**data, "evidence": evidence}, None, work)
                 found[1] += 1
     return found

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from hfield.checker.check import Pin, check, check_text
+from hfield.checker.check import ExpectedClaim, check, check_text
 from hfield.checker.glossary import KULIKOV, THEOREMS
 from hfield.checker.rejection import Rejected
 from tests.checker.cases import (
@@ -22,8 +22,8 @@ def test_certificates_of_prove_are_accepted() -> None:
     found = certificates()
     assert len(found) > 0.95 * (len(STATEMENTS) * len(FIELDS) + len(ALGEBRAS))
     for data in found:
-        pin = Pin((data["statement"],), data["field"], data["algebra"])
-        established = check_text(json.dumps(data), pin)
+        expected = ExpectedClaim((data["statement"],), data["field"], data["algebra"])
+        established = check_text(json.dumps(data), expected)
         assert established.verdict == data["verdict"]
 
 
@@ -109,4 +109,4 @@ def test_vacuous_parts_are_said() -> None:
 
 def test_blanks_and_parentheses_do_not_matter_to_a_pin() -> None:
     data = decided("(p*q)*r == p*(q*r)", "GF(9)")
-    assert check(data, Pin((" p*q * r==(p*(q*r))",), "GF(9)"))
+    assert check(data, ExpectedClaim((" p*q * r==(p*(q*r))",), "GF(9)"))

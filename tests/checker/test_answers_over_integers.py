@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from hfield import QuaternionAlgebra
-from hfield.checker.check import Pin
+from hfield.checker.check import ExpectedClaim
 from hfield.cli import main
 from hfield.orders.over_integers import certificates
 from tests.checker.cases import Certificate
@@ -53,8 +53,8 @@ def conjugated(order: Any, x: Any) -> Any:
 def test_the_true_ones_are_accepted(field: str) -> None:
     verdicts = set()
     for data in genuine(field):
-        pin = Pin((data["statement"],), data["ring"], data["algebra"])
-        assert not established(json.loads(json.dumps(data)), pin).assumptions
+        expected = ExpectedClaim((data["statement"],), data["ring"], data["algebra"])
+        assert not established(json.loads(json.dumps(data)), expected).assumptions
         verdicts.add((data["verdict"], data["method"]))
         rejects({**data, "verdict": {"proved": "refuted", "refuted": "proved"}[data["verdict"]]})
         for key in data["evidence"]:

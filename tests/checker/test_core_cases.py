@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 
 from hfield.checker.check import check
-from hfield.checker.check_result import Finding, together
+from hfield.checker.check_result import CheckResult, together
 from hfield.checker.evidence.existence import MAX_CASES
 from hfield.checker.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS
 from hfield.checker.rejection import (
@@ -250,15 +250,15 @@ def test_roots_by_theorems(text: str, field: str, evidence: Any, good: bool) -> 
 
 def test_findings() -> None:
     wide, narrow = (
-        Finding(COMMUTATIVE_RINGS, "identity"),
-        Finding(FIELD, "exhaustion").citing("a", "b", "a"),
+        CheckResult(COMMUTATIVE_RINGS, "identity"),
+        CheckResult(FIELD, "exhaustion").citing("a", "b", "a"),
     )
     both = together([wide, narrow, narrow])
-    assert both == Finding(FIELD, "identity; exhaustion", ("a", "b"))
+    assert both == CheckResult(FIELD, "identity; exhaustion", ("a", "b"))
     assert wide.within(FIELDS).scope == FIELDS
     assert narrow.within(COMMUTATIVE_RINGS).scope == FIELD
     assert together([]).scope == COMMUTATIVE_RINGS
-    assert narrow.by("witness") == Finding(FIELD, "witness", ("a", "b"))
+    assert narrow.by("witness") == CheckResult(FIELD, "witness", ("a", "b"))
 
 
 @pytest.mark.parametrize(

@@ -6,13 +6,13 @@ from typing import Any
 import pytest
 
 from hfield.checker import check as checking
-from hfield.checker.budget import Work, bounded, charge
+from hfield.checker.budget import Budget, bounded, spend
 from hfield.checker.check import check
 from hfield.checker.clauses import expand, without_factors
 from hfield.checker.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.checker.glossary import COMMUTATIVE_RINGS
 from hfield.checker.language import parse, substitute, walk
-from hfield.checker.over_field import Place
+from hfield.checker.over_field import EvaluationContext
 from hfield.checker.polynomials import add, constant, multiply, variable
 from hfield.checker.rejection import (
     Rejected,
@@ -69,14 +69,14 @@ def test_json_values_of_the_wrong_kind() -> None:
 
 
 def test_work_is_bounded() -> None:
-    charge(10**9)  # outside nothing is counted
+    spend(10**9)  # outside nothing is counted
     with bounded() as work:
-        charge(10_000_000)
+        spend(10_000_000)
         with pytest.raises(Rejected, match=r"more work .* 10 million units; .* --work N"):
-            charge(1)
+            spend(1)
     assert work.spent == 10_000_001
-    with bounded(Work(0.5)), pytest.raises(Rejected, match=r"0\.5 million units"):
-        charge(500_001)
+    with bounded(Budget(0.5)), pytest.raises(Rejected, match=r"0\.5 million units"):
+        spend(500_001)
 
 
 def test_nothing_but_rejected_leaves_the_checker(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -226,12 +226,12 @@ def test_clauses() -> None:
     here = setting()
     x = expand(read_statement("s == y and norm(q) == 0 => s/y == 1 or q != q", here), here)
     assert len(x.factors) == 1
-    everywhere = Place(x, None)
+    everywhere = EvaluationContext(x, None)
     assert not all(map(everywhere.is_trivial, x.clauses))
-    assert Place(x, None, 5).same(constant(5)) == frozenset()
-    assert Place(x, read_field("QQ")).same(multiply(constant(-6), variable(0))) == frozenset(
-        variable(0).items()
-    )
+    assert EvaluationContext(x, None, 5).same(constant(5)) == frozenset()
+    assert EvaluationContext(x, read_field("QQ")).same(
+        multiply(constant(-6), variable(0))
+    ) == frozenset(variable(0).items())
     f = multiply(variable(0), multiply(variable(0), variable(1)))
     assert without_factors(f, [variable(0), constant(1)]) == variable(1)
     assert without_factors({}, [variable(0)]) == {}

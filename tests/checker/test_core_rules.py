@@ -4,8 +4,8 @@ from typing import Any
 
 import pytest
 
-from hfield.checker.budget import Work
-from hfield.checker.check import Pin, check
+from hfield.checker.budget import Budget
+from hfield.checker.check import ExpectedClaim, check
 from hfield.checker.glossary import COMMUTATIVE_RINGS
 from hfield.checker.rejection import (
     Rejected,
@@ -262,29 +262,29 @@ def test_multilinear_maps() -> None:
 
 def test_pins_of_any_field() -> None:
     data = certified("q == q", "QQ", "identity", IDENTITY)
-    assert check(data, Pin(("p == p", "q == q"), any_field=True))
-    assert Pin(("q == q",)).readable()
+    assert check(data, ExpectedClaim(("p == p", "q == q"), any_field=True))
+    assert ExpectedClaim(("q == q",)).readable()
     with pytest.raises(Rejected):
-        Pin(("q == ",)).readable()
+        ExpectedClaim(("q == ",)).readable()
     with pytest.raises(Rejected, match="about QQ, not about all fields"):
-        check(data, Pin(("q == q",)))
+        check(data, ExpectedClaim(("q == q",)))
     with pytest.raises(Rejected, match="another statement"):
-        check(data, Pin(("p == p",), any_field=True))
+        check(data, ExpectedClaim(("p == p",), any_field=True))
 
 
 def test_an_unknown_of_a_pin_is_no_element_of_a_field_that_it_does_not_name() -> None:
     """Over GF(9) the x of "x*s == s" is the generator: that is no proof for all x."""
     statement = "x**2 == x + 1"
     data = certified(statement, "GF(9)", "identity", IDENTITY)
-    assert check(data, Pin((statement,), "GF(9)")).verdict == "proved"
-    assert check(data, Pin((statement,), data_of("GF(9)"))).verdict == "proved"
+    assert check(data, ExpectedClaim((statement,), "GF(9)")).verdict == "proved"
+    assert check(data, ExpectedClaim((statement,), data_of("GF(9)"))).verdict == "proved"
     with pytest.raises(Rejected, match="x is an unknown of the statement"):
-        check(data, Pin((statement,), any_field=True))
+        check(data, ExpectedClaim((statement,), any_field=True))
     with pytest.raises(Rejected, match=r"about GF.9., not about GF.9, x.2.1."):
-        check(data, Pin((statement,), data_of("GF(9, x^2+1)")))
+        check(data, ExpectedClaim((statement,), data_of("GF(9, x^2+1)")))
     for name in ("GF(3^2)", "GF( 9)", "GF(9,x^2+2*x+2)"):
         with pytest.raises(Rejected, match="this is about GF"):
-            check(data, Pin((statement,), name))
+            check(data, ExpectedClaim((statement,), name))
 
 
 def test_the_number_of_cases() -> None:
@@ -345,6 +345,6 @@ def test_comparing_many_clauses_with_many_items_is_work() -> None:
     items += [direct(["s + 1"], "s + 1", ["1"])] * 400
     data = certified(" and ".join(clauses), None, "implication", implication(items))
     assert check(data)
-    assert check({**data, "evidence": implication(items[:20])}, work=Work(0.06))
+    assert check({**data, "evidence": implication(items[:20])}, budget=Budget(0.06))
     with pytest.raises(Rejected, match="more work"):
-        check(data, work=Work(0.06))
+        check(data, budget=Budget(0.06))

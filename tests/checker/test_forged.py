@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from hfield.checker.check import Pin, check, check_text
+from hfield.checker.check import ExpectedClaim, check, check_text
 from hfield.checker.rejection import Rejected
 from tests.checker.cases import Certificate, about_field, certified, decided
 from tests.checker.ring_data import (
@@ -24,9 +24,9 @@ IDENTITY = {"kind": "identity"}
 NO_FACTS: dict[str, Any] = {"kind": "implication", "facts": []}
 
 
-def rejects(data: Certificate, why: str, pin: Pin | None = None) -> None:
+def rejects(data: Certificate, why: str, expected: ExpectedClaim | None = None) -> None:
     with pytest.raises(Rejected, match=why):
-        check_text(json.dumps(data), pin)
+        check_text(json.dumps(data), expected)
 
 
 def excluded(nonzero: str, cofactor: str, zero: tuple[str, ...] = ()) -> dict[str, Any]:

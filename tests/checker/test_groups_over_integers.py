@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from hfield import QuaternionAlgebra, ring
-from hfield.checker.check import Pin
+from hfield.checker.check import ExpectedClaim
 from hfield.checker.number_fields.real_numbers import Real, RealPlace
 from hfield.checker.orders.reading import OverField
 from hfield.checker.rejection import Rejected
@@ -51,7 +51,8 @@ def test_the_true_ones_are_accepted(which: tuple[str, int]) -> None:
     K = group(*which).order.algebra.ring
     for data in both(*which):
         found = established(
-            json.loads(json.dumps(data)), Pin((data["statement"],), K.data, data["algebra"])
+            json.loads(json.dumps(data)),
+            ExpectedClaim((data["statement"],), K.data, data["algebra"]),
         )
         assert len(found.theorems) == 2 + ("norm-one" in data["statement"])
         assert not found.assumptions

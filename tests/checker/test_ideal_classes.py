@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from hfield import QuaternionAlgebra, ring
-from hfield.checker.check import Pin
+from hfield.checker.check import ExpectedClaim
 from hfield.checker.number_fields.classes import SUnits
 from hfield.checker.number_fields.integers import Factors, Integers
 from hfield.checker.number_fields.zeta import zeta_minus_one
@@ -44,8 +44,8 @@ def genuine(field: str, a: Any, b: Any, level: int) -> Certificate:
 @subcases("which", ORDERS)
 def test_the_true_ones_are_accepted(which: Any) -> None:
     data = genuine(*which)
-    pin = Pin((data["statement"],), data["ring"], data["algebra"])
-    found = established(json.loads(json.dumps(data)), pin)
+    expected = ExpectedClaim((data["statement"],), data["ring"], data["algebra"])
+    found = established(json.loads(json.dumps(data)), expected)
     assert len(found.theorems) >= 3
     assert not found.assumptions
 

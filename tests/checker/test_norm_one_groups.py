@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from hfield import QuaternionAlgebra
-from hfield.checker.check import Pin
+from hfield.checker.check import ExpectedClaim
 from hfield.checker.number_fields.integers import RATIONAL_INTEGERS, RationalPrimes
 from hfield.checker.orders.algebra import Algebra
 from hfield.checker.orders.fuchsian import area
@@ -41,7 +41,7 @@ def both(a: int, b: int, level: int) -> tuple[Certificate, Certificate]:
 def test_the_true_ones_are_accepted(which: tuple[int, int, int]) -> None:
     for data in both(*which):
         found = established(
-            json.loads(json.dumps(data)), Pin((data["statement"],), "QQ", data["algebra"])
+            json.loads(json.dumps(data)), ExpectedClaim((data["statement"],), "QQ", data["algebra"])
         )
         assert found.theorems
         assert not found.assumptions

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from hfield import QuaternionAlgebra
-from hfield.checker.check import Pin
+from hfield.checker.check import ExpectedClaim
 from hfield.checker.rejection import Rejected
 from tests.checker.cases import Certificate
 from tests.checker.order_certificates import established, rejects, true_ones
@@ -28,7 +28,7 @@ def test_the_true_ones_are_accepted() -> None:
         )
         assert not found.assumptions
         seen.add((data["evidence"]["kind"], data["verdict"], data["method"]))
-        assert established(data, Pin((data["statement"],), "QQ", data["algebra"]))
+        assert established(data, ExpectedClaim((data["statement"],), "QQ", data["algebra"]))
     kinds = ("equivalent", "isomorphic-orders", "embedding")
     assert seen >= {(kind, verdict, how) for kind in kinds for verdict, how in BOTH}
     assert {kind for kind, _, _ in seen} == {"order", "ideal", "class-set", *kinds}

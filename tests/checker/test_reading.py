@@ -1,4 +1,4 @@
-"""The checker reads a text as the prover does, or neither does: a pin compares what both mean."""
+"""The checker reads a text as the prover does, or neither does: an expected claim compares what both mean."""
 
 import random
 from fractions import Fraction
@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from hfield.checker.check import Pin, check
+from hfield.checker.check import ExpectedClaim, check
 from hfield.checker.json_text import read_json
 from hfield.checker.language import parse
 from hfield.checker.rejection import Rejected
@@ -128,7 +128,7 @@ def test_a_pin_compares_trees() -> None:
         "s!=0=>norm( q )^2==((s / s)·norm(q×q))",
         "(s != 0) => (+norm(q)**(2) == ((s/s))*norm(q*q))",
     ):
-        assert check(data, Pin((same,)))
+        assert check(data, ExpectedClaim((same,)))
     for other in (
         "s != 0 => norm(q)**2 == s/s*norm(q*q) and 0 == 0",
         "s != 0 => norm(q)**2 == s/(s*norm(q*q))",
@@ -137,13 +137,13 @@ def test_a_pin_compares_trees() -> None:
         "every{s != 0 => norm(q)**2 == (s/s)*norm(q*q)}",
     ):
         with pytest.raises(Rejected, match="another statement"):
-            check(data, Pin((other,)))
+            check(data, ExpectedClaim((other,)))
 
 
 def test_a_pin_compares_structure_constants_where_they_are_defined() -> None:
     data = certified("q == q", "GF(4)", "identity", {"kind": "identity"}, "(1/a,1|GF(4))")
     for same in ("(1/a,-1|GF(4))", "( 1/a , 3|GF(4))", "[1/a,1,0|GF(4))"):
-        assert check(data, Pin(("q == q",), "GF(4)", same))
+        assert check(data, ExpectedClaim(("q == q",), "GF(4)", same))
     for other in (
         "(a,1|GF(4))",
         "(1/b,1|GF(4))",
@@ -152,10 +152,10 @@ def test_a_pin_compares_structure_constants_where_they_are_defined() -> None:
         "[1/a,1|GF(4))",
     ):
         with pytest.raises(Rejected, match="the algebra"):
-            check(data, Pin(("q == q",), "GF(4)", other))
+            check(data, ExpectedClaim(("q == q",), "GF(4)", other))
     wider = {**data, "algebra": "(a*a/a,1|GF(4))"}  # not defined at a = 0
     with pytest.raises(Rejected, match="the algebra"):
-        check(wider, Pin(("q == q",), "GF(4)", "(a,1|GF(4))"))
+        check(wider, ExpectedClaim(("q == q",), "GF(4)", "(a,1|GF(4))"))
 
 
 def test_json_that_could_hang_or_mean_two_things() -> None:

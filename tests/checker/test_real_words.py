@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from hfield.checker.check import Pin, check
+from hfield.checker.check import ExpectedClaim, check
 from hfield.checker.glossary import CIRCLE, CITED_BY_NAME, REAL_ROOTS
 from hfield.checker.rejection import Rejected
 from hfield.ledger.certificate import certificate
@@ -27,7 +27,7 @@ def certified(proposition: Proposition, field: str | None) -> dict[str, Any]:
     decision = proposition.decide(None if field is None else ring(field))
     data = certificate(proposition, decision, field or "universal")
     assert data is not None
-    check(data, Pin((proposition.statement,), field))
+    check(data, ExpectedClaim((proposition.statement,), field))
     return data
 
 
@@ -47,8 +47,8 @@ def test_over_is_about_the_ring_named() -> None:
     with pytest.raises(Rejected, match="expanding"):
         check(renamed(data, "over{QQ; 1 + 1 == -1}"))
     with pytest.raises(Rejected, match="another statement"):
-        check(data, Pin(("over{GF(5); 1 + 1 == -1}",)))
-    check(data, Pin(("over{ GF(3) ; (1 + 1) == -1 }",)))
+        check(data, ExpectedClaim(("over{GF(5); 1 + 1 == -1}",)))
+    check(data, ExpectedClaim(("over{ GF(3) ; (1 + 1) == -1 }",)))
 
 
 def test_over_refutes_with_a_witness_in_that_ring() -> None:
@@ -90,9 +90,9 @@ def test_what_stands_in_brackets_is_a_name() -> None:
         certified(Over("QQ", Statement("1 + 1 == 2")), None), f"over{{{place}; 1 + 1 == 2}}"
     )
     assert check(data).verdict == "proved"
-    check(data, Pin((f"over{{ {place} ;1 + 1 == 2}}",)))
+    check(data, ExpectedClaim((f"over{{ {place} ;1 + 1 == 2}}",)))
     with pytest.raises(Rejected, match="another statement"):
-        check(data, Pin((f"over{{{place.replace(' ', '')}; 1 + 1 == 2}}",)))
+        check(data, ExpectedClaim((f"over{{{place.replace(' ', '')}; 1 + 1 == 2}}",)))
     for wrong in (f"over{{{place[:-1]}; 1 + 1 == 2}}", f"over{{{place[:-1]}]; 1 + 1 == 2}}"):
         with pytest.raises(Rejected, match="brackets"):
             check(changed(data, statement=wrong))

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from hfield import QQ, H
-from hfield.checker.check import Pin, check, check_text
+from hfield.checker.check import ExpectedClaim, check, check_text
 from hfield.checker.rejection import Rejected
 from tests.checker.cases import Certificate, about_field, decided
 from tests.checker.ring_data import QQ as QQ_DATA
@@ -76,9 +76,9 @@ def with_(**changes: Any) -> Certificate:
     return {**copy.deepcopy(IDENTITY), **changes}
 
 
-def rejects(data: Certificate, why: str, pin: Pin | None = None) -> None:
+def rejects(data: Certificate, why: str, expected: ExpectedClaim | None = None) -> None:
     with pytest.raises(Rejected, match=why):
-        check_text(json.dumps(data), pin)
+        check_text(json.dumps(data), expected)
 
 
 @pytest.mark.parametrize("key", list(IDENTITY))
@@ -341,11 +341,11 @@ def test_random_bytes_and_wrong_types() -> None:
 def test_pins() -> None:
     data = decided("(p*q)*r == p*(q*r)", "QQ")
     statement = data["statement"]
-    rejects(data, "another statement", Pin(("p*(q*r) == (p*q)*r",), "QQ"))
-    rejects(data, "not about GF", Pin((statement,), "GF(3)"))
-    rejects(data, "not about all fields", Pin((statement,)))
+    rejects(data, "another statement", ExpectedClaim(("p*(q*r) == (p*q)*r",), "QQ"))
+    rejects(data, "not about GF", ExpectedClaim((statement,), "GF(3)"))
+    rejects(data, "not about all fields", ExpectedClaim((statement,)))
     other = decided(statement, "QQ", "(-1,-3|QQ)")
-    rejects(other, "algebra", Pin((statement,), "QQ"))
-    assert check(other, Pin((statement,), "QQ", "(-1,-3|QQ)"))
+    rejects(other, "algebra", ExpectedClaim((statement,), "QQ"))
+    assert check(other, ExpectedClaim((statement,), "QQ", "(-1,-3|QQ)"))
     everywhere = decided(statement, None)
-    rejects(everywhere, "about all fields, not about QQ", Pin((statement,), "QQ"))
+    rejects(everywhere, "about all fields, not about QQ", ExpectedClaim((statement,), "QQ"))

@@ -5,7 +5,7 @@ from itertools import product
 
 import pytest
 
-from hfield.checker.budget import Work, bounded
+from hfield.checker.budget import Budget, bounded
 from hfield.checker.rejection import Rejected
 from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.rationals import has_no_rational_root
@@ -227,7 +227,7 @@ def test_levels() -> None:
 def grown(name: str, text: str) -> None:
     field = read_field(name)
     x = field.read(text)
-    with bounded(Work(20)):
+    with bounded(Budget(20)):
         for _ in range(40):  # numbers of 2⁴⁰ digits, if nothing bounded them
             x = field.mul(x, x)
 

@@ -66,8 +66,8 @@ def test_verify_writes_certificates(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert len(files) > len(paths)
     assert main(["check", *files]) == 0
     for row in rows:
-        pin = ["--claim", row["id"], "--field", row["field"]]
-        assert main(["check", row["certificate"], *pin]) == 0
+        expected = ["--claim", row["id"], "--field", row["field"]]
+        assert main(["check", row["certificate"], *expected]) == 0
         assert main(["check", row["certificate"], "--claim", "C1-a", "--field", row["field"]]) == 1
 
 
@@ -102,10 +102,10 @@ def test_an_assumption_has_an_exit_status_of_its_own(
 
 def test_hypotheses_given_apart_are_part_of_the_pin(tmp_path: Path) -> None:
     path = written(tmp_path, "q*inv(q) == e", "--given", "norm(q) != 0", "--field", "QQ")
-    pin = ["--statement", "q*inv(q) == e", "--field", "QQ"]
-    assert main(["check", path, *pin]) == 1
-    assert main(["check", path, *pin, "--given", "norm(q)!=0"]) == 0
-    assert main(["check", path, *pin, "--given", "norm(q) == 0"]) == 1
+    expected = ["--statement", "q*inv(q) == e", "--field", "QQ"]
+    assert main(["check", path, *expected]) == 1
+    assert main(["check", path, *expected, "--given", "norm(q)!=0"]) == 0
+    assert main(["check", path, *expected, "--given", "norm(q) == 0"]) == 1
     assert (
         main(["check", path, "--statement", "norm(q) != 0 => q*inv(q) == e", "--field", "QQ"]) == 0
     )
@@ -167,8 +167,8 @@ def test_an_unknown_of_a_pin_is_no_element_of_the_field(
 ) -> None:
     path = written(tmp_path, "p*q == q*p", "--field", "QQ(p)")
     assert main(["check", path]) == 0
-    for pin in (["--statement", "p*q == q*p", "--field", "QQ(p)"], ["--claim", "C1.3.1-p"]):
-        assert main(["check", path, *pin]) == 1, pin
+    for expected in (["--statement", "p*q == q*p", "--field", "QQ(p)"], ["--claim", "C1.3.1-p"]):
+        assert main(["check", path, *expected]) == 1, expected
     assert "p is an unknown of the statement, and an element of QQ(p)" in capsys.readouterr().out
     path = written(tmp_path, "x*q == q*x", "--field", "QQ(x)")
     assert main(["check", path, "--statement", "x*q == q*x", "--field", "QQ(x)"]) == 0

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from hfield import QuaternionAlgebra, Rejected, check
-from hfield.checker.check import Pin
+from hfield.checker.check import ExpectedClaim
 from hfield.checker.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.checker.language import parse as parse_for_checker
 from hfield.checker.matrices import without_matrices
@@ -247,7 +247,7 @@ def test_names_of_matrices_that_a_field_has() -> None:
     """Neither a pin nor evidence over another field takes an element of it for an unknown matrix."""
     data = prove("M*q == q*M", "QQ(M)").certificate
     with pytest.raises(Rejected, match="an unknown of the statement"):
-        check(data, Pin(("M*q == q*M",), "QQ(M)"))
+        check(data, ExpectedClaim(("M*q == q*M",), "QQ(M)"))
     over = prove("trace(M) == trace(M11) + trace(M22)", "QQ(M)").certificate
     everywhere = prove(
         "M*N == N*M"

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from hfield import NotationError, Rejected, StructureAlgebra, check, prove, ring
-from hfield.checker.check import Pin
+from hfield.checker.check import ExpectedClaim
 from hfield.cli import main
 from tests.subcases import slow
 from tests.test_structure_algebra import TABLE_1_1, octonions, quaternions, random_table
@@ -118,12 +118,12 @@ def test_forged_tables(algebra: str, words: str) -> None:
 def test_a_certificate_of_a_table_is_none_of_hamiltons_quaternions() -> None:
     statement = "(p*q)*r == p*(q*r)"
     good: Any = prove(statement, algebra=quaternions()).certificate
-    check(good, Pin((statement,), "QQ", str(quaternions())))
+    check(good, ExpectedClaim((statement,), "QQ", str(quaternions())))
     with pytest.raises(Rejected, match="about the algebra"):
-        check(good, Pin((statement,), "QQ"))
+        check(good, ExpectedClaim((statement,), "QQ"))
     hamilton: Any = prove(statement, "QQ").certificate
     with pytest.raises(Rejected, match="about the algebra"):
-        check(hamilton, Pin((statement,), "QQ", str(octonions())))
+        check(hamilton, ExpectedClaim((statement,), "QQ", str(octonions())))
 
 
 @pytest.mark.parametrize(

@@ -5,20 +5,20 @@ from functools import partial
 from itertools import product
 from typing import Any
 
-from hfield.checker.budget import charge
-from hfield.checker.check_result import Finding
+from hfield.checker.budget import spend
+from hfield.checker.check_result import CheckResult
 from hfield.checker.clauses import Expansion, expand
 from hfield.checker.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.checker.glossary import EXHAUSTION, FIELD
 from hfield.checker.language import Tree
-from hfield.checker.over_field import Place
+from hfield.checker.over_field import EvaluationContext
 from hfield.checker.polynomials import ONE, Monomial, variables, width
 from hfield.checker.rejection import an_integer, an_object, reject
 from hfield.checker.scalars.ring import Ring
 from hfield.checker.statement import Setting, Statement
 
 FEW = 5_000
-COST = 200  # what evaluating a statement once is charged
+COST = 200  # the cost of evaluating a statement once
 MAX_ORDER = 5_000
 
 Coefficients = dict[Monomial, Any]
@@ -38,7 +38,7 @@ def truth_at(
     ring: Ring, setting: Setting, statement: Statement, values: Mapping[str, Hashable]
 ) -> bool | None:
     """Tell whether the statement is true there; None where the algebra does not exist."""
-    charge(COST)
+    spend(COST)
     evaluator = evaluator_at(ring, setting, statement, values)
     return None if evaluator.conditions else bool(evaluator.truth(statement.matrix))
 
@@ -115,16 +115,16 @@ class _Tree:
 
     def __init__(self, expansion: Expansion, ring: Ring) -> None:
         self.ring = ring
-        place = Place(expansion, ring)
-        place.need_algebra()
+        context = EvaluationContext(expansion, ring)
+        context.need_algebra()
         self.elements = list(ring.elements())
         self.cases: list[Case] = []
         used: set[int] = set()
         for clause in expansion.clauses:
             for f in clause.zeros.union(*clause.goals):
                 used |= {v for v in variables(dict(f)) if v < expansion.unknowns}
-            zeros = [place.coefficients(dict(f), True) for f in clause.zeros]
-            goals = [[place.coefficients(dict(f), True) for f in goal] for goal in clause.goals]
+            zeros = [context.coefficients(dict(f), True) for f in clause.zeros]
+            goals = [[context.coefficients(dict(f), True) for f in goal] for goal in clause.goals]
             self.cases.append((zeros, goals))
         self.used = sorted(used)
         self.powers: dict[tuple[Hashable, int], Hashable] = {}
@@ -154,7 +154,7 @@ class _Tree:
 
     def _put(self, variable: int, value: Hashable, f: Coefficients) -> Coefficients:
         ring = self.ring
-        charge(2 * len(f) + width(f) // 4 + 1)
+        spend(2 * len(f) + width(f) // 4 + 1)
         out: Coefficients = {}
         for m, c in f.items():
             e = dict(m).get(variable, 0)
@@ -166,17 +166,17 @@ class _Tree:
 
     def _power(self, value: Hashable, e: int) -> Hashable:
         if (value, e) not in self.powers:
-            charge(5)
+            spend(5)
             self.powers[value, e] = self.ring.power(value, e)
         return self.powers[value, e]
 
 
-def exhaustion(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def exhaustion(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Show a statement over a finite ring by all cases."""
     data = an_object(evidence, "kind cases", "the evidence")
     check = check_exists if statement.exists else check_all
     check(statement, setting, an_integer(data["cases"], "cases", 1))
-    return Finding(FIELD, EXHAUSTION)
+    return CheckResult(FIELD, EXHAUSTION)
 
 
 CHECKS = {

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Any
 
-from hfield.checker.check_result import Finding, together
+from hfield.checker.check_result import CheckResult, together
 from hfield.checker.evidence_registry import prove
 from hfield.checker.glossary import FIELD, FIELDS, WITNESS
 from hfield.checker.language import Tree, parse, substitute
@@ -21,20 +21,20 @@ from hfield.checker.values import trees_of_values
 MAX_CASES = 64
 
 
-def terms(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def terms(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Show existence by terms: the statement with them put in is true for all values given."""
     data = an_object(evidence, "kind terms proof", "the evidence")
     instance = _put_in(data["terms"], statement, setting)
     return prove(instance, setting, data["proof"]).within(_reach(setting)).by(WITNESS)
 
 
-def cases(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def cases(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Show existence by terms of its own for each of some cases, one of which always holds."""
     data = an_object(evidence, "kind cases cover", "the evidence")
     entries = a_list(data["cases"], "cases", 1)
     if len(entries) > MAX_CASES:
         reject(f"there are {len(entries)} cases; at most {MAX_CASES} are read")
-    given, findings = {name for name, _ in statement.given}, list[Finding]()
+    given, findings = {name for name, _ in statement.given}, list[CheckResult]()
     cover: Tree = ()
     for entry in entries:
         case = an_object(entry, "when terms proof", "a case")
@@ -87,7 +87,7 @@ def _is_monotone(tree: Tree) -> bool:
     )
 
 
-def none_exists(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def none_exists(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Refute existence: for no values is it true. All other unknowns must have got values."""
     here, data = _somewhere(statement, setting, evidence, "kind proof")
     if statement.given:
@@ -95,7 +95,7 @@ def none_exists(statement: Statement, setting: Setting, evidence: object) -> Fin
     return prove(("not", statement.matrix), here, data["proof"]).within(FIELD)
 
 
-def place(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def place(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Refute existence at values of the other unknowns, letters of the algebra among them."""
     here, data = _somewhere(statement, setting, evidence, "kind values proof")
     assert here.field is not None

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from itertools import product
 from typing import Any
 
-from hfield.checker.budget import charge
-from hfield.checker.check_result import Finding
+from hfield.checker.budget import spend
+from hfield.checker.check_result import CheckResult
 from hfield.checker.evaluate import Quaternion
 from hfield.checker.evidence.exhaustion import evaluator_at
 from hfield.checker.glossary import COMMUTATIVE_RINGS, MULTILINEAR
@@ -41,7 +41,7 @@ def check_multilinear(statement: Statement, setting: Setting, data: Mapping[str,
     if 4 ** len(names) > MAX_TUPLES or len(listed) != 4 ** len(names):
         reject("the list of tuples of basis vectors is not complete")
     for word in map("".join, product("eijk", repeat=len(names))):
-        charge(1_000)
+        spend(1_000)
         if word not in listed or len(listed[word]) != 4:
             reject("the list of tuples of basis vectors is not complete")
         values = {
@@ -67,23 +67,23 @@ def _degrees(tree: Tree, names: list[str]) -> Degrees:
         return _degrees(tree[1], names)
     if kind == "call" and tree[1] in ("conj", "trace", "scalar", "vector"):
         return _degrees(tree[2][0], names)
-    charge(5)
+    spend(5)
     if kind in ("+", "-"):
         return _degrees(tree[1], names) | _degrees(tree[2], names)
     if kind == "*" or (kind == "call" and tree[1] == "comm"):
         left, right = (_degrees(x, names) for x in (tree[1:] if kind == "*" else tree[2]))
         if len(left) * len(right) > MAX_TUPLES:
             reject("a side of the equation has too many degrees")
-        charge(len(left) * len(right))
+        spend(len(left) * len(right))
         return {tuple(a + b for a, b in zip(u, v, strict=True)) for u in left for v in right}
     reject("a side of the equation is not linear in each unknown")
 
 
-def multilinear(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def multilinear(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Show an equation by its values at tuples of basis vectors."""
     data = an_object(evidence, "kind unknowns tuples", "the evidence")
     check_multilinear(statement, setting, data)
-    return Finding(COMMUTATIVE_RINGS, MULTILINEAR).within(reach(statement, setting))
+    return CheckResult(COMMUTATIVE_RINGS, MULTILINEAR).within(reach(statement, setting))
 
 
 CHECKS = {("proved", False, "multilinear"): multilinear}

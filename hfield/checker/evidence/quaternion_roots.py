@@ -4,7 +4,7 @@ Terms are sums of monomials a₀·q·a₁·q⋯q·aₙ. Where a single one has t
 the polynomial has a root (Eilenberg and Niven).
 """
 
-from hfield.checker.check_result import Finding
+from hfield.checker.check_result import CheckResult
 from hfield.checker.glossary import FIELD, QUATERNION_ROOT, WITNESS
 from hfield.checker.language import Tree, walk
 from hfield.checker.rejection import an_object, reject
@@ -14,7 +14,7 @@ MAX_DEGREE = 1_000
 Top = tuple[int, bool]  # at most this degree; whether exactly, by a single monomial that is not 0
 
 
-def quaternion_root(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def quaternion_root(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Show ``exists q: f == g`` over RR for one quaternion q, for all values of what is given."""
     an_object(evidence, "kind", "the evidence")
     if setting.field is None or setting.field.name != "RR" or setting.constants != HAMILTON:
@@ -28,7 +28,7 @@ def quaternion_root(statement: Statement, setting: Setting, evidence: object) ->
     degree, single = _sum(_top(left, statement.exists[0]), _top(right, statement.exists[0]))
     if not 1 <= degree <= MAX_DEGREE or not single:
         reject("no single monomial has the highest degree, which is positive")
-    return Finding(FIELD, WITNESS).citing(QUATERNION_ROOT)
+    return CheckResult(FIELD, WITNESS).citing(QUATERNION_ROOT)
 
 
 def _top(tree: Tree, name: str) -> Top:

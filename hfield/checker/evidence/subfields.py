@@ -9,8 +9,8 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
-from hfield.checker.budget import charge_products
-from hfield.checker.check_result import Finding
+from hfield.checker.budget import spend_products
+from hfield.checker.check_result import CheckResult
 from hfield.checker.evidence.witnesses import counterexample, example
 from hfield.checker.evidence_registry import Check
 from hfield.checker.rejection import a_text, an_object, reject
@@ -27,7 +27,7 @@ def subfield(
     statement: Statement,
     setting: Setting,
     evidence: object,
-) -> Finding:
+) -> CheckResult:
     """Check a witness with coordinates in a number field for a statement over ℚ_p."""
     data = an_object(evidence, "kind ring root witness", "the evidence")
     local = setting.field
@@ -66,10 +66,10 @@ def _order(x: Fraction, p: int) -> int:
     """Return the valuation of a number other than 0."""
     n, top, below = 0, x.numerator, x.denominator
     while top % p == 0:
-        charge_products([p], [top])
+        spend_products([p], [top])
         n, top = n + 1, top // p
     while below % p == 0:
-        charge_products([p], [below])
+        spend_products([p], [below])
         n, below = n - 1, below // p
     return n
 

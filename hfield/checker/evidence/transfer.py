@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from hfield.checker.check_result import Finding
+from hfield.checker.check_result import CheckResult
 from hfield.checker.clauses import expand
 from hfield.checker.evidence_registry import prove
 from hfield.checker.glossary import FIELD
@@ -11,7 +11,7 @@ from hfield.checker.scalars.fields import read_ring
 from hfield.checker.statement import Setting, Statement
 
 
-def fractions(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def fractions(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """What nothing divides in, and holds for all of the field of fractions, holds for the ring in it."""
     data = an_object(evidence, "kind ring proof", "the evidence")
     field = read_ring(data["ring"])
@@ -20,7 +20,7 @@ def fractions(statement: Statement, setting: Setting, evidence: object) -> Findi
     return prove(statement.matrix, replace(setting, field=field), data["proof"]).within(FIELD)
 
 
-def reduction(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def reduction(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Polynomials that have no common zero modulo n have none in ℤ, or modulo a multiple of n."""
     data = an_object(evidence, "kind modulus proof", "the evidence")
     ring, n = setting.field, an_integer(data["modulus"], "the modulus", 2)

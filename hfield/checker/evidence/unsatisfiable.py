@@ -1,15 +1,15 @@
 """Evidence of the kind ``unsatisfiable``: the hypotheses are never true together."""
 
-from hfield.checker.budget import charge
-from hfield.checker.check_result import Finding
+from hfield.checker.budget import spend
+from hfield.checker.check_result import CheckResult
 from hfield.checker.evidence_registry import prove
 from hfield.checker.language import Tree
-from hfield.checker.over_field import place_of
+from hfield.checker.over_field import evaluation_context
 from hfield.checker.rejection import Rejected, an_object, reject
 from hfield.checker.statement import Setting, Statement, read_tree
 
 
-def unsatisfiable(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def unsatisfiable(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Show that a statement is vacuous."""
     data = an_object(evidence, "kind proof", "the evidence")
     if not statement.hypotheses:
@@ -22,10 +22,10 @@ def need_hypotheses(statement: Statement, setting: Setting) -> None:
     if not statement.hypotheses:
         return
     try:
-        over = place_of(read_tree(_denial(statement), setting), setting)
+        over = evaluation_context(read_tree(_denial(statement), setting), setting)
         never = all(map(over.is_identity, over.expansion.clauses))
     except Rejected:  # it is not shown by expanding; or there was no work left
-        charge(0)
+        spend(0)
         return
     if never:
         reject("the hypotheses are never true together: the statement is vacuous and not proved")

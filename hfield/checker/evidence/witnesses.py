@@ -2,7 +2,7 @@
 
 from collections.abc import Hashable
 
-from hfield.checker.check_result import Finding
+from hfield.checker.check_result import CheckResult
 from hfield.checker.evidence.exhaustion import truth_at
 from hfield.checker.glossary import (
     COUNTEREXAMPLE,
@@ -20,7 +20,7 @@ from hfield.checker.statement import Setting, Statement
 from hfield.checker.values import read_values
 
 
-def counterexample(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def counterexample(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Refute by values for which the statement is false."""
     if statement.ordered is not None and not _has_helpers(statement, setting, evidence):
         return refute_with_order(statement, setting, evidence)
@@ -30,8 +30,8 @@ def counterexample(statement: Statement, setting: Setting, evidence: object) -> 
             "the statement is true at the values of the witness, or the algebra is not defined there"
         )
     if not ring.is_exact:
-        return Finding(FIELD, FLOATS_EXACT)
-    return Finding(FIELD, _refuted(statement.matrix, ring.order is None))
+        return CheckResult(FIELD, FLOATS_EXACT)
+    return CheckResult(FIELD, _refuted(statement.matrix, ring.order is None))
 
 
 def _has_helpers(statement: Statement, setting: Setting, evidence: object) -> bool:
@@ -42,7 +42,7 @@ def _has_helpers(statement: Statement, setting: Setting, evidence: object) -> bo
     return isinstance(values, dict) and values.keys() > names_of_unknowns(statement)
 
 
-def refute_with_order(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def refute_with_order(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Refute a statement with moduli and comparisons by values at which it is false."""
     data = an_object(evidence, "kind values ring", "the evidence")
     ring = read_ring(data["ring"])
@@ -52,7 +52,7 @@ def refute_with_order(statement: Statement, setting: Setting, evidence: object) 
         reject("the field of the evidence is not that of the certificate")
     there, _ = in_real_closure(statement, setting, "witness")
     if is_false_at(statement, there, ring, data["values"]):
-        return Finding(FIELD, COUNTEREXAMPLE)
+        return CheckResult(FIELD, COUNTEREXAMPLE)
     reject(
         "the statement is true at the values of the witness, or the algebra is not defined there"
     )
@@ -81,7 +81,7 @@ def _is_identity(tree: Tree, said: bool, infinite: bool) -> bool:
     return left and _is_identity(tree[2], said, infinite)
 
 
-def example(statement: Statement, setting: Setting, evidence: object) -> Finding:
+def example(statement: Statement, setting: Setting, evidence: object) -> CheckResult:
     """Show existence by values for which the statement is true."""
     if statement.given or setting.field is None:
         reject("one element shows that something exists only for one field, and no other unknowns")
@@ -90,7 +90,7 @@ def example(statement: Statement, setting: Setting, evidence: object) -> Finding
         reject(
             "the statement is false at the values of the witness, or the algebra is not defined there"
         )
-    return Finding(FIELD, WITNESS)
+    return CheckResult(FIELD, WITNESS)
 
 
 def _witness(

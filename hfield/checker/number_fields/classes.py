@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import factorial, gcd, isqrt, prod
 
-from hfield.checker.budget import charge, charge_products
-from hfield.checker.check_result import Finding
+from hfield.checker.budget import spend, spend_products
+from hfield.checker.check_result import CheckResult
 from hfield.checker.glossary import (
     ARTIN,
     BY_S_UNITS,
@@ -39,17 +39,19 @@ PI = Fraction(314159265358979323846264338327950288, 10**35)
 
 def class_group(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
-) -> Finding:
+) -> CheckResult:
     """The class group is a product of cyclic groups of these orders, each dividing the next."""
     stated = [int(d) for d in parts[0].split(",")]
     _expect_proved(verdict)
     shown = SUnits(field_of(setting), evidence)
     if stated != (shown.invariants or [1]):
         reject("the class group is another one")
-    return Finding(FIELD, BY_S_UNITS).citing(*shown.cites)
+    return CheckResult(FIELD, BY_S_UNITS).citing(*shown.cites)
 
 
-def unit_group(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
+def unit_group(
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
+) -> CheckResult:
     """There are so many roots of unity, and with them these units generate all."""
     _expect_proved(verdict)
     shown = SUnits(field_of(setting), evidence)
@@ -58,7 +60,7 @@ def unit_group(parts: tuple[str, ...], setting: Setting, verdict: str, evidence:
     if int(parts[0]) != shown.torsion_order:
         reject("there are not so many roots of unity")
     shown.need_fundamental(units)
-    return Finding(FIELD, BY_S_UNITS).citing(*shown.cites)
+    return CheckResult(FIELD, BY_S_UNITS).citing(*shown.cites)
 
 
 def _expect_proved(verdict: str) -> None:
@@ -115,7 +117,7 @@ class SUnits:
         if units:
             low, high = volume([()] * len(units), [self.logarithms(x) for x in units])
             least = self.volume[0]
-            charge_products([high], [least])
+            spend_products([high], [least])
             if low <= 0 or high * prod(self.invariants) >= 2 * least:
                 reject("these units do not generate all")
 
@@ -135,7 +137,7 @@ class SUnits:
     def _need_generators(self, data: object) -> None:
         """Reject unless the primes in S generate the class group."""
         bound = self._bound()
-        charge(bound)
+        spend(bound)
         for p in range(2, bound + 1):
             if p not in self.factors.above and is_prime(p):
                 reject(f"the prime ideals above {p} are missing")
@@ -235,7 +237,7 @@ class SUnits:
             )
         ell = 2
         while ell <= limit:
-            charge(1)
+            spend(1)
             if ell > MOST_SATURATED:
                 reject(f"at most the primes up to {MOST_SATURATED} are looked at")
             if (rank or limit % ell == 0) and is_prime(ell):
@@ -292,7 +294,7 @@ class SUnits:
 def _at(f: Sequence[int], r: int, q: int) -> int:
     total = 0
     for c in reversed(f):
-        charge(1 + c.bit_length() // 2_000)
+        spend(1 + c.bit_length() // 2_000)
         total = (total * r + c) % q
     return total
 
@@ -301,7 +303,7 @@ def _characters(ell: int, q: int, values: list[int]) -> list[int]:
     """Return logarithms of x^((q − 1)/ℓ), to one base, modulo ℓ."""
     power = (q - 1) // ell
     few = min(ell, 4 * isqrt(ell) + 1)
-    charge(few + (20 + ell // few) * len(values))
+    spend(few + (20 + ell // few) * len(values))
     for b in range(2, q):
         omega = pow(b, power, q)
         if omega != 1:
@@ -325,7 +327,7 @@ def smith(rows: Sequence[Sequence[int]], k: int) -> list[int]:
     found: list[int] = []
     for t in range(k):
         while True:
-            charge(len(m) * k)
+            spend(len(m) * k)
             entries = [
                 (abs(m[r][c]), r, c) for r in range(t, len(m)) for c in range(t, k) if m[r][c]
             ]

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from math import isqrt, lcm
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.number_fields.matrices import Row, Rows, longest
 from hfield.checker.rejection import reject
 
@@ -32,7 +32,7 @@ def short_vectors(gram: Rows, bound: int) -> Iterator[tuple[Row, int]]:
         reach = isqrt(left // weights[m])
         first = 0 if zero else -((reach + shift) // d)
         last = (reach - shift) // d
-        charge(entry + cost * (1 + max(last - first + 1, 0)))
+        spend(entry + cost * (1 + max(last - first + 1, 0)))
         for value in range(first, last + 1):
             x[m] = value
             y = d * value + shift
@@ -46,7 +46,7 @@ def short_vectors(gram: Rows, bound: int) -> Iterator[tuple[Row, int]]:
 def _triangle(gram: Rows) -> list[list[int]]:
     """Eliminate without fractions: the leading minors are on the diagonal, and have to be positive."""
     m, size = [list(row) for row in gram], len(gram)
-    charge(size**3 * (64 + longest(m) ** 2 // 2_500) // 64)
+    spend(size**3 * (64 + longest(m) ** 2 // 2_500) // 64)
     before = 1
     for c in range(size):
         if m[c][c] <= 0:

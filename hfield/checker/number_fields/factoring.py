@@ -1,6 +1,6 @@
 """The primes of an integer, by trial division."""
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.rejection import reject
 from hfield.checker.scalars.finite import PROVED_BELOW, is_prime
 
@@ -22,7 +22,7 @@ def factored(n: int) -> dict[int, int]:
                     "a discriminant is not factored here: it has two large primes, or too large a one"
                 )
             p = n
-        charge(1 + n.bit_length() // 64)
+        spend(1 + n.bit_length() // 64)
         while n % p == 0:
             found[p] = found.get(p, 0) + 1
             n //= p

@@ -12,7 +12,7 @@ from functools import cached_property
 from math import gcd, lcm
 from typing import Any
 
-from hfield.checker.budget import charge, charge_products
+from hfield.checker.budget import spend, spend_products
 from hfield.checker.number_fields.factoring import factored
 from hfield.checker.number_fields.matrices import determinant, rational_rows, times, unit
 from hfield.checker.number_fields.modular import (
@@ -58,7 +58,7 @@ class Integers:
 
     def coordinates(self, x: Sequence[Fraction]) -> tuple[int, Vector]:
         """Return an element as coordinates over a denominator, in lowest terms."""
-        charge(self.n**2)
+        spend(self.n**2)
         den = lcm(*[c.denominator for c in x])
         (row,) = times([[c.numerator * (den // c.denominator) for c in x]], self._back)
         den *= self._below
@@ -67,7 +67,7 @@ class Integers:
 
     def number(self, coordinates: Sequence[Fraction]) -> Element:
         """Return a number of the field by its coordinates."""
-        charge(self.n**2)
+        spend(self.n**2)
         columns = zip(*self.rows, strict=True)
         return tuple(
             sum((a * c for a, c in zip(coordinates, column, strict=True)), Fraction(0))
@@ -82,8 +82,8 @@ class Integers:
 
     def mul(self, x: Sequence[int], y: Sequence[int]) -> Vector:
         """Return a product."""
-        charge(self.n**2)
-        charge_products(x, y)
+        spend(self.n**2)
+        spend_products(x, y)
         out = [0] * self.n
         for a, rows in zip(x, self.table, strict=True):
             if a:
@@ -100,7 +100,7 @@ class Integers:
     def matrix(self, x: Sequence[int]) -> list[Vector]:
         """Return the matrix that takes a row y to x·y."""
         n = self.n
-        charge(n**3 // 2)
+        spend(n**3 // 2)
         (entries,) = times([x], self._flat)
         return [entries[m : m + n] for m in range(0, n * n, n)]
 
@@ -273,12 +273,12 @@ class Factors:
         found: dict[int, int] = {}
         rests = [size, den]
         for p, places in self.above.items():
-            charge(1 + size.bit_length() // 64)
+            spend(1 + size.bit_length() // 64)
             if rests[0] % p and rests[1] % p:
                 continue
             below = 0
             while rests[0] % p == 0:
-                charge(1 + size.bit_length() // 64)
+                spend(1 + size.bit_length() // 64)
                 rests[0] //= p
             while rests[1] % p == 0:
                 rests[1] //= p

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from math import factorial, isqrt
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.number_fields.matrices import determinant
 from hfield.checker.rejection import reject
 from hfield.checker.scalars.number_fields import BITS, Disc, root_discs
@@ -52,7 +52,7 @@ class Places:
         slope = [k * c for k, c in enumerate(self.f)][1:]
         x, y = disc[0] << shift, 0 if real else disc[1] << shift
         for _ in range(bits.bit_length()):
-            charge(self.n * self.n * (4 + bits * bits // 100_000))
+            spend(self.n * self.n * (4 + bits * bits // 100_000))
             step = _quotient(_value(self.f, x, y, bits), _value(slope, x, y, bits), bits)
             x, y = x - step[0], 0 if real else y - step[1]
         off = _quotient(_value(self.f, x, y, bits), _value(slope, x, y, bits), bits)
@@ -70,7 +70,7 @@ class Places:
         """Return bounds of log|x| at each place, twice that at complex ones, for x = Σ cₖθᵏ/den, not 0."""
         bits = 2 * BITS
         while bits <= FINEST:
-            charge(self.n * self.n * (20 + bits * bits // 50_000))
+            spend(self.n * self.n * (20 + bits * bits // 50_000))
             found = [_size(c, disc, bits) for disc in self._at(bits)]
             if all(high - low << RELATIVE <= low for low, high in found):
                 below = log(den << bits)
@@ -138,7 +138,7 @@ def _atanh(a: int, b: int, digits: int) -> int:
 
 def log(n: int) -> Interval:
     """Return bounds of the logarithm of a positive integer over 2^DIGITS."""
-    charge(60 + n.bit_length() // 100)
+    spend(60 + n.bit_length() // 100)
     e = n.bit_length() - 1
     top = 1 << e
     found, two = 2 * _atanh(n - top, n + top, DIGITS), _log2(DIGITS)

@@ -9,7 +9,7 @@ from math import gcd
 from operator import mul
 from typing import Any
 
-from hfield.checker.budget import charge, charge_products
+from hfield.checker.budget import spend, spend_products
 from hfield.checker.rejection import reject
 from hfield.checker.scalars.rationals import over_one_denominator
 
@@ -31,7 +31,7 @@ def unit(n: int, k: int, value: int = 1) -> Row:
 
 
 def times(rows: Iterable[Sequence[Any]], matrix: Sequence[Sequence[Any]]) -> list[Row]:
-    """Return the products of rows with a matrix. The caller charges the work."""
+    """Return the products of rows with a matrix. The caller spends the work."""
     if len(matrix) != 4:
         return times_any(rows, matrix)
     a, b, c, d = matrix
@@ -66,13 +66,13 @@ def hermite(rows: Iterable[Sequence[int]]) -> Rows:
     for c in range(size):
         bits = (c + 1) * first  # what has been combined is longer
         cost = 1 + bits // 4_000  # where a quotient is short, as most are
-        charge(len(rest) * (bits * bits // 150_000))
+        spend(len(rest) * (bits * bits // 150_000))
         pool = [row for row in rest if row[c]]
         rest = [row for row in rest if not row[c]]
         if not pool:
             reject(f"these rows span a lattice of rank below {size}")
         while len(pool) > 1:
-            charge(cost * len(pool))
+            spend(cost * len(pool))
             pivot = min(pool, key=lambda row: abs(row[c]))
             others, pool = [row for row in pool if row is not pivot], [pivot]
             for row in others:
@@ -82,7 +82,7 @@ def hermite(rows: Iterable[Sequence[int]]) -> Rows:
                 (pool if row[c] else rest).append(row)
         (pivot,) = pool
         found.append([-x for x in pivot] if pivot[c] < 0 else pivot)
-    charge(first**2 // 2_000)
+    spend(first**2 // 2_000)
     for c in range(1, size):
         for upper in found[:c]:
             q = upper[c] // found[c][c]
@@ -93,7 +93,7 @@ def hermite(rows: Iterable[Sequence[int]]) -> Rows:
 
 def reduced(den: int, rows: Rows) -> Key:
     """Return a Hermite form over its least denominator."""
-    charge(den.bit_length() * sum(row[n].bit_length() for n, row in enumerate(rows)) // 30_000)
+    spend(den.bit_length() * sum(row[n].bit_length() for n, row in enumerate(rows)) // 30_000)
     g = gcd(den, *(x for row in rows for x in row))
     return den // g, tuple(tuple(x // g for x in row) for row in rows)
 
@@ -101,7 +101,7 @@ def reduced(den: int, rows: Rows) -> Key:
 def inverse(rows: Sequence[Sequence[int]]) -> tuple[Rows, int]:
     """Return ``(m, d)``, m/d being the inverse of a matrix. Raises :class:`Rejected` where there is none."""
     size = len(rows)
-    charge(60 * (1 + (size // 4) ** 3) + size**3 * longest(rows) ** 2 // 30_000)
+    spend(60 * (1 + (size // 4) ** 3) + size**3 * longest(rows) ** 2 // 30_000)
     m = [[*row, *unit(size, r)] for r, row in enumerate(rows)]
     before = 1
     for c in range(size):  # without fractions (Bareiss): all divisions by ``before`` leave no rest
@@ -131,7 +131,7 @@ def determinant(rows: Sequence[Sequence[int]]) -> int:
             m[c], m[k], sign = m[k], m[c], -sign
         for r in range(c + 1, n):
             f = m[r][c]
-            charge_products([m[c][c], f], [*m[r][c:], *m[c][c:]])
+            spend_products([m[c][c], f], [*m[r][c:], *m[c][c:]])
             m[r] = [(m[c][c] * x - f * y) // before for x, y in zip(m[r], m[c], strict=True)]
         before = m[c][c]
     return sign * before

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 
 Vector = tuple[int, ...]
 
@@ -12,7 +12,7 @@ def echelon(rows: Iterable[Sequence[int]], p: int) -> list[Vector]:
     rest = [[x % p for x in row] for row in rows]
     found: list[list[int]] = []
     columns = len(rest[0]) if rest else 0
-    charge(5 + len(rest) * columns)
+    spend(5 + len(rest) * columns)
     for c in range(columns):
         k = next((n for n, row in enumerate(rest) if row[c]), None)
         if k is None:
@@ -20,7 +20,7 @@ def echelon(rows: Iterable[Sequence[int]], p: int) -> list[Vector]:
         pivot = rest.pop(k)
         below = pow(pivot[c], -1, p)
         pivot = [x * below % p for x in pivot]
-        charge((len(rest) + len(found)) * columns // 2)
+        spend((len(rest) + len(found)) * columns // 2)
         for group in (rest, found):
             for row in group:
                 if row[c]:

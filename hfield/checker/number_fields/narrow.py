@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from itertools import product
 from math import prod
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.number_fields.classes import SUnits
 from hfield.checker.number_fields.ideals import times_number, times_primes
 from hfield.checker.number_fields.integers import Prime
@@ -24,7 +24,7 @@ class Narrow:
             reject("this is checked over totally real fields")
         self.field, self.n, self.order = field, field.degree, prod(s.invariants)
         every = [field.number(-1), *given]
-        charge(2 ** len(every))
+        spend(2 ** len(every))
         self.units: list[Element] = []
         """The totally positive units modulo squares."""
         for chosen in product((0, 1), repeat=len(every)):
@@ -56,7 +56,7 @@ class Narrow:
     def is_principal(self, x: Element, e: Sequence[int]) -> bool:
         """Tell whether x·∏P^e has a totally positive generator."""
         rest = [*e, *self._signs(x)]
-        charge(len(rest) ** 2)
+        spend(len(rest) ** 2)
         for n, row in enumerate(self._principal):
             c, r = divmod(rest[n], row[n])
             if r:

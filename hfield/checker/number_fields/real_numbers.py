@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import Any
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.number_fields.integers import Integers
 from hfield.checker.number_fields.modular import Vector
 from hfield.checker.scalars.real_roots import RealRoot
@@ -33,7 +33,7 @@ class RealPlace:
             if n == len(self._bounds):
                 self._refine()
             bounds = self._bounds[n]
-            charge(2 * len(x) + sum(map(int.bit_length, x)) * (FIRST_BITS << n) // 500_000)
+            spend(2 * len(x) + sum(map(int.bit_length, x)) * (FIRST_BITS << n) // 500_000)
             least = sum(c * ends[c < 0] for c, ends in zip(x, bounds, strict=True))
             most = sum(c * ends[c > 0] for c, ends in zip(x, bounds, strict=True))
             if least > 0 or most < 0:

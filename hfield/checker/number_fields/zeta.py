@@ -7,7 +7,7 @@ for the first few l, with coefficients that are the same for all fields of a deg
 from fractions import Fraction
 from math import comb
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.number_fields.enumeration import short_vectors
 from hfield.checker.number_fields.factoring import factored
 from hfield.checker.number_fields.integers import Integers, Primes
@@ -95,7 +95,7 @@ def _divisor_sum(
         if e == 1:
             out *= 1 + p
             continue
-        charge(50)
+        spend(50)
         for P in factors.at(p):
             v = P.valuation(row) - min(map(P.valuation, dual))
             out *= (P.norm ** (v + 1) - 1) // (P.norm - 1)

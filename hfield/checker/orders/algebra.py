@@ -10,7 +10,7 @@ from functools import cache
 from math import lcm
 from typing import Any
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.evaluate import products
 from hfield.checker.number_fields.integers import Integers, coefficients
 from hfield.checker.number_fields.matrices import Row, Rows, longest, times, unit
@@ -23,7 +23,7 @@ MAX_DEGREE = 6
 class Algebra:
     """Products, conjugates, traces and pairings of rows; all of them come ``scale`` times too large.
 
-    The caller charges the work, by the ``bits`` of the lattice that contains the rows.
+    The caller spends the work, by the ``bits`` of the lattice that contains the rows.
     """
 
     def __init__(self, setting: Setting, integers: Integers) -> None:
@@ -38,7 +38,7 @@ class Algebra:
         a, t, b = (ring.value(tree, "a structure constant") for tree in setting.constants)
         entries = [self._coordinates(x) for x in (a, t, b, ring.mul(a, b), ring.mul(t, b))]
         bits = sum(den.bit_length() + longest([row]) for den, row in entries[:3])
-        charge((1_000 + bits * bits // 2_500) * self.n**3)
+        spend((1_000 + bits * bits // 2_500) * self.n**3)
         self.scale = lcm(*(den for den, _ in entries))
         one = _multiple(integers.one, self.scale)
         a, t, b, ab, tb = (_multiple(row, self.scale // den) for den, row in entries)

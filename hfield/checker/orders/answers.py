@@ -7,8 +7,8 @@ from fractions import Fraction
 from functools import cache, partial
 from math import gcd, lcm
 
-from hfield.checker.budget import charge_products
-from hfield.checker.check_result import Finding
+from hfield.checker.budget import spend_products
+from hfield.checker.check_result import CheckResult
 from hfield.checker.glossary import (
     BY_AREA,
     BY_MASS,
@@ -47,7 +47,7 @@ Given = OverQ | OverField
 # --- orders and ideals ------------------------------------------------------------------------------
 
 
-def is_order(given: Given, parts: Parts) -> Finding:
+def is_order(given: Given, parts: Parts) -> CheckResult:
     """O is an order of this discriminant, and a maximal one where that is said."""
     order = given.order(parts[0])
     if order.discriminant != a_whole_number(parts[1], "a discriminant"):
@@ -57,39 +57,39 @@ def is_order(given: Given, parts: Parts) -> Finding:
         for P, symbol in symbols(order, given.primes):
             if exponents[P.p] > 1 or symbol != -1:
                 reject(f"it is not shown that this order is maximal at {P.p}")
-    return Finding(FIELD, ORDER)
+    return CheckResult(FIELD, ORDER)
 
 
-def is_ideal(given: Given, parts: Parts) -> Finding:
+def is_ideal(given: Given, parts: Parts) -> CheckResult:
     """I is a locally principal ideal of the order, of this norm."""
     ideal = given.lattice(parts[0])
     need_ideal(ideal, given.order(parts[2]), a_side(parts[1]))
     if index(ideal.norm) != a_rational(parts[3]):
         reject("this ideal has another norm")
-    return Finding(FIELD, IDEAL)
+    return CheckResult(FIELD, IDEAL)
 
 
-def has_units(given: Given, parts: Parts) -> Finding:
+def has_units(given: Given, parts: Parts) -> CheckResult:
     """Units modulo those of the field have a norm among the totally positive units modulo squares."""
     order = given.basis(given.order(parts[0]), given.data["order"])
     if sum(1 for u in given.units for _ in of_norm(order, u)) != int(parts[1]):
         reject("the order has another number of units modulo those of the field")
-    return Finding(FIELD, ENUMERATION).citing(*given.unit_theorems)
+    return CheckResult(FIELD, ENUMERATION).citing(*given.unit_theorems)
 
 
 # --- what carries one to the other ------------------------------------------------------------------
 
 
-def are_equivalent(given: Given, parts: Parts) -> Finding:
+def are_equivalent(given: Given, parts: Parts) -> CheckResult:
     """J = I·c for the left side, c·I for the right."""
     side, c = a_side(parts[0]), given.element(given.data["element"])
     first, second = map(given.lattice, parts[1:])
     if first.times(c, "right" if side == "left" else "left").key != second.key:
         reject("the element does not carry the first lattice to the second")
-    return Finding(FIELD, ELEMENT)
+    return CheckResult(FIELD, ELEMENT)
 
 
-def are_not_equivalent(given: Given, parts: Parts) -> Finding:
+def are_not_equivalent(given: Given, parts: Parts) -> CheckResult:
     """No element that takes the one lattice into the other has the norm of a c, or none can have it."""
     side = a_side(parts[0])
     first, second = map(given.lattice, parts[1:])
@@ -100,7 +100,7 @@ def are_not_equivalent(given: Given, parts: Parts) -> Finding:
             reject(
                 "there is nothing to run through: no element can have the norm that is asked for"
             )
-        return Finding(FIELD, NORM).citing(*given.unit_theorems)
+        return CheckResult(FIELD, NORM).citing(*given.unit_theorems)
     if "between" not in given.data:
         reject("the elements that are run through need a basis, under the key 'between'")
     basis, field = given.between(between(), side), given.algebra.integers.field
@@ -109,23 +109,23 @@ def are_not_equivalent(given: Given, parts: Parts) -> Finding:
             reject(
                 "an element carries the first lattice to the second: one of its norm lies between"
             )
-    return Finding(FIELD, ENUMERATION).citing(*given.unit_theorems)
+    return CheckResult(FIELD, ENUMERATION).citing(*given.unit_theorems)
 
 
-def are_isomorphic(given: Given, parts: Parts) -> Finding:
+def are_isomorphic(given: Given, parts: Parts) -> CheckResult:
     """P = x·O·x⁻¹; a zero divisor x does not give lattices."""
     first, second = map(given.order, parts)
     x = given.element(given.data["element"])
     if first.times(x, "left").key != second.times(x, "right").key:
         reject("the element does not conjugate the first order into the second")
-    return Finding(FIELD, ELEMENT)
+    return CheckResult(FIELD, ELEMENT)
 
 
-def have_other_numbers(given: Given, parts: Parts) -> Finding:
+def have_other_numbers(given: Given, parts: Parts) -> CheckResult:
     """The orders have not one discriminant, or not as many elements of some trace and norm."""
     first, second = map(given.order, parts)
     if _have_other_discriminants(given, first, second, {"trace", "norm", "bases"}):
-        return Finding(FIELD, DISCRIMINANT)
+        return CheckResult(FIELD, DISCRIMINANT)
     bases = a_list(given.data["bases"], "bases")
     if len(bases) != 2:
         reject("there is one basis for each of the two orders")
@@ -136,14 +136,14 @@ def have_other_numbers(given: Given, parts: Parts) -> Finding:
     ]
     if numbers[0] == numbers[1]:
         reject(f"both orders have {numbers[0]} elements of this trace and norm")
-    return Finding(FIELD, ENUMERATION)
+    return CheckResult(FIELD, ENUMERATION)
 
 
-def have_no_images(given: Given, parts: Parts) -> Finding:
+def have_no_images(given: Given, parts: Parts) -> CheckResult:
     """An isomorphism is known by the images of two elements that generate the algebra: none fits."""
     first, second = map(given.order, parts)
     if _have_other_discriminants(given, first, second, {"pair", "order"}):
-        return Finding(FIELD, DISCRIMINANT)
+        return CheckResult(FIELD, DISCRIMINANT)
     second, algebra = given.basis(second, given.data["order"]), given.algebra
     pair = [given.element(x) for x in a_list(given.data["pair"], "a pair", 2)]
     if len(pair) != 2 or not all(first.holds(x.den, [x.row]) for x in pair):
@@ -166,7 +166,7 @@ def have_no_images(given: Given, parts: Parts) -> Finding:
                 second.pay(2)
                 if second.holds(first.den * det * below, times(relative, other)):
                     reject("there is an isomorphism of the orders")
-    return Finding(FIELD, ENUMERATION)
+    return CheckResult(FIELD, ENUMERATION)
 
 
 def _have_other_discriminants(
@@ -217,7 +217,7 @@ def _spanned(algebra: Algebra, a: Element, b: Element) -> tuple[int, Rows]:
 # --- quadratic orders inside --------------------------------------------------------------------------
 
 
-def is_embedded(given: Given, parts: Parts) -> Finding:
+def is_embedded(given: Given, parts: Parts) -> CheckResult:
     """Some x in O has this discriminant and generates all that is integral of its field in O; over ℚ."""
     order, d = given.order(parts[0]), a_whole_number(parts[1], "a discriminant")
     x = given.element(given.data["element"])
@@ -228,10 +228,10 @@ def is_embedded(given: Given, parts: Parts) -> Finding:
         reject("the element has another discriminant")
     if not _is_optimal(order, x):
         reject("the element does not generate all integral elements of its field in the order")
-    return Finding(FIELD, ELEMENT)
+    return CheckResult(FIELD, ELEMENT)
 
 
-def is_not_embedded(given: Given, parts: Parts) -> Finding:
+def is_not_embedded(given: Given, parts: Parts) -> CheckResult:
     """Of the elements with this discriminant, and the trace 0 or 1, none is optimal; over ℚ."""
     order, d = given.order(parts[0]), a_whole_number(parts[1], "a discriminant")
     if d >= 0 or d % 4 > 1:
@@ -240,7 +240,7 @@ def is_not_embedded(given: Given, parts: Parts) -> Finding:
     for row in _with_rational_trace_and_norm(basis, trace, (trace - d) // 4):
         if _is_optimal(order, Element(basis.den, row)):
             reject("an element of the order has this discriminant, and is optimal")
-    return Finding(FIELD, ENUMERATION)
+    return CheckResult(FIELD, ENUMERATION)
 
 
 def _is_optimal(order: Lattice, x: Element) -> bool:
@@ -251,16 +251,16 @@ def _is_optimal(order: Lattice, x: Element) -> bool:
     )
     # coordinates are these, times den/(det·x.den)
     u, v = (tuple(c * order.den // (det * x.den) for c in w) for w in both)
-    charge_products(u, v)
+    spend_products(u, v)
     minors = [u[m] * v[n] - u[n] * v[m] for m in range(len(u)) for n in range(m)]
-    charge_products(minors, minors[:1])
+    spend_products(minors, minors[:1])
     return gcd(*minors) == 1
 
 
 # --- classes, and units of norm 1 ---------------------------------------------------------------------
 
 
-def is_class_set(given: Given, parts: Parts) -> Finding:
+def is_class_set(given: Given, parts: Parts) -> CheckResult:
     """The order has so many classes of locally principal right ideals."""
     values, order = a_list(given.data["classes"], "classes", 1), given.order(parts[0])
     if len(values) != a_whole_number(parts[1], "the number of classes"):
@@ -268,20 +268,20 @@ def is_class_set(given: Given, parts: Parts) -> Finding:
     total = mass(order, given.primes) * given.class_number
     need_class_set(order, given.classes(values), given.units, total)
     cites = (*given.unit_theorems, *given.zeta_theorems, given.mass_theorem)
-    return Finding(FIELD, BY_MASS).citing(*cites)
+    return CheckResult(FIELD, BY_MASS).citing(*cites)
 
 
-def is_domain(given: Given, parts: Parts) -> Finding:
+def is_domain(given: Given, parts: Parts) -> CheckResult:
     """The units g of norm 1 bound the domain of all around the centre."""
     order, plane = given.order(parts[0]), given.real_algebra()
     center = given.elements(parts[1])
     if len(center) != 1:
         reject(f"a domain has one centre, found {len(center)}")
     Domain(order, plane, area(order, given.primes), center[0], given.elements(parts[2]))
-    return Finding(FIELD, BY_AREA).citing(*given.zeta_theorems, SHIMIZU)
+    return CheckResult(FIELD, BY_AREA).citing(*given.zeta_theorems, SHIMIZU)
 
 
-def is_group(given: Given, parts: Parts) -> Finding:
+def is_group(given: Given, parts: Parts) -> CheckResult:
     """The units of norm 1 modulo ±1 have this signature and this presentation."""
     order, plane = given.order(parts[0]), given.real_algebra()
     center = given.element(given.data["center"])
@@ -289,4 +289,4 @@ def is_group(given: Given, parts: Parts) -> Finding:
     domain = Domain(order, plane, area(order, given.primes), center, units)
     signature = (a_rational(parts[1]), list(numbers_of(parts[2])), a_rational(parts[3]))
     domain.need_group(signature, given.elements(parts[4]), list(words_of(parts[5])))
-    return Finding(FIELD, BY_AREA).citing(*given.zeta_theorems, SHIMIZU, POINCARE)
+    return CheckResult(FIELD, BY_AREA).citing(*given.zeta_theorems, SHIMIZU, POINCARE)

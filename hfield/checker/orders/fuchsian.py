@@ -12,7 +12,7 @@ from functools import cached_property
 from itertools import product
 from typing import Any
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.number_fields.integers import Primes
 from hfield.checker.number_fields.matrices import Row, longest
 from hfield.checker.orders.lattice import Element, Lattice
@@ -44,7 +44,7 @@ def _norm_index_at_two(order: Lattice) -> int:
     """Return the index of norms of local units in the units of ℤ₂."""
     if order.algebra.n > 1:
         reject("the area is not known here where an Eichler symbol above 2 is 0")
-    charge(40_000)
+    spend(40_000)
     form = [
         [x // order.unit for x in row] for row in order.gram[0]
     ]  # integral, even on the diagonal
@@ -76,7 +76,7 @@ class Domain:
         self.units = [algebra.element(g.den, g.row) for g in units]
         self._axes = self._seen_from(algebra.element(center.den, center.row).row)
         bits = longest([*self._axes, *(g.row for g in self.units)]) + algebra.bits
-        charge(len(units) * (400 + 5_000 * (order.algebra.n - 1) + bits * bits // 3_000))
+        spend(len(units) * (400 + 5_000 * (order.algebra.n - 1) + bits * bits // 3_000))
         for own, g in zip(units, self.units, strict=True):
             size = 2 * algebra.scale * g.den * g.den
             if not order.holds(own.den, [own.row]) or algebra.pairing(g.row, g.row) != size:

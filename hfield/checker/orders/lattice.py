@@ -6,7 +6,7 @@ from fractions import Fraction
 from functools import cached_property
 from math import gcd, prod
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.number_fields.ideals import ideal
 from hfield.checker.number_fields.matrices import (
     Key,
@@ -45,9 +45,9 @@ class Lattice:
         return longest([(self.den,), *self.rows]) + self.algebra.bits
 
     def pay(self, matrices: int, bits: int = 0) -> None:
-        """Charge for so many products of square matrices, with numbers longer by ``bits`` than those here."""
+        """Spend what so many products of square matrices, with numbers longer by ``bits`` than those here."""
         count, bits = matrices * self.algebra.size**3, self.bits + bits
-        charge(count // 4 + count * bits * bits // 2_000_000)
+        spend(count // 4 + count * bits * bits // 2_000_000)
 
     @cached_property
     def key(self) -> Key:
@@ -70,7 +70,7 @@ class Lattice:
     def volume(self) -> Fraction:
         """The determinant of the rows, without its sign."""
         den, rows = self.key
-        charge(self.algebra.size * self.bits**2 // 40_000)
+        spend(self.algebra.size * self.bits**2 // 40_000)
         return Fraction(prod(row[n] for n, row in enumerate(rows)), den**self.algebra.size)
 
     @cached_property

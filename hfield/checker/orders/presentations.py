@@ -5,7 +5,7 @@ A word is a tuple of ±1, ±2, …, for the generators and their inverses.
 
 from collections.abc import Iterable
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 
 Word = tuple[int, ...]
 
@@ -14,7 +14,7 @@ def simplified(left: list[int], relations: list[Word]) -> tuple[list[int], list[
     """Eliminate generators that occur once in a relation, short relations first."""
     relations = [r for r in map(_cyclically_reduced, relations) if r]
     while True:
-        charge(10 + 10 * sum(map(len, relations)))
+        spend(10 + 10 * sum(map(len, relations)))
         found = [
             (len(r) - 1, n, r)
             for r in relations
@@ -32,7 +32,7 @@ def simplified(left: list[int], relations: list[Word]) -> tuple[list[int], list[
         relations = [
             tuple(x for letter in r for x in put.get(letter, (letter,))) for r in relations
         ]
-        charge(sum(map(len, relations)))
+        spend(sum(map(len, relations)))
         relations = [r for r in map(_cyclically_reduced, relations) if r]
         left = [x for x in left if x != n]
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import gcd
 from typing import Any
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.number_fields.matrices import Row, longest, times
 from hfield.checker.number_fields.real_numbers import Real, RealPlace
 from hfield.checker.orders.algebra import Algebra
@@ -76,5 +76,5 @@ class RealAlgebra:
     def product(self, g: Element, h: Element) -> Element:
         """Return a product of elements, in lowest terms."""
         row = self.times(g.row, h.row)
-        charge(50 + longest([row]) ** 2 // 10_000)
+        spend(50 + longest([row]) ** 2 // 10_000)
         return self.primitive(g.den * h.den * self.scale, row)

@@ -16,7 +16,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from hfield.checker.check_result import Finding
+from hfield.checker.check_result import CheckResult
 from hfield.checker.language import Tree
 from hfield.checker.orders import answers
 from hfield.checker.orders.reading import OverField, OverQ
@@ -31,7 +31,7 @@ from hfield.checker.orders.texts import (
 from hfield.checker.rejection import an_object, kind_of, reject, shown
 from hfield.checker.statement import Setting
 
-Check = Callable[[Any, tuple[str, ...]], Finding]
+Check = Callable[[Any, tuple[str, ...]], CheckResult]
 Evidence = dict[tuple[str, str], tuple[Check, str, str]]
 """Of a word and a verdict: the check, the keys of the evidence, and those that may be left out."""
 
@@ -103,7 +103,7 @@ FORMS = {
 
 def establish_order(
     word: str, parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
-) -> Finding:
+) -> CheckResult:
     """Check the evidence for a statement about orders."""
     kind, checks = kind_of(evidence), OVER_Q if word in PARTS else OVER_FIELDS
     if kind != word or (word, verdict) not in checks:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 from typing import Any
 
-from hfield.checker.budget import charge, charge_inverse, charge_products
+from hfield.checker.budget import spend, spend_inverse, spend_products
 from hfield.checker.language import Tree
 from hfield.checker.rejection import a_list, an_integer, reject, shown
 from hfield.checker.scalars.conway import CONWAY
@@ -25,7 +25,7 @@ def is_prime(n: int) -> bool:
     for p in _BASES:
         if n % p == 0:
             return n == p
-    charge(200)
+    spend(200)
     if n >= PROVED_BELOW:
         reject(f"the number {shown(n)} is too large to be proved prime here")
     odd, twos = n - 1, 0
@@ -94,7 +94,7 @@ class Residues(Finite):
     def number(self, n: int) -> int:
         """Return n·1."""
         if self.is_long:
-            charge_products([n], [self.characteristic])
+            spend_products([n], [self.characteristic])
         return n % self.characteristic
 
     def add(self, x: int, y: int) -> int:
@@ -108,12 +108,12 @@ class Residues(Finite):
     def mul(self, x: int, y: int) -> int:
         """Return x·y."""
         if self.is_long:
-            charge_products([x, self.characteristic], [y, self.characteristic])
+            spend_products([x, self.characteristic], [y, self.characteristic])
         return x * y % self.characteristic
 
     def inverse(self, x: int) -> int | None:
         """Return 1/x, None for what is no unit."""
-        charge_inverse(self.characteristic)
+        spend_inverse(self.characteristic)
         try:
             return pow(x, -1, self.characteristic)
         except ValueError:
@@ -173,27 +173,27 @@ class Extension(Finite):
         """Return x + y."""
         p = self.characteristic
         if self.is_wide:
-            charge(self.degree // 8)
+            spend(self.degree // 8)
         return tuple([(a + b) % p for a, b in zip(x, y, strict=True)])
 
     def neg(self, x: Digits) -> Digits:
         """Return −x."""
         if self.is_wide:
-            charge(self.degree // 8)
+            spend(self.degree // 8)
         return tuple([-a % self.characteristic for a in x])
 
     def mul(self, x: Digits, y: Digits) -> Digits:
         """Return x·y."""
         n, p = self.degree, self.characteristic
         if self.is_wide:
-            charge(n // 8)
+            spend(n // 8)
         if not any(x[1:]):
             return tuple([x[0] * b % p for b in y])
         if not any(y[1:]):
             return tuple([a * y[0] % p for a in x])
         if self.modulus is None:
             reject(f"the modulus of {self.name} is not known here; write it in the field's name")
-        charge(n * n)
+        spend(n * n)
         wide = [0] * (2 * n - 1)
         for m, a in enumerate(x):
             if a:
@@ -250,7 +250,7 @@ def gcd_modulo(f: list[int], g: list[int], p: int) -> list[int]:
     while g and g[-1] == 0:
         g.pop()
     while g:
-        charge(len(f) * len(g))
+        spend(len(f) * len(g))
         lead = pow(g[-1], -1, p)
         while len(f) >= len(g):
             c, shift = f[-1] * lead % p, len(f) - len(g)

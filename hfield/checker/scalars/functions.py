@@ -5,7 +5,7 @@ Over GF(q) its places are the prime polynomials, and infinity.
 
 from collections.abc import Callable, Hashable, Mapping
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.glossary import reads_like_a_constant
 from hfield.checker.language import Tree
 from hfield.checker.rejection import a_list, an_integer, an_object, keyed, reject, shown
@@ -104,7 +104,7 @@ class Functions(Ring):
         degree = max(f)[0]
         if degree > MAX_DEGREE:
             reject(f"squares are not told above the degree {MAX_DEGREE}")
-        charge(5 * degree**2)
+        spend(5 * degree**2)
         lead = f[(degree,)]
         if degree % 2 or not base.is_square(lead):
             return False
@@ -187,9 +187,9 @@ class Functions(Ring):
         b, f = self.base, list(f)
         lead = b.inverse(g[-1])
         quotient = [b.zero] * max(len(f) - len(g) + 1, 0)
-        charge(len(f) + len(g))
+        spend(len(f) + len(g))
         while len(f) >= len(g):
-            charge(10 * len(g))
+            spend(10 * len(g))
             shift, c = len(f) - len(g), b.mul(f[-1], lead)
             quotient[shift] = c
             for k, v in enumerate(g, shift):

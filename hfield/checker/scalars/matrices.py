@@ -2,14 +2,14 @@
 
 from fractions import Fraction
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.scalars.rationals import QQ
 
 
 def inverse_matrix(rows: list[list[Fraction]]) -> list[list[Fraction]] | None:
     """Return the inverse of a square matrix; None if there is none."""
     n = len(rows)
-    charge(n**2)
+    spend(n**2)
     both = [[*row, *(Fraction(i == k) for i in range(n))] for k, row in enumerate(rows)]
     for k in range(n):
         pivot = next((r for r in range(k, n) if both[r][k]), None)

@@ -19,7 +19,7 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from hfield.checker.budget import Remembered, charge
+from hfield.checker.budget import Remembered, spend
 from hfield.checker.language import Tree
 from hfield.checker.rejection import Rejected, a_list, an_integer, reject, shown
 from hfield.checker.scalars.finite import Residues, gcd_modulo
@@ -61,7 +61,7 @@ class NumberField(Ring):
         self.modulus = modulus
         tops, self.scale = over_one_denominator(modulus)  # scale·s is an algebraic integer
         bits = self.degree * self.scale.bit_length() + max(map(int.bit_length, tops))
-        charge(self.degree * (1 + bits // 1_000 + bits * bits // 500_000))
+        spend(self.degree * (1 + bits // 1_000 + bits * bits // 500_000))
         self.whole = [c * self.scale ** (self.degree - n) // self.scale for n, c in enumerate(tops)]
         if not proved:
             check_irreducible(self.whole, name)
@@ -83,7 +83,7 @@ class NumberField(Ring):
     def mul(self, x: Element, y: Element) -> Element:
         """Return x·y."""
         n = self.degree
-        charge(n * n)
+        spend(n * n)
         wide = [Fraction(0)] * (2 * n - 1)
         for i, a in enumerate(x):
             if a:
@@ -147,7 +147,7 @@ class NumberField(Ring):
     def _is_no_residue(self, x: Element, p: int) -> bool:
         if self.scale % p == 0 or any(c.denominator % p == 0 for c in x):
             return False
-        charge(p * self.degree)
+        spend(p * self.degree)
         f, g = ([modulo(c, p) or 0 for c in part] for part in (self.modulus, x))
         slope = [n * c for n, c in enumerate(f)][1:]
         for r in range(p):
@@ -173,7 +173,7 @@ class NumberField(Ring):
     def _is_odd_at_two(self) -> bool:
         if self.scale % 2 == 0:
             return False
-        charge(5 * self.degree**3)
+        spend(5 * self.degree**3)
         f = [int(c.numerator) * pow(c.denominator, -1, 2) % 2 for c in self.modulus]
         slope = [n * c % 2 for n, c in enumerate(f)][1:]
         simple = without_common_factors(f, gcd_modulo(list(f), slope, 2))
@@ -220,11 +220,11 @@ def without_common_factors(f: list[int], g: list[int]) -> list[int]:
 
 def cyclotomic(n: int) -> list[int]:
     """Return the polynomial whose roots are the primitive n-th roots of unity, low degree first."""
-    charge(10 * n)
+    spend(10 * n)
     f = [-1, *[0] * (n - 1), 1]
     for d in (d for d in range(1, n) if n % d == 0):
         g, out = cyclotomic(d), []
-        charge(len(f) * len(g))
+        spend(len(f) * len(g))
         while len(f) >= len(g):
             top = f[-1]
             out.append(top)
@@ -240,7 +240,7 @@ def twice_cosine(n: int) -> list[int]:
     whole = cyclotomic(n)
     half = len(whole) // 2
     out = [whole[half]] + [0] * half
-    charge(len(whole) ** 2)
+    spend(len(whole) ** 2)
     before, now = [2], [0, 1]  # z^k + z^(−k) in c = z + 1/z
     for k in range(1, half + 1):
         for m, c in enumerate(now):
@@ -319,7 +319,7 @@ def check_irreducible(f: list[int], name: str) -> None:
         )
     discs = root_discs(f)
     sums = [[_power(disc, k) for disc in discs] for k in range(1, n + 1)]
-    charge(5 * 2**n * n)
+    spend(5 * 2**n * n)
     for rest in product((False, True), repeat=n - 1):
         chosen = [0, *(k for k, taken in enumerate(rest, 1) if taken)]
         if len(chosen) < n and not any(_is_no_integer([row[k] for k in chosen]) for row in sums):
@@ -330,7 +330,7 @@ def _is_irreducible_modulo(p: int, f: list[int]) -> bool:
     try:
         Quotient(Residues(p, True, f"GF({p})"), [c % p for c in f])
     except Rejected:  # it is reducible; or there was no work left
-        charge(0)
+        spend(0)
         return False
     return True
 
@@ -358,7 +358,7 @@ def _is_no_integer(terms: list[Disc]) -> bool:
 def root_discs(f: list[int]) -> list[Disc]:
     """Return disjoint discs with one root each of a monic polynomial, low degree first, of degree ≥ 1."""
     n = len(f) - 1
-    charge(ROUNDS * n * n + 100 * n**3 * REFINED)
+    spend(ROUNDS * n * n + 100 * n**3 * REFINED)
     size = 1 + max(abs(c) for c in f[:-1])
     if size.bit_length() > 200:
         reject("the coefficients of a modulus are too large for its roots to be found here")

@@ -4,7 +4,7 @@ import re
 from collections.abc import Hashable, Mapping
 from typing import Any
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.language import Tree
 from hfield.checker.rejection import reject, shown
 from hfield.checker.scalars.names import blackboard, plain, variables
@@ -35,7 +35,7 @@ class Polynomials(Ring):
 
     def add(self, x: Poly, y: Poly) -> Poly:
         """Return x + y."""
-        charge(self.wide * (len(x) + 4 * len(y)))
+        spend(self.wide * (len(x) + 4 * len(y)))
         out = dict(x)
         for m, c in y:
             out[m] = self.base.add(out[m], c) if m in out else c
@@ -43,14 +43,14 @@ class Polynomials(Ring):
 
     def neg(self, x: Poly) -> Poly:
         """Return −x."""
-        charge(2 * len(x))
+        spend(2 * len(x))
         return tuple((m, self.base.neg(c)) for m, c in x)
 
     def mul(self, x: Poly, y: Poly) -> Poly:
         """Return x·y."""
         if len(x) * len(y) > MAX_TERMS**2 // 16:
             reject(f"an element of {self.name} has grown too large")
-        charge((4 + self.wide) * len(x) * len(y))
+        spend((4 + self.wide) * len(x) * len(y))
         out: dict[tuple[int, ...], Any] = {}
         for m, c in x:
             for n, d in y:
@@ -68,7 +68,7 @@ class Polynomials(Ring):
 
     def constant(self, tree: Tree) -> Poly | None:
         """Return a variable, or a constant of the base."""
-        charge(self.wide)
+        spend(self.wide)
         if tree[0] == "name" and tree[1] in self.names:
             place = self.names.index(tree[1])
             return ((tuple(int(n == place) for n in range(len(self.names))), self.base.one),)
@@ -79,7 +79,7 @@ class Polynomials(Ring):
         return () if self.base.is_zero(c) else (((0,) * len(self.names), c),)
 
     def _poly(self, values: dict[tuple[int, ...], Hashable]) -> Poly:
-        charge(len(values))
+        spend(len(values))
         out = tuple(sorted((m, c) for m, c in values.items() if not self.base.is_zero(c)))
         if len(out) > MAX_TERMS:
             reject(f"an element of {self.name} has more than {MAX_TERMS} terms")
@@ -92,7 +92,7 @@ def dense(f: Poly, base: Ring) -> list[Any]:
         return []
     if f[-1][0][0] > MAX_DEGREE:
         reject(f"a polynomial has a degree above {MAX_DEGREE}")
-    charge(1 + f[-1][0][0] // 4)
+    spend(1 + f[-1][0][0] // 4)
     out = [base.zero] * (f[-1][0][0] + 1)
     for (n,), c in f:
         out[n] = c

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, Protocol
 
-from hfield.checker.budget import charge_products
+from hfield.checker.budget import spend_products
 from hfield.checker.rejection import a_list, an_integer, an_object, keyed, reject, shown
 from hfield.checker.scalars.finite import Residues, gcd_modulo, is_prime
 from hfield.checker.scalars.matrices import inverse_matrix
@@ -86,14 +86,14 @@ class PrimeIdeal(OverFiniteField):
         p, power = self.p, 1
         denominators = [c.denominator for c in x]
         while any(d % (power * p) == 0 for d in denominators):
-            charge_products([power * p], denominators)
+            spend_products([power * p], denominators)
             power *= p
         modulus = power * p
         a = [_modulo(c * power, modulus) for c in x]
         f = [_modulo(c, modulus) for c in self.field.modulus]
         steps = 2 * len(x) * (power.bit_length() + 1) if len(self.cleared) > 1 else 1
         for _ in range(steps):
-            charge_products([power], a)
+            spend_products([power], a)
             if all(c % power == 0 for c in a):
                 return self.residues.reduce([c // power % p for c in a])
             a = _divide(_times(a, self.cleared, modulus), f, modulus)[1]
@@ -198,7 +198,7 @@ def _monic(f: Sequence[int], p: int) -> list[int]:
 
 def _times(f: list[int], g: list[int], p: int) -> list[int]:
     """Return f·g, modulo p unless p is 0."""
-    charge_products(f, g)
+    spend_products(f, g)
     out = [0] * (len(f) + len(g) - 1)
     for i, a in enumerate(f):
         for j, b in enumerate(g):
@@ -210,7 +210,7 @@ def _divide(f: list[int], g: list[int], p: int) -> tuple[list[int], list[int]]:
     """Return quotient and remainder by a monic polynomial modulo p; [] for a remainder 0."""
     rest, out = list(f), []
     while len(rest) >= len(g):
-        charge_products([rest[-1], p], g)
+        spend_products([rest[-1], p], g)
         top = rest[-1] % p
         out.append(top)
         for k, c in enumerate(g):

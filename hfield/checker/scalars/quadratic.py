@@ -5,7 +5,7 @@ from fractions import Fraction
 from itertools import product
 from math import gcd
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.rejection import an_integer, an_object, keyed, reject, shown
 from hfield.checker.scalars.names import plain
 from hfield.checker.scalars.place import Place
@@ -153,7 +153,7 @@ class SplitIdeal(ModuloNumber):
         top = (u * below).numerator, (v * below).numerator
         power, rest = 0, below
         while rest % self.n == 0:
-            charge(5 + rest.bit_length() // 100)
+            spend(5 + rest.bit_length() // 100)
             rest, power = rest // self.n, power + 1
         if gcd(rest, self.n) > 1 or power > MAX_POWER:
             return None
@@ -166,7 +166,7 @@ class SplitIdeal(ModuloNumber):
 
     def _omega(self, modulus: int) -> int:
         """Return ω modulo a power of n, by Newton's steps."""
-        charge(10 + modulus.bit_length() ** 2 // 500)
+        spend(10 + modulus.bit_length() ** 2 // 500)
         r = self.root
         while self._minimal(r) % modulus:
             r = (r - self._minimal(r) * pow(2 * r - self.trace, -1, modulus)) % modulus

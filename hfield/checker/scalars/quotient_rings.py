@@ -8,7 +8,7 @@ from collections.abc import Hashable, Iterator, Mapping
 from itertools import product
 from typing import Any
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.language import Tree
 from hfield.checker.rejection import a_list, a_text, reject, shown
 from hfield.checker.scalars.finite import Finite
@@ -44,18 +44,18 @@ class QuotientRing(Ring):
 
     def add(self, x: Dense, y: Dense) -> Dense:
         """Return x + y."""
-        charge(self.degree)
+        spend(self.degree)
         return tuple([self.base.add(a, b) for a, b in zip(x, y, strict=True)])
 
     def neg(self, x: Dense) -> Dense:
         """Return −x."""
-        charge(self.degree)
+        spend(self.degree)
         return tuple([self.base.neg(a) for a in x])
 
     def mul(self, x: Dense, y: Dense) -> Dense:
         """Return x·y, where xⁿ is what the modulus says."""
         base, n = self.base, self.degree
-        charge(5 * n * n)
+        spend(5 * n * n)
         wide = [base.zero] * (2 * n - 1)
         for i, a in enumerate(x):
             if not base.is_zero(a):
@@ -97,7 +97,7 @@ class QuotientRing(Ring):
 def _solution(field: Ring, rows: list[list[Any]], right: list[Any]) -> list[Any] | None:
     """Return the y with rows·y = right; None where the square matrix is singular."""
     n = len(rows)
-    charge(20 * n**3)
+    spend(20 * n**3)
     rows = [[*row, c] for row, c in zip(rows, right, strict=True)]
     for column in range(n):
         pivot = next((k for k in range(column, n) if not field.is_zero(rows[k][column])), None)

@@ -3,7 +3,7 @@
 from collections.abc import Hashable, Sequence
 from typing import Any
 
-from hfield.checker.budget import charge
+from hfield.checker.budget import spend
 from hfield.checker.rejection import reject
 from hfield.checker.scalars.finite import Finite, is_prime
 
@@ -35,7 +35,7 @@ class Quotient(Finite):
     def reduce(self, f: Sequence[Hashable]) -> Dense:
         """Return the class of a polynomial, dense, low degree first."""
         base, n, out = self.base, self.degree, list(f)
-        charge(20 + 5 * n * max(len(out) - n, 0))
+        spend(20 + 5 * n * max(len(out) - n, 0))
         while len(out) > n:
             top = out.pop()
             if not base.is_zero(top):
@@ -50,18 +50,18 @@ class Quotient(Finite):
 
     def add(self, x: Dense, y: Dense) -> Dense:
         """Return x + y."""
-        charge(self.degree)
+        spend(self.degree)
         return tuple([self.base.add(u, v) for u, v in zip(x, y, strict=True)])
 
     def neg(self, x: Dense) -> Dense:
         """Return −x."""
-        charge(self.degree)
+        spend(self.degree)
         return tuple([self.base.neg(u) for u in x])
 
     def mul(self, x: Dense, y: Dense) -> Dense:
         """Return x·y."""
         base = self.base
-        charge(5 * self.degree**2)
+        spend(5 * self.degree**2)
         wide = [base.zero] * (2 * self.degree - 1)
         for m, u in enumerate(x):
             if not base.is_zero(u):
@@ -99,7 +99,7 @@ class Quotient(Finite):
             if len(g) <= 1:
                 return bool(g) or len(f) == 1
             lead = base.inverse(g[-1])
-            charge(5 * len(f) * len(g))
+            spend(5 * len(f) * len(g))
             while len(f) >= len(g):
                 scale, shift = base.neg(base.mul(f.pop(), lead)), len(f) - len(g) + 1
                 for m, c in enumerate(g[:-1]):

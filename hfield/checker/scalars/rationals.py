@@ -5,7 +5,7 @@ from fractions import Fraction
 from itertools import product
 from math import isqrt, lcm
 
-from hfield.checker.budget import charge, charge_products
+from hfield.checker.budget import spend, spend_products
 from hfield.checker.rejection import an_object, keyed, reject
 from hfield.checker.scalars.finite import is_prime
 from hfield.checker.scalars.names import only
@@ -34,7 +34,7 @@ class Rationals(Ring):
 
     def add(self, x: Fraction, y: Fraction) -> Fraction:
         """Return x + y."""
-        _charge_for(x, y)
+        _spend_for(x, y)
         return bounded(x + y)
 
     def neg(self, x: Fraction) -> Fraction:
@@ -43,7 +43,7 @@ class Rationals(Ring):
 
     def mul(self, x: Fraction, y: Fraction) -> Fraction:
         """Return x·y."""
-        _charge_for(x, y)
+        _spend_for(x, y)
         return bounded(x * y)
 
     def inverse(self, x: Fraction) -> Fraction | None:
@@ -88,11 +88,11 @@ class Number(ModuloNumber):
         return modulo(x, self.n)
 
 
-def _charge_for(x: Fraction, y: Fraction) -> None:
-    """Charge for a sum or a product."""
+def _spend_for(x: Fraction, y: Fraction) -> None:
+    """Spend what a sum or a product costs."""
     bits = x.numerator.bit_length() + x.denominator.bit_length()
     more = y.numerator.bit_length() + y.denominator.bit_length()
-    charge(5 + (bits + more) // 1_000 + bits * more // 500_000)
+    spend(5 + (bits + more) // 1_000 + bits * more // 500_000)
 
 
 def bounded(x: Fraction) -> Fraction:
@@ -105,7 +105,7 @@ def bounded(x: Fraction) -> Fraction:
 def root(x: Fraction) -> Fraction | None:
     """Return the square root of a number that is not negative, if it is rational."""
     parts = x.numerator, x.denominator
-    charge_products(parts, parts)
+    spend_products(parts, parts)
     u, v = map(isqrt, parts)
     return Fraction(u, v) if (u * u, v * v) == parts else None
 
@@ -113,10 +113,10 @@ def root(x: Fraction) -> Fraction | None:
 def over_one_denominator(values: Sequence[Fraction]) -> tuple[list[int], int]:
     """Return numbers as integers over their least denominator, and that."""
     denominators = {x.denominator for x in values}
-    charge(len(values))
-    charge_products(denominators, denominators)
+    spend(len(values))
+    spend_products(denominators, denominators)
     least = lcm(*denominators)
-    charge_products([*denominators, *(x.numerator for x in values)], [least])
+    spend_products([*denominators, *(x.numerator for x in values)], [least])
     return [x.numerator * (least // x.denominator) for x in values], least
 
 
@@ -126,8 +126,8 @@ def has_no_rational_root(c: list[int]) -> bool:
     if last == 0 or lead == 0:
         return False
     for p in (n for n in range(2, 200) if is_prime(n)):
-        charge_products([p], c)
-        charge(p * len(c))
+        spend_products([p], c)
+        spend(p * len(c))
         classes = [a % p for a in c]
         if classes[-1] and all(value_modulo(classes, x, p) for x in range(p)):
             return True
@@ -136,7 +136,7 @@ def has_no_rational_root(c: list[int]) -> bool:
         reject("a polynomial has too many candidates for rational roots")
     longest = max(tops[-1], belows[-1]).bit_length() * len(c)
     cost = 20 * len(c) + sum(map(int.bit_length, c)) * longest // 250_000
-    charge(cost * len(tops) * len(belows))
+    spend(cost * len(tops) * len(belows))
     for u, v in product(tops, belows):
         for top in (u, -u):
             if sum(a * top**n * v ** (len(c) - 1 - n) for n, a in enumerate(c)) == 0:
@@ -156,7 +156,7 @@ def divisors(n: int) -> list[int]:
     """Return all divisors of a positive integer, which may not be too large."""
     if n > 10**10:
         reject("a polynomial's coefficients are too large to list their divisors")
-    charge(isqrt(n))
+    spend(isqrt(n))
     small = [d for d in range(1, isqrt(n) + 1) if n % d == 0]
     return sorted({*small, *(n // d for d in small)})
 

@@ -5,7 +5,7 @@ from fractions import Fraction
 from itertools import pairwise
 from math import ceil, gcd
 
-from hfield.checker.budget import charge, charge_products
+from hfield.checker.budget import spend, spend_products
 from hfield.checker.rejection import reject
 from hfield.checker.scalars.rationals import over_one_denominator
 
@@ -27,7 +27,7 @@ class RealRoot:
         for _ in range(MAX_HALVINGS):
             numbers = [n for c in (low, high, *x) for n in (c.numerator, c.denominator)]
             bits = 2 * len(x) * max(map(int.bit_length, numbers))
-            charge(len(x) * (20 + bits * bits // 200_000))
+            spend(len(x) * (20 + bits * bits // 200_000))
             least, most = _bounds(x, low, high)
             if least > 0 or most < 0:
                 return 1 if least > 0 else -1
@@ -87,7 +87,7 @@ def _value(f: Sequence[int], x: Fraction) -> int:
     """Return f(x) times a power of the denominator of x: what has its sign."""
     step = max(x.numerator.bit_length(), x.denominator.bit_length())
     bits = max(c.bit_length() for c in f) + len(f) * step
-    charge(len(f) * (1 + bits // 1_000 + bits * step // 500_000))
+    spend(len(f) * (1 + bits // 1_000 + bits * step // 500_000))
     total, power = 0, 1
     for c in reversed(f):
         total = total * x.numerator + c * power
@@ -98,7 +98,7 @@ def _value(f: Sequence[int], x: Fraction) -> int:
 def _primitive(f: Sequence[int]) -> list[int]:
     """Divide by a positive number, so that the coefficients are small and the signs as before."""
     bits = max(c.bit_length() for c in f)
-    charge(len(f) * (5 + bits * bits // 500_000))
+    spend(len(f) * (5 + bits * bits // 500_000))
     content = gcd(*f)
     return [c // content for c in f]
 
@@ -116,7 +116,7 @@ def _remainder(f: list[int], g: list[int]) -> list[int]:
     """Return the remainder of f by g, times a positive number."""
     f, sign, lead = list(f), 1 if g[-1] > 0 else -1, abs(g[-1])
     while len(f) >= len(g):
-        charge_products([lead, f[-1]], [*f, *g])
+        spend_products([lead, f[-1]], [*f, *g])
         top, shift = sign * f[-1], len(f) - len(g)
         f = [lead * c for c in f]
         for k, d in enumerate(g):

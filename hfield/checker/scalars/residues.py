@@ -9,7 +9,7 @@ from fractions import Fraction
 from math import gcd
 from typing import Any
 
-from hfield.checker.budget import charge, charge_inverse, charge_products
+from hfield.checker.budget import spend, spend_inverse, spend_products
 from hfield.checker.rejection import an_integer, reject, shown
 from hfield.checker.scalars.finite import Finite, Residues
 from hfield.checker.scalars.place import Place
@@ -28,7 +28,7 @@ def two_or_odd(value: object) -> int:
 
 def jacobi(a: int, n: int) -> int:
     """Return the Jacobi symbol (a/n) for an odd n > 0, by the law of reciprocity."""
-    charge(10 + n.bit_length() ** 2 // 100)
+    spend(10 + n.bit_length() ** 2 // 100)
     a, sign = a % n, 1
     while a:
         while a % 2 == 0:
@@ -43,10 +43,10 @@ def jacobi(a: int, n: int) -> int:
 
 def modulo(x: Fraction, n: int) -> int | None:
     """Return the class of a rational number; None where the denominator is not prime to n."""
-    charge_products([n], [x.numerator, x.denominator])
+    spend_products([n], [x.numerator, x.denominator])
     if gcd(x.denominator, n) > 1:
         return None
-    charge_inverse(n)
+    spend_inverse(n)
     return x.numerator * pow(x.denominator, -1, n) % n
 
 

@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import product
 from math import isqrt, prod
 
-from hfield.checker.budget import Remembered, charge
+from hfield.checker.budget import Remembered, spend
 from hfield.checker.language import Tree
 from hfield.checker.rejection import a_list, an_integer, reject, shown
 from hfield.checker.scalars.names import only, plain
@@ -52,7 +52,7 @@ class Surds(Ring):
 
     def neg(self, x: Surd) -> Surd:
         """Return −x."""
-        charge(len(x))
+        spend(len(x))
         return tuple((key, -c) for key, c in x)
 
     def mul(self, x: Surd, y: Surd) -> Surd:
@@ -60,7 +60,7 @@ class Surds(Ring):
         out: dict[Radical, Fraction] = {}
         for m, c in x:
             for n, d in y:
-                charge(5 + len(m) + len(n))
+                spend(5 + len(m) + len(n))
                 key, common = tuple(sorted(set(m) ^ set(n))), set(m) & set(n)
                 term = QQ.mul(c, d)
                 if common:
@@ -113,7 +113,7 @@ class Surds(Ring):
     def _surd(self, values: dict[Radical, Fraction]) -> Surd:
         if len(values) > MAX_SUMMANDS:
             reject("too many square roots in one number")
-        charge(1 + sum(map(len, values)))
+        spend(1 + sum(map(len, values)))
         return tuple(sorted((key, c) for key, c in values.items() if c))
 
 
@@ -149,7 +149,7 @@ def _floor(key: Radical, c: Fraction, bits: int) -> int:
     """Return the greatest integer below or at c·√n·2^bits, n being the product of the primes."""
     n = prod(key)
     long = 2 * bits + n.bit_length() + 2 * (c.numerator.bit_length() + c.denominator.bit_length())
-    charge(5 + len(key) + long * long // 500_000)
+    spend(5 + len(key) + long * long // 500_000)
     square = c.numerator**2 * n << 2 * bits
     root = isqrt(square // c.denominator**2)
     return root if c > 0 else -root - 1
@@ -162,7 +162,7 @@ def radical(n: int) -> tuple[Radical, int]:
         return (), 0
     if abs(n) > MAX_ROOT:
         reject(f"the square root of {shown(n)} is not taken apart here")
-    charge(isqrt(abs(n)))
+    spend(isqrt(abs(n)))
     key, scale, rest, p = [-1] if n < 0 else [], 1, abs(n), 2
     while p * p <= rest:
         power = 0

@@ -2,8 +2,8 @@
 
 from itertools import permutations, product
 
-from hfield.checker.budget import charge
-from hfield.checker.check_result import Finding
+from hfield.checker.budget import spend
+from hfield.checker.check_result import CheckResult
 from hfield.checker.evaluate import Evaluator, RingScalars
 from hfield.checker.glossary import (
     BASIS_TUPLES,
@@ -36,7 +36,7 @@ def _determinant(m: Matrix) -> int:
     """Return the determinant by Leibniz's sum; the matrices are small."""
     size, total = len(m), 0
     for order in permutations(range(size)):
-        charge(20)
+        spend(20)
         term = -1 if sum(a > b for n, a in enumerate(order) for b in order[n + 1 :]) % 2 else 1
         for row, column in enumerate(order):
             term *= m[row][column]
@@ -51,7 +51,7 @@ def _plain(evidence: object, *kinds: str) -> str:
     return kind_of(evidence)
 
 
-def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
+def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> CheckResult:
     """The vectors are a basis of the free module of the dimension that comes first."""
     (dimension,), *vectors = (_integers(part) for part in parts)
     fits = len(vectors) == dimension and all(len(v) == dimension for v in vectors)
@@ -60,17 +60,17 @@ def basis(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obje
     if kind == "count":
         if verdict != "refuted" or fits:
             reject("the vectors are as many and as long as they should be")
-        return Finding(scope, COUNT)
+        return CheckResult(scope, COUNT)
     if not fits:
         reject("the vectors are not as many or as long as they should be")
     det, field = _determinant([list(v) for v in vectors]), setting.field
     unit = abs(det) == 1 if field is None else field.inverse(field.number(det)) is not None
     if verdict != ("proved" if unit else "refuted"):
         reject(f"the determinant {det} does not show this {verdict}")
-    return Finding(scope, DETERMINANT)
+    return CheckResult(scope, DETERMINANT)
 
 
-def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
+def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> CheckResult:
     """The centre is everything in the characteristic given, and F·e in every other."""
     special = int(parts[0])
     data = an_object(evidence, "kind rows columns", "the evidence")
@@ -98,12 +98,12 @@ def centre(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obj
             reject(f"over {field.name} the centre is not as stated, or the minor is 0")
         other = (f"not {special}", "F·e") if p == special else (str(special), "H(F)")
         left_out = "in characteristic {} the centre is {}".format(*other)
-        return Finding(FIELD, LINEAR_ALGEBRA).without(left_out)
+        return CheckResult(FIELD, LINEAR_ALGEBRA).without(left_out)
     while minor and minor % special == 0:
         minor //= special
     if not whole or abs(minor) != 1:
         reject("the minor vanishes in another characteristic, or an equation does not vanish")
-    return Finding(FIELDS, SMITH_FORM)
+    return CheckResult(FIELDS, SMITH_FORM)
 
 
 def _commutators() -> Matrix:
@@ -122,7 +122,7 @@ CHOICES = ("all", "constant", "short", "all-but-one")
 
 def _choice(word: str, k: int) -> set[Tuple]:
     """Return the tuples of basis vectors that a word stands for."""
-    charge(N**k)
+    spend(N**k)
     if word == "constant":
         return {(n,) * k for n in range(N)}
     if word == "short":
@@ -140,7 +140,7 @@ def _arities(text: str) -> Tuple:
 
 def determined_by(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
-) -> Finding:
+) -> CheckResult:
     """k-linear maps on F⁴ that agree on the tuples of basis vectors chosen are equal.
 
     f − g is Σ h_t·a₁[t₁]⋯aₖ[tₖ], where h_t is its value at the tuple t: agreeing on all tuples is
@@ -155,7 +155,7 @@ def determined_by(
             reject("expected a word in e, i, j, k with as many letters as there are arguments")
         if tuple("eijk".index(u) for u in word) in _choice(choice, len(word)):
             reject("the tuple is not left out")
-        return Finding(FIELD, BASIS_TUPLES)
+        return CheckResult(FIELD, BASIS_TUPLES)
     data = an_object(evidence, "kind tuples", "the evidence")
     lists = a_list(data["tuples"], "tuples")
     if verdict != "proved" or kind != "basis tuples" or len(lists) != len(arities):
@@ -165,7 +165,7 @@ def determined_by(
         wanted = ["".join(t) for t in product("eijk", repeat=k)]
         if words != wanted or len(_choice(choice, k)) != len(wanted):
             reject(f"the list of tuples of {k} basis vectors is not complete")
-    return Finding(COMMUTATIVE_RINGS if setting.field is None else FIELD, BASIS_TUPLES)
+    return CheckResult(COMMUTATIVE_RINGS if setting.field is None else FIELD, BASIS_TUPLES)
 
 
 class _Form:
@@ -212,7 +212,7 @@ def _settle(difference: Poly, verdict: str, setting: Setting) -> bool:
 
 def curried_linear(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
-) -> Finding:
+) -> CheckResult:
     """Fixing the last argument at a basis vector leaves a linear map in every other argument.
 
     Shown for maps of two and three arguments: f(…, s·a + y·b, …) = s^power·f(…, a, …) + y·f(…, b, …).
@@ -238,12 +238,12 @@ def curried_linear(
             right = add(multiply(s, at(a)), multiply(y, at(b)))
             if add(at(mixed), right, -1):
                 reject("the two sides do not expand to the same")
-    return Finding(COMMUTATIVE_RINGS if setting.field is None else FIELD, IDENTITY)
+    return CheckResult(COMMUTATIVE_RINGS if setting.field is None else FIELD, IDENTITY)
 
 
 def last_argument(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
-) -> Finding:
+) -> CheckResult:
     """Σ_{i≤n} αᵢ·f(…, eᵢ) = f(…, Σ_{i≤upper} αᵢ·eᵢ) with n = 4, where e₅ is any vector at all."""
     upper, shows = int(parts[0]), []
     _plain(evidence, "identity")
@@ -261,7 +261,7 @@ def last_argument(
     if not (all(shows) if verdict == "proved" else verdict == "refuted" and any(shows)):
         reject("the two sides do not expand to what would show this")
     everywhere = setting.field is None and verdict == "proved"
-    return Finding(COMMUTATIVE_RINGS if everywhere else FIELD, IDENTITY)
+    return CheckResult(COMMUTATIVE_RINGS if everywhere else FIELD, IDENTITY)
 
 
 CHECKS = {

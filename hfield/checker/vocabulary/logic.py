@@ -17,7 +17,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from hfield.checker.check_result import Finding, together
+from hfield.checker.check_result import CheckResult, together
 from hfield.checker.evidence.unsatisfiable import need_hypotheses
 from hfield.checker.evidence_registry import establish
 from hfield.checker.glossary import (
@@ -59,7 +59,7 @@ class Proposition:
     parts: tuple[str, ...]
 
 
-Check = Callable[[tuple[str, ...], Setting, str, Any], Finding]
+Check = Callable[[tuple[str, ...], Setting, str, Any], CheckResult]
 ROOMS = (of_fields, linear_algebra, classes, orders)
 """Of orders in any algebra; the others are about H(F)."""
 SPECIAL: dict[str, Check] = {word: check for room in ROOMS for word, check in room.CHECKS.items()}
@@ -136,7 +136,7 @@ def proposition_tree(p: Proposition, depth: int = 0) -> Tree:
 
 def establish_any(
     text: str, setting: Setting, verdict: str, evidence: object, depth: int = 0
-) -> Finding:
+) -> CheckResult:
     """Check the evidence for a verdict on a statement of any kind."""
     if verdict != "refuted" and setting.field is not None and not setting.field.is_exact:
         reject("nothing is proved over floats")
@@ -203,7 +203,7 @@ def _named(name: str, setting: Setting) -> Ring:
     return found
 
 
-def _over(text: str, setting: Setting, verdict: str, evidence: object, depth: int) -> Finding:
+def _over(text: str, setting: Setting, verdict: str, evidence: object, depth: int) -> CheckResult:
     """Refute for all fields by one field."""
     data = an_object(evidence, "kind ring evidence", "the evidence")
     ring = read_ring(data["ring"])
@@ -231,7 +231,7 @@ class _Logic:
         self.p, self.text, self.setting, self.depth = p, text, setting, depth
         self.inside = statements_inside(p, setting)
 
-    def part(self, n: int, verdict: str, evidence: object) -> Finding:
+    def part(self, n: int, verdict: str, evidence: object) -> CheckResult:
         """Check a part that is a statement, where the word speaks of it."""
         text, setting = self.inside[n]
         found = establish_any(text, setting, verdict, evidence, self.depth + 1)
@@ -239,7 +239,7 @@ class _Logic:
             return replace(found, scope=COMMUTATIVE_RINGS)
         return found
 
-    def establish(self, verdict: str, evidence: object) -> Finding:
+    def establish(self, verdict: str, evidence: object) -> CheckResult:
         """Check the evidence."""
         kind, word = kind_of(evidence), self.p.word
         if word == "over":
@@ -270,7 +270,7 @@ class _Logic:
     def _is_real(self) -> bool:
         return self.setting.field is not None and self.setting.field.name == "RR"
 
-    def _angles(self, verdict: str, kind: str, evidence: object) -> Finding:
+    def _angles(self, verdict: str, kind: str, evidence: object) -> CheckResult:
         """P, about points with c² + s² = 1; over RR, where these are angles, Q as well."""
         field, second = self.setting.field, self.p.parts[1:]
         with_real = second and (field is None or self._is_real())
@@ -285,7 +285,7 @@ class _Logic:
         found = found.without(*(f"{q} ({where})" for q in second))
         return found.citing(CIRCLE) if field is None else found
 
-    def _every(self, verdict: str, kind: str, evidence: object) -> Finding:
+    def _every(self, verdict: str, kind: str, evidence: object) -> CheckResult:
         if verdict == "refuted" and kind == "part":
             data = an_object(evidence, "kind part evidence", "the evidence")
             n = an_integer(data["part"], "the number of a part", 0)
@@ -298,7 +298,7 @@ class _Logic:
         parts = a_list(data["parts"], "parts")
         if len(parts) != len(self.inside):
             reject("there is not evidence for every part")
-        found: list[Finding] = []
+        found: list[CheckResult] = []
         verdicts: set[str] = set()
         allowed = ("proved", "vacuous") if verdict == "proved" else ("vacuous",)
         for n, raw in enumerate(parts):
@@ -312,7 +312,7 @@ class _Logic:
             reject("all parts are vacuous, so the whole is vacuous and not proved")
         return together(found)
 
-    def _not_everywhere(self, verdict: str, evidence: object) -> Finding:
+    def _not_everywhere(self, verdict: str, evidence: object) -> CheckResult:
         data = an_object(evidence, "kind ring evidence", "the evidence")
         if verdict != "proved" or data["kind"] != "over":
             reject("that something fails somewhere is shown by a field where it fails")
@@ -321,7 +321,7 @@ class _Logic:
             reject("the field of the evidence is not that of the certificate")
         return _over(part, anywhere, "refuted", data, self.depth).by(WITNESS)
 
-    def _implies(self, verdict: str, kind: str, evidence: object) -> Finding:
+    def _implies(self, verdict: str, kind: str, evidence: object) -> CheckResult:
         if verdict == "proved" and kind == "conclusion":
             data = an_object(evidence, "kind evidence", "the evidence")
             found = self.part(1, "proved", data["evidence"])
@@ -336,14 +336,14 @@ class _Logic:
             return together((left, right)).within(FIELD).by(right.method)
         reject(f"evidence of the kind {shown(kind)!r} does not show this {verdict}")
 
-    def _iff(self, verdict: str, kind: str, evidence: object) -> Finding:
+    def _iff(self, verdict: str, kind: str, evidence: object) -> CheckResult:
         data = an_object(evidence, "kind left right", "the evidence")
         left, right = (_judged(data[x], ("proved", "refuted")) for x in ("left", "right"))
         if kind != "both" or verdict != ("proved" if left[0] == right[0] else "refuted"):
             reject(f"the two sides do not show this {verdict}")
         return together((self.part(0, *left), self.part(1, *right))).within(FIELD)
 
-    def _everywhere(self, kind: str, evidence: object) -> Finding:
+    def _everywhere(self, kind: str, evidence: object) -> CheckResult:
         """Prove a relation between closed statements over all fields at once, by known lemmas."""
         data = an_object(evidence, "kind proofs", "the evidence")
         said = proposition_tree(self.p)

@@ -5,8 +5,8 @@ from itertools import product
 from typing import Any, NoReturn
 
 from hfield.checker.anisotropy import anisotropic
-from hfield.checker.budget import charge
-from hfield.checker.check_result import Finding
+from hfield.checker.budget import spend
+from hfield.checker.check_result import CheckResult
 from hfield.checker.clauses import expand
 from hfield.checker.evaluate import Evaluator, Quaternion, RingScalars
 from hfield.checker.glossary import (
@@ -27,7 +27,7 @@ from hfield.checker.glossary import (
     WITNESS,
     ZERO_NORM,
 )
-from hfield.checker.over_field import Place
+from hfield.checker.over_field import EvaluationContext
 from hfield.checker.rejection import (
     a_list,
     an_integer,
@@ -68,7 +68,9 @@ def _unfit(kind: str, verdict: str) -> NoReturn:
     reject(f"evidence of the kind {shown(kind)!r} does not show that this is {verdict}")
 
 
-def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
+def division(
+    parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
+) -> CheckResult:
     """Every nonzero element of H(F) has an inverse: its norm is 0 only at 0."""
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "anisotropic":
@@ -76,16 +78,16 @@ def division(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: o
         constants = (minus_one, field.zero, minus_one)
         reason = {key: x for key, x in keyed(evidence).items() if key != "kind"}
         cited = anisotropic(field, constants, reason, setting.algebra)
-        return Finding(FIELD, ANISOTROPIC_NORM).citing(*cited)
+        return CheckResult(FIELD, ANISOTROPIC_NORM).citing(*cited)
     if verdict == "refuted" and kind == "zero norm":
         q = _quaternion(field, an_object(evidence, "kind value", "the evidence")["value"])
         if all(map(field.is_zero, q)) or not field.is_zero(_evaluator(field).norm(q)):
             reject("the element is 0, or its norm is not")
-        return Finding(FIELD, ZERO_NORM)
+        return CheckResult(FIELD, ZERO_NORM)
     _unfit(kind, verdict)
 
 
-def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> Finding:
+def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object) -> CheckResult:
     """−1 is not a sum of so many squares, or of any."""
     bound = int(parts[0]) if parts else None
     field, kind = _field(setting), kind_of(evidence)
@@ -93,7 +95,7 @@ def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obje
         an_object(evidence, "kind", "the evidence")
         if not (field.is_ordered if bound is None else field.level_above(bound)):
             reject(f"that −1 is no sum of squares in {field.name} cannot be verified")
-        return Finding(FIELD, LEVEL)
+        return CheckResult(FIELD, LEVEL)
     if verdict == "refuted" and kind == "squares":
         data = an_object(evidence, "kind values", "the evidence")
         values = [field.read(text) for text in texts(data["values"], "values", 1)]
@@ -102,20 +104,20 @@ def level(parts: tuple[str, ...], setting: Setting, verdict: str, evidence: obje
             total = field.add(total, field.mul(x, x))
         if (bound is not None and len(values) > bound) or not field.equal(total, field.number(-1)):
             reject("the squares are too many, or do not add up to −1")
-        return Finding(FIELD, SUM_OF_SQUARES)
+        return CheckResult(FIELD, SUM_OF_SQUARES)
     _unfit(kind, verdict)
 
 
 def norm_criterion(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
-) -> Finding:
+) -> CheckResult:
     """q has an inverse exactly when N(q) > 0 (or < 0) in the orderings of the field."""
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "ordering" and parts == (">",):
         an_object(evidence, "kind", "the evidence")
         if not field.is_ordered:
             reject(f"{field.name} is not known to have an ordering")
-        return Finding(
+        return CheckResult(
             FIELD, ORDERING
         )  # N(q) is a sum of squares, so it is positive wherever it is not 0
     if verdict == "refuted" and kind == "witness":
@@ -126,28 +128,28 @@ def norm_criterion(
             reject("the norm is not that number")
         if not (n < 0 if parts == (">",) else n > 0):
             reject("the norm does not contradict the criterion")
-        return Finding(FIELD, WITNESS)
+        return CheckResult(FIELD, WITNESS)
     _unfit(kind, verdict)
 
 
 def modulus_exists(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
-) -> Finding:
+) -> CheckResult:
     """Every norm is a square in the field."""
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "proved" and kind == "closed" and field.name in CLOSED:
         an_object(evidence, "kind", "the evidence")
         # In RR a sum of squares is not negative.
-        return Finding(FIELD, CLOSED_FIELD).citing(CLOSED[field.name])
+        return CheckResult(FIELD, CLOSED_FIELD).citing(CLOSED[field.name])
     if verdict == "proved" and kind == "identity":
         an_object(evidence, "kind", "the evidence")
         _identity("norm({q}) == ({q}[0] + {q}[1] + {q}[2] + {q}[3])**2", setting)
-        return Finding(FIELD, IDENTITY)
+        return CheckResult(FIELD, IDENTITY)
     if verdict == "refuted" and kind == "no root":
         data = an_object(evidence, "kind value", "the evidence")
         if field.is_square(_evaluator(field).norm(_quaternion(field, data["value"]))):
             reject("the norm of the element is a square")
-        return Finding(FIELD, WITNESS)
+        return CheckResult(FIELD, WITNESS)
     _unfit(kind, verdict)
 
 
@@ -159,18 +161,18 @@ def _identity(form: str, setting: Setting) -> None:
         reject(f"too many letters name elements of {field.name}")
     text = form.format(q=free[0], p=free[1])
     expansion = expand(read_statement(text, setting), setting)
-    if not all(map(Place(expansion, setting.field).is_trivial, expansion.clauses)):
+    if not all(map(EvaluationContext(expansion, setting.field).is_trivial, expansion.clauses)):
         reject(f"{text} does not hold by expanding")
 
 
 def modulus_law(
     parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
-) -> Finding:
+) -> CheckResult:
     """Some choice of a root √n for each square n makes √N(pq) = √N(p)·√N(q) (or the sum) hold."""
     field, kind = _field(setting), kind_of(evidence)
     if verdict == "refuted" and kind == "all choices":
         _no_choice(field, parts[0], an_object(evidence, "kind elements roots", "the evidence"))
-        return Finding(FIELD, ALL_CHOICES_OF_ROOTS)
+        return CheckResult(FIELD, ALL_CHOICES_OF_ROOTS)
     if verdict != "proved" or parts != ("*",):
         _unfit(kind, verdict)
     an_object(evidence, "kind", "the evidence")
@@ -178,25 +180,25 @@ def modulus_law(
     p = field.characteristic
     if kind == "unique roots" and p == 2:
         # y² = z² means (y − z)² = 0, so the product of the roots is the root
-        return Finding(FIELD, UNIQUE_ROOTS)
+        return CheckResult(FIELD, UNIQUE_ROOTS)
     if kind == "ordering" and field.is_ordered:
         # the roots that are not negative: their products are not negative
-        return Finding(FIELD, ORDERING)
+        return CheckResult(FIELD, ORDERING)
     if kind == "square roots" and field.order is not None and field.order % 4 == 3:
         # −1 is no square, and the squares have index 2 in F*: one of r, −r is a square. Take that.
         if field.order > MAX_TRIED:
-            return Finding(FIELD, CHOICE_OF_ROOTS)
+            return CheckResult(FIELD, CHOICE_OF_ROOTS)
         _try_squares(field)
-        return Finding(FIELD, EXHAUSTION)
+        return CheckResult(FIELD, EXHAUSTION)
     if kind == "pure subgroup" and field.order is None and not field.is_square(field.number(-1)):
         # {1, −1} is pure, so a complement of it contains one root of each.
-        return Finding(FIELD, CHOICE_OF_ROOTS).citing(KULIKOV)
+        return CheckResult(FIELD, CHOICE_OF_ROOTS).citing(KULIKOV)
     _unfit(kind, verdict)
 
 
 def _try_squares(field: Ring) -> None:
     """Check over a finite field that roots which are squares themselves are enough, and multiply to such."""
-    charge(20 * (field.order or 0) ** 2)
+    spend(20 * (field.order or 0) ** 2)
     squares = {field.mul(x, x) for x in field.elements()}
     root = {field.mul(x, x): x for x in squares}
     for x, y in product(root.values(), repeat=2):

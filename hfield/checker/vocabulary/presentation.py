@@ -4,8 +4,8 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from hfield.checker.budget import charge, charge_products
-from hfield.checker.check_result import Finding
+from hfield.checker.budget import spend, spend_products
+from hfield.checker.check_result import CheckResult
 from hfield.checker.glossary import ALGEBRA, COMMUTATIVE_RINGS, FIELD, PRESENTATION
 from hfield.checker.language import Tree, parse
 from hfield.checker.rejection import (
@@ -89,7 +89,7 @@ def _words(tree: Tree, identity: bool) -> Words:
 
 
 def _add(f: Words, g: Words, scale: int) -> Words:
-    charge(len(f) // 8)
+    spend(len(f) // 8)
     out = dict(f)
     for word, c in g.items():
         _collect(out, word, scale, c)
@@ -98,8 +98,8 @@ def _add(f: Words, g: Words, scale: int) -> Words:
 
 def _collect(f: Words, word: str, c: int, d: int) -> None:
     """Add c·d·word to f."""
-    charge(4)
-    charge_products([c], [d])
+    spend(4)
+    spend_products([c], [d])
     total = f.pop(word, 0) + c * d
     if total.bit_length() > 4 * MAX_DIGITS:
         reject("a coefficient has grown too large")
@@ -144,7 +144,7 @@ def _repeated(data: object, target: tuple[Words, ...], identity: bool, what: str
 
 def establish_presentation(
     target: Presentation, ring: Ring | None, verdict: str, evidence: object
-) -> Finding:
+) -> CheckResult:
     """Check the evidence about a statement on associative algebras.
 
     It is vacuous where the relations give 1 = 0: no algebra other than 0 satisfies them.
@@ -168,7 +168,7 @@ def _is_vacuous(target: Presentation, ring: Ring | None) -> bool:
 
 def _established(
     target: Presentation, ring: Ring | None, verdict: str, evidence: object
-) -> Finding:
+) -> CheckResult:
     kind = kind_of(evidence)
     own = {"presentation": "proofs", "algebra": "table goal value"}.get(kind)
     wanted = {"presentation": "proved", "algebra": "refuted"}.get(kind)
@@ -190,10 +190,12 @@ def _established(
     if ring is not None and ring.characteristic != p:
         reject("the algebra is over another characteristic than the field has")
     _table(target, p, data)
-    return Finding(FIELD, ALGEBRA)
+    return CheckResult(FIELD, ALGEBRA)
 
 
-def _proofs(target: Presentation, ring: Ring | None, p: int, data: Mapping[str, object]) -> Finding:
+def _proofs(
+    target: Presentation, ring: Ring | None, p: int, data: Mapping[str, object]
+) -> CheckResult:
     if p and (ring is None or ring.characteristic != p):
         reject("the proof is valid in one characteristic only")
     proofs = a_list(data["proofs"], "proofs")
@@ -218,7 +220,7 @@ def _proofs(target: Presentation, ring: Ring | None, p: int, data: Mapping[str, 
                 _collect(total, left + word + right, factor, d)
         if any(d % p if p else d for d in total.values()):
             reject("a sum of multiples of the relations is not the goal")
-    return Finding(COMMUTATIVE_RINGS if ring is None else FIELD, PRESENTATION)
+    return CheckResult(COMMUTATIVE_RINGS if ring is None else FIELD, PRESENTATION)
 
 
 Vector = list[int]
@@ -234,7 +236,7 @@ def _table(target: Presentation, p: int, data: Mapping[str, object]) -> None:
 
     def times(v: Vector, w: Vector) -> Vector:
         out = [0] * 4
-        charge(30)
+        spend(30)
         for x, c in zip("eijk", v, strict=True):
             for y, d in zip("eijk", w, strict=True):
                 if c and d:
@@ -259,7 +261,7 @@ def _table(target: Presentation, p: int, data: Mapping[str, object]) -> None:
             v = unit[word[0]] if word else unit["e"]
             for letter in word[1:]:
                 v = times(v, unit[letter])
-            charge_products([c], v)
+            spend_products([c], v)
             total = [u + c * w for u, w in zip(total, v, strict=True)]
         return reduced(total)
 

@@ -13,8 +13,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from hfield.checker.budget import MILLIONS, Work, bounded
-from hfield.checker.check import Established, Pin, check
+from hfield.checker.budget import MILLIONS, Budget, bounded
+from hfield.checker.check import Established, ExpectedClaim, check
 from hfield.checker.glossary import COMMUTATIVE_RINGS
 from hfield.checker.json_text import MAX_BYTES, read_json
 from hfield.checker.rejection import Rejected, one_line
@@ -102,13 +102,13 @@ class Checked:
 
 def run(args: Namespace) -> int:
     """Check every file, report, and return the exit status."""
-    pin = _pin(args)
-    if pin is not None:
-        note(_in_words(pin, args.claim))
+    expected = _expected(args)
+    if expected is not None:
+        note(_in_words(expected, args.claim))
     check_given(args)
     names = list(texts(args))
     with judge_by_coq(args) if args.coq else nullcontext() as judge:
-        checked = [each for name in names for each in _checked(name, pin, judge, args.work)]
+        checked = [each for name in names for each in _checked(name, expected, judge, args.work)]
     with open_output(args.output) as out:
         results = [_json(each) for each in checked]
         if args.format in LINES:
@@ -132,13 +132,15 @@ def _exit_status(outcomes: Sequence[Outcome], allow_assumptions: bool) -> int:
     return ASSUMING if assuming and not allow_assumptions else 0
 
 
-def _checked(name: str, pin: Pin | None, judge: Judge | None, work: float) -> Iterator[Checked]:
+def _checked(
+    name: str, expected: ExpectedClaim | None, judge: Judge | None, work: float
+) -> Iterator[Checked]:
     """Yield a file, or each line of one that has many, with what came out."""
     for each, content in _contents(name):
         if isinstance(content, UnreadableError):
             yield Checked(each, content)
         else:
-            yield _check(each, content, pin, judge, work)
+            yield _check(each, content, expected, judge, work)
 
 
 def _contents(name: str) -> Iterator[tuple[str, bytes | UnreadableError]]:
@@ -157,13 +159,15 @@ def _contents(name: str) -> Iterator[tuple[str, bytes | UnreadableError]]:
         yield name, UnreadableError(f"cannot read {shorten(name)!r}: {reason}")
 
 
-def _check(name: str, content: bytes, pin: Pin | None, judge: Judge | None, work: float) -> Checked:
+def _check(
+    name: str, content: bytes, expected: ExpectedClaim | None, judge: Judge | None, work: float
+) -> Checked:
     """Check what was read; Coq judges the very data that was checked."""
-    most = Work(work)
+    most = Budget(work)
     try:
         with bounded(most):
             data = read_json(_decoded(content))
-        found = check(data, pin, most)
+        found = check(data, expected, most)
     except Rejected as error:
         return Checked(name, error)
     return Checked(name, found, judge(name, found, data) if judge else None)
@@ -178,7 +182,7 @@ def _decoded(content: bytes) -> str:
         raise Rejected("the file is not text in UTF-8") from None
 
 
-def _pin(args: Namespace) -> Pin | None:
+def _expected(args: Namespace) -> ExpectedClaim | None:
     """Return what the certificates have to be about. Raises :class:`HFieldError` for bad usage."""
     if args.claim is not None and (args.statement is not None or args.algebra is not None):
         raise UsageError("--claim names the statement and the algebra; give one or the other")
@@ -203,7 +207,7 @@ def _pin(args: Namespace) -> Pin | None:
             )
         field = None if args.field is None or everywhere else ring(args.field).name
         statements = tuple(p.statement for p in propositions)
-        return Pin(statements, field, any_field=args.field is None, claim=True)
+        return ExpectedClaim(statements, field, any_field=args.field is None, claim=True)
     if args.statement is None:
         if args.field is not None or args.algebra is not None or args.given:
             raise UsageError(
@@ -219,22 +223,24 @@ def _pin(args: Namespace) -> Pin | None:
     words = statement_words(setting.field, setting.letters, setting.table)
     statement = Typed.implication([spell(x, words) for x in (*args.given, args.statement)]).text
     try:
-        return Pin((statement,), name, setting.algebra).readable()
+        return ExpectedClaim((statement,), name, setting.algebra).readable()
     except Rejected as error:
         raise UsageError(f"--statement: {error}") from None
 
 
-def _in_words(pin: Pin, claim: str | None) -> str:
+def _in_words(expected: ExpectedClaim, claim: str | None) -> str:
     """Say what the certificates have to be about."""
     from hfield.fields.names import ring
 
-    what = f"claim {claim}" if claim else one_line(pin.statements[0])
-    if pin.any_field:
+    what = f"claim {claim}" if claim else one_line(expected.statements[0])
+    if expected.any_field:
         return f"asked for {what} over any field: each certificate says below over which"
     where = "all fields"
-    if isinstance(pin.field, str):
-        where = f"{pin.field}, {ring(pin.field).in_words()}"
-    return f"asked for {what} over {where}" + (f", in {pin.algebra}" if pin.algebra else "")
+    if isinstance(expected.field, str):
+        where = f"{expected.field}, {ring(expected.field).in_words()}"
+    return f"asked for {what} over {where}" + (
+        f", in {expected.algebra}" if expected.algebra else ""
+    )
 
 
 def _told(each: Checked) -> list[str]:
