@@ -1,4 +1,4 @@
-"""How far long computations are: their loops tell it here, and a command that waits reads it."""
+"""Progress of long computations: loops report it here, and a waiting command reads it."""
 
 from __future__ import annotations
 
@@ -10,40 +10,40 @@ from typing import TypeVar
 T = TypeVar("T")
 
 _now: tuple[str, float, float] | None = None
-"""What is being gone through, since when, and the share that is done. One tuple: threads read it whole."""
+"""The name of the loop, when it began and the share that is done, as one tuple, which threads read whole."""
 
 
-def tell(done: Fraction | float, total: Fraction | float, what: str) -> None:
-    """Note that so much of the total is done; at its end nothing is being gone through any more.
+def report(done: Fraction | float, total: Fraction | float, what: str) -> None:
+    """Report how much of a total is done. When all is done, no loop is running any more.
 
-    >>> tell(3, 4, "classes")
-    >>> told()[1]
+    >>> report(3, 4, "classes")
+    >>> current()[1]
     0.75
-    >>> tell(4, 4, "classes"); told()
+    >>> report(4, 4, "classes"); current()
     """
     global _now
     since = _now[1] if _now is not None and _now[0] == what else time.monotonic()
     _now = (what, since, float(done / total)) if done < total else None
 
 
-def told() -> tuple[str, float, float] | None:
-    """Return what is being gone through, the share that is done, and for how many seconds it has been."""
+def current() -> tuple[str, float, float] | None:
+    """Return the name of the running loop, the share that is done and the seconds since it began, or None."""
     if _now is None:
         return None
     what, since, share = _now
     return what, share, time.monotonic() - since
 
 
-def along(items: Iterable[T], total: int, what: str) -> Iterator[T]:
-    """Yield the items of a loop, telling how far it is.
+def track(items: Iterable[T], total: int, what: str) -> Iterator[T]:
+    """Yield the items of a loop and report its progress.
 
-    >>> [told()[1] for _ in along("abcd", 4, "letters")]
+    >>> [current()[1] for _ in track("abcd", 4, "letters")]
     [0.0, 0.25, 0.5, 0.75]
-    >>> told()
+    >>> current()
     """
     try:
         for n, item in enumerate(items):
-            tell(n, total, what)
+            report(n, total, what)
             yield item
     finally:
-        tell(1, 1, what)
+        report(1, 1, what)

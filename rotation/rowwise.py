@@ -56,8 +56,8 @@ class Formula:
     Attributes
     ----------
     function : callable
-        ``function(where, *arrays)``, the machine code as `builtins.assembled` tells, once there is some: for
-        what it can do nothing is quicker. It answers None for all else, which calling the formula does.
+        ``function(where, *arrays)``: the machine code (see `builtins.compile_builtin`), once it is compiled.
+        It returns None for arguments that it cannot take; then the formula is called.
     """
 
     __slots__ = (
@@ -130,7 +130,7 @@ class Formula:
             return unmade
         with machine_code.lock:
             if self.function is unmade:
-                function, self._row, steps = builtins.assembled(
+                function, self._row, steps = builtins.compile_builtin(
                     self._formula,
                     self._shapes,
                     self._parameters,

@@ -14,7 +14,7 @@ from hfield.ledger.claim import CheckResult, Computed, Proposition
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real_geometry import REAL
-from hfield.ledger.scopes import Only
+from hfield.ledger.scopes import OnlyOver
 from hfield.prover.decision import NOT_APPLICABLE, Decision
 from hfield.rings.base import Ring
 
@@ -76,13 +76,13 @@ GAP = "(q[1]**2 + 2*(q[0]*q[1])**2)"
 POLYGONS = "Inscribed polygons of the real circle are meant."
 
 
-def nearer(sign: str) -> Only:
+def nearer(sign: str) -> OnlyOver:
     """Say that z² − y² is GAP/2, and that GAP, or −GAP, is positive: no norm is its negative."""
     parts = (
         Statement(f"2*(z**2 - y**2) == {GAP}", HALVED),
         Statement(f"norm(p) != {sign}{GAP}", ("q[1] != 0",)),
     )
-    return Only(Every(parts), (REAL,), POLYGONS, (CIRCLE,))
+    return OnlyOver(Every(parts), (REAL,), POLYGONS, (CIRCLE,))
 
 
 def closed(band: bool) -> Computed:

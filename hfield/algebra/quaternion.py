@@ -96,7 +96,7 @@ class Quaternion(Hinted, PrintedBySympy):
     # What is kept is _held, which only the holding _how reads; coordinates are made when asked for.
     # No __setattr__ or __delattr__ of its own: they would make every new element slower.
     __slots__ = ("_algebra", "_held", "_how")
-    elsewhere = ELEMENT
+    foreign_names = ELEMENT
     _op_priority = 20.0  # for x * q with an x of sympy, to which q is no quaternion of its own
 
     _algebra: Parent

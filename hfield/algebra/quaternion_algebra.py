@@ -99,7 +99,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     ((-1,-11|QQ), (-1,-11|QQ), (-1,-11|QQ))
     """
 
-    elsewhere = ALGEBRA
+    foreign_names = ALGEBRA
 
     def __init__(
         self, ring: RingName | object, a: object = None, b: object = None, t: object = 0

@@ -51,7 +51,8 @@ def spend(units: int) -> None:
         if budget.left < 0:
             reject(
                 "checking this takes more work than is done for one file, "
-                f"{budget.millions:g} million units; allow more with --work N, in Python with budget=Budget(N)"
+                f"{budget.millions:g} million units; allow more with --work N, "
+                "in Python with budget=Budget(N)"
             )
 
 

@@ -9,8 +9,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
 
-from hfield.cli.answers import Answer
 from hfield.cli.output import Sink, encodable, open_output
+from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import UsageError, add_format
 from hfield.errors import HFieldError, shorten
 
@@ -34,7 +34,10 @@ def add_inputs(parser: ArgumentParser, metavar: str, help: str, *formats: str) -
 
 
 def answer_all(
-    args: Namespace, answer: Callable[[str], Answer], columns: Sequence[str], apart: bool = True
+    args: Namespace,
+    answer: Callable[[str], OutputDocument],
+    columns: Sequence[str],
+    apart: bool = True,
 ) -> int:
     """Answer each input in turn and return the worst exit status.
 
@@ -68,7 +71,7 @@ def check_given(args: Namespace) -> None:
 def _answer_many(
     out: Sink,
     args: Namespace,
-    answer: Callable[[str], Answer],
+    answer: Callable[[str], OutputDocument],
     columns: Sequence[str],
     apart: bool,
 ) -> int:

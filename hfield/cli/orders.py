@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from hfield.cli.answers import Answer, answer_one
 from hfield.cli.output import note, open_output
+from hfield.cli.output_document import OutputDocument, answer_one
 from hfield.cli.parser import (
     UsageError,
     add_factors,
@@ -43,12 +43,13 @@ def add_answers(parser: ArgumentParser) -> None:
 
 
 def answer_certified(
-    args: Namespace, answer: Callable[[Namespace], tuple[Answer, Callable[[], Claim | Verdict]]]
+    args: Namespace,
+    answer: Callable[[Namespace], tuple[OutputDocument, Callable[[], Claim | Verdict]]],
 ) -> int:
     """Answer, and write a certificate where it is asked for; the primes that are known are used."""
     with given_factors(args), open_output(args.certificate) as file:
 
-        def certified() -> Answer:
+        def certified() -> OutputDocument:
             found, claim = answer(args)
             if args.certificate is not None:
                 claimed = claim()

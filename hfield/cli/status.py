@@ -8,7 +8,7 @@ from threading import Event, RLock, Thread
 from types import TracebackType
 from typing import TextIO
 
-from hfield.progress import told
+from hfield.progress import current
 
 WIDTH = 79
 PATIENCE = 0.5  # seconds before a command says what it is at
@@ -51,7 +51,7 @@ STATUS = StatusLine()
 
 def _how_far() -> str:
     """Return what the loop that runs has told of itself, and how long it will take at this rate."""
-    if (now := told()) is None:
+    if (now := current()) is None:
         return ""
     what, share, seconds = now
     left = f", some {time_left(seconds / share * (1 - share))}" if share else ""

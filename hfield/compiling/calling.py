@@ -12,7 +12,7 @@ import numpy as np
 from hfield.compiling import machine_code, memory
 from hfield.compiling.arithmetic import Arithmetic
 from hfield.compiling.arithmetics.doubles import Formula
-from hfield.compiling.loops import Operand, looped
+from hfield.compiling.loops import Operand, emit_loop
 from hfield.compiling.memory import Array, Rows, address, in_one_piece, rows_of
 from hfield.compiling.threads import in_pieces, threads
 from hfield.straight_line import Program
@@ -99,7 +99,7 @@ class Kernel:
         with machine_code.lock:
             if (singles, streamed) not in self._loops:
                 operands = tuple(map(Operand, self.sides, singles))
-                text = looped(self.program, self.arithmetic, operands, self.literals, streamed)
+                text = emit_loop(self.program, self.arithmetic, operands, self.literals, streamed)
                 address = machine_code.compiled(text, "entry", True, _announce)
                 self._loops[singles, streamed] = machine_code.function(address)
         return self._loops[singles, streamed]

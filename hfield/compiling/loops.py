@@ -35,7 +35,7 @@ class Operand(NamedTuple):
     single: bool
 
 
-def written(
+def emit_body(
     code: Code,
     program: Program | Formula,
     arithmetic: Arithmetic,
@@ -62,7 +62,7 @@ def written(
     return [arithmetic.store(code, x.payload) for x in results]
 
 
-def looped(
+def emit_loop(
     program: Program | Formula,
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
@@ -83,7 +83,7 @@ def looped(
     code = Code(f"internal i64 @loop(i64 %n, {signature}) noinline")
 
     def turn(i: str, told: str) -> list[str]:
-        results = written(code, program, arithmetic, operands, literals, i)
+        results = emit_body(code, program, arithmetic, operands, literals, i)
         for name, result in zip(outputs, results, strict=True):
             _write(code, arithmetic, name, i, result)
         for condition in code.conditions:

@@ -25,7 +25,7 @@ from hfield.fuchsian.side_search import Shape, grown
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
 from hfield.orders import maximal_orders
 from hfield.orders.invariants import is_eichler
-from hfield.progress import tell
+from hfield.progress import report
 
 ROUNDS = 50
 """So often at most units are looked for from more points."""
@@ -74,16 +74,16 @@ def domain(order: SplitOrder, center: Quaternion, area: Fraction, given: Any = N
         if idle == IDLE:
             break
         known = max(known, len(shape.rows))
-        tell(min(known / (5.5 * total + 10), 0.99), 1, "the domain")
+        report(min(known / (5.5 * total + 10), 0.99), 1, "the domain")
         shape = grown(sight, shape.rows, sight.carrying(places(shape, float(area), rng)))
         # at cusps rounding may add a side that only touches, and its angles to the area
         if shape.closed and (order.cusps() != 0 or abs(shape.area() - float(area)) < 0.02):
             sides = Polygon(plane, [order.element(row) for row in shape.rows.tolist()])
             proved = proof(sides.without_points(), area)
             if proved is not None and all(g.norm() == 1 for g in sides.units):
-                tell(1, 1, "the domain")
+                report(1, 1, "the domain")
                 return proved
-    tell(1, 1, "the domain")
+    report(1, 1, "the domain")
     raise TooLargeError(
         f"the domain, of area 2π·{area}, has more sides than the {known} that were found; groups of an area "
         "up to 2π·200 are within reach, and perhaps another center= helps"

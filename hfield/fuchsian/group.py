@@ -169,7 +169,7 @@ class NormOneGroup(Certified, Hinted):
     (Fraction(1, 3), Signature(genus=0, orders=(2, 2, 3, 3), cusps=0))
     """
 
-    elsewhere = GROUP
+    foreign_names = GROUP
 
     def __init__(self, order: SplitOrder) -> None:
         self.order = order

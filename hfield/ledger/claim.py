@@ -33,7 +33,7 @@ class Proposition(Protocol):
         """Decide it over ``field``; None is every commutative ring (or field, where it needs one)."""
 
 
-class Worded:
+class TemplateProposition:
     """A proposition that is written by forms, which name its parts in braces."""
 
     in_words: ClassVar[str] = "{proposition.text}"

@@ -17,7 +17,7 @@ from hfield.checker.glossary import (
 from hfield.evidence import Evidence, Kind
 from hfield.factorisation import factorise
 from hfield.ledger.base_field import hamilton, texts
-from hfield.ledger.claim import Worded
+from hfield.ledger.claim import TemplateProposition
 from hfield.notation import element_text
 from hfield.product import Constants, Coordinates, multiply
 from hfield.prover.decision import FIELDS, Decision
@@ -26,7 +26,7 @@ from hfield.rings.base import Ring
 
 
 @dataclass(frozen=True)
-class Centre(Worded):
+class Centre(TemplateProposition):
     """The centre of H(F) is H(F) in characteristic ``special``, and F·e in every other."""
 
     special: int = 2

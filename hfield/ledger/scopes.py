@@ -17,7 +17,7 @@ from hfield.checker.glossary import (
 )
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
-from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition, Worded
+from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition, TemplateProposition
 from hfield.prover.decision import Decision
 from hfield.prover.steps import Step, say
 from hfield.rings.base import Ring
@@ -26,7 +26,7 @@ TRUE = ("proved", "vacuous")
 
 
 @dataclass(frozen=True)
-class Negation(Worded):
+class Negation(TemplateProposition):
     """``proposition`` does not hold in every field: proved by the fields of the panel in which it fails."""
 
     proposition: Proposition
@@ -52,7 +52,7 @@ class Negation(Worded):
 
 
 @dataclass(frozen=True)
-class Over(Worded):
+class InField(TemplateProposition):
     """A proposition about one ring, the one named, whatever the column: what claims of no field are.
 
     A witness names that ring under the key ``F``.
@@ -72,7 +72,7 @@ class Over(Worded):
 
 
 @dataclass(frozen=True)
-class Only(Worded):
+class OnlyOver(TemplateProposition):
     """A proposition that has a meaning over some fields only; ``fits`` are their names."""
 
     proposition: Proposition

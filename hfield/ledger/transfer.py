@@ -22,7 +22,7 @@ from hfield.rings.base import Ring
 PLACES, SECONDS = 400, 5.0
 
 
-def carried(formula: str, given: tuple[str, ...], field: Ring) -> Decision | None:
+def from_general_proof(formula: str, given: tuple[str, ...], field: Ring) -> Decision | None:
     """Decide over a field by a proof over every commutative ring; None where there is none.
 
     The hypotheses are seen to be satisfiable there, or else the verdict could be "vacuous".
@@ -49,7 +49,7 @@ class _General:
         if not hypotheses:
             return {}
         problem = replace(self.problem, clock=Clock.of(SECONDS))
-        return true_place(problem.about(conjunction(hypotheses)), PLACES)
+        return true_place(problem.for_formula(conjunction(hypotheses)), PLACES)
 
     def is_satisfiable(self, characteristic: int) -> bool:
         """Tell whether those integers satisfy the hypotheses modulo a characteristic as well."""

@@ -40,7 +40,7 @@ _DEEPEST = 6  # phrases within phrases
 
 
 @dataclass(frozen=True)
-class Told:
+class TranslatedClaim:
     """What a claim says; ``holds`` and ``corrected`` are what is decided, where that is said in words."""
 
     name: str
@@ -62,7 +62,9 @@ class Translation:
         documents = [_document(source, language) for source in sources]
         self._names = SIGNS.union(*(d.get("names", ()) for d in documents))
         self._told = {
-            key: Told(**data) for d in documents for key, data in d.get("claims", {}).items()
+            key: TranslatedClaim(**data)
+            for d in documents
+            for key, data in d.get("claims", {}).items()
         }
         self._whole = dict(pair for claim in listed for pair in self._pairs(claim))
         self._phrases: list[tuple[re.Pattern[str], str]] = []
@@ -74,7 +76,7 @@ class Translation:
                     self._whole[text] = said
         self._said: dict[str, str | None] = {}
 
-    def told(self, claim: Claim) -> Told | None:
+    def told(self, claim: Claim) -> TranslatedClaim | None:
         """Return what a claim says, or None."""
         return self._told.get(claim.id)
 
@@ -185,8 +187,8 @@ def _check(document: Mapping[str, Any], name: str) -> None:
             )
     for key, texts in document.get("claims", {}).items():
         keys = set(texts) if isinstance(texts, dict) else {"?"}
-        if not {"name", "statement"} <= keys <= set(Told.__dataclass_fields__):
-            known = ", ".join(Told.__dataclass_fields__)
+        if not {"name", "statement"} <= keys <= set(TranslatedClaim.__dataclass_fields__):
+            known = ", ".join(TranslatedClaim.__dataclass_fields__)
             raise LedgerError(
                 f"{name}, claim {key!r}: expected name and statement; there are {known}"
             )

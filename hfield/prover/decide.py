@@ -96,13 +96,13 @@ def decide(
 def answer(question: Question) -> Decision:
     """Answer a question, in a process of its own where a single step may take long."""
     if is_risky(question.problem):
-        decision = decide_apart(question)
+        decision = decide_in_subprocess(question)
         if decision is not None:
             return decision
-    return answer_here(question)
+    return decide_in_process(question)
 
 
-def answer_here(question: Question) -> Decision:
+def decide_in_process(question: Question) -> Decision:
     """Answer a question in this process, whatever the risk."""
     problem = replace(question.problem, clock=Clock.of(question.timeout))
     return _decided(problem, problem.field, question.timeout)
@@ -145,7 +145,7 @@ def _never_false(problem: Problem) -> Decision | None:
     field = problem.field
     if problem.statement.exists or field is None or not (field.is_exact and field.is_field):
         return None
-    if not closed_solutions(problem.about(Not(problem.matrix))).none:
+    if not closed_solutions(problem.for_formula(Not(problem.matrix))).none:
         return None
     steps = (say("no-counterexample", F=field.name),)
     return Decision(PROVED, LINEAR_ALGEBRA, steps=steps, scope=FIELD)
@@ -194,7 +194,7 @@ def _digits(text: str) -> int:
     return sum(c.isdigit() for c in text)
 
 
-def decide_apart(question: Question) -> Decision | None:
+def decide_in_subprocess(question: Question) -> Decision | None:
     """Decide in another process; None when the field is a user's own, which has no name there."""
     import json
     import pickle

@@ -29,14 +29,14 @@ def algebra_exists(problem: Problem) -> bool | None:
     if not problem.setting.divides:
         return True
     letters = tuple(name for name in problem.setting.letters if name in problem.letters)
-    about_letters = problem.about(TRUE, letters)
+    about_letters = problem.for_formula(TRUE, letters)
     statement = replace(
         about_letters.statement,
         unknowns=tuple((name, Sort.SCALAR) for name in letters),
         divides=True,
     )
     try:
-        return _exists(problem.stating(statement))
+        return _exists(problem.with_statement(statement))
     except (UndecidedError, TooLargeError):
         return None
 

@@ -94,11 +94,11 @@ class Problem:
         """Return the problem over another ring."""
         return replace(self, setting=replace(self.setting, field=ring))
 
-    def stating(self, statement: Statement) -> Problem:
+    def with_statement(self, statement: Statement) -> Problem:
         """Return another problem of the same setting, to be decided in the same time."""
         return replace(self, statement=statement)
 
-    def about(self, node: Node, names: tuple[str, ...] | None = None) -> Problem:
+    def for_formula(self, node: Node, names: tuple[str, ...] | None = None) -> Problem:
         """Return the problem ``node`` for all values of the unknowns, or of those with ``names``.
 
         Constants of the field that were put in for unknowns count as constants of the statement.
@@ -120,14 +120,14 @@ class Problem:
             constants=tuple(dict.fromkeys((*old.constants, *constants_in(node, self.field)))),
             divides=old.divides or divides_in(node),
         )
-        return self.stating(made)
+        return self.with_statement(made)
 
-    def alone(self, node: Node, names: tuple[str, ...] | None = None) -> Problem:
+    def without_constants(self, node: Node, names: tuple[str, ...] | None = None) -> Problem:
         """Return the same, without the constants of the field that neither it nor the algebra has."""
-        made, trees = self.about(node, names), (node, *self.setting.trees)
+        made, trees = self.for_formula(node, names), (node, *self.setting.trees)
         used = {text for tree in trees for text in constants_in(tree, self.field)}
         own = tuple(text for text in made.statement.constants if text in used)
-        return made.stating(replace(made.statement, constants=own))
+        return made.with_statement(replace(made.statement, constants=own))
 
     @property
     def matrix(self) -> Node:

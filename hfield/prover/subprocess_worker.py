@@ -4,7 +4,7 @@ import json
 import pickle
 import sys
 
-from hfield.prover.decide import answer_here, read_question
+from hfield.prover.decide import decide_in_process, read_question
 
 
 def main(memory: int) -> None:
@@ -16,7 +16,7 @@ def main(memory: int) -> None:
     except (ImportError, ValueError, OSError):  # not a Unix, or a lower limit holds already
         pass
     question = read_question(**json.loads(sys.stdin.read()))
-    pickle.dump(answer_here(question), sys.stdout.buffer)
+    pickle.dump(decide_in_process(question), sys.stdout.buffer)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ from pkgutil import get_data
 
 from hfield.errors import shorten
 from hfield.ledger.claim import Claim, Row
-from hfield.ledger.translated import Told, Translation
+from hfield.ledger.translated import TranslatedClaim, Translation
 from hfield.report.markup import Words, formula, prose
 
 _TABLE = json.loads(get_data("hfield.report", "words.json") or "{}")
@@ -57,10 +57,10 @@ class Language(dict[str, str]):
         claims = dict.fromkeys(row.claim for row in rows)
         self._translation = None if name == "en" else Translation(claims, name, OURS)
 
-    def told(self, claim: Claim) -> Told | None:
+    def told(self, claim: Claim) -> TranslatedClaim | None:
         """Return what a claim says in this language, or None where it is known in English only."""
         if self._translation is None:
-            return Told(claim.name, claim.statement, claim.note)
+            return TranslatedClaim(claim.name, claim.statement, claim.note)
         return self._translation.told(claim)
 
     def printed(self, claim: Claim) -> str:

@@ -14,7 +14,7 @@ from typing import Any, NoReturn
 
 from hfield.errors import NotationError, TooLargeError, shorten
 from hfield.syntax.products import MAX_DEPTH, Vocabulary
-from hfield.syntax.spelling import MAX_LENGTH, elsewhere, spell
+from hfield.syntax.spelling import MAX_LENGTH, foreign_function_hint, spell
 from hfield.syntax.tree import (
     ORDER,
     Binary,
@@ -120,7 +120,7 @@ class Reader:
                 if function not in self.functions or not function.isidentifier():
                     known = ", ".join(sorted(f for f in self.functions if f.isidentifier()))
                     raise NotationError(
-                        f"there is no function {function!r} in {self.what}{elsewhere(function)}; "
+                        f"there is no function {function!r} in {self.what}{foreign_function_hint(function)}; "
                         f"known functions: {known or 'none'}",
                         text,
                         node.position,

@@ -133,7 +133,7 @@ def _loop(
     with machine_code.lock:
         from rotation.kernels import formulas
 
-        builtins.introduce()
+        builtins.register_symbols()
         found = formulas.kernel(*name)
         number = operands[0].number if name[0] == "one" else "double"
         text = swept(found.fast, found.careful, operands, int(writes), number)

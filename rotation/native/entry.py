@@ -1,6 +1,6 @@
 """The builtin around a formula's loop: it looks at its arguments and makes its result, as one in C does.
 
-What it takes and answers `rotation.native.builtins.assembled` says.
+What it takes and answers `rotation.native.builtins.compile_builtin` says.
 """
 
 from collections.abc import Callable

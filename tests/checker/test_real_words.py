@@ -13,7 +13,7 @@ from hfield.ledger.claim import Proposition
 from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.propositions import Equivalence, Every, Implication, Statement
 from hfield.ledger.real_geometry import Analysis, Angles
-from hfield.ledger.scopes import Negation, Over
+from hfield.ledger.scopes import InField, Negation
 from hfield.rings import ring
 from tests.checker.cases import with_rings
 from tests.checker.ring_data import data_of
@@ -42,7 +42,7 @@ def renamed(data: dict[str, Any], statement: str) -> dict[str, Any]:
 
 
 def test_over_is_about_the_ring_named() -> None:
-    data = certified(Over("GF(3)", Statement("1 + 1 == -1")), None)
+    data = certified(InField("GF(3)", Statement("1 + 1 == -1")), None)
     assert data["statement"] == "over{GF(3); 1 + 1 == -1}"
     with pytest.raises(Rejected, match="expanding"):
         check(renamed(data, "over{QQ; 1 + 1 == -1}"))
@@ -52,7 +52,7 @@ def test_over_is_about_the_ring_named() -> None:
 
 
 def test_over_refutes_with_a_witness_in_that_ring() -> None:
-    proposition = Over("QQ", Statement("s**2 == 1 => s == 1"))
+    proposition = InField("QQ", Statement("s**2 == 1 => s == 1"))
     decision = proposition.decide(None)
     assert decision.witness == {"F": ["QQ"], "s": ["-1"]}
     data = certified(proposition, None)
@@ -71,14 +71,14 @@ def test_over_refutes_with_a_witness_in_that_ring() -> None:
     ],
 )
 def test_over_rings_where_nothing_is_proved(name: str, why: str) -> None:
-    data = certified(Over("QQ", Statement("1 + 1 == 2")), None)
+    data = certified(InField("QQ", Statement("1 + 1 == 2")), None)
     statement = f"over{{{name}; 1 + 1 == 2}}"
     with pytest.raises(Rejected, match=why):
         check(renamed(data, statement) if name == "RDF" else changed(data, statement=statement))
 
 
 def test_over_joins_other_words() -> None:
-    parts = (Over("QQ", Statement("2 != 0")), Over("GF(2)", Statement("2 == 0")))
+    parts = (InField("QQ", Statement("2 != 0")), InField("GF(2)", Statement("2 == 0")))
     data = certified(Every(parts), None)
     with pytest.raises(Rejected, match=r"covered|expanding"):
         check(changed(data, statement="every{over{GF(2); 2 != 0}; over{QQ; 2 == 0}}"))
@@ -87,7 +87,7 @@ def test_over_joins_other_words() -> None:
 def test_what_stands_in_brackets_is_a_name() -> None:
     place = "QQ[s]/(s^3-2)_(2, s)"
     data = renamed(
-        certified(Over("QQ", Statement("1 + 1 == 2")), None), f"over{{{place}; 1 + 1 == 2}}"
+        certified(InField("QQ", Statement("1 + 1 == 2")), None), f"over{{{place}; 1 + 1 == 2}}"
     )
     assert check(data).verdict == "proved"
     check(data, ExpectedClaim((f"over{{ {place} ;1 + 1 == 2}}",)))
@@ -101,7 +101,7 @@ def test_what_stands_in_brackets_is_a_name() -> None:
 
 
 def test_the_rings_that_are_named_are_said_and_no_others() -> None:
-    parts = (Over("QQ", Statement("2 != 0")), Over("GF(2)", Statement("2 == 0")))
+    parts = (InField("QQ", Statement("2 != 0")), InField("GF(2)", Statement("2 == 0")))
     data = certified(Every(parts), None)
     own, rings = data["evidence"]["evidence"], [data_of("GF(2)"), data_of("QQ")]
     assert data["evidence"] == {"kind": "rings", "rings": rings, "evidence": own}
@@ -146,7 +146,7 @@ def test_the_rings_that_are_named_are_said_and_no_others() -> None:
     "name", ["GF(3^2)", "GF( 9)", "GF(9,x^2+2*x+2)", "gf(9)", "FF(9)", "GF(9, x^2+2*x+2)", "GF(3)"]
 )
 def test_a_ring_is_named_as_the_checker_writes_it(name: str) -> None:
-    data = certified(Over("GF(9)", Statement("1 + 1 == -1")), None)
+    data = certified(InField("GF(9)", Statement("1 + 1 == -1")), None)
     with pytest.raises(Rejected, match="does not say which rings the statement names"):
         check(changed(data, statement=f"over{{{name}; 1 + 1 == -1}}"))
 

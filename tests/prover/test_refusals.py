@@ -33,8 +33,8 @@ def test_powers_that_are_too_large_to_expand(statement, field, verdict):
 
 
 METHODS = {
-    one_field: ("expand", "look_quickly", "prove_clauses", "look", "solve_clauses"),
-    over_rings: ("expand", "_proved", "look"),
+    one_field: ("expand", "quick_search", "prove_clauses", "search_counterexample", "solve_clauses"),
+    over_rings: ("expand", "_proved", "search_counterexample"),
     all_fields: ("expand", "_proof"),
     quantifiers: ("by_isolating", "by_terms", "by_linear_algebra", "by_roots", "by_zero_or_not", "at_zero",
                   "refuted_at", "vacuous"),

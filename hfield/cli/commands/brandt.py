@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hfield.atomic import whole_file
-from hfield.cli.answers import Answer, answer_one
 from hfield.cli.orders import (
     SECONDS_A_CLASS,
     algebra_of,
@@ -19,6 +18,7 @@ from hfield.cli.orders import (
     level_of,
 )
 from hfield.cli.output import OutputError, gone_on, try_picture
+from hfield.cli.output_document import OutputDocument, answer_one
 from hfield.cli.parser import UsageError, add_factors, add_format, add_output, given_factors
 from hfield.cli.status import Waiting
 from hfield.errors import shorten
@@ -65,7 +65,7 @@ def run(args: Namespace) -> int:
         return answer_one(args, partial(_answer, args))
 
 
-def _answer(args: Namespace) -> Answer:
+def _answer(args: Namespace) -> OutputDocument:
     from hfield.primality import is_prime
 
     replace = bool(args.plot) and try_picture(args.plot)
@@ -114,7 +114,7 @@ def _answer(args: Namespace) -> Answer:
     def page(style: Style) -> str:
         return "\n".join(_plain(C, matrix, n, characteristic(), style.width))
 
-    return Answer(data, page, {"latex": latex, "edges": edges})
+    return OutputDocument(data, page, {"latex": latex, "edges": edges})
 
 
 def _index(text: str) -> int:

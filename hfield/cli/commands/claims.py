@@ -7,8 +7,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from hfield.cli.answers import Answer, answer_one
 from hfield.cli.output import note
+from hfield.cli.output_document import OutputDocument, answer_one
 from hfield.cli.parser import add_format, add_output, add_standalone
 from hfield.errors import shorten
 
@@ -54,7 +54,7 @@ def run(args: Namespace) -> int:
 
         return paper.claims(chosen)
 
-    answer = Answer(
+    answer = OutputDocument(
         lambda: {"schema": "hfield-claims/1", "claims": [_json(c) for c in chosen]},
         lambda style: _table(chosen, style),
         {"markdown": lambda: _markdown(chosen), "latex": latex},

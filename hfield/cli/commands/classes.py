@@ -7,7 +7,6 @@ from collections.abc import Callable
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
-from hfield.cli.answers import Answer, of_parts
 from hfield.cli.orders import (
     SECONDS_A_CLASS,
     add_answers,
@@ -19,6 +18,7 @@ from hfield.cli.orders import (
     level_of,
     summands,
 )
+from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import UsageError
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def run(args: Namespace) -> int:
     return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
     A = algebra_of(args.algebra)
     level = level_of(args.level, A)
     O = A.eichler_order(level)
@@ -135,7 +135,7 @@ def _table(C: ClassSet) -> Part:
     )
 
 
-def _over_integers(args: Namespace, O: Order) -> tuple[Answer, Callable[[], Claim]]:
+def _over_integers(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], Claim]]:
     """Answer for an order over the integers of a number field."""
     if args.formula:
         raise UsageError(
@@ -191,7 +191,7 @@ def _over_integers(args: Namespace, O: Order) -> tuple[Answer, Callable[[], Clai
     return of_parts(data, parts), lambda: C.claim
 
 
-def _indefinite(args: Namespace, O: Any) -> tuple[Answer, Callable[[], Claim]]:
+def _indefinite(args: Namespace, O: Any) -> tuple[OutputDocument, Callable[[], Claim]]:
     """Answer by strong approximation where an infinite place splits: over QQ there is one class."""
     from hfield.evidence import Claim
     from hfield.orders.over_integers.indefinite_classes import REFUSAL

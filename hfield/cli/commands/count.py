@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from hfield.cli.answers import Answer, answer_one, of_parts
+from hfield.cli.output_document import OutputDocument, answer_one, of_parts
 from hfield.cli.parser import add_algebra, add_format, add_output, add_standalone, algebra_of
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def run(args: Namespace) -> int:
     """Count and print."""
     A = algebra_of(args)
 
-    def answer() -> Answer:
+    def answer() -> OutputDocument:
         result = counts(A, formulas=args.formulas)
         head = {"schema": "hfield-count/1", "algebra": A.name, "field": A.ring.name}
         return of_parts(

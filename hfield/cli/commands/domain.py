@@ -5,9 +5,9 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
-from hfield.cli.answers import of_parts
 from hfield.cli.orders import add_algebra, algebra_of, answer_certified, level_of
 from hfield.cli.output import try_picture
+from hfield.cli.output_document import of_parts
 from hfield.cli.parser import UsageError, add_factors, add_format
 from hfield.errors import shorten
 

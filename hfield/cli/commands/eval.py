@@ -7,8 +7,8 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from hfield.cli.answers import Answer
 from hfield.cli.batch import add_inputs, answer_all
+from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import UsageError, add_algebra, add_output, algebra_of
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def run(args: Namespace) -> int:
     return answer_all(args, partial(_compute, algebra_of(args)), COLUMNS, apart=False)
 
 
-def _compute(A: QuaternionAlgebra, text: str) -> Answer:
+def _compute(A: QuaternionAlgebra, text: str) -> OutputDocument:
     symbol = _SYMBOL.fullmatch(text.strip())
     value = A.parse(text) if symbol is None else A.scalar(_hilbert_symbol(A, symbol[1]))
 
@@ -60,7 +60,7 @@ def _compute(A: QuaternionAlgebra, text: str) -> Answer:
         }
 
     styles = {style: partial(value.text, style) for style in ("unicode", "latex")}
-    return Answer(data, lambda _: value.text(), styles)
+    return OutputDocument(data, lambda _: value.text(), styles)
 
 
 def _hilbert_symbol(A: QuaternionAlgebra, arguments: str) -> int:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from functools import partial
 
-from hfield.cli.answers import Answer
 from hfield.cli.batch import add_inputs, answer_all, check_given, texts
+from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import add_output, add_standalone
 from hfield.cli.status import Waiting
 
@@ -42,7 +42,7 @@ def run(args: Namespace) -> int:
     return answer_all(args, partial(_explain, args), COLUMNS)
 
 
-def _explain(args: Namespace, claim: str) -> Answer:
+def _explain(args: Namespace, claim: str) -> OutputDocument:
     from hfield.ledger.explanation import explain
 
     Waiting.at(f"deciding {claim}")
@@ -53,7 +53,7 @@ def _explain(args: Namespace, claim: str) -> Answer:
 
         return paper.explanation(explanation.row)
 
-    return Answer(
+    return OutputDocument(
         explanation.to_json,
         explanation.text,
         {"latex": latex},

@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from hfield.cli.answers import Answer, of_parts
 from hfield.cli.orders import add_answers, answer_certified, ideal_json
+from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import UsageError
 from hfield.errors import shorten
 
@@ -41,7 +41,7 @@ def run(args: Namespace) -> int:
     return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
     from hfield.rings import ring
 
     K: Any = ring(args.field)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from hfield.cli.answers import Answer, answer_one
+from hfield.cli.output_document import OutputDocument, answer_one
 from hfield.cli.parser import add_format, add_output
 from hfield.errors import TooLargeError
 
@@ -32,9 +32,9 @@ def run(args: Namespace) -> int:
     if abs(n) >= 10**DIGITS:
         raise TooLargeError(f"four-squares takes numbers of at most {DIGITS} digits")
 
-    def answer() -> Answer:
+    def answer() -> OutputDocument:
         squares = four_squares(n)
-        return Answer(
+        return OutputDocument(
             lambda: {"schema": "hfield-four-squares/1", "n": n, "squares": squares},
             lambda _: f"{n} = {' + '.join(f'{x}^2' for x in squares)}",
             {"unicode": lambda: f"{n} = {' + '.join(f'{x}²' for x in squares)}"},

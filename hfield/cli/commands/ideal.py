@@ -6,7 +6,6 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from hfield.cli.answers import Answer, of_parts
 from hfield.cli.orders import (
     add_answers,
     add_where,
@@ -18,6 +17,7 @@ from hfield.cli.orders import (
     sum_text,
     summands,
 )
+from hfield.cli.output_document import OutputDocument, of_parts
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
@@ -63,7 +63,7 @@ def run(args: Namespace) -> int:
     return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim | Verdict]]:
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim | Verdict]]:
     I, answer = _asked(args)
     if I.algebra.over_integers:
         data, pages = data_over_integers, parts_over_integers

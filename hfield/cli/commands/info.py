@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from hfield.cli.answers import Answer, of_parts
 from hfield.cli.batch import add_inputs, answer_all
+from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import add_factors, add_output, add_standalone, given_factors
 from hfield.cli.status import Waiting
 
@@ -41,7 +41,7 @@ def run(args: Namespace) -> int:
         return answer_all(args, _describe, COLUMNS)
 
 
-def _describe(text: str) -> Answer:
+def _describe(text: str) -> OutputDocument:
     from hfield.cli.commands import count
     from hfield.description import info
     from hfield.description.page import parts

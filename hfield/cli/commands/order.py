@@ -6,7 +6,6 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from hfield.cli.answers import Answer, of_parts
 from hfield.cli.orders import (
     add_algebra,
     add_answers,
@@ -18,6 +17,7 @@ from hfield.cli.orders import (
     sum_text,
     summands,
 )
+from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import UsageError
 from hfield.errors import TooLargeError
 
@@ -64,7 +64,7 @@ def run(args: Namespace) -> int:
     return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
     O = _made(args)
     data: Callable[[Any], dict[str, Any]] = to_json
     page: Callable[[Any], list[Part]] = parts

@@ -5,9 +5,9 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from functools import partial
 
-from hfield.cli.answers import Answer
 from hfield.cli.batch import add_inputs, answer_all
 from hfield.cli.output import note, open_output
+from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import UsageError, add_output, add_repeated, add_standalone, seconds
 from hfield.cli.status import Waiting
 
@@ -72,7 +72,7 @@ def run(args: Namespace) -> int:
     return answer_all(args, partial(_decide, args), COLUMNS)
 
 
-def _decide(args: Namespace, statement: str) -> Answer:
+def _decide(args: Namespace, statement: str) -> OutputDocument:
     from hfield.ledger.decision_lines import decision_text
     from hfield.prover.prove import prove
 
@@ -95,7 +95,7 @@ def _decide(args: Namespace, statement: str) -> Answer:
 
         return decision(*told, field or UNIVERSAL, inside)
 
-    return Answer(
+    return OutputDocument(
         lambda: answer.to_json(path) | said,
         lambda style: decision_text(*told, inside, field, style),
         {"latex": latex},

@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from hfield.cli.answers import Answer
 from hfield.cli.batch import add_inputs, answer_all
+from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import add_algebra, add_output, algebra_of
 from hfield.errors import NotFiniteError, TooLargeError
 
@@ -62,7 +62,7 @@ def run(args: Namespace) -> int:
     return answer_all(args, answer, COLUMNS, apart=False)
 
 
-def _roots(A: QuaternionAlgebra, variable: str | None, listed: bool, text: str) -> Answer:
+def _roots(A: QuaternionAlgebra, variable: str | None, listed: bool, text: str) -> OutputDocument:
     from hfield.matrices.equations import unknowns_in
 
     letters = unknowns_in(A, [text])
@@ -107,7 +107,7 @@ def _roots(A: QuaternionAlgebra, variable: str | None, listed: bool, text: str) 
             lines.append(f"{number}{place}{outside}, such as {m.example.text(style)}")
         return "\n".join(lines) or "no root"
 
-    return Answer(data, lambda _: page("plain"), {"unicode": partial(page, "unicode")})
+    return OutputDocument(data, lambda _: page("plain"), {"unicode": partial(page, "unicode")})
 
 
 def _number(count: Callable[[], int]) -> int | None:

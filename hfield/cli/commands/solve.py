@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from hfield.cli.answers import Answer
 from hfield.cli.batch import add_inputs, answer_all
+from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import add_algebra, add_output, algebra_of
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def run(args: Namespace) -> int:
     return answer_all(args, partial(_solve, algebra_of(args), args.unknown), COLUMNS, apart=False)
 
 
-def _solve(A: QuaternionAlgebra, unknown: str | None, text: str) -> Answer:
+def _solve(A: QuaternionAlgebra, unknown: str | None, text: str) -> OutputDocument:
     from hfield.matrices.equations import read_system, unknowns_in
     from hfield.matrices.texts import has_matrix, read_matrix_equation
 
@@ -94,7 +94,7 @@ def _solve(A: QuaternionAlgebra, unknown: str | None, text: str) -> Answer:
         return "\n".join(lines)
 
     forms = {"unicode": partial(page, "unicode")}
-    return Answer(data, lambda _: page("plain"), forms, 1 if particular is None else 0)
+    return OutputDocument(data, lambda _: page("plain"), forms, 1 if particular is None else 0)
 
 
 def _plain(v: Mapping[str, Value]) -> object:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from functools import partial
 
-from hfield.cli.answers import Answer, answer_one
+from hfield.cli.output_document import OutputDocument, answer_one
 from hfield.cli.parser import add_algebra, add_format, add_output, algebra_of
 
 HELP = "Print the products of the basis e, i, j, k: row times column."
@@ -34,4 +34,4 @@ def run(args: Namespace) -> int:
         return {**head, "basis": BASIS, "table": rows}
 
     styles = {style: partial(A.table_text, style) for style in ("unicode", "latex")}
-    return answer_one(args, lambda: Answer(data, lambda _: A.table_text(), styles))
+    return answer_one(args, lambda: OutputDocument(data, lambda _: A.table_text(), styles))

@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from hfield.cli.answers import Answer
 from hfield.cli.output import note, open_output, writing
+from hfield.cli.output_document import OutputDocument
 from hfield.cli.parser import add_format, add_jobs, add_output, add_repeated, add_standalone
 from hfield.cli.status import Progress
 from hfield.errors import shorten
@@ -90,7 +90,7 @@ def _verify(args: Namespace) -> int:
 
 def _answer(
     rows: Sequence[Row], paths: Mapping[tuple[str, str], str], everything: bool, chosen: bool
-) -> Answer:
+) -> OutputDocument:
     from hfield import __version__
     from hfield.ledger.report import report
 
@@ -108,7 +108,7 @@ def _answer(
 
         return paper.report(rows, everything=everything)
 
-    return Answer(
+    return OutputDocument(
         data,
         lambda style: report(rows, style, chosen=chosen, everything=everything),
         {"markdown": markdown, "latex": latex},

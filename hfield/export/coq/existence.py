@@ -86,7 +86,7 @@ def _instance(
     """Prove the statement with terms put in, under the hypotheses ``more``."""
     served = put_in(j.statement.conclusion, trees)
     whole = implication([*more, *j.statement.hypotheses], served)
-    other = j.about(whole)
+    other = j.for_formula(whole)
     if not {n for n, _ in other.statement.unknowns} <= set(j.given):
         raise MismatchError("the terms are about other unknowns than those given")
     return other.proved(proof), other
@@ -99,7 +99,7 @@ def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     one_of = conditions[-1]
     for condition in reversed(conditions[:-1]):
         one_of = Logic("or", condition, one_of)
-    covered = j.about(implication(j.statement.hypotheses, one_of))
+    covered = j.for_formula(implication(j.statement.hypotheses, one_of))
     if not {n for n, _ in covered.statement.unknowns} <= set(j.given):
         raise MismatchError("the cases are about other unknowns than those given")
     cover = covered.proved(evidence["cover"])
@@ -156,7 +156,7 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
         proof = proof["proof"]
     elif j.given:
         raise MismatchError("nothing is said about the unknowns that are given")
-    other = j.about(Not(matrix), here)
+    other = j.for_formula(Not(matrix), here)
     never = other.proved(proof)
     if not never.text.startswith(other.sentence.body):
         raise NotCoveredError("that nothing exists, in a field that Coq does not compute in")

@@ -55,7 +55,7 @@ class Judgement:
         """Read a statement as the field and the algebra make its names mean."""
         return read_statement(text, setting.field, (), setting.letters, setting.constants)
 
-    def about(self, node: Node, setting: Setting | None = None) -> Judgement:
+    def for_formula(self, node: Node, setting: Setting | None = None) -> Judgement:
         """Return the same for another statement."""
         out = object.__new__(Judgement)
         out.name, out.setting = self.name, setting or self.setting
@@ -110,7 +110,9 @@ class Judgement:
         kind = evidence.get("kind")
         if kind != Kind.UNSATISFIABLE or not self.statement.hypotheses:
             raise NotCoveredError(f"evidence of the kind {kind!r}")
-        return self.about(Not(conjunction(self.statement.hypotheses))).proved(evidence["proof"])
+        return self.for_formula(Not(conjunction(self.statement.hypotheses))).proved(
+            evidence["proof"]
+        )
 
     def true_vacuously(self, evidence: Mapping[str, Any]) -> Proved:
         """Prove the statement itself from hypotheses that never hold together."""
@@ -295,7 +297,7 @@ def multilinear(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
         shown = " + ".join(f"({int(c)})*{u}" for c, u in zip(value, "eijk", strict=True))
         for side in (tree.left, tree.right):
             parts.append(Compare("==", substitute(side, put), parse(shown)))
-    values = j.about(conjunction(parts)).proved(Evidence(Kind.IDENTITY).to_json())
+    values = j.for_formula(conjunction(parts)).proved(Evidence(Kind.IDENTITY).to_json())
     tuples = f"{j.name}_tuples"
     return replace(whole, before=(values.lemma(tuples), *whole.before))
 

@@ -11,7 +11,7 @@ from hfield.ledger.claim import UNIVERSAL, Claim, Proposition
 from hfield.ledger.propositions import Equivalence, Every, Implication, Presented, Statement
 from hfield.ledger.real_geometry import Analysis, Angles
 from hfield.ledger.registry import claims
-from hfield.ledger.scopes import Only, Over
+from hfield.ledger.scopes import InField, OnlyOver
 from hfield.prover.decision import PROVED, REFUTED
 
 # Claims that are no statements of the language, and the theorems of the file that say the same.
@@ -85,7 +85,7 @@ def _parts(proposition: Proposition | None) -> Iterator[Proposition]:
             yield from _parts(proposition.everywhere)
         case Angles():
             yield from _parts(proposition.core)
-        case Only() | Over() | Analysis():  # about one field
+        case OnlyOver() | InField() | Analysis():  # about one field
             return
         case _:
             yield proposition

@@ -42,13 +42,13 @@ MAX_AXES = 8
 SHORT = 0.5  # seconds for the first attempt at a proof, and for solving one clause
 
 
-def look_quickly(problem: Problem) -> Assignment | None:
+def quick_search(problem: Problem) -> Assignment | None:
     """Look at a few places of the prime field: a witness there serves every extension."""
     found = prime_search(problem, problem.ring.characteristic, QUICK)
     return None if found is None else lifted(problem.ring, found)
 
 
-def look(problem: Problem, limit: int) -> Assignment | None:
+def search_counterexample(problem: Problem, limit: int) -> Assignment | None:
     """Look for a counterexample: among numbers first, then among elements of the ring."""
     field = problem.ring
     if field.is_field:

@@ -106,7 +106,9 @@ def at_zero(problem: Problem) -> tuple[str, ...] | None:
     there = put_letters(setting, {name: Negate(Number(1)) for name in setting.letters})
     zeros = {name: Number(0) for name, _ in problem.statement.given}
     exists = problem.statement.exists
-    instance = replace(problem.about(substitute(problem.matrix, zeros), exists), setting=there)
+    instance = replace(
+        problem.for_formula(substitute(problem.matrix, zeros), exists), setting=there
+    )
     if not algebra_exists(replace(problem, setting=there)):
         return None
     one = decide_closed(instance)
@@ -131,7 +133,7 @@ def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
         failing.append(Not(conjunction(statement.hypotheses)))
     names = tuple(name for name, _ in free)
     for node in failing:
-        witness = universal.decide(problem.about(node, names).share(1 / 4)).witness
+        witness = universal.decide(problem.for_formula(node, names).share(1 / 4)).witness
         if witness is None:
             continue
         found = read_back(field, witness)
@@ -147,14 +149,14 @@ def _found_by_solving(problem: Problem) -> Iterator[Assignment]:
 def _meant(problem: Problem) -> Callable[[Assignment], bool]:
     """Return what tells whether the algebra exists at a place and the hypotheses are true there."""
     names = tuple(name for name, _ in problem.statement.given)
-    meant = problem.about(conjunction(problem.statement.hypotheses), names)
+    meant = problem.for_formula(conjunction(problem.statement.hypotheses), names)
     return Searcher(meant, RingScalars(problem.ring), True).test
 
 
 def _instance(problem: Problem, place: Mapping[str, Sequence[str]]) -> Problem:
     """Put values in for what is given: into the statement, and for letters into the algebra."""
     values = {name: quaternion_node(place[name]) for name, _ in problem.statement.given}
-    instance = problem.about(substitute(problem.matrix, values), problem.statement.exists)
+    instance = problem.for_formula(substitute(problem.matrix, values), problem.statement.exists)
     there = put_letters(problem.setting, values)
     new = (c for tree in there.trees for c in constants_in(tree, problem.ring))
     statement = replace(

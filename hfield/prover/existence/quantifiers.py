@@ -32,11 +32,11 @@ from hfield.syntax import Compare, Logic, Name, Node, Not, Number, parse
 def vacuous(problem: Problem) -> Decision | None:
     """Return the decision "vacuous" if the hypotheses are proved unsatisfiable, else None."""
     node = conjunction(problem.statement.hypotheses)
-    if true_place(problem.about(node), FEW) is not None:
+    if true_place(problem.for_formula(node), FEW) is not None:
         return None
     names = (name for name, _ in problem.statement.unknowns)
     own = tuple(name for name in names if occurrences(node, name) or name in problem.letters)
-    decision = universal.decide(problem.alone(Not(node), own))
+    decision = universal.decide(problem.without_constants(Not(node), own))
     if decision.verdict != PROVED:
         return None
     evidence = Evidence(Kind.UNSATISFIABLE, proof=decision.evidence)
@@ -72,8 +72,8 @@ def _over_all_fields(problem: Problem) -> Decision:
     for one, name in _at_fields(problem, place):
         if one is not None and one.verdict == REFUTED:
             if is_complete(one.evidence):
-                return all_fields.elsewhere(one, name)
-            unproved = unproved or all_fields.elsewhere(one, name)
+                return all_fields.refutation_over_all_fields(one, name)
+            unproved = unproved or all_fields.refutation_over_all_fields(one, name)
     if unproved is not None:
         return unproved
     tried = ("terms in the unknowns", f"each of {', '.join(all_fields.FIELDS_TRIED)}")
@@ -177,7 +177,7 @@ def by_zero_or_not(problem: Problem) -> Decision | None:
             when = Compare(op, Name(name), Number(0))
             hypotheses = (when, *statement.hypotheses)
             proof = by_terms(
-                problem.stating(replace(statement, hypotheses=hypotheses)).share(1 / 3)
+                problem.with_statement(replace(statement, hypotheses=hypotheses)).share(1 / 3)
             )
             if proof is None or proof.evidence is None:
                 break
@@ -278,8 +278,8 @@ def _covering(problem: Problem, cases: list[Case]) -> Problem:
 
 def _given(problem: Problem, node: Node) -> Problem:
     """Return a problem about what is given."""
-    made = problem.alone(node, tuple(name for name, _ in problem.statement.given))
-    return made.stating(replace(made.statement, compares_unequal=True))
+    made = problem.without_constants(node, tuple(name for name, _ in problem.statement.given))
+    return made.with_statement(replace(made.statement, compares_unequal=True))
 
 
 def _proof(problem: Problem, case: Case) -> Decision:

@@ -31,9 +31,9 @@ def by_terms(problem: Problem, choices: Iterable[tuple[str, ...]] | None = None)
             return None
         chosen = {name: parse(term) for name, term in zip(statement.exists, terms, strict=True)}
         node = implication(statement.hypotheses, put_in(statement.conclusion, chosen))
-        instance = problem.about(node, tuple(free))
+        instance = problem.for_formula(node, tuple(free))
         try:
-            if true_place(instance.about(Not(instance.statement.node)), 30) is not None:
+            if true_place(instance.for_formula(Not(instance.statement.node)), 30) is not None:
                 continue
             decision = universal.decide(instance.within(1.0))
         except HFieldError:

@@ -47,7 +47,7 @@ FEW = 400
 
 def decide_closed(problem: Problem) -> Decision:
     """Decide over one ring whether there are values for all unknowns that make the statement true."""
-    attempts, somewhere = Attempts(), problem.about(problem.matrix)
+    attempts, somewhere = Attempts(), problem.for_formula(problem.matrix)
     for search in (partial(true_place, somewhere, FEW), partial(_solved, somewhere)):
         found = attempts.answer(search)
         if found is not None:
@@ -75,7 +75,7 @@ def _true_at(problem: Problem, places: Iterable[Assignment]) -> Assignment | Non
 
 def _by_contrary(problem: Problem) -> Decision:
     """Decide whether the statement is false everywhere."""
-    decision = universal.decide(problem.about(Not(problem.matrix)))
+    decision = universal.decide(problem.for_formula(Not(problem.matrix)))
     if decision.verdict == REFUTED:
         return replace(
             decision,
@@ -99,7 +99,7 @@ def _solved(problem: Problem) -> Assignment | None:
     names = tuple(name for name, _ in statement.unknowns)
     sought = replace(statement, exists=names, hypotheses=(), conclusion=statement.node)
     try:
-        cases, _ = linear_cases(problem.stating(sought))
+        cases, _ = linear_cases(problem.with_statement(sought))
     except TooLargeError:
         return None
     seeker = Searcher(problem, RingScalars(problem.ring), True)

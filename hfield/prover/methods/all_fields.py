@@ -107,7 +107,7 @@ def counterexample(problem: Problem) -> Decision | None:
             return None
         decision = one_field.decide(there.share(SHARE, least=0.1))
         if decision.verdict == REFUTED:
-            return elsewhere(decision, there.ring.name)
+            return refutation_over_all_fields(decision, there.ring.name)
     return None
 
 
@@ -124,7 +124,7 @@ def fields_tried(problem: Problem) -> Iterator[Problem]:
             yield there
 
 
-def elsewhere(decision: Decision, name: str) -> Decision:
+def refutation_over_all_fields(decision: Decision, name: str) -> Decision:
     """Return a refutation over one field as one over all fields."""
     evidence = decision.evidence and decision.evidence.over(ring(name).data)
     return replace(decision, witness={**(decision.witness or {}), "F": [name]}, evidence=evidence)

@@ -14,9 +14,9 @@ from hfield.prover.counterexamples.refuting import (
     FEW,
     MANY,
     SHORT,
-    look,
-    look_quickly,
     nonzero_place,
+    quick_search,
+    search_counterexample,
     solve_clauses,
 )
 from hfield.prover.decision import FIELD, PROVED, Decision, undecided
@@ -69,7 +69,7 @@ def decide(problem: Problem) -> Decision:
 
 def _by_values(problem: Problem) -> Iterator[Method]:
     """Run through the methods that need no polynomials: a counterexample, or all cases."""
-    yield lambda: refuted_at(problem, look(problem, FEW))
+    yield lambda: refuted_at(problem, search_counterexample(problem, FEW))
     if problem.ring.order is not None:
         yield lambda: exhaust(problem, None)
 
@@ -77,16 +77,16 @@ def _by_values(problem: Problem) -> Iterator[Method]:
 def _by_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Iterator[Method]:
     """Run through the methods for the clauses that are ``left``: quick ones, then slow ones."""
     finite = problem.ring.order is not None
-    yield lambda: refuted_at(problem, look_quickly(problem), x)
+    yield lambda: refuted_at(problem, quick_search(problem), x)
     yield lambda: _implied(problem.within(SHORT), problem)
-    yield lambda: refuted_at(problem, look(problem, FEW), x)
+    yield lambda: refuted_at(problem, search_counterexample(problem, FEW), x)
     yield lambda: refuted_at(problem, solve_clauses(problem, x, left), x)
     # all cases of a finite field, where it comes to them, need time as well
     yield lambda: _implied(problem.share(1 / 2) if finite else problem, problem)
     if finite:
         yield lambda: exhaust(problem, x)
     else:
-        yield lambda: refuted_at(problem, look(problem, MANY), x)
+        yield lambda: refuted_at(problem, search_counterexample(problem, MANY), x)
 
 
 def _refuting_an_identity(
@@ -94,7 +94,7 @@ def _refuting_an_identity(
 ) -> Iterator[Method]:
     """Run through the methods where some clause is an identity that does not hold."""
     field = problem.ring
-    yield lambda: refuted_at(problem, look(problem, FEW), x)
+    yield lambda: refuted_at(problem, search_counterexample(problem, FEW), x)
     for c in left:
         if _is_hopeless(c, x, field):
             goals = [next(p for p in g if not_everywhere_zero(p, x, field)) for g in c.goals]
@@ -155,7 +155,7 @@ def exhaust(problem: Problem, x: Expanded | None) -> Decision:
     try:
         found, cases = counterexample(problem, used)
     except HFieldError as error:
-        found, cases = look(problem, MANY), 0
+        found, cases = search_counterexample(problem, MANY), 0
         if found is None:
             return undecided(str(error), f"{MANY} small places")
     if found is not None:

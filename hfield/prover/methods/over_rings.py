@@ -15,7 +15,7 @@ from hfield.checker.glossary import EXHAUSTION
 from hfield.errors import HFieldError, UndecidedError
 from hfield.evidence import Evidence, Kind
 from hfield.prover.attempts import Attempts
-from hfield.prover.counterexamples.refuting import FEW, look
+from hfield.prover.counterexamples.refuting import FEW, search_counterexample
 from hfield.prover.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.prover.evaluation.all_cases import FEW_CASES, coordinates
 from hfield.prover.evaluation.evaluator import Evaluator
@@ -44,7 +44,7 @@ def decide(problem: Problem) -> Decision:
     """Decide over a ring that is no field, by the first method that answers."""
     field, statement = problem.ring, problem.statement
     attempts, tried = Attempts(), [f"{FEW} small places over {field.name}"]
-    found = attempts.answer(look, problem, FEW)
+    found = attempts.answer(search_counterexample, problem, FEW)
     if found is not None:
         return refuted(problem, found)
     x = attempts.answer(expand, problem)
@@ -80,7 +80,7 @@ def _at_units(problem: Problem) -> Decision | None:
     names = tuple(name for name, _ in statement.unknowns if name not in units)
     for values in product((1, -1), repeat=len(units)):
         chosen: dict[str, Node] = {name: Number(n) for name, n in zip(units, values, strict=True)}
-        there = problem.about(substitute(statement.node, chosen), names)
+        there = problem.for_formula(substitute(statement.node, chosen), names)
         one = decide(replace(there, setting=put_letters(problem.setting, chosen)))
         if one.verdict != PROVED:
             return None
@@ -149,7 +149,7 @@ def _proved_with_numerals(problem: Problem) -> Decision | None:
         hypotheses=tuple(hypotheses),
         conclusion=conclusion,
     )
-    decision = one_field.decide(problem.stating(there).over(above))
+    decision = one_field.decide(problem.with_statement(there).over(above))
     if decision.verdict != PROVED:
         return None
     evidence = Evidence(Kind.FRACTIONS, ring=above.data, proof=decision.evidence)

@@ -124,7 +124,7 @@ def _of_the_equations(problem: Problem) -> Iterator[flint.fmpz_poly]:
     """Yield the irreducible polynomials of degree 3 and more, monic over ℤ, of equations in one unknown."""
     node = problem.matrix if problem.statement.exists else Not(problem.matrix)
     try:
-        world = Symbolic(problem.about(node).over(QQ))
+        world = Symbolic(problem.for_formula(node).over(QQ))
         ways = list(islice(branches(world.truth(node)), FIELDS))
     except TooLargeError:
         return

@@ -38,7 +38,7 @@ from hfield.syntax import (
     parse,
     weight,
 )
-from hfield.syntax.spelling import elsewhere
+from hfield.syntax.spelling import foreign_function_hint
 
 if TYPE_CHECKING:
     from hfield.algebra.structure_algebra import StructureAlgebra
@@ -368,7 +368,7 @@ class _Analysis:
                 return Sort.SCALAR
             where = "" if self.field is None else f", nor does {self.field.name} read {text!r}"
             self.fail(
-                f"there is no function {function!r}{where}{elsewhere(function)}; known are "
+                f"there is no function {function!r}{where}{foreign_function_hint(function)}; known are "
                 f"{', '.join(sorted((*RESULT, *ARGUMENTS)))}",
                 node,
             )

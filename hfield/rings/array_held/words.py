@@ -27,7 +27,7 @@ from hfield.compiling.arithmetics.machine_integers import (
 )
 from hfield.compiling.calling import Kernel
 from hfield.compiling.instructions import Code
-from hfield.compiling.loops import Operand, written
+from hfield.compiling.loops import Operand, emit_body
 from hfield.compiling.lowest_terms import lowest
 from hfield.compiling.memory import Rows, rows_of
 from hfield.errors import CoercionError
@@ -291,7 +291,7 @@ def _fits(
     literals: dict[str, int],
     arithmetic: Arithmetic,
 ) -> object:
-    return written(Code(), program, arithmetic, operands, literals)
+    return emit_body(Code(), program, arithmetic, operands, literals)
 
 
 class FractionArrays(WordArrays):

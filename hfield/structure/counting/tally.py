@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.errors import NotFiniteError, TooLargeError, shorten
 from hfield.product import Constants, Coordinates, Scalar, multiply, norm
-from hfield.progress import along
+from hfield.progress import track
 from hfield.rings.base import Ring
 from hfield.structure.counting.formulas_finite import Count, count
 
@@ -123,7 +123,7 @@ def tally(ring: Ring, c: Constants) -> Tally:
     norms, squares = np.zeros(q, dtype=np.int64), np.zeros(q, dtype=np.int64)
     result = Tally(elements=q**4)
     steps = 0 if ring.is_field else max(1, q.bit_length())
-    for w in along(range(q), q, "elements"):
+    for w in track(range(q), q, "elements"):
         element = (np.full(q**3, w, dtype=work.dtype), x, y, z)
         norms += np.bincount(work.norm(element), minlength=q)
         square = work.square(element)

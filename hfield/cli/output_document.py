@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Answer:
+class OutputDocument:
     """The JSON and the page, other formats by name, and the exit status; only what is asked for is made."""
 
     data: Callable[[], Mapping[str, object]]
@@ -36,18 +36,18 @@ class Answer:
 
 def of_parts(
     data: Callable[[], Mapping[str, object]], parts: Callable[[], Sequence[Part]]
-) -> Answer:
+) -> OutputDocument:
     """Return the answer whose page and LaTeX are laid out from parts."""
     from hfield import presenting
 
-    return Answer(
+    return OutputDocument(
         data,
         lambda style: presenting.page(parts(), style.width),
         {"latex": lambda: presenting.latex(parts())},
     )
 
 
-def answer_one(args: Namespace, answer: Callable[[], Answer]) -> int:
+def answer_one(args: Namespace, answer: Callable[[], OutputDocument]) -> int:
     """Open the output, and only then find the answer; write it, and return its exit status."""
     with open_output(args.output) as out:
         found = answer()
