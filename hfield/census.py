@@ -31,7 +31,7 @@ PIECE = 8
 
 @dataclass(frozen=True)
 class Survey:
-    """What is told of a pair: its row, of which ``names`` are the keys that stand for the pair."""
+    """The row of a pair, of which ``names`` are the keys that stand for the pair."""
 
     row: Callable[[Pair, int], Row]
     names: tuple[str, str]

@@ -72,8 +72,8 @@ class UnfactoredError(UndecidedError):
 
     def __init__(self, rest: Unfactored) -> None:
         self.rest = rest
-        asked = _asked.get()
-        help_ = f"give its primes with {asked}" if asked else "its primes are needed here"
+        requested = _asked.get()
+        help_ = f"give its primes with {requested}" if requested else "its primes are needed here"
         super().__init__(f"{rest}: {help_}")
 
     def __reduce__(self) -> tuple[type["UnfactoredError"], tuple[Unfactored]]:
@@ -126,10 +126,10 @@ class _KnownPrimes:
         )
 
     def __exit__(self, *_: object) -> None:
-        known, asked = self.tokens
+        known, requested = self.tokens
         if known is not None:
             _known.reset(known)
-        _asked.reset(asked)
+        _asked.reset(requested)
 
 
 def checked_primes(factors: Factors) -> frozenset[int]:

@@ -199,7 +199,7 @@ class TimedTest(NamedTuple):
         return self.name.partition("::")[0]
 
 
-class Only:
+class OnlyFiles:
     """A plugin of pytest that runs the tests named, file by file in this order, and notes which fail."""
 
     def __init__(self, tests: Sequence[TimedTest]) -> None:
@@ -299,7 +299,7 @@ def failures(copy: Path, tests: Sequence[TimedTest], *options: str) -> list[str]
     note.write_text('["no end"]')
 
     def work() -> None:
-        plugin = Only(tests)
+        plugin = OnlyFiles(tests)
         status = pytest_here(copy, [*options, *sorted({test.file for test in tests})], plugin)
         failed = plugin.failed or ([] if status in (0, 5) else [f"status {status}"])  # 5: no tests
         note.write_text(json.dumps(failed), encoding="utf-8")

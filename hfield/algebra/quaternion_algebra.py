@@ -487,16 +487,16 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> (p*q).norm() == p.norm()*q.norm(), i*p*i - j*q == i*(p*i) - j*q, p*q == q*p
         (True, True, False)
         """
-        asked = tuple(names.replace(",", " ").split()) if isinstance(names, str) else ()
-        if not asked or len({*asked}) < len(asked):
+        wanted = tuple(names.replace(",", " ").split()) if isinstance(names, str) else ()
+        if not wanted or len({*wanted}) < len(wanted):
             raise RingError(
                 f"{shorten(repr(names))}: expected different names of unknowns, as in unknowns('p q')"
             )
         base = self._base or self
-        fresh = [name for name in asked if name not in base._unknowns]
+        fresh = [name for name in wanted if name not in base._unknowns]
         if fresh:
             base._join_unknowns(fresh)
-        found = tuple(base._unknowns[name] for name in asked)
+        found = tuple(base._unknowns[name] for name in wanted)
         return found if len(found) > 1 else found[0]
 
     def _join_unknowns(self, fresh: Iterable[str]) -> None:
@@ -1097,7 +1097,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         return embed(self, extension)
 
-    # --- matrices and equations: their room is imported on use ---------------------------------
+    # --- matrices and equations, imported on first use ---------------------------------
 
     def matrix(self, rows: Iterable[Iterable[object]] | Quaternion | str) -> Matrix:
         """Return the matrix with these rows of elements, or that a text means. Raises :class:`CoercionError`.
@@ -1175,7 +1175,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         names = unknowns_in(self, equations) if unknowns is None else unknowns.split(",")
         return read_system(self, equations, [x.strip() for x in names])
 
-    # --- lattices and orders: their room is imported on use ------------------------------------
+    # --- lattices and orders, imported on first use ------------------------------------
 
     @property
     def over_integers(self) -> bool:

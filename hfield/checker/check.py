@@ -122,8 +122,8 @@ class ExpectedClaim:
         for name in sorted(_unknowns(said) & letters):
             if ring is not None and ring.constant(("name", name)) is not None:
                 reject(f"{name} is an unknown of the statement, and an element of {shown(here)}")
-        asked = self.algebra or f"(-1,-1|{here or 'F'})"
-        if not same_algebra(read_any_setting(asked, ring), setting):
+        expected_algebra = self.algebra or f"(-1,-1|{here or 'F'})"
+        if not same_algebra(read_any_setting(expected_algebra, ring), setting):
             reject(f"this is about the algebra {shown(setting.algebra)}")
 
 

@@ -91,7 +91,7 @@ class Evaluator(Generic[S, T]):
         zero = self.s.zero
         return x if isinstance(x, Quaternion) else Quaternion((x, zero, zero, zero))
 
-    def product(self, x: Quaternion, y: Quaternion, asked: range = range(4)) -> Quaternion:
+    def product(self, x: Quaternion, y: Quaternion, wanted: range = range(4)) -> Quaternion:
         """Return x·y, of which only the coordinates asked for are worked out, the others 0."""
         s = self.s
         spend(20)
@@ -101,7 +101,7 @@ class Evaluator(Generic[S, T]):
                 if u == s.zero or v == s.zero:
                     continue
                 parts = [
-                    part for part in self.table[m][n] if part[0] in asked and part[1] != s.zero
+                    part for part in self.table[m][n] if part[0] in wanted and part[1] != s.zero
                 ]
                 uv = s.mul(u, v) if parts else s.zero
                 for place, c in parts:

@@ -10,7 +10,7 @@ from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
 
-from hfield.checker import evidence as room
+from hfield.checker import evidence as package
 from hfield.checker.check_result import CheckResult
 from hfield.checker.language import Tree
 from hfield.checker.real_closure import in_real_closure
@@ -26,8 +26,8 @@ Shown = tuple[str, bool, str]
 def checks() -> Mapping[Shown, Check]:
     """Return how each kind of evidence is checked for each verdict; no kind is checked in two ways."""
     found: dict[Shown, Check] = {}
-    for name in sorted(module.name for module in iter_modules(room.__path__)):
-        own: Mapping[Shown, Check] = import_module(f"{room.__name__}.{name}").CHECKS
+    for name in sorted(module.name for module in iter_modules(package.__path__)):
+        own: Mapping[Shown, Check] = import_module(f"{package.__name__}.{name}").CHECKS
         assert not found.keys() & own.keys(), f"{name}: {found.keys() & own.keys()}"
         found |= own
     return found

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from hfield.orders.lattice import Lattice
 
 PATIENCE = 10
-"""Seconds: for what takes longer, one is told before how long it will be."""
+"""Seconds: a command that takes longer prints an estimate first."""
 
 SECONDS_A_CLASS = 5e-4
 """How long it takes to find a class, and its type."""
@@ -46,7 +46,7 @@ def answer_certified(
     args: Namespace,
     answer: Callable[[Namespace], tuple[OutputDocument, Callable[[], Claim | Verdict]]],
 ) -> int:
-    """Answer, and write a certificate where it is asked for; the primes that are known are used."""
+    """Answer, and write a certificate with --certificate; primes given as factors are used."""
     with given_factors(args), open_output(args.certificate) as file:
 
         def certified() -> OutputDocument:

@@ -1,4 +1,4 @@
-"""What a command answers, and how that is written in the format that is asked for."""
+"""The answer of a command, and how it is written in each format."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class OutputDocument:
-    """The JSON and the page, other formats by name, and the exit status; only what is asked for is made."""
+    """The JSON and the page, other formats by name, and the exit status; only one format is computed."""
 
     data: Callable[[], Mapping[str, object]]
     page: Callable[[Style], str]

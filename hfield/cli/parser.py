@@ -177,13 +177,13 @@ def _fitted(examples: Sequence[str]) -> list[str]:
             continue
         command, mark, remark = example.partition("  # ")
         lines += [f"  # {line}" for line in wrap(remark, width - 4)] if mark else []
-        told = ""
+        summary = ""
         for word in _SHELL_WORD.findall(command):
-            if told and len(told) + len(word) + 5 > width:
-                lines.append(f"  {told} \\")
-                told = "  "
-            told += " " * bool(told.strip()) + word
-        lines.append(f"  {told}")
+            if summary and len(summary) + len(word) + 5 > width:
+                lines.append(f"  {summary} \\")
+                summary = "  "
+            summary += " " * bool(summary.strip()) + word
+        lines.append(f"  {summary}")
     return lines
 
 

@@ -50,7 +50,7 @@ STATUS = StatusLine()
 
 
 def _how_far() -> str:
-    """Return what the loop that runs has told of itself, and how long it will take at this rate."""
+    """Describe the running loop: its name, the share that is done and the time that is left."""
     if (now := current()) is None:
         return ""
     what, share, seconds = now

@@ -1,4 +1,4 @@
-"""Where arrays lie, and memory for large results, handed on from one that nobody holds to the next.
+"""Array addresses, and a pool that reuses the buffers of collected results.
 
 What is large comes from the system page by page, each cleared when it is first touched: that takes about as
 long again as many a product. So the memory of results that are gone is kept for the next ones of their size,
@@ -25,7 +25,7 @@ _kept: deque[Array] = deque()  # the last given back at the end
 
 
 class _Lent:
-    """What an array in memory that will be handed on has for its base: it is gone when all views are."""
+    """The base of an array in a pooled buffer: it is collected when the last view is."""
 
     def __init__(self, memory: Array) -> None:
         self.__array_interface__ = memory.__array_interface__

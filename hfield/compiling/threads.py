@@ -138,17 +138,17 @@ def in_pieces(
     cuts = [*range(0, n, length), n]
     stretches = [(deque(range(start, end, piece)), end) for start, end in pairwise(cuts)]
     turns = deque(range(len(stretches)))
-    told: list[int] = []
+    results: list[int] = []
 
     def one(_: int) -> bool:
         own = turns.popleft()
         for starts, end in stretches[own:] + stretches[:own]:
             for start in _taken(starts):
-                told.append(work(start, min(start + piece, end)))
+                results.append(work(start, min(start + piece, end)))
         return False
 
     share(one, len(stretches), alive)
-    return reduce(or_, told)
+    return reduce(or_, results)
 
 
 def _taken(starts: deque[int]) -> Iterator[int]:

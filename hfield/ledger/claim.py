@@ -175,7 +175,7 @@ class CheckResult:
 
 @dataclass(frozen=True)
 class Computed:
-    """A proposition about no field, decided by ``compute``, which runs each time it is asked.
+    """A proposition about no field, decided by ``compute``, which runs on each call.
 
     There is no certificate for it: who doubts it runs it again.
     """

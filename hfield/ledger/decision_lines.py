@@ -48,8 +48,8 @@ def decision_text(
         said = f"in the algebra {algebra}, {where}"
     place = textwrap.wrap(said, style.width, subsequent_indent="  ")
     lines = [style.bold(pretty(statement)), *place, ""]
-    told = decision_lines(statement, decision, field or UNIVERSAL, style, algebra)
-    return "\n".join([*lines, *told])
+    shown = decision_lines(statement, decision, field or UNIVERSAL, style, algebra)
+    return "\n".join([*lines, *shown])
 
 
 def decision_lines(
@@ -64,8 +64,8 @@ def decision_lines(
     yield from (first.replace(mark, style.mark(decision.verdict), 1), *rest)
     for n, step in enumerate(decision.steps, 1):
         indent = len(step) - len(step.lstrip())
-        told = shorten(step.strip(), _MOST)
-        yield from wrapped(f"{n}. ".rjust(_LABEL), told, style, indent=indent)
+        shown = shorten(step.strip(), _MOST)
+        yield from wrapped(f"{n}. ".rjust(_LABEL), shown, style, indent=indent)
     witness = witness_text(decision.witness, field)
     if witness:
         yield from wrapped("witness", witness, style)

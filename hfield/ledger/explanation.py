@@ -26,7 +26,7 @@ SCHEMA = "hfield-explain/1"
 
 @dataclass(frozen=True)
 class Explanation:
-    """Rows of the ledger, told in full: one of a claim, or one of each claim of a section.
+    """Rows of the ledger in full: one of a claim, or one of each claim of a section.
 
     It prints itself, and shows as LaTeX in a notebook. ``row`` is the first row, the only one of a claim.
     """

@@ -60,10 +60,14 @@ class Centre(TemplateProposition):
         divisors = [int(smith[n, n]) for n in range(4) if smith[n, n] != 0]
         special = sorted({p for d in divisors for p in factorise(abs(d))})
         dimension = {p: 4 - sum(1 for d in divisors if d % p) for p in special}
-        told = [say("centre-dimension", p=p, n=n) for p, n in dimension.items()]
+        dimensions = [say("centre-dimension", p=p, n=n) for p, n in dimension.items()]
         steps = (
             say("centre-divisors", list=", ".join(map(str, divisors))),
-            say("centre-is", list=special, rest=told[0] if len(told) == 1 else ", ".join(told)),
+            say(
+                "centre-is",
+                list=special,
+                rest=dimensions[0] if len(dimensions) == 1 else ", ".join(dimensions),
+            ),
         )
         right = len(divisors) == 3 and special == [self.special] and dimension[self.special] == 4
         witness = None if right else {"F": [f"GF({special[0] if special else 2})"]}

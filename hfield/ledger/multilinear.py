@@ -242,7 +242,7 @@ def _expanded(step: str) -> Decision:
 
 
 def _over_all(field: Ring | None, decision: Decision) -> Decision:
-    """A difference s² − s vanishes on GF(2), where a map is told by its values, not by its formula."""
+    """A difference s² − s vanishes on GF(2), where a map is given by its values, not by its formula."""
     if field is not None and field.order == 2:
         return Decision(PROVED, EXHAUSTION, steps=(say("two-elements"),))
     return decision

@@ -55,8 +55,8 @@ def verify(*names: str | Iterable[str], field: RingName | Iterable[RingName] = (
 
     Raises :class:`hfield.errors.HFieldError` for claims or fields that do not exist.
     """
-    told = [name for one in names for name in ([one] if isinstance(one, str | Ring) else one)]
-    chosen = [claim for name in told for claim in find_all(name)]
+    selected = [name for one in names for name in ([one] if isinstance(one, str | Ring) else one)]
+    chosen = [claim for name in selected for claim in find_all(name)]
     fields = split_columns(field)
     pieces = rows_to_decide(chosen or claims(), fields, strict=bool(chosen))
     return Report(tuple(decide_rows(pieces, InProcess())), bool(chosen))

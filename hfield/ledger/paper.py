@@ -51,8 +51,8 @@ def decision(text: str, decided: Decision, field: str, algebra: str | None = Non
         there = (
             worked_out(text, decided.witness, field, algebra) if decided.verdict == REFUTED else []
         )
-        told = f"{words(witness)}" + (f"; there {words('; '.join(there))}" if there else "")
-        parts.append(rf"\noindent\emph{{Witness.}} {told}.")
+        shown = f"{words(witness)}" + (f"; there {words('; '.join(there))}" if there else "")
+        parts.append(rf"\noindent\emph{{Witness.}} {shown}.")
     steps = [words(shorten(step.strip(), MOST_LETTERS)) for step in decided.steps]
     if len(steps) > MOST_STEPS:
         steps = [*steps[: MOST_STEPS - 1], rf"\ldots{{}} and {len(steps) - MOST_STEPS + 1} more"]
@@ -125,9 +125,9 @@ def _erratum(erratum: Erratum) -> str:
 def report(rows: Sequence[Row], everything: bool = False) -> str:
     """Set what ``hfield verify`` reports: marks, totals, errata; with ``everything`` each row."""
     parts = [r"\section*{Claims, as printed}", marks(rows), words(totals(rows))]
-    told = slips(rows)
-    if told:
-        parts += [r"\section*{Errata}", told]
+    shown = slips(rows)
+    if shown:
+        parts += [r"\section*{Errata}", shown]
     if everything:
         parts += [r"\section*{Every decision}", *map(explanation, rows)]
     return "\n\n".join(parts)

@@ -25,7 +25,7 @@ def decide_rows(
     """Decide every piece (a claim and the name of a field), in the order given.
 
     The work goes to ``executor`` claim by claim, so that what is proved of a claim in general is proved once
-    and carried over to the fields by the same worker. ``progress`` is told how many rows are done, of
+    and carried over to the fields by the same worker. ``progress`` is called with how many rows are done, of
     how many, and the claim in work.
     """
     chunks = _chunks(pieces)

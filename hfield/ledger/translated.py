@@ -61,7 +61,7 @@ class Translation:
         sources = dict.fromkeys((*(claim.source for claim in listed), *more))
         documents = [_document(source, language) for source in sources]
         self._names = SIGNS.union(*(d.get("names", ()) for d in documents))
-        self._told = {
+        self._by_claim = {
             key: TranslatedClaim(**data)
             for d in documents
             for key, data in d.get("claims", {}).items()
@@ -76,23 +76,23 @@ class Translation:
                     self._whole[text] = said
         self._said: dict[str, str | None] = {}
 
-    def told(self, claim: Claim) -> TranslatedClaim | None:
+    def for_claim(self, claim: Claim) -> TranslatedClaim | None:
         """Return what a claim says, or None."""
-        return self._told.get(claim.id)
+        return self._by_claim.get(claim.id)
 
     def printed(self, claim: Claim) -> str:
         """Return what is printed, in the ledger's words where it is not quoted."""
         return self._whole.get(claim.printed, claim.printed)
 
     def _pairs(self, claim: Claim) -> Iterator[tuple[str, str]]:
-        told = self.told(claim)
-        if told is None:
+        translated_claim = self.for_claim(claim)
+        if translated_claim is None:
             return
-        yield claim.statement, told.statement
-        pairs = [(claim.note, told.note)]
+        yield claim.statement, translated_claim.statement
+        pairs = [(claim.note, translated_claim.note)]
         for proposition, said in (
-            (claim.as_printed, told.holds),
-            (claim.corrected, told.corrected),
+            (claim.as_printed, translated_claim.holds),
+            (claim.corrected, translated_claim.corrected),
         ):
             pairs += [] if proposition is None else [(proposition.text, said)]
         yield from ((text, said) for text, said in pairs if text and said)

@@ -1,6 +1,6 @@
 """The way from a text to a verdict: read, choose, try, answer.
 
-Nearly everything is decided where it is asked, since the procedures estimate before they begin. Some
+Nearly everything is decided in this process, since the procedures estimate before they begin. Some
 things cannot be estimated: factoring structure constants of many digits, or comparing nested roots. They are
 decided in a process of their own, which is ended when its time is over or its memory full.
 """

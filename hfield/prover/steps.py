@@ -46,9 +46,9 @@ def say(name: str, **slots: object) -> Step:
     >>> say("all-zero", R="ℤ").said("pl", str)
     'wszystkie współczynniki różnicy są równe 0 w ℤ'
     """
-    told = {slot: x if isinstance(x, Step) else str(x) for slot, x in slots.items()}
-    line = Step(sentences()[name]["en"].format_map(told))
-    line.name, line.slots = name, told
+    filled = {slot: x if isinstance(x, Step) else str(x) for slot, x in slots.items()}
+    line = Step(sentences()[name]["en"].format_map(filled))
+    line.name, line.slots = name, filled
     return line
 
 

@@ -298,8 +298,10 @@ def _row_of_claim(
         )
     line = f'<tr><th scope="row">{verdict_html(verdict, words)}</th>'
     line += "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
-    told = _reasons(first.as_printed, words)
-    return line + (f'<tr class="steps"><td colspan="{width}">{told}</td></tr>' if told else "")
+    reasons = _reasons(first.as_printed, words)
+    return line + (
+        f'<tr class="steps"><td colspan="{width}">{reasons}</td></tr>' if reasons else ""
+    )
 
 
 def _field(row: Row, number: int | None, which: str = "") -> str:
@@ -341,11 +343,11 @@ def _erratum(erratum: Erratum, words: Language) -> str:
     rest = [row for row in erratum.rows if row.as_printed.verdict != REFUTED]
     if rest:
         verdicts = dict.fromkeys(row.as_printed.verdict for row in rest)
-        told = (
+        reasons = (
             f"{verdict_html(v, words)} {_all_fields([r for r in rest if r.as_printed.verdict == v])}"
             for v in verdicts
         )
-        facts.append((words["elsewhere"], "; ".join(told)))
+        facts.append((words["elsewhere"], "; ".join(reasons)))
     if claim.note:
         facts.append((words["note"], words.html(claim.note, "p")))
     if erratum.witness:

@@ -16,7 +16,7 @@ from hfield.report.words import LANGUAGES
 def paper(rows: Sequence[Row], language: str = "en", ledger: str | None = None) -> str:
     """Return the report as a document that pdflatex compiles; the page has every field, this the telling one.
 
-    Each claim is told over one field: where it is refuted, else the first in which it is decided.
+    Each claim is shown over one field: where it is refuted, else the first in which it is decided.
     """
     from hfield import __version__
 

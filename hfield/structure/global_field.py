@@ -241,7 +241,7 @@ class GlobalField(ABC):
         return next((v for v in self.ramified(form) if self.has_root_at(v, t, n)), None)
 
     def has_root_at(self, place: Any, t: Any, n: Any) -> bool:
-        """Tell whether x² − t·x + n has a root in the completion; in characteristic 2 t = 0 is asked, too."""
+        """Tell whether x² − t·x + n has a root in the completion; in characteristic 2 for t = 0, too."""
         local = self.ring.completion(place)
         return bool(local.is_square(local(t * t - n * self.ring(4))))
 

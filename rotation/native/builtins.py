@@ -299,7 +299,7 @@ def _rows(shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...]) 
     given = "".join(f", ptr %in{n}, i1 %one{n}" for n in range(len(sizes) - 1))
     code = Code(f"internal i1 @rows(i64 %count{given}, ptr %out)")
     v = code.value
-    buffers = [code.room(vector(w, n * WIDTH)) for n, w in zip(sizes, words, strict=True)]
+    buffers = [code.allocate(vector(w, n * WIDTH)) for n, w in zip(sizes, words, strict=True)]
 
     def spread(n: int, start: str) -> None:
         for row in range(WIDTH):

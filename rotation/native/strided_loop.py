@@ -148,7 +148,7 @@ def _few(operands: tuple[Operand, ...], results: int) -> Code:
     """
     code = Code(f"internal i1 @few(i64 %first, i64 %m{_given(operands)}) noinline")
     last = code.value("sub i64 %m, 1")
-    buffers = [code.room(f"[{WIDTH * o.width * o.size} x i8]") for o in operands]
+    buffers = [code.allocate(f"[{WIDTH * o.width * o.size} x i8]") for o in operands]
     copies = []
     for n, (o, buffer) in enumerate(zip(operands, buffers, strict=True)):
         place = code.at("i8", f"%p{n}", code.value(f"mul i64 %first, {o.step}"))
@@ -171,7 +171,7 @@ def _entry(operands: tuple[Operand, ...], results: int) -> Code:
     each = v(f"sdiv i64 {v(f'add i64 {inner}, {BLOCK - 1}')}, {BLOCK}")
     total = v(f"mul i64 {outer}, {each}")
     buffers = [
-        code.room(f"[{BLOCK * o.size * o.width} x i8]") if o.way is Way.STRIDED else ""
+        code.allocate(f"[{BLOCK * o.size * o.width} x i8]") if o.way is Way.STRIDED else ""
         for o in operands
     ]
 

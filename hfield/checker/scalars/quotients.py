@@ -77,7 +77,7 @@ class Quotient(Finite):
         """Tell it by Rabin's test: t^(qⁿ) = t, and t^(q^(n/r)) − t is a unit for each prime r | n.
 
         The first says that all prime factors are different and of degrees that divide n; the second that
-        none has a degree that divides n/r. A unit is told by an extended Euclid, as a power would not do
+        none has a degree that divides n/r. An extended Euclid recognises a unit, as a power would not do
         before this is a field.
         """
         n, power = self.degree, self.generator

@@ -60,10 +60,12 @@ class Proposition:
 
 
 Check = Callable[[tuple[str, ...], Setting, str, Any], CheckResult]
-ROOMS = (of_fields, linear_algebra, classes, orders)
+VOCABULARIES = (of_fields, linear_algebra, classes, orders)
 """Of orders in any algebra; the others are about H(F)."""
-SPECIAL: dict[str, Check] = {word: check for room in ROOMS for word, check in room.CHECKS.items()}
-FORMS = {word: form for room in ROOMS for word, form in room.FORMS.items()}
+SPECIAL: dict[str, Check] = {
+    word: check for vocabulary in VOCABULARIES for word, check in vocabulary.CHECKS.items()
+}
+FORMS = {word: form for vocabulary in VOCABULARIES for word, form in vocabulary.FORMS.items()}
 
 
 def read_proposition(text: str, depth: int = 0) -> Proposition | None:

@@ -127,7 +127,7 @@ def _index(text: str) -> int:
 
 
 def _announce(number: int, sparse: bool, polynomial: bool) -> None:
-    """Say how long it will take, where that is long. Raises :class:`UsageError` for what has no room."""
+    """Say how long it will take, where that is long. Raises :class:`UsageError` if memory is too small."""
     instead = "--format edges, with a prime, writes only the entries that are not 0"
     seconds = number * SECONDS_A_CLASS
     if not sparse:
@@ -153,8 +153,8 @@ def _plain(
     title = f"Brandt matrix of {n}, {len(C)} classes of {C.order.algebra}, level {C.order.level}"
     lines = [*gone_on(title, width).splitlines(), ""]
     lines += ["  " + " ".join(f"{x:>{wide}}" for x in row) for row in matrix]
-    told = polynomial(characteristic)
-    return [*lines, "", *hanging("characteristic polynomial  ", told, width)]
+    text = polynomial(characteristic)
+    return [*lines, "", *hanging("characteristic polynomial  ", text, width)]
 
 
 def polynomial(coefficients: list[int]) -> str:

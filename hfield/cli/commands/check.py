@@ -257,11 +257,11 @@ def _json(each: Checked) -> dict[str, object]:
     outcome = each.outcome
     if not isinstance(outcome, Established):
         return {"file": each.name, "accepted": False, "reason": str(outcome)}
-    told = {name: getattr(outcome, name) for name in (*ABOUT, *LISTS)}
+    shown = {name: getattr(outcome, name) for name in (*ABOUT, *LISTS)}
     return {
         "file": each.name,
         "accepted": True,
-        **{name: list(value) if name in LISTS else value for name, value in told.items()},
+        **{name: list(value) if name in LISTS else value for name, value in shown.items()},
         **({"coq": each.coq.json()} if each.coq else {}),
     }
 

@@ -39,7 +39,7 @@ EXAMPLES = (
 )
 SHOWN = 40
 PRIMES = 8
-"""So many eigenvalues of a newform are told."""
+"""The number of eigenvalues of a newform that are printed."""
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -59,7 +59,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Count, enumerate unless told not to, and print."""
+    """Count the classes, enumerate them unless --count is given, and print."""
     if args.formula and args.newforms:
         raise UsageError("--newforms asks for the classes, and --formula enumerates none")
     if args.formula and args.certificate is not None:

@@ -22,7 +22,7 @@ HELP = (
     "status: 0; 1 if a required library is missing; 2 bad usage."
 )
 EXAMPLES = ("hfield doctor", "hfield doctor --format json")
-# What is not needed: (how it is asked for, what it adds).
+# Optional parts: (what to install, what it adds).
 OPTIONAL = {
     "ipython": ("pip install 'hfield[repl]'", "a comfortable `hfield repl`"),
     "scipy": ("pip install 'hfield[bench]'", "scipy beside us in `hfield bench`"),

@@ -1,4 +1,4 @@
-"""``hfield domain``: the Dirichlet domain of the units of norm 1 of an indefinite order, told and drawn."""
+"""``hfield domain``: the Dirichlet domain of the units of norm 1 of an indefinite order."""
 
 from __future__ import annotations
 

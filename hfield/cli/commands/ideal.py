@@ -59,7 +59,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(args: Namespace) -> int:
-    """Make the ideal, ask what is asked, and print."""
+    """Make the ideal, compute what the options say, and print."""
     return answer_certified(args, _answer)
 
 

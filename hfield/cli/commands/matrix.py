@@ -65,7 +65,7 @@ def _answer(A: QuaternionAlgebra, text: str) -> OutputDocument:
 
 
 def _facts(A: QuaternionAlgebra, M: Matrix) -> Iterator[tuple[str, str]]:
-    """Yield what is told, where it is known."""
+    """Yield the rows of the answer that are known."""
     F, square = A.ring, M.shape[0] == M.shape[1]
     if square:
         c = M.reduced_characteristic_polynomial()

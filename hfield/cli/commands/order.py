@@ -96,7 +96,7 @@ def _listed_units(O: Any) -> Part:
 
 
 def _made(args: Namespace) -> Any:
-    """Return the order that is asked for."""
+    """Return the order that the arguments describe."""
     A = algebra_of(args.algebra)
     if args.extremal:
         return A.extremal_order()

@@ -87,17 +87,17 @@ def _decide(args: Namespace, statement: str) -> OutputDocument:
             note(f"no certificate is written: {answer.why_no_certificate}")
     path = None if certificate is None else args.certificate
     said = {} if args.given or args.relations else {"statement": statement}
-    told, inside, field = (answer.text, answer.decision), answer.setting.algebra, answer.field
+    shown, inside, field = (answer.text, answer.decision), answer.setting.algebra, answer.field
 
     def latex() -> str:
         from hfield.ledger.claim import UNIVERSAL
         from hfield.ledger.paper import decision
 
-        return decision(*told, field or UNIVERSAL, inside)
+        return decision(*shown, field or UNIVERSAL, inside)
 
     return OutputDocument(
         lambda: answer.to_json(path) | said,
-        lambda style: decision_text(*told, inside, field, style),
+        lambda style: decision_text(*shown, inside, field, style),
         {"latex": latex},
         answer.exit_status,
     )

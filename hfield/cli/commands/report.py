@@ -93,9 +93,9 @@ def _chapters(args: Namespace) -> list[str]:
     """Return the names of the chapters that are wanted. Raises :class:`ChapterError`."""
     from hfield.report.chapters import names, require
 
-    asked = args.chapters or ("none" if args.ledgers else "all")
-    if asked in ("all", "none"):
-        return names() if asked == "all" else []
-    wanted = list(dict.fromkeys(word.strip() for word in asked.split(",") if word.strip()))
+    requested = args.chapters or ("none" if args.ledgers else "all")
+    if requested in ("all", "none"):
+        return names() if requested == "all" else []
+    wanted = list(dict.fromkeys(word.strip() for word in requested.split(",") if word.strip()))
     require(wanted)
     return wanted

@@ -161,7 +161,7 @@ def numbers(text: str, name: str) -> list[int]:
 
 
 def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
-    """Return the survey that is asked for, and its pairs."""
+    """Return the survey that the arguments describe, and its pairs."""
     from hfield import census
 
     levels = numbers(args.levels, "--levels")

@@ -59,18 +59,18 @@ def base_ring_of(field: Ring) -> BaseRing:
     raise NotCoveredError(f"the field {field.name}: Coq has ZZ, QQ, GF(p) and ZZ/n here")
 
 
-def value_in(room: BaseRing, text: str) -> str:
+def value_in(base_ring: BaseRing, text: str) -> str:
     """Return an element of a ring, from its text in a certificate."""
     if not re.fullmatch(r"-?[0-9]{1,1000}(/[1-9][0-9]{0,999})?", text):
         raise NotCoveredError(f"the value {shorten(text)!r}")
     value = Fraction(text)
-    if room is RATIONALS:
+    if base_ring is RATIONALS:
         return f"(Q2Qc ({value.numerator} # {value.denominator}))"
-    if room is INTEGERS:
+    if base_ring is INTEGERS:
         if value.denominator != 1:
             raise HFieldError(f"{text!r} is no integer")
         return f"({value.numerator})%Z"
-    n = room.characteristic
+    n = base_ring.characteristic
     try:
         return f"(reduce {n} {value.numerator * pow(value.denominator, -1, n) % n})"
     except ValueError as error:

@@ -37,26 +37,26 @@ def by_terms(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     lemma = f"{j.name}_instance"
     trees = _trees(j, evidence["terms"])
     instance, known = _instance(j, trees, [], evidence["proof"])
-    room = RINGS if instance.text.startswith(RINGS.opening) else _room(j, instance)
-    sentence = Sentence(j.statement, j.setting, room)
+    base_ring = RINGS if instance.text.startswith(RINGS.opening) else _base_ring(j, instance)
+    sentence = Sentence(j.statement, j.setting, base_ring)
     names = sentence.names
     lines = [
         sentence.intros,
         *([f"intros {' '.join(names)}."] if names else []),
-        f"pose proof ({_call(lemma, instance, room, known)} {' '.join(names)}) as known.",
+        f"pose proof ({_call(lemma, instance, base_ring, known)} {' '.join(names)}) as known.",
         *_there(j, sentence, trees),
     ]
     return Proved(sentence.text, tuple(lines), (instance.lemma(lemma),))
 
 
-def _room(j: Judgement, proved: Proved) -> BaseRing:
-    """Return the room of something proved for the field of the certificate, or for all fields."""
+def _base_ring(j: Judgement, proved: Proved) -> BaseRing:
+    """Return the base ring of a proof: the field of the certificate, or all fields."""
     field = j.setting.field
     if field is None:
         return FIELDS
-    room = base_ring_of(field)
-    large = of_characteristic(room.characteristic)
-    return large if proved.text.startswith(large.opening) else room
+    base_ring = base_ring_of(field)
+    large = of_characteristic(base_ring.characteristic)
+    return large if proved.text.startswith(large.opening) else base_ring
 
 
 def _trees(j: Judgement, terms: Mapping[str, str]) -> dict[str, Node]:
@@ -104,14 +104,14 @@ def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
         raise MismatchError("the cases are about other unknowns than those given")
     cover = covered.proved(evidence["cover"])
     before = [cover.lemma(f"{j.name}_cover")]
-    room = _room(j, cover)
-    sentence = Sentence(j.statement, j.setting, room)
+    base_ring = _base_ring(j, cover)
+    sentence = Sentence(j.statement, j.setting, base_ring)
     names = sentence.names
     defined, rest = names[: len(sentence.defined)], names[len(sentence.defined) :]
     pattern = "w"
     for _ in conditions[:-1]:
         pattern = f"[w | {pattern}]"
-    call = _call(f"{j.name}_cover", cover, room, covered)
+    call = _call(f"{j.name}_cover", cover, base_ring, covered)
     lines = [sentence.intros, *([f"intros {' '.join(names)}."] if names else [])]
     lines.append(f"destruct ({call} {' '.join(names)}) as {pattern}.")
     for n, (case, condition) in enumerate(zip(cases, conditions, strict=True), 1):
@@ -119,7 +119,7 @@ def by_cases(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
         instance, known = _instance(j, trees, [condition], case["proof"])
         lemma = f"{j.name}_case_{n}"
         before.append(instance.lemma(lemma))
-        call = _call(lemma, instance, room, known)
+        call = _call(lemma, instance, base_ring, known)
         lines.append(f"- pose proof ({call} {' '.join([*defined, 'w', *rest])}) as known.")
         lines += [f"  {line}" for line in _there(j, sentence, trees)]
     return Proved(sentence.text, tuple(lines), tuple(before))
@@ -133,8 +133,8 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     if j.setting.letters:
         raise NotCoveredError("that nothing exists, in an algebra with letters")
     here = replace(j.setting, field=field)
-    room = base_ring_of(field)
-    sentence = Sentence(j.read(statement.text, here), here, room)
+    base_ring = base_ring_of(field)
+    sentence = Sentence(j.read(statement.text, here), here, base_ring)
     if sentence.defined:
         raise NotCoveredError("that nothing exists, where structure constants divide")
     proof = evidence["proof"]
@@ -168,7 +168,7 @@ def none_exists(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     pattern = "c"
     for name in reversed(found):
         pattern = f"[{name} {pattern}]"
-    lines, start = in_one_field(room) if j.setting.field is None else (["intro F."], "F")
+    lines, start = in_one_field(base_ring) if j.setting.field is None else (["intro F."], "F")
     lines.append(f"pose proof ({' '.join([start, *arguments])}) as G.")
     if names:
         lines.append(f"apply ({' '.join([lemma, *zeros])}); intros {' '.join(names)}; exfalso.")
@@ -184,10 +184,10 @@ def _whole_text(j: Judgement, sentence: Sentence) -> str:
     return Sentence(j.statement, j.setting, FIELDS).text
 
 
-def _call(lemma: str, proved: Proved, room: BaseRing, judgement: Judgement) -> str:
-    """Return a lemma applied to the ring and the unknowns of a proof in the room."""
-    names = room.names
-    if proved.text.startswith(RINGS.opening) and room is not RINGS:
+def _call(lemma: str, proved: Proved, base_ring: BaseRing, judgement: Judgement) -> str:
+    """Return a lemma applied to the ring and the unknowns of a proof in the base ring."""
+    names = base_ring.names
+    if proved.text.startswith(RINGS.opening) and base_ring is not RINGS:
         names = "R operations (F_R (proj1 laws))"
     own = [n for n, _ in judgement.sentence.order]
     return " ".join(x for x in (lemma, names, *own) if x)
@@ -203,7 +203,7 @@ def _tree(texts: Sequence[str]) -> Node:
 
 def _values(
     j: Judgement,
-    room: BaseRing,
+    base_ring: BaseRing,
     values: Mapping[str, Sequence[str]],
     sentence: Sentence,
     unknowns: Sequence[tuple[str, Sort]],
@@ -214,7 +214,7 @@ def _values(
     for name, sort in sentence.terms.ordered:
         if (name, sort) not in unknowns:
             continue
-        found = [value_in(room, text) for text in values[name]]
+        found = [value_in(base_ring, text) for text in values[name]]
         if len(found) != (4 if sort is Sort.QUATERNION else 1):
             raise MismatchError(f"{name} has {len(found)} coordinates")
         if sort is Sort.QUATERNION:
@@ -229,29 +229,29 @@ def counterexample(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     field = ring_of_data(evidence["ring"])
     if j.setting.field is not None and j.setting.field != field:
         raise MismatchError("the witness is from another field")
-    room = base_ring_of(field)
+    base_ring = base_ring_of(field)
     here = replace(j.setting, field=field)
     statement = j.read(j.statement.text, here)
-    _check_listed(statement, room)
-    sentence = Sentence(statement, here, room)
-    values = _values(j, room, evidence["values"], sentence, sentence.order)
+    _check_listed(statement, base_ring)
+    sentence = Sentence(statement, here, base_ring)
+    values = _values(j, base_ring, evidence["values"], sentence, sentence.order)
     call = f"({sentence.data})\n  {values[0]} {values[1]}"
-    judge = _named(room, "residues_fail", "rationals_fail", "integers_fail", call)
+    judge = _named(base_ring, "residues_fail", "rationals_fail", "integers_fail", call)
     if j.setting.field is not None:
         return Proved(f"~ ({sentence.body})", (f"refine ({judge}).", f"all: {COMPUTED}"))
-    if not room.is_field:
+    if not base_ring.is_field:
         raise MismatchError(f"{field.name} is no field")
     everywhere = Sentence(j.statement, j.setting, FIELDS)
-    if room.characteristic > MAX_PRIME:
+    if base_ring.characteristic > MAX_PRIME:
         raise NotCoveredError(f"a counterexample in GF(p) with p above {MAX_PRIME}")
-    start, there = in_one_field(room)
+    start, there = in_one_field(base_ring)
     lines = [*start, f"unshelve refine ({judge} ({there})).", f"all: {COMPUTED}"]
     return Proved(f"~ ({everywhere.text})", tuple(lines))
 
 
-def in_one_field(room: BaseRing) -> tuple[list[str], str]:
+def in_one_field(base_ring: BaseRing) -> tuple[list[str], str]:
     """Return how a proof against all fields begins, and what they say of this one."""
-    p = room.characteristic
+    p = base_ring.characteristic
     if not p:
         return ["intro F."], "F Qc _ _ rational_field"
     prime = f"assert (prime : is_prime {p} = true) by ({COMPUTED[:-1]})."
@@ -260,22 +260,22 @@ def in_one_field(room: BaseRing) -> tuple[list[str], str]:
 
 def example(j: Judgement, evidence: Mapping[str, Any]) -> Proved:
     """Prove existence by values, where nothing is given."""
-    room, sentence = j.one_ring()
-    _check_listed(j.statement, room)
-    values = _values(j, room, evidence["values"], sentence, sentence.found)
+    base_ring, sentence = j.one_ring()
+    _check_listed(j.statement, base_ring)
+    values = _values(j, base_ring, evidence["values"], sentence, sentence.found)
     call = f"({sentence.data})\n  {values[0]} {values[1]}"
-    judge = _named(room, "residues_example", "rationals_example", "integers_example", call)
+    judge = _named(base_ring, "residues_example", "rationals_example", "integers_example", call)
     return computed(sentence, judge)
 
 
-def _named(room: BaseRing, residues: str, rationals: str, integers: str, call: str) -> str:
-    if room is RATIONALS:
+def _named(base_ring: BaseRing, residues: str, rationals: str, integers: str, call: str) -> str:
+    if base_ring is RATIONALS:
         return f"{rationals} {call} _"
-    if room is INTEGERS:
+    if base_ring is INTEGERS:
         return f"{integers} {call} _"
-    return f"{residues} {room.characteristic} {call} _ _"
+    return f"{residues} {base_ring.characteristic} {call} _ _"
 
 
-def _check_listed(statement: Statement, room: BaseRing) -> None:
-    if room.characteristic > MAX_MODULUS and statement.divides:
+def _check_listed(statement: Statement, base_ring: BaseRing) -> None:
+    if base_ring.characteristic > MAX_MODULUS and statement.divides:
         raise NotCoveredError(f"division modulo a number above {MAX_MODULUS}")

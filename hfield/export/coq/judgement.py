@@ -118,14 +118,14 @@ class Judgement:
         """Prove the statement itself from hypotheses that never hold together."""
         never, lemma = self.vacuous(evidence), f"{self.name}_never"
         sentence = self.sentence
-        if sentence.found or not never.text.startswith(sentence.room.opening):
+        if sentence.found or not never.text.startswith(sentence.base_ring.opening):
             raise NotCoveredError("what follows from hypotheses that never hold")
         names = sentence.names
         lines = [sentence.intros, f"intros {' '.join(names)}.", "exfalso."]
         nodes = (n for h in self.statement.hypotheses for n in walk(h))
         unknowns = {n.name for n in nodes if isinstance(n, Name)}
         kept = [n for n, _ in sentence.order if n in unknowns]
-        call = f"{lemma} {sentence.room.names} {' '.join(kept)}".strip()
+        call = f"{lemma} {sentence.base_ring.names} {' '.join(kept)}".strip()
         lines.append(f"pose proof ({call}) as never; tauto.")
         return Proved(sentence.text, tuple(lines), (never.lemma(lemma),))
 
@@ -153,8 +153,8 @@ class Judgement:
         """Return the ring of the certificate, and the statement there."""
         if self.setting.field is None:
             raise NotCoveredError("something computed over all fields at once")
-        room = base_ring_of(self.setting.field)
-        return room, Sentence(self.statement, self.setting, room)
+        base_ring = base_ring_of(self.setting.field)
+        return base_ring, Sentence(self.statement, self.setting, base_ring)
 
 
 MAX_CASES = 300_000
@@ -166,35 +166,35 @@ def implied(
 ) -> Proved:
     """Prove a statement by its items, an identity by none."""
     field = j.setting.field
-    room = FIELDS if field is None else base_ring_of(field)
-    _check_facts(j, facts_used(items), facts, room)
+    base_ring = FIELDS if field is None else base_ring_of(field)
+    _check_facts(j, facts_used(items), facts, base_ring)
     if field is None:
         return _everywhere(j, items)
-    p = room.characteristic
-    if room.is_field and p > MAX_PRIME:
-        room = of_characteristic(p)
-    sentence = Sentence(j.statement, j.setting, room)
+    p = base_ring.characteristic
+    if base_ring.is_field and p > MAX_PRIME:
+        base_ring = of_characteristic(p)
+    sentence = Sentence(j.statement, j.setting, base_ring)
     read = Items(sentence.terms, items)
     if any(i.characteristic not in (0, p) for i in read.items):
         raise MismatchError("an item is about another characteristic")
     divides = j.statement.divides or bool(sentence.defined)
-    if not room.is_field and divides:
+    if not base_ring.is_field and divides:
         raise NotCoveredError(f"division over {field.name}, except by all cases")
     evidence = read.hints(sentence.formulas, read.items, p if p <= MAX_PRIME else 0)
-    if room is RATIONALS:
+    if base_ring is RATIONALS:
         evidence = replace(evidence, numbers=_divisors(j.setting))
         return computed(sentence, f"over_rationals\n  ({evidence})%text\n  {sentence.data} _")
-    if room is INTEGERS:
+    if base_ring is INTEGERS:
         if _directly(j, sentence, read):
             judge = f"over_the_integers_directly\n  ({evidence})%text\n  {sentence.data} _"
         else:
             judge = f"integers\n  ({evidence})%text\n  {sentence.data} _ _"
         return computed(sentence, judge)
-    if not room.is_field:
+    if not base_ring.is_field:
         if not is_positive(sentence.conclusion) or not all(map(has_cases, sentence.hypotheses)):
             raise NotCoveredError(f"'not' or '!=' over {field.name}, except by all cases")
         return computed(sentence, f"residue_ring {p}\n  ({evidence})%text\n  {sentence.data} _")
-    if room.is_one_ring:
+    if base_ring.is_one_ring:
         width = len(sentence.terms.numerators.atoms) if evidence.vanishing else 0
         return computed(
             sentence, f"prime_field {p} {width}\n  ({evidence})%text\n  {sentence.data} _ _ _"
@@ -205,7 +205,7 @@ def implied(
 
 
 def _check_facts(
-    j: Judgement, used: set[str], facts: Sequence[Mapping[str, Any]], room: BaseRing
+    j: Judgement, used: set[str], facts: Sequence[Mapping[str, Any]], base_ring: BaseRing
 ) -> None:
     """Raise NotCoveredError for what Coq does not know, MismatchError for what is wrong."""
     for form in used & {"norm", "squares"}:
@@ -214,13 +214,13 @@ def _check_facts(
             raise MismatchError(f"a step uses the fact {form!r}, which is not there")
         if "algebra" in fact:
             raise NotCoveredError("the norm form of another algebra than the statement's")
-        known = room in (RATIONALS, INTEGERS)
+        known = base_ring in (RATIONALS, INTEGERS)
         if known and (form == "squares" or _is_definite(j.setting)):
             continue
         by = fact["by"]
-        if room is FIELDS or by == "ordering" or (form == "norm" and not known):
+        if base_ring is FIELDS or by == "ordering" or (form == "norm" and not known):
             raise MismatchError(f"the fact {form!r} by {by!r} does not hold there")
-        raise NotCoveredError(f"the fact {form!r} by {by!r} over {room.type}")
+        raise NotCoveredError(f"the fact {form!r} by {by!r} over {base_ring.type}")
 
 
 def _directly(j: Judgement, sentence: Sentence, read: Items) -> bool:
@@ -268,8 +268,8 @@ def _everywhere(j: Judgement, items: Sequence[Mapping[str, Any]]) -> Proved:
 
 def exhausted(j: Judgement) -> Proved:
     """Prove a statement over a finite ring by all cases."""
-    room, sentence = j.one_ring()
-    n = room.characteristic
+    base_ring, sentence = j.one_ring()
+    n = base_ring.characteristic
     width = sum(4 if s is Sort.QUATERNION else 1 for _, s in j.statement.unknowns)
     if not n or n > MAX_MODULUS or n**width > MAX_CASES:
         raise NotCoveredError(f"exhaustion of more than {MAX_CASES} cases")

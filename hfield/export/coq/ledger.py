@@ -31,7 +31,7 @@ def export_ledger(
 ) -> Export:
     """Export what is proved for all fields among the claims chosen, all of them by default.
 
-    ``progress`` is told how many claims are done, of how many, and the claim in work.
+    ``progress`` is called with the number of finished claims, their total, and the current claim.
     """
     theorems: list[Theorem] = []
     left: list[Left] = []

@@ -30,17 +30,17 @@ class Proved:
 
 
 class Sentence:
-    """A statement in one room: its text, and the same as data."""
+    """A statement over one base ring, as text and as data."""
 
-    def __init__(self, statement: Statement, setting: Setting, room: BaseRing) -> None:
+    def __init__(self, statement: Statement, setting: Setting, base_ring: BaseRing) -> None:
         if statement.constants:
             raise NotCoveredError(f"{statement.constants[0]!r} names a constant of the field")
-        self.statement, self.setting, self.room = statement, setting, room
+        self.statement, self.setting, self.base_ring = statement, setting, base_ring
         sorts = statement.unknowns
         self.given = list(statement.given)
         self.found = [(n, s) for n, s in sorts if n in statement.exists]
         self.terms = Terms(self.given, self.found, setting.constants)
-        formulas = Formulas(self.terms, room.type, room.is_field)
+        formulas = Formulas(self.terms, base_ring.type, base_ring.is_field)
         self.defined = [formulas.defined(d) for d in self.terms.defined]
         self.hypotheses = [*self.defined, *(formulas.of(h) for h in statement.hypotheses)]
         self.conclusion = formulas.of(statement.conclusion)
@@ -57,18 +57,18 @@ class Sentence:
 
     @property
     def body(self) -> str:
-        """What the statement says of the room."""
+        """The statement about the base ring, without its quantifier over rings."""
         shown = self.conclusion.text
         if self.found:
             order = [x for x in self.terms.ordered if x in self.found]
-            shown = f"exists {_binders(order, self.room)}, {shown}"
+            shown = f"exists {_binders(order, self.base_ring)}, {shown}"
         body = " ->\n  ".join([*(grouped(h) for h in self.hypotheses), shown])
-        return f"forall {_binders(self.order, self.room)},\n  {body}" if self.given else body
+        return f"forall {_binders(self.order, self.base_ring)},\n  {body}" if self.given else body
 
     @property
     def text(self) -> str:
         """The whole proposition."""
-        return f"{self.room.opening}{self.body}"
+        return f"{self.base_ring.opening}{self.body}"
 
     @property
     def data(self) -> str:
@@ -86,13 +86,13 @@ class Sentence:
     @property
     def intros(self) -> str:
         """The tactic that introduces the ring and the unknowns."""
-        names = f"{self.room.names} {' '.join(n for n, _ in self.order)}".strip()
+        names = f"{self.base_ring.names} {' '.join(n for n, _ in self.order)}".strip()
         return f"intros {names}." if names else "idtac."
 
     @property
     def arguments(self) -> str:
         """The same names, as arguments."""
-        return f"{self.room.names} {' '.join(n for n, _ in self.order)}".strip()
+        return f"{self.base_ring.names} {' '.join(n for n, _ in self.order)}".strip()
 
 
 def _count(unknowns: Sequence[tuple[str, Sort]]) -> str:
@@ -100,10 +100,10 @@ def _count(unknowns: Sequence[tuple[str, Sort]]) -> str:
     return f"{quaternions} {len(unknowns) - quaternions}"
 
 
-def _binders(order: Sequence[tuple[str, Sort]], room: BaseRing) -> str:
+def _binders(order: Sequence[tuple[str, Sort]], base_ring: BaseRing) -> str:
     groups = []
-    kind = room.type if " " not in room.type else f"({room.type})"
-    for sort, shown in ((Sort.QUATERNION, f"quaternion {kind}"), (Sort.SCALAR, room.type)):
+    kind = base_ring.type if " " not in base_ring.type else f"({base_ring.type})"
+    for sort, shown in ((Sort.QUATERNION, f"quaternion {kind}"), (Sort.SCALAR, base_ring.type)):
         names = [n for n, s in order if s is sort]
         if names:
             groups.append(f"({' '.join(names)} : {shown})")

@@ -296,7 +296,7 @@ def _put_together(
     """Return the proof by cases, None where a case is not proved."""
     if any(proof.verdict != PROVED for proof in proofs):
         return None
-    told = [
+    cases_data = [
         {"when": case.when, "terms": dict(case.terms), "proof": proof.evidence}
         for case, proof in zip(cases, proofs, strict=True)
     ]
@@ -315,5 +315,5 @@ def _put_together(
         steps=(*steps, say("always-one")),
         scope=FIELDS if problem.field is None else FIELD,
         assumes=assumes,
-        evidence=Evidence(Kind.CASES, cases=told, cover=cover.evidence),
+        evidence=Evidence(Kind.CASES, cases=cases_data, cover=cover.evidence),
     )

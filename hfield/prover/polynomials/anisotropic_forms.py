@@ -36,7 +36,7 @@ class Form:
     value: Any
     terms: tuple[Any, ...]
     step: Mapping[str, Any]
-    rule: Rule | None = None  # a rule of its own, besides that roots are told
+    rule: Rule | None = None  # a rule of its own, besides the one for roots
 
 
 class Forms:

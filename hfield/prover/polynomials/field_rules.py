@@ -29,7 +29,7 @@ EXHAUSTED = 1_000  # elements of a field in which all cases are tried rather
 class Rule:
     """A form of which 0 is the only zero: the norm, or any sum of up to ``most`` squares.
 
-    Or, with the form ``roots``, that roots in the field are told by factoring. ``positive`` tells
+    Or, with the form ``roots``, that factoring finds the roots in the field. ``positive`` tells
     that the squares may have positive rational coefficients, as in an ordered field. ``reason`` is
     for people, ``by`` its kind in a word, ``assumes`` the theorems it cites, and ``data`` what a norm form is
     shown with.
