@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.checks import whole
-from anim.model import MOST_POINTS
+from anim.model import MAX_POINTS
 from anim.motion import Motion
 
 Floats = NDArray[np.float64]
@@ -74,7 +74,7 @@ def apparent_spin(motion: Motion, bands: int) -> ApparentSpin:
     >>> float(seen.true[0].round(3)), float(seen.seen[0].round(3)), float(round(seen.period, 3))
     (1.006, -0.25, 1.257)
     """
-    number = whole("bands", bands, 1, MOST_POINTS)
+    number = whole("bands", bands, 1, MAX_POINTS)
     period = 2 * np.pi / (number / 2 if number % 2 == 0 else 1)
     times, step = motion.times, motion.clip.interval
     at_frames = motion.spin_rates(times)

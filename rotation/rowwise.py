@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from hfield.compiling import machine_code
-from hfield.compiling.memory import LARGE, block, in_one_piece
+from hfield.compiling.memory import POOLED_BYTES, block, in_one_piece
 from hfield.compiling.threads import in_pieces
 from rotation.immutable_arrays import ImmutableArray
 from rotation.namespaces import Array, quiet
@@ -117,7 +117,7 @@ class Formula:
         out = np.empty(batch + self._row, self._kind)
         straight = self._straightened(arrays, batch)
         if out.size > MUCH:
-            if out.nbytes >= LARGE:
+            if out.nbytes >= POOLED_BYTES:
                 out = block(out.shape, self._kind.str)[0]
             told = self._shared(function, straight, out)
         else:

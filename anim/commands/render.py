@@ -37,8 +37,8 @@ EXAMPLES = (
     "hfield render --sheet -o sheet.png",
 )
 SHEET_SIZE, FILM_SIZE = (320, 240), (640, 480)
-MOST_FRAMES_OF_A_PAGE = 100_000
-MOST_POINTS_OF_A_PAGE = 10_000
+MAX_FRAMES_OF_A_PAGE = 100_000
+MAX_POINTS_OF_A_PAGE = 10_000
 BAR_EVERY = 0.1  # seconds
 
 
@@ -157,8 +157,8 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recor
     from anim.viewer import Show, curves_of, page
 
     for name, number, most in (
-        ("frames", clip.frames, MOST_FRAMES_OF_A_PAGE),
-        ("points a ring", model.ring, MOST_POINTS_OF_A_PAGE),
+        ("frames", clip.frames, MAX_FRAMES_OF_A_PAGE),
+        ("points a ring", model.ring, MAX_POINTS_OF_A_PAGE),
     ):
         if number > most:
             raise UsageError(f"a page holds at most {most} {name}, not {number}")

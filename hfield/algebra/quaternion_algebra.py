@@ -64,7 +64,7 @@ if TYPE_CHECKING:
     from hfield.polynomials.polynomial import Polynomials
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
-MOST = 10**8  # elements of an array that lists all
+MAX_LISTED_ELEMENTS = 10**8  # elements of an array that lists all
 
 # What may be counted, in singular and plural.
 _KINDS = {word: kind for kind in ("elements", "units") for word in (kind, kind[:-1])}
@@ -390,7 +390,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> int(p.units().sum()), int((p * p == -1).sum())
         (48, 6)
         """
-        if self._order_of_ring() ** 4 > MOST:
+        if self._order_of_ring() ** 4 > MAX_LISTED_ELEMENTS:
             raise TooLargeError(
                 f"{self} has more than 10^8 elements; A.elements() runs through them"
             )

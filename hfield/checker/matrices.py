@@ -13,7 +13,7 @@ from hfield.checker.rejection import reject, shown
 MATRICES = ("L", "M", "N")
 ENTRIES = tuple(f"{name}{place}" for name in MATRICES for place in ("11", "12", "21", "22"))
 MAKERS = ("matrix", "row", "column", "transpose")
-MOST_POWER = 6
+MAX_POWER = 6
 Value = Any  # Tree | dict[str, list[list[Tree]]]
 
 
@@ -95,8 +95,8 @@ class _Writer:
             base = self.value(tree[1])
             if not _is_table(base):
                 return ("pow", base, tree[2])
-            if not 1 <= tree[2] <= MOST_POWER:
-                reject(f"a matrix has the powers 1 to {MOST_POWER}, not {shown(tree[2])}")
+            if not 1 <= tree[2] <= MAX_POWER:
+                reject(f"a matrix has the powers 1 to {MAX_POWER}, not {shown(tree[2])}")
             found = base
             for _ in range(tree[2] - 1):
                 found = _product(found, base)

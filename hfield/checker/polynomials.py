@@ -15,9 +15,9 @@ from hfield.checker.rejection import MAX_DIGITS, reject, shown
 
 MAX_EXPONENT = 1 << 16
 EXPONENT_BITS = 18  # they hold the sum of two exponents
-FEW = 1_000  # products of terms, for which nothing is set up
+MAX_DIRECT_TERMS = 1_000  # products of terms, for which nothing is set up
 MAX_TEXT = 4_000_000
-LONG = 256  # bits: to compute with shorter numbers takes no longer
+LONG_NUMBER_BITS = 256  # bits: to compute with shorter numbers takes no longer
 
 Monomial = tuple[tuple[int, int], ...]
 Poly = dict[Monomial, int]
@@ -63,7 +63,7 @@ def multiply(f: Poly, g: Poly) -> Poly:
     if not f or not g:
         return {}
     terms = len(f) * len(g)
-    if terms > FEW:
+    if terms > MAX_DIRECT_TERMS:
         return _long_product(f, g)
     spend(terms + len(f) * width(g) + len(g) * width(f))
     out: Poly = {}
@@ -126,7 +126,7 @@ def _collect(f: Poly, m: Monomial, c: int) -> None:
     """Add c·m to f; where that is long, so was what it was made of, which is paid for here."""
     total = f.get(m, 0) + c
     bits = total.bit_length()
-    if bits > LONG:
+    if bits > LONG_NUMBER_BITS:
         spend(bits // 100 + bits * bits // 500_000)
         if bits > 4 * MAX_DIGITS:
             reject("a coefficient has grown too large")
@@ -149,7 +149,7 @@ def modulo(f: Poly, p: int) -> Poly:
     if not p:
         return f
     spend(len(f))
-    if p >> LONG:
+    if p >> LONG_NUMBER_BITS:
         spend_products([p], f.values())
     return {m: c % p for m, c in f.items() if c % p}
 

@@ -25,7 +25,7 @@ PURPOSE = (
     "Compute in quaternion algebras over arbitrary fields, prove or refute statements about them, "
     "rotate points, and draw the spinning top."
 )
-FIRST = "hfield prove 'p*q == q*p'"
+FIRST_COMMAND = "hfield prove 'p*q == q*p'"
 
 BAD_USAGE, INTERNAL, INTERRUPTED, BROKEN_PIPE = 2, 70, 130, 141
 
@@ -104,4 +104,4 @@ def _help() -> str:
                 fill(text, width, initial_indent=f"  {name:<12} ", subsequent_indent=" " * 15)
             )
     below = "`hfield help COMMAND` describes a command. `hfield --version` prints the version."
-    return "\n".join([*lines, "", fill(below, width), f"Start with: {FIRST}"])
+    return "\n".join([*lines, "", fill(below, width), f"Start with: {FIRST_COMMAND}"])

@@ -28,7 +28,7 @@ _PLAIN |= {"“": '"', "”": '"', "–": "-", "—": "-", "ł": "l", "Ł": "L",
 _PLAIN |= {"θ": "theta", "†": "+", "│": "|", "─": "-", "┼": "+", "→": "->", "≥": ">=", "∞": "oo"}
 _PLAIN |= {"⟨": "<", "⟩": ">", "↦": "->", "≅": "="}
 _PLAIN |= {"\u0304": "'"}  # q̄ becomes q'
-WIDEST = 100  # letters of a line, however wide the terminal is
+MAX_WIDTH = 100  # letters of a line, however wide the terminal is
 _POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
@@ -82,13 +82,13 @@ class Sink:
 
         terminal = self.stream.isatty()
         colour = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
-        width = terminal_width() if _has_width(self.stream) else WIDEST
+        width = terminal_width() if _has_width(self.stream) else MAX_WIDTH
         return Style(max(width, 40), not _encodes("∀✓√₉─", self.stream), bool(colour))
 
 
 def terminal_width() -> int:
     """Return how wide lines for people may be: as wide as the terminal, as far as that is not too wide."""
-    return min(WIDEST, get_terminal_size((WIDEST, 24)).columns)
+    return min(MAX_WIDTH, get_terminal_size((MAX_WIDTH, 24)).columns)
 
 
 def _has_width(stream: TextIO) -> bool:

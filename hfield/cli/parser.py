@@ -25,8 +25,8 @@ _OUTPUT = re.compile(r"-o|--output(=|$)")
 _FILE = re.compile(r"[^\s()*=+,]+\.[A-Za-z]\w{1,6}")
 _FIELD = re.compile(r"QQ|ZZ|RR|CC|GF|FF?[_(]?\d|RDF|CDF|Qp|Q\(|[ℚℤℝℂ𝔽]|\\mathbb")
 _ALGEBRA = re.compile(r"[(\[].*,.*\|.*\)|[Hℍ]\(.*\)", re.DOTALL)
-MOST_PROCESSES = 1024
-MOST_SECONDS = 86_400.0
+MAX_PROCESSES = 1024
+MAX_SECONDS = 86_400.0
 
 
 class UsageError(HFieldError, ValueError):
@@ -216,8 +216,8 @@ def positive(most: float, what: str) -> Callable[[str], float]:
     return read
 
 
-processes = whole(1, MOST_PROCESSES, "number")
-seconds = positive(MOST_SECONDS, "number of seconds above 0")
+processes = whole(1, MAX_PROCESSES, "number")
+seconds = positive(MAX_SECONDS, "number of seconds above 0")
 
 
 def add_repeated(parser: ArgumentParser, name: str, metavar: str, help: str) -> None:

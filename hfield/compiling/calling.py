@@ -18,8 +18,8 @@ from hfield.compiling.threads import in_pieces, threads
 from hfield.straight_line import Program
 
 PIECE = 1 << 20  # elements that a thread takes at a time: for each it waits for the interpreter
-MANY = 500_000  # from so many elements on a second thread is woken
-SHORTEST = 1 << 16  # elements for which one more thread is woken
+THREADED_ELEMENTS = 500_000  # from so many elements on a second thread is woken
+ELEMENTS_PER_THREAD = 1 << 16  # elements for which one more thread is woken
 # The compiled loops of each program in each arithmetic, by which operands are single elements, and by
 # whether they write past the caches.
 _loops: dict[Any, dict[tuple[tuple[bool, ...], bool], machine_code.Function]] = {}
@@ -112,7 +112,7 @@ def run(loop: machine_code.Function, n: int, rows: Rows, steps: Sequence[int]) -
     """
     places = [address(row) for row in rows]
     table = c_int64 * len(places)
-    if n < MANY or threads() == 1:
+    if n < THREADED_ELEMENTS or threads() == 1:
         whole = table(*places)
         return loop(n, addressof(whole))
 
@@ -120,4 +120,4 @@ def run(loop: machine_code.Function, n: int, rows: Rows, steps: Sequence[int]) -
         here = table(*(place + start * step for place, step in zip(places, steps, strict=True)))
         return loop(end - start, addressof(here))
 
-    return in_pieces(work, n, PIECE, SHORTEST, rows)
+    return in_pieces(work, n, PIECE, ELEMENTS_PER_THREAD, rows)

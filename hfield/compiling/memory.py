@@ -19,7 +19,7 @@ import numpy as np
 Array = np.ndarray[Any, np.dtype[Any]]
 Rows = tuple[Array, ...]
 
-LARGE = 1_000_000  # bytes; several pieces given back go to the system again
+POOLED_BYTES = 1_000_000  # bytes; several pieces given back go to the system again
 KEPT = 5 << 24
 _kept: deque[Array] = deque()  # the last given back at the end
 
@@ -35,7 +35,7 @@ class _Lent:
 def block(shape: Sequence[int], dtype: str) -> tuple[Array, bool]:
     """Return an array whose entries are not set yet, and whether its memory has been used before."""
     size = prod(shape) * np.dtype(dtype).itemsize
-    if not LARGE <= size <= KEPT:
+    if not POOLED_BYTES <= size <= KEPT:
         return np.empty(shape, dtype), False
     used = _taken(size)
     memory = np.empty(size, np.uint8) if used is None else used

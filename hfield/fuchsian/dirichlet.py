@@ -31,11 +31,11 @@ ROUNDS = 50
 """So often at most units are looked for from more points."""
 IDLE = 12
 """So many searches in a row that find no new side are the last ones."""
-FEW_COSETS = 30
+MAX_SEARCHED_INDEX = 30
 """Up to this index units are found quicker by the search."""
-MOST_AREA = 1_000
+MAX_AREA = 1_000
 """In units of 2π: larger domains are not searched, which would take minutes and find too little."""
-MOST_COSETS = 3_000
+MAX_COSETS = 3_000
 """Cosets, at most."""
 DEEPEST = 1e6
 """Points are this far from the centre at most, by the hyperbolic cosine: floats do not go farther."""
@@ -99,17 +99,17 @@ def order_above(order: SplitOrder) -> RationalOrder | None:
     if isinstance(order, RationalOrder) and not is_eichler(order.order):
         found = RationalOrder(maximal_orders.overorder(order.order))
         index = order.area() / found.area()
-    if index > MOST_COSETS:
+    if index > MAX_COSETS:
         raise TooLargeError(
             f"the group is of index {index} in that of a maximal order: domains are found up to "
-            f"{MOST_COSETS}"
+            f"{MAX_COSETS}"
         )
-    if index > FEW_COSETS:
+    if index > MAX_SEARCHED_INDEX:
         return found
-    if order.area() > MOST_AREA:
+    if order.area() > MAX_AREA:
         raise TooLargeError(
             f"the domain, of area 2π·{order.area()}, is too large: groups of an area up to 2π·200 are within "
-            f"reach, and none above 2π·{MOST_AREA} is tried"
+            f"reach, and none above 2π·{MAX_AREA} is tried"
         )
     return None  # the search finds what is needed
 
@@ -128,7 +128,7 @@ def generators_by_cosets(order: SplitOrder, above: RationalOrder) -> Rows:
     whole, denominator = fmpz_mat(above.rows(list(order.basis))).inv().numer_denom()
     entries = [[int(c) for c in row] for row in whole.tolist()]
     inside, modulus = np.array(entries, dtype=np.int64), int(denominator)
-    tests = np.empty((4, MOST_COSETS, 4), dtype=np.int64)
+    tests = np.empty((4, MAX_COSETS, 4), dtype=np.int64)
     cosets: list[Rows] = []
     backs: list[Rows] = []  # for each representative h, x ↦ x·conj(h)
     found: list[Rows] = []

@@ -28,7 +28,7 @@ from hfield.prover.statements.words import is_about_order
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Node, weight
 
-_MOST = (
+_MAX_STEP_LENGTH = (
     600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
 )
 _LABEL = 12
@@ -64,7 +64,7 @@ def decision_lines(
     yield from (first.replace(mark, style.mark(decision.verdict), 1), *rest)
     for n, step in enumerate(decision.steps, 1):
         indent = len(step) - len(step.lstrip())
-        shown = shorten(step.strip(), _MOST)
+        shown = shorten(step.strip(), _MAX_STEP_LENGTH)
         yield from wrapped(f"{n}. ".rjust(_LABEL), shown, style, indent=indent)
     witness = witness_text(decision.witness, field)
     if witness:
@@ -94,8 +94,8 @@ def wrapped(label: str, text: str, style: Style, indent: int = 0) -> list[str]:
     return hanging(f"  {label:<{_LABEL}}" + " " * indent, text, style.width)
 
 
-MOST_LINES = 3
-MOST_WEIGHT = 2_000
+MAX_LINES = 3
+MAX_WEIGHT = 2_000
 
 
 def worked_out(
@@ -116,9 +116,9 @@ def worked_out(
         F = ring(name)
         setting = read_setting(F, algebra)
         read = read_statement(text, F, (), setting.letters, setting.constants, setting.table)
-        if read.exists or weight(read.node) > MOST_WEIGHT:
+        if read.exists or weight(read.node) > MAX_WEIGHT:
             return []
-        return list(_failures(_world(read, setting, F, witness), read, F))[:MOST_LINES]
+        return list(_failures(_world(read, setting, F, witness), read, F))[:MAX_LINES]
     except (HFieldError, KeyError):  # in words, or with other unknowns than the witness has
         return []
 

@@ -16,7 +16,7 @@ Piece = tuple[Claim, str]
 Verdicts = tuple[Decision, Decision | None]
 Progress = Callable[[int, int, str], None]
 TASKS = 48  # enough for progress and even shares
-LEAST = 6  # rows a task, which have to outweigh its journey
+MIN_ROWS_PER_TASK = 6  # rows a task, which have to outweigh its journey
 
 
 def decide_rows(
@@ -47,7 +47,7 @@ def _chunks(pieces: Sequence[Piece]) -> list[range]:
     They take longest, and what is long must not come last, when the other workers have nothing. A run ends
     where a claim does, unless it has twice its length by then.
     """
-    size = max(LEAST, -(-len(pieces) // TASKS))
+    size = max(MIN_ROWS_PER_TASK, -(-len(pieces) // TASKS))
     runs, start = [], 0
     for m in range(1, len(pieces) + 1):
         ends = m == len(pieces) or pieces[m][0] is not pieces[m - 1][0]

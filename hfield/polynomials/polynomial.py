@@ -45,8 +45,8 @@ from hfield.syntax import Reader
 if TYPE_CHECKING:
     import sympy
 
-MOST_DEGREE = 1000
-MOST_FAILED = 3_000
+MAX_DEGREE = 1000
+MAX_FAILED = 3_000
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -193,9 +193,9 @@ class Polynomial(PrintedBySympy):
         return self._operand(other) * self
 
     def __pow__(self, n: int) -> Polynomial:
-        if not isinstance(n, int) or n < 0 or (n > 1 and n * self.degree > MOST_DEGREE):
+        if not isinstance(n, int) or n < 0 or (n > 1 and n * self.degree > MAX_DEGREE):
             raise CoercionError(
-                f"a power has an exponent from 0 to {MOST_DEGREE} over the degree, not {shorten(n)}"
+                f"a power has an exponent from 0 to {MAX_DEGREE} over the degree, not {shorten(n)}"
             )
         result = self.parent([1])
         for _ in range(n):
@@ -475,8 +475,8 @@ class Factoring:
             if self.division:
                 break
         self.failed.add(f)
-        if len(self.failed) > MOST_FAILED:
-            raise UndecidedError(f"{MOST_FAILED} products of linear factors were tried")
+        if len(self.failed) > MAX_FAILED:
+            raise UndecidedError(f"{MAX_FAILED} products of linear factors were tried")
         return None
 
     def roots(self, f: Polynomial, found: Roots) -> Iterator[Quaternion]:

@@ -17,7 +17,7 @@ from hfield.prover.problem import Problem
 from hfield.prover.statements.language import Sort
 from hfield.prover.statements.trees import TRUE
 
-FEW = 200
+MAX_PLACES_TRIED = 200
 MODULI = range(2, 14)
 
 
@@ -47,9 +47,12 @@ def _exists(problem: Problem) -> bool | None:
         return _generically(problem)
     if not problem.statement.unknowns:
         return Searcher(problem, RingScalars(field), True).test({})
-    if field.is_field and prime_search(problem, field.characteristic, FEW, True) is not None:
+    if (
+        field.is_field
+        and prime_search(problem, field.characteristic, MAX_PLACES_TRIED, True) is not None
+    ):
         return True
-    if ring_search(problem, FEW, True) is not None:
+    if ring_search(problem, MAX_PLACES_TRIED, True) is not None:
         return True
     if field.order is not None:
         found, _ = counterexample(problem.within(5.0), None, True)

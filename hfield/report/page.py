@@ -200,7 +200,7 @@ def _cell(verdict: str, words: Words) -> str:
     return f'<td class="{verdict}"><i>{MARKS[verdict]}</i><b>{words[verdict]}</b></td>'
 
 
-MOST_STEPS, MOST_LETTERS = 8, 300  # of a proof on the page; certificates have it whole
+MAX_STEPS, MAX_LETTERS = 8, 300  # of a proof on the page; certificates have it whole
 Alike = tuple[str, str, str, str]
 
 
@@ -286,7 +286,7 @@ def _row_of_claim(
     cells = [
         fields,
         term(method, words),
-        words.html(witness, most=MOST_LETTERS),
+        words.html(witness, most=MAX_LETTERS),
     ]
     if width > 4:
         after = first.as_corrected
@@ -314,10 +314,10 @@ def _field(row: Row, number: int | None, which: str = "") -> str:
 
 def _reasons(decision: Decision, words: Language) -> str:
     """Set the steps of a decision, what it cites and what was tried, as lines."""
-    steps = [words.html(step.strip(), "li", MOST_LETTERS) for step in decision.steps]
-    if len(steps) > MOST_STEPS:
-        more = words["more_steps"].format(n=len(steps) - MOST_STEPS + 1)
-        steps = [*steps[: MOST_STEPS - 1], f"<li>{more}</li>"]
+    steps = [words.html(step.strip(), "li", MAX_LETTERS) for step in decision.steps]
+    if len(steps) > MAX_STEPS:
+        more = words["more_steps"].format(n=len(steps) - MAX_STEPS + 1)
+        steps = [*steps[: MAX_STEPS - 1], f"<li>{more}</li>"]
     out = f"<ol>{''.join(steps)}</ol>" if steps else ""
     for key, texts in (("assumes", decision.assumes), ("tried", decision.tried)):
         out += "".join(f"<p><i>{words[key]}</i> {words.html(text)}</p>" for text in texts)

@@ -6,7 +6,7 @@ import pytest
 
 from hfield.checker.budget import bounded
 from hfield.checker.polynomials import (
-    FEW,
+    MAX_DIRECT_TERMS,
     MAX_EXPONENT,
     Names,
     Poly,
@@ -151,7 +151,7 @@ def test_long_products_are_those_of_their_terms(most: int) -> None:
     rng = random.Random(most)
     for _ in range(5):
         f, g = some(rng, 60, most), some(rng, 70, most)
-        assert len(f) * len(g) > FEW
+        assert len(f) * len(g) > MAX_DIRECT_TERMS
         by_terms: Poly = {}
         for m, c in f.items():
             by_terms = add(by_terms, multiply({m: c}, g))
@@ -159,14 +159,18 @@ def test_long_products_are_those_of_their_terms(most: int) -> None:
 
 
 def test_long_products_are_bounded_as_short_ones() -> None:
-    f = {((0, n),): 1 for n in range(1, FEW)}
-    for top in (MAX_EXPONENT - FEW + 1, MAX_EXPONENT - FEW + 2, MAX_EXPONENT):
+    f = {((0, n),): 1 for n in range(1, MAX_DIRECT_TERMS)}
+    for top in (
+        MAX_EXPONENT - MAX_DIRECT_TERMS + 1,
+        MAX_EXPONENT - MAX_DIRECT_TERMS + 2,
+        MAX_EXPONENT,
+    ):
         g = {((2, 3),): 1, ((0, top),): 1, (): 1}
-        if top + FEW - 1 > MAX_EXPONENT:
+        if top + MAX_DIRECT_TERMS - 1 > MAX_EXPONENT:
             with pytest.raises(Rejected, match="degree"):
                 multiply(f, g)
         else:
             assert len(multiply(f, g)) == 3 * len(f)
-    large = {((0, n),): 10**4_000 for n in range(FEW)}
+    large = {((0, n),): 10**4_000 for n in range(MAX_DIRECT_TERMS)}
     with pytest.raises(Rejected, match="coefficient"):
         multiply(large, {((1, 1),): 10**4_000, ((1, 2),): 10**4_000, (): 10**4_000})

@@ -17,7 +17,7 @@ from hfield.checker.rejection import an_integer, an_object, reject
 from hfield.checker.scalars.ring import Ring
 from hfield.checker.statement import Setting, Statement
 
-FEW = 5_000
+MAX_REPEATED_CASES = 5_000
 COST = 200  # the cost of evaluating a statement once
 MAX_ORDER = 5_000
 
@@ -55,7 +55,7 @@ def check_all(statement: Statement, setting: Setting, cases: int) -> None:
         order ** coordinates(statement.unknowns),
         ring.is_field or not statement.divides,
     )
-    if by_clauses and (total > FEW or cases != total):
+    if by_clauses and (total > MAX_REPEATED_CASES or cases != total):
         tree = _Tree(expand(statement, setting), ring)
         if cases not in (total, order ** len(tree.used)):
             reject("the number of cases is wrong")

@@ -31,8 +31,8 @@ from hfield.checker.scalars.rationals import over_one_denominator
 from hfield.checker.statement import Setting
 
 ONE = 1 << DIGITS
-MOST_ROWS = 60
-MOST_SATURATED = 20_000
+MAX_ROWS = 60
+MAX_SATURATED = 20_000
 PI = Fraction(314159265358979323846264338327950288, 10**35)
 """A little less than π."""
 
@@ -92,8 +92,8 @@ class SUnits:
         self.generators = [self.given(x) for x in a_list(data["generators"], "generators")]
         self.rows = [self._exponents(x) for x in self.generators]
         size = len(self.S) + self.places.rank
-        if len(self.generators) != size or size > MOST_ROWS:
-            reject(f"there are {size} generators of S-units, and at most {MOST_ROWS} are read")
+        if len(self.generators) != size or size > MAX_ROWS:
+            reject(f"there are {size} generators of S-units, and at most {MAX_ROWS} are read")
         self._read_torsion(data["torsion"])
         self.volume = volume(self.rows, [self.logarithms(x) for x in self.generators])
         self.invariants = smith(self.rows, len(self.S))
@@ -231,15 +231,15 @@ class SUnits:
         rank, rest = self.places.rank, prod(self.invariants)
         # without units the index divides the determinant
         limit = high // self._least_volume() if rank else high
-        if limit > MOST_SATURATED * (rest if rank else 1):
+        if limit > MAX_SATURATED * (rest if rank else 1):
             reject(
-                f"the index of the S-units may be {limit}, and at most {MOST_SATURATED} is looked at"
+                f"the index of the S-units may be {limit}, and at most {MAX_SATURATED} is looked at"
             )
         ell = 2
         while ell <= limit:
             spend(1)
-            if ell > MOST_SATURATED:
-                reject(f"at most the primes up to {MOST_SATURATED} are looked at")
+            if ell > MAX_SATURATED:
+                reject(f"at most the primes up to {MAX_SATURATED} are looked at")
             if (rank or limit % ell == 0) and is_prime(ell):
                 if ell not in given:
                     reject(f"it is not shown that the S-units are saturated at {ell}")

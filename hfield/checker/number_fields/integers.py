@@ -30,7 +30,7 @@ from hfield.checker.scalars.quadratic import Quadratic, pair
 from hfield.checker.scalars.rationals import Rationals
 from hfield.checker.statement import Setting
 
-MOST = 12
+MAX_DEGREE = 12
 """The largest degree."""
 
 
@@ -40,8 +40,8 @@ class Integers:
     def __init__(self, field: NumberField, rows: list[list[Fraction]]) -> None:
         self.field, self.n = field, field.degree
         n = self.n
-        if n > MOST:
-            reject(f"integers are checked up to the degree {MOST}")
+        if n > MAX_DEGREE:
+            reject(f"integers are checked up to the degree {MAX_DEGREE}")
         back = inverse_matrix(rows)
         if back is None:
             reject("the integral basis is dependent")

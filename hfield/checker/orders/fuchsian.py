@@ -22,8 +22,8 @@ from hfield.checker.orders.real_algebra import RealAlgebra
 from hfield.checker.rejection import reject
 
 Vector = tuple[Any, Any, Any]
-MOST_SIDES = 5_000
-MOST_ORDER = 21
+MAX_SIDES = 5_000
+MAX_ORDER = 21
 """Elliptic points have at most this order m over a field of degree 6: ζ₂ₘ has degree φ(2m) ≤ 12 over ℚ."""
 
 
@@ -70,8 +70,8 @@ class Domain:
         center: Element,
         units: Sequence[Element],
     ) -> None:
-        if not 3 <= len(units) <= MOST_SIDES:
-            reject(f"a domain has 3 to {MOST_SIDES} sides")
+        if not 3 <= len(units) <= MAX_SIDES:
+            reject(f"a domain has 3 to {MAX_SIDES} sides")
         self.algebra, self.area = algebra, area
         self.units = [algebra.element(g.den, g.row) for g in units]
         self._axes = self._seen_from(algebra.element(center.den, center.row).row)
@@ -190,7 +190,7 @@ class Domain:
         if any(g.row[1:]) and trace * trace == (2 * self.algebra.scale * g.den) ** 2:
             return 0
         power = g
-        for m in range(1, MOST_ORDER + 1):
+        for m in range(1, MAX_ORDER + 1):
             if not any(power.row[1:]):
                 return m
             power = self.algebra.product(power, g)

@@ -13,7 +13,7 @@ from hfield.checker.scalars.ring import Kind, ReadRing, Ring
 
 MAX_BITS = 512
 MAX_DEGREE = 64
-LONG = 256  # bits: what is no longer takes no time
+LONG_NUMBER_BITS = 256  # bits: what is no longer takes no time
 # Miller–Rabin with these bases is a proof below the bound (Sorenson and Webster 2015).
 _BASES, PROVED_BELOW = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41), 3317044064679887385961981
 
@@ -88,7 +88,7 @@ class Residues(Finite):
         self.words = (
             f"the field with {n} elements" if name[0] == "G" else f"the integers modulo {n}"
         )
-        self.is_long = n.bit_length() > LONG
+        self.is_long = n.bit_length() > LONG_NUMBER_BITS
         self.zero, self.one = 0, 1 % n
 
     def number(self, n: int) -> int:

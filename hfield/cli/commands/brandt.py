@@ -39,7 +39,7 @@ EXAMPLES = (
     "hfield brandt 11 --prime 2",
     "hfield brandt '(-1,-1|QQ(sqrt(5)))' '6 + sqrt(5)' --prime 'sqrt(5)'",
 )
-LARGEST = 10_000
+MAX_ROWS = 10_000
 """Matrices of more rows are not computed: they take six gigabytes, and their polynomials days."""
 
 
@@ -131,10 +131,10 @@ def _announce(number: int, sparse: bool, polynomial: bool) -> None:
     instead = "--format edges, with a prime, writes only the entries that are not 0"
     seconds = number * SECONDS_A_CLASS
     if not sparse:
-        if number > LARGEST:
+        if number > MAX_ROWS:
             raise UsageError(
                 f"there are {number} classes, by Eichler's formula, so the matrix has {number**2} entries; "
-                f"at most {LARGEST} rows are computed: {instead}"
+                f"at most {MAX_ROWS} rows are computed: {instead}"
             )
         seconds += number**2 * 4e-7 + (number**4 * 2e-11 if polynomial else 0)
     announce(number, seconds, "hfield classes --formula counts them" if sparse else instead)

@@ -43,7 +43,7 @@ EXAMPLES = (
     "hfield check --statement 'norm(q) == 0 => q == 0' --field Q anisotropic.json",
     "hfield check *.json --coq",
 )
-MANY = ".jsonl"  # a file of many, one a line
+LINES_SUFFIX = ".jsonl"  # a file of many, one a line
 ABOUT = ("statement", "algebra", "field", "verdict", "scope")
 LISTS = ("assumes", "theorems", "assumptions", "vacuous", "left_out", "rings")
 COLUMNS = ("file", "accepted", *ABOUT, *LISTS[1:], "reason")
@@ -58,7 +58,11 @@ class UnreadableError(HFieldError, OSError):
 def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add_inputs(
-        parser, "FILE", f"certificates, hfield-cert/2; in a {MANY} one a line", "plain", "json"
+        parser,
+        "FILE",
+        f"certificates, hfield-cert/2; in a {LINES_SUFFIX} one a line",
+        "plain",
+        "json",
     )
     parser.add_argument(
         "--claim", metavar="ID", help="require certificates of this claim, such as C1.2-a"
@@ -147,7 +151,7 @@ def _contents(name: str) -> Iterator[tuple[str, bytes | UnreadableError]]:
     """Open a file, once, and yield what is in it, or each line of one that has many, each by its name."""
     try:
         with Path(name).open("rb") as stream:
-            if not name.endswith(MANY):
+            if not name.endswith(LINES_SUFFIX):
                 yield name, stream.read(MAX_BYTES + 1)
                 return
             lines = iter(lambda: stream.readline(MAX_BYTES + 1), b"")
@@ -268,7 +272,7 @@ def _json(each: Checked) -> dict[str, object]:
 
 ACCEPTED, REJECTED, NOT_COVERED, NOT_JUDGED = "accepted", "rejected", "not covered", "not judged"
 NOT_CONFIRMED = 4  # the exit status where Coq has not seen a certificate that the checker accepts
-MOST_MEMORY = 1 << 24  # MiB
+MAX_MEMORY = 1 << 24  # MiB
 
 
 @dataclass(frozen=True)
@@ -315,7 +319,7 @@ def add_coq(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--coq-memory",
-        type=whole(1, MOST_MEMORY, "number of MiB"),
+        type=whole(1, MAX_MEMORY, "number of MiB"),
         default=MEMORY,
         metavar="MIB",
         help=f"memory limit of coqc in MiB (default: {MEMORY})",

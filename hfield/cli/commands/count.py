@@ -21,7 +21,7 @@ HELP = (
 )
 DOING = "counting"
 EXAMPLES = ("hfield count GF9", "hfield count '[1,1|GF(4))'")
-QUICK = 13**4  # elements that the page of `hfield info` goes through
+MAX_PAGE_ELEMENTS = 13**4  # elements that the page of `hfield info` goes through
 NORMS = 32  # of so many norms over a ring that is no field the counts are shown
 
 
@@ -100,7 +100,7 @@ def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) ->
         add("square roots of −1", "square roots", -1)
     result = Counts(A, lines)
     assert F.order is not None
-    if not formulas and F.order**4 <= (QUICK if quick else LIMIT):
+    if not formulas and F.order**4 <= (MAX_PAGE_ELEMENTS if quick else LIMIT):
         result.exhausted = structure.confirm(F, c).elements
     return result
 

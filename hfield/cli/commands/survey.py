@@ -29,9 +29,9 @@ EXAMPLES = (
     "hfield survey --field 'QQ(sqrt(5))' --field 'QQ(sqrt(2))' --levels 1..50",
     "hfield survey 6..100 --groups",
 )
-MOST = 5000
+DEFAULT_CLASSES = 5000
 AREA = 100
-MOST_PAIRS = 10**6
+MAX_PAIRS = 10**6
 SUFFIXES = (".jsonl", ".parquet")
 
 
@@ -59,7 +59,7 @@ def configure(parser: ArgumentParser) -> None:
         "--most",
         metavar="H",
         help="bound of the enumeration: H classes, or with --groups an area of 2πH "
-        f"(default: {MOST}; with --groups {AREA})",
+        f"(default: {DEFAULT_CLASSES}; with --groups {AREA})",
     )
     parser.add_argument(
         "-o",
@@ -76,7 +76,7 @@ def run(args: Namespace) -> int:
     from hfield.executors import open_executor
 
     survey, pairs = _asked(args)
-    (most,) = numbers(args.most or str(AREA if args.groups else MOST), "--most")[:1]
+    (most,) = numbers(args.most or str(AREA if args.groups else DEFAULT_CLASSES), "--most")[:1]
     if args.output is None:
         with open_output(None) as out, open_executor(args.jobs, args.dask) as executor:
             table = Columns() if out.stream.isatty() else None
@@ -151,10 +151,10 @@ def numbers(text: str, name: str) -> list[int]:
                 f"{name} {shorten(text)!r}: expected numbers such as 2..100 or 11,30,42"
             )
         first, last = int(ends[0]), int(ends[-1])
-        if first < 1 or last < first or last - first >= MOST_PAIRS:
+        if first < 1 or last < first or last - first >= MAX_PAIRS:
             raise UsageError(
                 f"{name} {shorten(text)!r}: expected positive numbers, in ascending ranges, at most "
-                f"{MOST_PAIRS} of them"
+                f"{MAX_PAIRS} of them"
             )
         found += range(first, last + 1)
     return list(dict.fromkeys(found))
@@ -172,9 +172,9 @@ def _asked(args: Namespace) -> tuple[Survey, list[Pair]]:
     if not args.discriminants:
         raise UsageError("expected discriminants D such as 2..100, or --field F")
     wanted = numbers(args.discriminants, "D")
-    if len(wanted) * len(levels) > MOST_PAIRS:
+    if len(wanted) * len(levels) > MAX_PAIRS:
         raise UsageError(
-            f"{len(wanted)} discriminants times {len(levels)} levels are more than {MOST_PAIRS} pairs: "
+            f"{len(wanted)} discriminants times {len(levels)} levels are more than {MAX_PAIRS} pairs: "
             "survey a part at a time"
         )
     kind, count = ("an indefinite", "even") if args.groups else ("a definite", "odd")

@@ -41,7 +41,7 @@ from hfield.prover.statements.trees import conjunction, substitute, walk
 from hfield.rings import QQ, ZZ
 from hfield.syntax import Binary, Compare, Name, Node, Not, parse
 
-FEW = 4_096  # cases
+MAX_COQ_CASES = 4_096  # cases
 
 
 class Judgement:
@@ -94,7 +94,7 @@ class Judgement:
         if field is None or field.order is None or not (statement.divides or self.setting.divides):
             return False
         width = sum(sort.width for _, sort in statement.unknowns)
-        return bool(field.is_field and field.order**width <= FEW)
+        return bool(field.is_field and field.order**width <= MAX_COQ_CASES)
 
     def refuted(self, evidence: Mapping[str, Any]) -> Proved:
         """Prove the opposite of the statement."""

@@ -37,14 +37,15 @@ if TYPE_CHECKING:
     import flint
 
 
-QUICK, FEW, MANY = 120, 400, 20_000  # places looked at before, between and after proofs
+PLACES_BEFORE, PLACES_BETWEEN, PLACES_AFTER = 120, 400, 20_000
+"""How many places are tried before, between and after attempts at proofs."""
 MAX_AXES = 8
-SHORT = 0.5  # seconds for the first attempt at a proof, and for solving one clause
+FIRST_ATTEMPT_SECONDS = 0.5  # seconds for the first attempt at a proof, and for solving one clause
 
 
 def quick_search(problem: Problem) -> Assignment | None:
     """Look at a few places of the prime field: a witness there serves every extension."""
-    found = prime_search(problem, problem.ring.characteristic, QUICK)
+    found = prime_search(problem, problem.ring.characteristic, PLACES_BEFORE)
     return None if found is None else lifted(problem.ring, found)
 
 
@@ -65,7 +66,7 @@ def solve_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Assi
     for clause in left:
         for narrower in (*narrowed(clause, quaternions), clause, *on_axes(clause)):
             try:
-                found = solve(problem.within(SHORT), x, narrower)
+                found = solve(problem.within(FIRST_ATTEMPT_SECONDS), x, narrower)
             except HFieldError:  # such as a root that is known to some digits only
                 continue
             if found is not None and test(found):

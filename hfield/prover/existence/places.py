@@ -35,8 +35,8 @@ from hfield.rings.base import Ring
 from hfield.syntax import Name, Negate, Not, Number, parse
 
 MAX_PLACES = 2_000
-MOST_LOOKED = 40  # of infinitely many
-SMALL = 5  # elements of an infinite field
+MAX_LOOKED = 40  # of infinitely many
+ELEMENTS_TRIED = 5  # elements of an infinite field
 
 
 def by_places(problem: Problem) -> Decision:
@@ -55,7 +55,7 @@ def by_places(problem: Problem) -> Decision:
     count = looked = 0
     unproved = None  # refuted, but without evidence: another place may have some
     for place in places:
-        if problem.is_late or looked >= (MAX_PLACES if finite else MOST_LOOKED):
+        if problem.is_late or looked >= (MAX_PLACES if finite else MAX_LOOKED):
             break
         count += 1
         if count > MAX_PLACES:
@@ -118,7 +118,7 @@ def at_zero(problem: Problem) -> tuple[str, ...] | None:
 
 
 def _small(field: Ring) -> list[Scalar]:
-    return list(small_scalars(field))[:SMALL]
+    return list(small_scalars(field))[:ELEMENTS_TRIED]
 
 
 def _found_by_solving(problem: Problem) -> Iterator[Assignment]:

@@ -19,7 +19,7 @@ from hfield.prover.existence.isolation import isolated, isolated_alone
 from hfield.prover.existence.linear_systems import Case, linear_cases
 from hfield.prover.existence.places import at_zero, by_places, refuted_at
 from hfield.prover.existence.witness_terms import by_terms, combined, put_in
-from hfield.prover.existence.witnesses import FEW, by_roots, decide_closed
+from hfield.prover.existence.witnesses import MAX_PLACES_TRIED, by_roots, decide_closed
 from hfield.prover.methods import all_fields, universal
 from hfield.prover.problem import Problem
 from hfield.prover.statements.language import Statement
@@ -32,7 +32,7 @@ from hfield.syntax import Compare, Logic, Name, Node, Not, Number, parse
 def vacuous(problem: Problem) -> Decision | None:
     """Return the decision "vacuous" if the hypotheses are proved unsatisfiable, else None."""
     node = conjunction(problem.statement.hypotheses)
-    if true_place(problem.for_formula(node), FEW) is not None:
+    if true_place(problem.for_formula(node), MAX_PLACES_TRIED) is not None:
         return None
     names = (name for name, _ in problem.statement.unknowns)
     own = tuple(name for name in names if occurrences(node, name) or name in problem.letters)

@@ -42,13 +42,13 @@ if TYPE_CHECKING:
     import flint
 
 
-FEW = 400
+MAX_PLACES_TRIED = 400
 
 
 def decide_closed(problem: Problem) -> Decision:
     """Decide over one ring whether there are values for all unknowns that make the statement true."""
     attempts, somewhere = Attempts(), problem.for_formula(problem.matrix)
-    for search in (partial(true_place, somewhere, FEW), partial(_solved, somewhere)):
+    for search in (partial(true_place, somewhere, MAX_PLACES_TRIED), partial(_solved, somewhere)):
         found = attempts.answer(search)
         if found is not None:
             return _witnessed(problem, found)
@@ -131,7 +131,7 @@ def _witnessed(problem: Problem, found: Assignment) -> Decision:
 
 
 MAX_DEGREE = 200
-FARTHEST = 2**40
+MAX_COORDINATE = 2**40
 
 
 def by_roots(problem: Problem) -> Decision | None:
@@ -219,7 +219,7 @@ def _coefficients(f: flint.fmpz_mpoly, at: int) -> list[flint.fmpz_mpoly]:
 def _sign_change(c: list[int]) -> tuple[int, int] | None:
     """Return two integers at which Σ cₙ·xⁿ has values of different signs, or one of them 0."""
     places = [0]
-    while places[-1] < FARTHEST:
+    while places[-1] < MAX_COORDINATE:
         places.append(2 * places[-1] or 1)
     signs: dict[int, int] = {}
     for n in sorted({*places, *(-n for n in places), *range(-20, 21)}, key=abs):

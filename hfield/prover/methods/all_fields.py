@@ -35,7 +35,7 @@ FIELDS_TRIED = (
     "GF(2)(t)",
 )
 SHARE = 0.15  # of the time left, for each of them
-FEW = 150
+CASES_TRIED = 150
 
 
 def decide(problem: Problem) -> Decision:
@@ -81,7 +81,7 @@ def _identity(statement: Statement, x: Expanded) -> Decision:
 
 def _quickly(problem: Problem) -> bool:
     """Tell whether a small counterexample shows at once."""
-    return any(prime_search(problem, p, FEW) is not None for p in (0, 2, 3))
+    return any(prime_search(problem, p, CASES_TRIED) is not None for p in (0, 2, 3))
 
 
 def _proof(problem: Problem) -> Decision | None:

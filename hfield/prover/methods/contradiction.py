@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 SLICE = 150  # pairs between two looks at the rules
-FIRST_LOOKS = (0, 10, 20, 50)  # pairs between the first looks: often little is needed
+FIRST_CHECKS = (0, 10, 20, 50)  # pairs between the first looks: often little is needed
 MAX_ELEMENTS = 400
 MAX_TERMS = 6_000  # of all polynomials of conditions together
 MAX_CASES = 3  # how deep case distinctions nest
@@ -101,7 +101,7 @@ def member(
     try:
         ideal.extend(ideal.lift(z) for z in conditions.zeros)
         lifted = [ideal.lift(t) for t in targets]
-        for pairs in chain(FIRST_LOOKS, repeat(SLICE)):
+        for pairs in chain(FIRST_CHECKS, repeat(SLICE)):
             complete = ideal.run(pairs)
             found = [ideal.cofactors(t) for t in lifted]
             if all(found):

@@ -11,9 +11,9 @@ from hfield.errors import HFieldError
 from hfield.evidence import Evidence, Kind
 from hfield.prover.attempts import Attempts, Method
 from hfield.prover.counterexamples.refuting import (
-    FEW,
-    MANY,
-    SHORT,
+    FIRST_ATTEMPT_SECONDS,
+    PLACES_AFTER,
+    PLACES_BETWEEN,
     nonzero_place,
     quick_search,
     search_counterexample,
@@ -51,7 +51,7 @@ def decide(problem: Problem) -> Decision:
     attempts = Attempts()
     x = attempts.answer(expand, problem)
     if x is None:
-        return attempts.decide(_by_values(problem), f"{FEW} small places")
+        return attempts.decide(_by_values(problem), f"{PLACES_BETWEEN} small places")
     field = problem.ring
     left = [c for c in x.clauses if not is_trivial(c, x, field)]
     if not left:
@@ -69,7 +69,7 @@ def decide(problem: Problem) -> Decision:
 
 def _by_values(problem: Problem) -> Iterator[Method]:
     """Run through the methods that need no polynomials: a counterexample, or all cases."""
-    yield lambda: refuted_at(problem, search_counterexample(problem, FEW))
+    yield lambda: refuted_at(problem, search_counterexample(problem, PLACES_BETWEEN))
     if problem.ring.order is not None:
         yield lambda: exhaust(problem, None)
 
@@ -78,15 +78,15 @@ def _by_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Iterat
     """Run through the methods for the clauses that are ``left``: quick ones, then slow ones."""
     finite = problem.ring.order is not None
     yield lambda: refuted_at(problem, quick_search(problem), x)
-    yield lambda: _implied(problem.within(SHORT), problem)
-    yield lambda: refuted_at(problem, search_counterexample(problem, FEW), x)
+    yield lambda: _implied(problem.within(FIRST_ATTEMPT_SECONDS), problem)
+    yield lambda: refuted_at(problem, search_counterexample(problem, PLACES_BETWEEN), x)
     yield lambda: refuted_at(problem, solve_clauses(problem, x, left), x)
     # all cases of a finite field, where it comes to them, need time as well
     yield lambda: _implied(problem.share(1 / 2) if finite else problem, problem)
     if finite:
         yield lambda: exhaust(problem, x)
     else:
-        yield lambda: refuted_at(problem, search_counterexample(problem, MANY), x)
+        yield lambda: refuted_at(problem, search_counterexample(problem, PLACES_AFTER), x)
 
 
 def _refuting_an_identity(
@@ -94,7 +94,7 @@ def _refuting_an_identity(
 ) -> Iterator[Method]:
     """Run through the methods where some clause is an identity that does not hold."""
     field = problem.ring
-    yield lambda: refuted_at(problem, search_counterexample(problem, FEW), x)
+    yield lambda: refuted_at(problem, search_counterexample(problem, PLACES_BETWEEN), x)
     for c in left:
         if _is_hopeless(c, x, field):
             goals = [next(p for p in g if not_everywhere_zero(p, x, field)) for g in c.goals]
@@ -136,7 +136,10 @@ def _is_hopeless(clause: Clause, x: Expanded, field: Ring) -> bool:
 
 
 def _tried(problem: Problem) -> tuple[str, ...]:
-    tried = [f"{MANY} small places over {problem.ring.name}", "ideal membership of the conclusion"]
+    tried = [
+        f"{PLACES_AFTER} small places over {problem.ring.name}",
+        "ideal membership of the conclusion",
+    ]
     why = unused_norm(problem.setting)
     if why is not None:
         tried.append(why)
@@ -155,9 +158,9 @@ def exhaust(problem: Problem, x: Expanded | None) -> Decision:
     try:
         found, cases = counterexample(problem, used)
     except HFieldError as error:
-        found, cases = search_counterexample(problem, MANY), 0
+        found, cases = search_counterexample(problem, PLACES_AFTER), 0
         if found is None:
-            return undecided(str(error), f"{MANY} small places")
+            return undecided(str(error), f"{PLACES_AFTER} small places")
     if found is not None:
         return refuted(problem, found)
     steps = (say("each-case" if cases > 1 else "only-case", n=cases, R=problem.ring.name),)

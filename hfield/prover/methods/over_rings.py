@@ -15,7 +15,7 @@ from hfield.checker.glossary import EXHAUSTION
 from hfield.errors import HFieldError, UndecidedError
 from hfield.evidence import Evidence, Kind
 from hfield.prover.attempts import Attempts
-from hfield.prover.counterexamples.refuting import FEW, search_counterexample
+from hfield.prover.counterexamples.refuting import PLACES_BETWEEN, search_counterexample
 from hfield.prover.decision import FIELD, PROVED, UNDECIDED, Decision
 from hfield.prover.evaluation.all_cases import FEW_CASES, coordinates
 from hfield.prover.evaluation.evaluator import Evaluator
@@ -35,7 +35,7 @@ from hfield.rings import ZZ
 from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Index, Logic, Name, Node, Not, Number, Power
 
-SMALL = (2, 3, 4, 5, 7, 8, 9, 11, 13)
+RING_ORDERS_TRIED = (2, 3, 4, 5, 7, 8, 9, 11, 13)
 MAX_MODULI = 16
 MAX_UNITS = 4
 
@@ -43,8 +43,8 @@ MAX_UNITS = 4
 def decide(problem: Problem) -> Decision:
     """Decide over a ring that is no field, by the first method that answers."""
     field, statement = problem.ring, problem.statement
-    attempts, tried = Attempts(), [f"{FEW} small places over {field.name}"]
-    found = attempts.answer(search_counterexample, problem, FEW)
+    attempts, tried = Attempts(), [f"{PLACES_BETWEEN} small places over {field.name}"]
+    found = attempts.answer(search_counterexample, problem, PLACES_BETWEEN)
     if found is not None:
         return refuted(problem, found)
     x = attempts.answer(expand, problem)
@@ -230,6 +230,6 @@ def _moduli(x: Expanded, m: int) -> Iterator[int]:
             while c % power == 0 and power < 100:
                 seen.setdefault(power)
                 power *= p
-    for n in SMALL:
+    for n in RING_ORDERS_TRIED:
         seen.setdefault(n)
     yield from [n for n in seen if not m or m % n == 0][:MAX_MODULI]

@@ -31,11 +31,11 @@ from hfield.structure.forms import normal_form
 from hfield.structure.global_field import known_field
 from hfield.syntax import Not
 
-NEAR = 6  # digits of a root
+ROOT_DIGITS = 6  # digits of a root
 GENERATOR = "g"  # no unknown has that name
 MAX_DEGREE = 20
 FIELDS, SECONDS = 3, 5.0  # so many subfields are tried, for so long each
-SMALL = (-1, 2, -2, 3, -3, 5, -5, 6, -6, 7, -7, 10, -11, 17)
+SUBFIELD_RADICANDS = (-1, 2, -2, 3, -3, 5, -5, 6, -6, 7, -7, 10, -11, 17)
 
 
 @runtime_checkable
@@ -77,7 +77,7 @@ def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision])
         except HFieldError:
             continue
         if decision.verdict == wanted:
-            root = F.up_to(near, NEAR)
+            root = F.up_to(near, ROOT_DIGITS)
             step = say("in-subfield", K=K, F=F, x=K.gen_name, root=root)
             return replace(
                 decision,
@@ -113,9 +113,9 @@ def _read_back(K: Any, root: Any, text: str) -> str:
 def _subfields(F: LocalField, problem: Problem) -> Iterator[tuple[Ring, flint.fmpq]]:
     """Run through fields in ℚ_p, each with a rational number near its generator."""
     for d in _radicands(F, problem):
-        yield ring(f"QQ(sqrt({d}))"), F.truncated(F.sqrt(F(d)).value, NEAR)
+        yield ring(f"QQ(sqrt({d}))"), F.truncated(F.sqrt(F(d)).value, ROOT_DIGITS)
     for f in _of_the_equations(problem):
-        root = near_root(f, F.residues.below, NEAR)
+        root = near_root(f, F.residues.below, ROOT_DIGITS)
         if root is not None:
             yield ring(f"QQ[{GENERATOR}]/({f})"), QQ(root)
 
@@ -140,7 +140,7 @@ def _of_the_equations(problem: Problem) -> Iterator[flint.fmpz_poly]:
 def _radicands(F: LocalField, problem: Problem) -> Iterator[int]:
     """Run through a few d that are squares in F, first one for which the algebra splits over ℚ(√d)."""
     found: list[int] = []
-    for d in (*_of_the_algebra(F, problem), *SMALL):
+    for d in (*_of_the_algebra(F, problem), *SUBFIELD_RADICANDS):
         free = reduced(d)[1] if d else 1
         if free != 1 and free not in found and len(found) < FIELDS and F.is_square(F(free)):
             found.append(free)

@@ -5,7 +5,7 @@ from collections import Counter
 from hfield.checker.glossary import FLOATS, IDENTITY
 from hfield.evidence import Evidence, Kind
 from hfield.prover.counterexamples.candidates import prime_search
-from hfield.prover.counterexamples.refuting import FEW
+from hfield.prover.counterexamples.refuting import PLACES_BETWEEN
 from hfield.prover.decision import COMMUTATIVE_RINGS, FIELDS, PROVED, Decision, undecided
 from hfield.prover.evaluation.searcher import lifted
 from hfield.prover.methods import all_fields, one_field, over_rings
@@ -36,7 +36,7 @@ def _over_floats(problem: Problem) -> Decision:
     """Gather evidence over an inexact ring: small integers are exact there and may refute."""
     field, statement = problem.ring, problem.statement
     if not statement.divides and not statement.constants:
-        found = prime_search(problem, 0, FEW)
+        found = prime_search(problem, 0, PLACES_BETWEEN)
         if found is not None:
             return refuted(problem, lifted(field, found))
     exact = f"decide over {field.exact_ring} or QQ"

@@ -37,7 +37,7 @@ ENTRIES: Mapping[str, tuple[str, ...]] = {
 }
 """The matrices that are unknown, and the names of their entries."""
 WORDS = {"matrix": 4, "column": 2, "row": 2}
-MOST_POWER, MOST_NODES = 6, 100_000
+MAX_POWER, MAX_NODES = 6, 100_000
 ZERO = Number(0)
 
 
@@ -125,7 +125,7 @@ class _Expansion:
     def term(self, node: Node) -> Node | Table:
         """Return a quaternion or a table."""
         self.made += 1
-        if self.made > MOST_NODES:
+        if self.made > MAX_NODES:
             self.fail("these matrices make too long a statement", node)
         match node:
             case Name(name) if name in self.known:
@@ -143,8 +143,8 @@ class _Expansion:
                 base = self.term(x)
                 if isinstance(base, Node):
                     return Power(base, exponent, position=node.position)
-                if not 1 <= exponent <= MOST_POWER:
-                    self.fail(f"a matrix has the powers 1 to {MOST_POWER} here", node)
+                if not 1 <= exponent <= MAX_POWER:
+                    self.fail(f"a matrix has the powers 1 to {MAX_POWER} here", node)
                 found: Node | Table = base
                 for _ in range(exponent - 1):
                     found = self.binary("*", found, base, node)

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 _I = Surd({-1: flint.fmpq(1)})
 
-MOST_OPERATIONS = 24  # of a root in radicals; longer ones go by number
+MAX_OPERATIONS = 24  # of a root in radicals; longer ones go by number
 
 
 class AlgebraicNumbers(ValueRing):
@@ -284,7 +284,7 @@ def _roots_in_radicals(g: flint.fmpq_poly) -> list[Any]:
         return [sympy.cos(turn) + sympy.I * sympy.sin(turn) for turn in turns]
     rationals = [sympy.Rational(int(c.p), int(c.q)) for c in reversed(g.coeffs())]
     roots = list(map(sympy.sqrtdenest, sympy.roots(sympy.Poly(rationals, sympy.Symbol("x")))))
-    return roots if all(z.count_ops() <= MOST_OPERATIONS for z in roots) else []
+    return roots if all(z.count_ops() <= MAX_OPERATIONS for z in roots) else []
 
 
 RR = AlgebraicNumbers("RR")
