@@ -1,4 +1,4 @@
-"""Files and folders that are there whole or not at all: made beside their name, moved there in the end."""
+"""Write files and folders completely or not at all."""
 
 from __future__ import annotations
 

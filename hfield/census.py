@@ -1,4 +1,4 @@
-"""Surveys of class sets over ℚ and number fields and of groups of units: rows computed one by one, anywhere.
+"""Surveys of class sets and of groups of units, computed row by row.
 
 Rows are appended to a file of JSON lines as they come, whole pieces at a time; what a killed run has
 left is read back, a torn last line dropped, and only what is missing is computed.

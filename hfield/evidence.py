@@ -1,4 +1,4 @@
-"""What shows a verdict, for a program that checks it: the kinds of evidence, and certificates made of them.
+"""The kinds of evidence, and certificates made of them.
 
 What each kind shows is written in docs/certificates.md. The checker imports none of this: it reads the JSON,
 in its own way.

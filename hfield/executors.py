@@ -1,4 +1,4 @@
-"""The one seam for work in many pieces: anything with the face of a ``concurrent.futures.Executor``.
+"""Parallel work through any ``concurrent.futures.Executor``.
 
 By default pieces are computed here, one after the other; with ``jobs`` in a pool of processes, with
 ``dask`` on a cluster. There is no scheduler of our own: who has another executor passes it where

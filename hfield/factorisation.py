@@ -1,4 +1,4 @@
-"""Whole numbers as products of primes: what is proved prime, and apart from it what was not factored.
+"""Factor integers into proved primes, and report what was not factored.
 
 The one place that factors. Small primes, perfect powers, and elliptic curves up to a size that depends on
 the number, take out what can be had cheaply; a composite number of at most :data:`SIEVED_BITS` is sieved. So

@@ -1,4 +1,4 @@
-"""Names that other systems give to what is called otherwise here: asked for, they say what to write."""
+"""Tell what hfield calls the names of other systems."""
 
 from __future__ import annotations
 

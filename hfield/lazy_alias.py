@@ -1,4 +1,4 @@
-"""A package by a second name: what it hands out is handed on, and it is imported on first use."""
+"""A second name of a package, imported on first use."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Locks and imports across a fork: no child waits for a thread that only its parent has.
+"""Locks and imports that are safe when a process forks.
 
 A fork waits for our own locks. A thread may take one twice, as the handler of a signal that comes in between
 does. What is read on every call is published under a lock and read without. The child drops Python's own

@@ -1,4 +1,4 @@
-"""Text ↔ algebra, coordinates ↔ text, in three styles: plain (reads back), unicode, LaTeX.
+"""Read algebras from text, and write coordinates as plain text, unicode and LaTeX.
 
 An algebra is one text: ``(a,b|F)`` for ``i² = a, j² = b``; ``[a,b|F)`` for the Artin–Schreier form
 ``i² = a + i``; ``[a,b,t|F)`` for ``i² = a + t·i``; ``H(F)`` for ``(-1,-1|F)``. What other systems write is

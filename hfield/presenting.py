@@ -1,4 +1,4 @@
-"""What an answer is made of: facts, tables, pieces; laid out for a page of any width and for LaTeX."""
+"""Lay out an answer of facts and tables for a terminal and for LaTeX."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which whole numbers are prime, with proof, and which are powers of one.
+"""Prove that integers are prime, and recognise powers of primes.
 
 "Prime" is proved: by deterministic Miller–Rabin below 2⁸¹ (Sorenson and Webster, Math. Comp. 86, 2017),
 beyond that by the tests of Pocklington and Morrison or by APR-CL, all of FLINT.

@@ -1,4 +1,4 @@
-"""The one formula run once on symbols: the straight-line program of an algebra, as plain data.
+"""The formulas of an algebra as straight-line programs.
 
 A function of :mod:`hfield.product` is called with symbols that write down what is done to them. The
 structure constants that are 0, 1 or −1 are put in: a = −1 becomes a sign, t = 0 becomes nothing, and

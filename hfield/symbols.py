@@ -1,4 +1,4 @@
-"""Elements with variables: expressions of sympy made of them, and values put in for variables."""
+"""Elements with variables: convert to and from sympy, and substitute values."""
 
 from __future__ import annotations
 

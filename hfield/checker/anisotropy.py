@@ -1,4 +1,4 @@
-"""Why a norm form is 0 only at 0: an ordering, the level of the field, a place, or a specialisation.
+"""Check that a norm form is 0 only at 0: by an ordering, a level, a place or a specialisation.
 
 At a place two elements u and j of the algebra are given, such that N(x + y·u) has twice the valuation that x
 or y has, and N(j) an odd one; and such that nothing cancels in N(x + y·u + j·(z + w·u)). Nothing in this

@@ -1,4 +1,4 @@
-"""``check``: one certificate in, what it establishes out. Searches for nothing, trusts nothing.
+"""``check``: verify one certificate and return what it establishes.
 
 The target is derived from ``statement``, ``algebra`` and ``field``; the evidence has to show it.
 docs/certificates.md describes the format.

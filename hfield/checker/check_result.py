@@ -1,4 +1,4 @@
-"""What evidence shows: how far it reaches, by which method, what it cites, what is vacuous or left out."""
+"""The result of checking evidence: its scope, its method, and the theorems that it cites."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""From a statement to clauses: "if all of Z are 0, then all of some set in G are", over ℤ.
+"""Turn a statement into clauses: "if all of Z are 0, then all of some set in G are".
 
 Terms with division become fractions whose denominators are products of known factors; these
 factors are the conditions under which the term is defined. Formulas are nested tuples:

@@ -1,4 +1,4 @@
-"""Terms and statements, evaluated: over a ring to values, or over polynomials to formulas.
+"""Evaluate terms and statements over a ring, or over polynomials.
 
 The product is that of the sixteen products of basis elements, which follow from i² = a + t·i,
 j² = b, ij = k and ji = t·j − k alone.

@@ -1,4 +1,4 @@
-"""Certificates ``hfield-cert/1``, in which names stand for rings and places, as data of today's schema.
+"""Translate certificates ``hfield-cert/1`` to the present schema.
 
 The checker takes the spellings of a table and no others; ``hfield upgrade`` reads names as liberally as the
 prover does, and what it writes is checked by the data alone.

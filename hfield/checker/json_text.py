@@ -1,4 +1,4 @@
-"""JSON without what it leaves open: no key twice, no floats, no endless numbers, no deep nesting."""
+"""Read JSON strictly: no key twice, no floats, bounded numbers and nesting."""
 
 import json
 from typing import NoReturn

@@ -1,4 +1,4 @@
-"""Statements to trees, by a parser of the checker's own for the grammar of docs/language.md.
+"""The checker's own parser of statements, for the grammar of docs/language.md.
 
 A tree is a tuple that begins with what it is: ``("num", 3)``, ``("name", "q")``, ``("neg", x)``,
 ``("+", x, y)`` and so for ``- * / == != >= > <= < and or => <=>``, ``("pow", x, 3)``, ``("index", x, 0)``,

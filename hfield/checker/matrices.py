@@ -1,4 +1,4 @@
-"""Matrices in a statement, as statements about entries: docs/language.md says what they mean.
+"""Rewrite matrices in a statement as statements about their entries.
 
 A value is a tree, for a quaternion, or rows of trees, kept as ``{"rows": …}`` so as not to be taken for one.
 """

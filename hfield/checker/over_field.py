@@ -1,4 +1,4 @@
-"""When an integer polynomial is 0 over a field: its constants put in, exponents reduced by x^q = x."""
+"""Decide when an integer polynomial is 0 over a field."""
 
 from collections.abc import Hashable
 from math import gcd

@@ -1,4 +1,4 @@
-"""Polynomials with integer coefficients: a dict from monomials to coefficients that are not 0.
+"""Polynomials with integer coefficients, as dicts from monomials to nonzero coefficients.
 
 A variable is a number. A monomial is a tuple of pairs (variable, exponent) with exponents of at least
 1, variables falling; the empty tuple is 1. So two monomials are equal exactly when the tuples are,

@@ -1,4 +1,4 @@
-"""The one error of the checker, and how it looks at JSON data: nothing unknown is ever let pass."""
+"""The checker's one error, and helpers that reject unknown JSON data."""
 
 from collections.abc import Mapping
 from typing import NoReturn

@@ -1,4 +1,4 @@
-"""Rules of a field that steps of an implication use: forms that are 0 only at 0, polynomials without roots.
+"""Check the rules of a field that steps of an implication use.
 
 Each is verified, before any step uses it. docs/trust.md has the proofs.
 

@@ -1,4 +1,4 @@
-"""What a certificate is about: the statement with its unknowns, the algebra and the field.
+"""The subject of a certificate: its statement, unknowns, algebra and field.
 
 Everything here is derived from the keys ``statement``, ``algebra`` and ``ring`` alone.
 """

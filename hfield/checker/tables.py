@@ -1,4 +1,4 @@
-"""Algebras by their tables, and statements about them as statements about coordinates.
+"""Rewrite statements about algebras by their tables as statements about coordinates.
 
 ``table(e, i; 1 = e: e, i; i, -e|QQ)`` names the basis, the unit if there is one, and the products of the
 basis vectors, row times column. An unknown element is what its coordinates are: those of the unknown

@@ -1,4 +1,4 @@
-"""Values of unknowns as certificates write them: four texts, or one for a scalar."""
+"""Read the values of unknowns in a certificate."""
 
 from collections.abc import Hashable
 from typing import Any

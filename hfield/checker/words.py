@@ -1,4 +1,4 @@
-"""The words ``dot``, ``cross``, ``abs`` and ``>= > <= <``, written out as docs/language.md defines them.
+"""Expand the words ``dot``, ``cross``, ``abs`` and ``>= > <= <`` by their definitions.
 
 In a real closed field ``abs(q)`` is the only number m² with m⁴ = norm(q). So a statement with moduli is
 equivalent to the statement for all values of its unknowns and all m with m⁴ = norm(q). As a claim, ``x >= 0``

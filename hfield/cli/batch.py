@@ -1,4 +1,4 @@
-"""Many inputs for one command: several arguments, lines of a file or of standard input; one answer a line."""
+"""Run one command on many inputs: arguments, lines of a file, or standard input."""
 
 from __future__ import annotations
 

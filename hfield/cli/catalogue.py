@@ -1,4 +1,4 @@
-"""The commands of this package, and those that other packages name in their entry points."""
+"""List the commands of hfield and those in entry points of other packages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the commands about orders, ideals and classes share: the algebra, the level, where answers go."""
+"""Arguments and certificates that the commands about orders, ideals and classes share."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where results go: the terminal, in an encoding it can show, or a file, whole or not at all."""
+"""Write results to the terminal or, completely or not at all, to a file."""
 
 from __future__ import annotations
 

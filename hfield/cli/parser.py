@@ -1,4 +1,4 @@
-"""The argument parser: expressions that begin with a minus, errors of one line that help."""
+"""The argument parser: it accepts expressions that begin with a minus, and its errors are one line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The line on a terminal's stderr that says what a command is at; nothing is written where it is piped."""
+"""Show the progress of a command on a line of stderr, on terminals only."""
 
 from __future__ import annotations
 

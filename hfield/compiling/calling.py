@@ -1,4 +1,4 @@
-"""Loops run over numpy arrays: of any shape and stride, by as many threads as the length pays for."""
+"""Run loops over numpy arrays of any shape and stride, on several threads."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Functions in LLVM's notation: values, vectors, memory, calls, branches and loops, each written in one way.
+"""Write functions in LLVM's notation: values, memory, calls, branches and loops.
 
 A value is a name such as ``%v3``, or the text of a constant; its type is said where it is used.
 """

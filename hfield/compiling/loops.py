@@ -1,4 +1,4 @@
-"""Loops over the rows of arrays, in LLVM's notation: a straight-line program in an arithmetic.
+"""Write loops over rows of arrays in LLVM's notation: a straight-line program in an arithmetic.
 
 A turn reads the next numbers of each row, one or as many as the arithmetic computes with at once, and
 writes as many. Large results may be written past the caches: an ordinary store reads the line of 64 bytes

@@ -1,4 +1,4 @@
-"""Rows of numerators over one row of denominators, put in lowest terms by a loop of its own."""
+"""A loop that puts rows of numerators over one row of denominators in lowest terms."""
 
 from __future__ import annotations
 

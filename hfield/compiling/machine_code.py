@@ -1,4 +1,4 @@
-"""From a text in LLVM's notation to machine code for this processor, compiled once on this machine.
+"""Compile LLVM's notation to machine code for this processor.
 
 Machine code is never freed: an address that was handed out is good as long as the process, in every thread.
 All that asks LLVM for something does so under the one `lock`, and publishes what it made; who calls it reads

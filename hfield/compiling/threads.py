@@ -1,4 +1,4 @@
-"""Threads that help with one call: they take blocks from its counter until none is left.
+"""Threads that share the blocks of one call.
 
 The calling thread always works too, so a call never waits for help that did not come: helpers that
 have not started when the work is done are called off. There is no state in a call that other Python

@@ -1,4 +1,4 @@
-"""All that is known of an algebra, asked once: what ``hfield info`` shows and writes as JSON."""
+"""Collect all that is known of an algebra, for ``hfield info``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Conjugacy classes: by their minimal polynomials in a split algebra, as orbits in other finite ones."""
+"""Conjugacy classes of an algebra under its units."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The elements of an algebra over a finite ring as labels: numbers that numpy computes with.
+"""Number the elements of an algebra over a finite ring, for numpy.
 
 A scalar is its place in ``ring.elements()``, and an element is the four labels of its coordinates, or one
 number below q⁴ whose digits in base q they are. The order by numbers is the order of ``A.elements()``.

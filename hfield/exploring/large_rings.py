@@ -1,4 +1,4 @@
-"""Elements with a property over a finite ring that is too large for tables: solved one after the other."""
+"""List elements with a property over a finite ring too large for tables."""
 
 from __future__ import annotations
 

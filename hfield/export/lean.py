@@ -1,4 +1,4 @@
-"""Identities and implications as theorems of Lean 4, proved by ``grind`` over every commutative ring.
+"""Write identities and implications as theorems of Lean 4, proved by ``grind``.
 
 The core of Lean is enough: ``Lean.Grind.CommRing`` and its solver, no Mathlib. The statement is written
 from the certificate's text; its cofactors are not needed, the solver finds its own.

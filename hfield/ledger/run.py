@@ -1,4 +1,4 @@
-"""Deciding claims × fields, through any executor, and what contradicts itself in the outcome."""
+"""Decide claims × fields through an executor, and find contradictions in the outcome."""
 
 from __future__ import annotations
 

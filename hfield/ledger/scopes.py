@@ -1,4 +1,4 @@
-"""Propositions about rings of their own choice: one that is named, some, all of the panel, or all at once."""
+"""Propositions about rings of their own choice: one ring, some, the panel, or all."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From every commutative ring to one field: what is proved for all of them need not be proved again."""
+"""Carry what is proved for every commutative ring over to one field."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Texts of a ledger in another language: what its claims say, and patterns for what decisions say.
+"""The texts of a ledger in another language.
 
 Beside a ledger ``sheet.toml`` lies ``sheet.pl.toml`` with a table for each claim and a table of phrases,
 ``"over {F} it is false" = "nad {F} jest to fałsz"``. What stands in braces is a formula, which stays, or is

@@ -1,4 +1,4 @@
-"""Statements, witnesses and sets of fields, written for people."""
+"""Write statements, witnesses and sets of fields for people."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Matrices over an algebra over a field, cleared by units, and what is left by coordinates in the field.
+"""Eliminate in matrices over an algebra by units, and by coordinates where there are none.
 
 Rows are multiplied from the left, so that solutions stay: where an entry is a unit, its column becomes one
 of the identity. Over a division algebra nothing is left; m rows of n entries without a unit are a 4m × 4n

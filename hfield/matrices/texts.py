@@ -1,4 +1,4 @@
-"""Matrices as texts: ``[[1, i], [j, k]]``, and what + − * and powers make of them.
+"""Read matrices such as ``[[1, i], [j, k]]`` and expressions in them.
 
 Where a matrix is expected, two brackets are its rows; a bracket inside an entry is a commutator.
 """

@@ -1,4 +1,4 @@
-"""What names and functions of an algebra and its ring mean in texts of polynomials, equations, matrices."""
+"""The meaning of names in texts of polynomials, equations and matrices."""
 
 from __future__ import annotations
 

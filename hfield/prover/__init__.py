@@ -1,1 +1,1 @@
-"""Statements about quaternion algebras and the procedures that decide them, with evidence."""
+"""Decide statements about quaternion algebras, with evidence."""

@@ -1,4 +1,4 @@
-"""Methods tried one after the other: what one of them refuses does not stop the next."""
+"""Try methods one after the other; a method that refuses does not stop the next."""
 
 from collections.abc import Callable, Iterable
 from typing import ParamSpec, TypeAlias, TypeVar

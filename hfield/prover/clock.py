@@ -1,4 +1,4 @@
-"""Until when something may be tried."""
+"""Deadlines for attempts at a proof."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The way from a text to a verdict: read, choose, try, answer.
+"""Decide a statement: read the text, choose a method, try it, answer.
 
 Nearly everything is decided in this process, since the procedures estimate before they begin. Some
 things cannot be estimated: factoring structure constants of many digits, or comparing nested roots. They are

@@ -1,4 +1,4 @@
-"""What a decision procedure answers: a verdict with the evidence for it."""
+"""The result of a decision procedure: a verdict with its evidence."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Whether the algebra of a statement exists: its structure constants are defined somewhere.
+"""Decide whether the structure constants of an algebra are defined somewhere.
 
 A constant such as ``1/a`` or ``1/2`` is defined where what is divided by is a unit of the ring. A
 statement speaks of those values of the letters only; where there are none, it speaks of nothing.

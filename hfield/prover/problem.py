@@ -1,4 +1,4 @@
-"""A problem: a statement, where it is decided, until when, and what is remembered of problems before it."""
+"""A problem: a statement, its setting, a deadline, and a memory of problems before it."""
 
 from __future__ import annotations
 

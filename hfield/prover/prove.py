@@ -1,4 +1,4 @@
-"""``prove``: a statement in, an answer out that prints, has a certificate and exports itself."""
+"""``prove``: decide a statement and return an answer with a certificate."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The lines of a proof: each a sentence of one table, ``steps.json``, in English and in other languages."""
+"""The lines of a proof, as sentences of ``steps.json`` in several languages."""
 
 import json
 from collections.abc import Callable, Mapping

@@ -1,4 +1,4 @@
-"""The process that ``decide`` starts: a request on stdin, the decision on stdout."""
+"""The worker process of ``decide``: it reads a request and writes the decision."""
 
 import json
 import pickle

@@ -1,4 +1,4 @@
-"""Small pieces of the page: formulas, names of fields, verdicts with their marks."""
+"""Small parts of the page: formulas, names of fields, verdicts with their marks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page as text: template, style and script of our own put into one file that asks for nothing else.
+"""Write the page of a report as one file with its style and script.
 
 At its head the summary by section, and the claims × fields matrix that the page filters.
 

@@ -1,4 +1,4 @@
-"""The report as a paper for LaTeX: the table, each claim as it was decided, and the errata."""
+"""Write the report as a LaTeX paper: the table, the claims, the errata."""
 
 from __future__ import annotations
 

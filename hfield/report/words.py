@@ -1,4 +1,4 @@
-"""What the page says in a language: its own words, kinds of claims, ways of proof, claims and decisions."""
+"""The texts of the page in each language."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Algebras as Magma, Sage and PARI write them: over ℚ, finite fields, number fields of one generator."""
+"""Read algebras as Magma, Sage and PARI write them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tree to value: what numbers, names and functions mean is given by whoever reads.
+"""Evaluate a syntax tree; the caller says what numbers, names and functions mean.
 
 Text to syntax tree, by precedence climbing; bounded in length, depth, height and digits.
 """

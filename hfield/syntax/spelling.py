@@ -1,4 +1,4 @@
-"""Mathematical signs, as answers are printed in them, back to the plain letters of the language."""
+"""Rewrite mathematical signs as the plain letters of the language."""
 
 import re
 import unicodedata

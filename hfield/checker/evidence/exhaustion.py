@@ -1,4 +1,4 @@
-"""Trying all cases over a finite ring: directly where they are few, else clause by clause."""
+"""Check ``exhaustion``: try all cases over a finite ring."""
 
 from collections.abc import Hashable, Iterator, Mapping
 from functools import partial

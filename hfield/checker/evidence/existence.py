@@ -1,4 +1,4 @@
-"""Evidence for and against "exists": terms, cases with terms, and that nothing is there."""
+"""Check evidence for and against "exists": terms, cases with terms, refutations."""
 
 from dataclasses import replace
 from typing import Any

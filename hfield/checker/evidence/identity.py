@@ -1,4 +1,4 @@
-"""Evidence of the kind ``identity``: both sides expand to the same."""
+"""Check ``identity``: both sides expand to the same polynomials."""
 
 from hfield.checker.check_result import CheckResult
 from hfield.checker.glossary import COMMUTATIVE_RINGS, IDENTITY

@@ -1,4 +1,4 @@
-"""Evidence of the kind ``implication``: cofactors, multiplied out, cover every clause."""
+"""Check ``implication``: cofactors, multiplied out, cover every clause."""
 
 from collections.abc import Mapping
 from itertools import product

@@ -1,4 +1,4 @@
-"""Evidence of the kind ``multilinear``: maps linear in each argument agree when they do on basis tuples."""
+"""Check ``multilinear``: maps linear in each argument agree on all basis tuples."""
 
 from collections.abc import Mapping
 from itertools import product

@@ -1,4 +1,4 @@
-"""Evidence that an equation in one quaternion has a root over ℝ, by a theorem that is cited.
+"""Check that an equation in one quaternion has a root over ℝ, by a cited theorem.
 
 Terms are sums of monomials a₀·q·a₁·q⋯q·aₙ. Where a single one has the highest degree, and its aₙ are not 0,
 the polynomial has a root (Eilenberg and Niven).

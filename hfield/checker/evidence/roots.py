@@ -1,4 +1,4 @@
-"""Evidence that an equation in one unknown has a root in ℝ or ℂ, by a theorem that is cited."""
+"""Check that an equation in one unknown has a root in ℝ or ℂ, by a cited theorem."""
 
 from dataclasses import replace
 from typing import Any

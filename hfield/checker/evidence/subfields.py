@@ -1,4 +1,4 @@
-"""Over ℚ_p: elements of a number field, whose generator Hensel's lemma finds in ℚ_p.
+"""Check evidence over ℚ_p in a number field whose generator Hensel's lemma finds in ℚ_p.
 
 Where v(f(r)) > 2·v(f′(r)) and p divides no denominator of r and f, which is monic, Newton's steps from r lead
 to a root of f in ℚ_p, so that ℚ[s]/(f) lies in ℚ_p, as ℚ(√d) does for f = X² − d. A term has the same value

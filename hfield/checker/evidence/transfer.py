@@ -1,4 +1,4 @@
-"""Evidence from another ring: from the field of fractions down, or from residues up."""
+"""Check evidence from another ring: the field of fractions, or residues."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Evidence of the kind ``unsatisfiable``: the hypotheses are never true together."""
+"""Check ``unsatisfiable``: the hypotheses are never true together."""
 
 from hfield.checker.budget import spend
 from hfield.checker.check_result import CheckResult

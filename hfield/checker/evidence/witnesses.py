@@ -1,4 +1,4 @@
-"""Evidence of the kind ``witness``: values for which a statement is false, or what exists is there."""
+"""Check ``witness``: values that refute a statement or prove that something exists."""
 
 from collections.abc import Hashable
 

@@ -1,4 +1,4 @@
-"""``hfield check``: re-check certificates, and say what each of them establishes.
+"""``hfield check``: check certificates and print what each establishes.
 
 ``hfield check --coq``: what Coq says of the certificates that the checker has accepted.
 """

@@ -1,4 +1,4 @@
-"""``hfield completion``: what a shell offers after TAB."""
+"""``hfield completion``: completions for a shell."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``hfield doctor``: what is installed here, what is missing, and what it would add."""
+"""``hfield doctor``: list what is installed and what is missing."""
 
 from __future__ import annotations
 

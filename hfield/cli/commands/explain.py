@@ -1,4 +1,4 @@
-"""``hfield explain``: decisions in full, as on a blackboard."""
+"""``hfield explain``: print decisions in full."""
 
 from __future__ import annotations
 

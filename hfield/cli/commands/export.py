@@ -1,4 +1,4 @@
-"""``hfield export``: certificates, and what is proved for all fields, as a file for Coq."""
+"""``hfield export``: write certificates and theorems as a file for Coq."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``hfield field``: the integers of a number field, its classes of ideals and its units."""
+"""``hfield field``: the integers, class group and unit group of a number field."""
 
 from __future__ import annotations
 

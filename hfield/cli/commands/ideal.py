@@ -1,4 +1,4 @@
-"""``hfield ideal``: an ideal of an order, what it is, and whether another one is equivalent."""
+"""``hfield ideal``: describe an ideal of an order, and decide whether another is equivalent."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``hfield init``: a small ledger to begin with, commented, that runs at once."""
+"""``hfield init``: write a small commented ledger to begin with."""
 
 from __future__ import annotations
 

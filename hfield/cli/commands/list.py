@@ -1,4 +1,4 @@
-"""``hfield list``: the elements of an algebra with a property, one a line."""
+"""``hfield list``: list the elements of an algebra with a property."""
 
 from __future__ import annotations
 

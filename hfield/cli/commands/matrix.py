@@ -1,4 +1,4 @@
-"""``hfield matrix``: what is known of a matrix over a quaternion algebra."""
+"""``hfield matrix``: describe a matrix over a quaternion algebra."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``hfield order``: an order over the integers, maximal, Eichler or generated, and what it is."""
+"""``hfield order``: describe a maximal, Eichler or generated order."""
 
 from __future__ import annotations
 

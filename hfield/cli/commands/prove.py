@@ -1,4 +1,4 @@
-"""``hfield prove``: prove or refute a statement of one's own."""
+"""``hfield prove``: prove or refute a statement."""
 
 from __future__ import annotations
 

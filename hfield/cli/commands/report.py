@@ -1,4 +1,4 @@
-"""``hfield report``: the ledger, decided, as one page to read and print, or as a paper."""
+"""``hfield report``: write the decided ledger as a page or a paper."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``hfield solve``: all solutions of linear equations in unknown quaternions, and of those with a matrix."""
+"""``hfield solve``: solve linear equations in unknown quaternions, and with matrices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``hfield survey``: class sets over ℚ and number fields, and groups of units, over ranges, resumable."""
+"""``hfield survey``: compute class sets or groups of units over ranges; it can be resumed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``hfield upgrade``: certificates of the first schema, in which names stand for rings, as today's."""
+"""``hfield upgrade``: rewrite certificates of the first schema in the present one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``hfield warm``: the loops over arrays compiled beforehand, and kept on disk."""
+"""``hfield warm``: compile the loops over arrays ahead of time and keep them on disk."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Statements as theorems of Coq, which a proof assistant checks on its own (docs/coq.md)."""
+"""Write statements as theorems of Coq, which Coq checks independently (docs/coq.md)."""

@@ -1,4 +1,4 @@
-"""Over which ring a theorem is stated: every commutative ring, every field, one that is computed in."""
+"""The base ring of a theorem: all commutative rings, all fields, or one ring."""
 
 import re
 from dataclasses import dataclass

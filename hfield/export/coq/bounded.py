@@ -1,4 +1,4 @@
-"""The process that becomes ``coqc``: it bounds itself, and makes sure that it ends with its parent."""
+"""The process that runs ``coqc`` with bounds, and ends with its parent."""
 
 import os
 import resource

@@ -1,4 +1,4 @@
-"""The polynomials of evidence: texts with integer coefficients, read and written in Coq's notation.
+"""Read and write the polynomials of evidence in Coq's notation.
 
 To find what evidence speaks of, terms are computed as Coq computes them: a numerator over a product of
 divisors, of which nothing is ever cancelled. Nothing here is trusted: Coq computes all of it again.

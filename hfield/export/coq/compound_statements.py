@@ -1,4 +1,4 @@
-"""Coq proofs of statements made of others, such as ``every{…}``, and of those about associative algebras.
+"""Coq proofs of compound statements, such as ``every{…}``, and about associative algebras.
 
 The cofactors of a presentation are sums of word·relation·word, which Coq multiplies out (words.v). Where
 the identity is not assumed, the table that refutes a claim becomes a counterexample over every

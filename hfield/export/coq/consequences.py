@@ -1,4 +1,4 @@
-"""Evidence of implications for Coq: items with their cofactors, and hints to find what they speak of."""
+"""Evidence of implications for Coq."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Running ``coqc`` within bounds: what stands in every file is compiled once, then each theorem by itself."""
+"""Run ``coqc`` within bounds, one theorem at a time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Coq proofs about what exists: by terms, at once or in cases; by values, for it or against it."""
+"""Coq proofs of existence statements: by terms, in cases, or by values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The file for Coq: definitions, what is proved by hand there, and a theorem for each certificate.
+"""Write the Coq file: definitions, lemmas proved by hand, and a theorem for each certificate.
 
 Nothing here needs Coq. What the file claims is worth something only once ``coqc`` has read it, and
 ``Print Assumptions`` at its end shows what each theorem rests on.

@@ -1,4 +1,4 @@
-"""Statements without quantifiers as propositions of Coq, the conditions of being defined written out."""
+"""Write statements without quantifiers as propositions of Coq."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""A certificate about a statement of the language as a theorem of Coq, proved by its evidence.
+"""Turn a certificate about a statement of the language into a theorem of Coq.
 
 The theorem is read from the statement, the algebra and the field alone. The evidence becomes data
 for computations that Coq has proved to be right (evidence.v, soundness.v): where it does not show the

@@ -1,4 +1,4 @@
-"""The universal theorems of the ledger: which propositions of a claim hold for all fields at once."""
+"""The universal theorems of the ledger: the propositions that hold over all fields."""
 
 from collections.abc import Callable, Iterator, Sequence
 

@@ -1,4 +1,4 @@
-"""Statements in one ring or in all of a kind, as propositions of Coq and as data; what is proved of them."""
+"""Statements about one ring or all rings of a kind, as propositions of Coq and as data."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

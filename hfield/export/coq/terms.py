@@ -1,4 +1,4 @@
-"""Terms of the language in Coq's notation, as data for its computations, and with their numerators.
+"""Write terms of the language in Coq's notation.
 
 The text is what Coq reads: it follows the tree node by node, so that the theorem says what the
 statement says. The data is the same tree again, which Coq turns into that text by itself. The

@@ -1,4 +1,4 @@
-"""One certificate as one theorem of Coq: what is certified, and its proof."""
+"""Turn one certificate into one theorem of Coq with its proof."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

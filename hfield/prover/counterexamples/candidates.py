@@ -1,4 +1,4 @@
-"""Looking for a witness: values of the unknowns that make a statement false (or true).
+"""Search for values of the unknowns that make a statement false or true.
 
 Small values come first, so that the witness found is one that people can check by hand: first the
 prime field on Python's numbers, then small elements of the field, zero divisors among them.

@@ -1,4 +1,4 @@
-"""Places where a statement fails: looked for, solved for, or all tried.
+"""Find values at which a statement fails, by search or by solving equations.
 
 Conditions are solved by small values, and what follows from them: variables get values one after the other,
 and whenever a condition is left with a single variable, its value follows (a linear equation, a square root,

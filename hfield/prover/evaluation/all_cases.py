@@ -1,4 +1,4 @@
-"""Deciding over a finite ring by trying every case; many at a time with numpy where there are many."""
+"""Decide a statement over a finite ring by trying all cases."""
 
 from __future__ import annotations
 

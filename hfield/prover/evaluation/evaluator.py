@@ -1,4 +1,4 @@
-"""The one evaluator of statements: a tree becomes a function of the values of its unknowns.
+"""Turn a statement into a function of the values of its unknowns.
 
 What each node is, which terms are quaternions and what a name means is settled once, so that a search
 evaluates thousands of places at the cost of the arithmetic. It runs over any :class:`Scalars`, and multiplies

@@ -1,4 +1,4 @@
-"""Statements with moduli and comparisons, evaluated at places of RR: exactly, or over floats for searches."""
+"""Evaluate statements with moduli and comparisons over RR, exactly or in floats."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What scalars are, and what it means to compare them: elements of a ring, or numbers for its prime field.
+"""The scalars of an evaluation: elements of a ring, or numbers for its prime field.
 
 The evaluator asks nothing else of them, so that arrays and polynomials serve as well (``all_cases``,
 ``expansion``). A value that need not exist comes with the condition under which it does.

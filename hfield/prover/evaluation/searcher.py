@@ -1,4 +1,4 @@
-"""The truth of a statement at one place after the other."""
+"""Evaluate a statement at many places, one after the other."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice

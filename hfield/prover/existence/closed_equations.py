@@ -1,4 +1,4 @@
-"""Equations in which nothing is given, solved in their ring: linear ones, and those in one unknown.
+"""Solve equations without given values: linear ones, and those in one unknown.
 
 Linear equations over a Euclidean ring by Hermite's normal form, over ℤ/n with multiples of n added; one
 unknown by the roots that the ring finds; q² + s·q = c for a quaternion by square roots, which the field finds

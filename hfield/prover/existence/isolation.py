@@ -1,4 +1,4 @@
-"""Terms for what is said to exist: an equation is solved for an unknown that stands in it.
+"""Find terms for an unknown that exists by solving an equation for it.
 
 Where it stands once, ``r*u + s == i`` gives ``u = inv(r)*(i - s)``. Where it stands more often, as in
 a·u·b + u·d = r, conjugates take a away if b and d commute (Sylvester's equation has b = 1):

@@ -1,4 +1,4 @@
-"""Existence by linear algebra: where what is sought is linear, for any values of what is given.
+"""Prove existence by linear algebra, for all given values.
 
 The equations are a linear system whose coefficients are polynomials in the unknowns that are given.
 Gauss and Jordan's elimination runs over it, with a case distinction at each pivot that may be 0. Each way

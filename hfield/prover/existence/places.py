@@ -1,4 +1,4 @@
-"""For all values given something exists: decided at one place after the other.
+"""Decide statements "for all … there is …" by trying all given values.
 
 Where the equations for what is sought are linear, Gauss's elimination at a place is quick, so that many can
 be looked at; what is found is proved elsewhere.

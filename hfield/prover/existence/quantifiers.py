@@ -1,4 +1,4 @@
-"""Statements that something exists, and hypotheses that nothing satisfies: which way is tried when.
+"""Choose the method for a statement that something exists, or for contradictory hypotheses.
 
 Existence is proved by terms, once for all or case by case, and refuted where no case applies.
 """

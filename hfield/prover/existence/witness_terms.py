@@ -1,4 +1,4 @@
-"""Proving that something exists by naming it: a term in what is given, that serves everywhere."""
+"""Prove that something exists by a term in the given values."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Something exists, or nothing does, where nothing is given: a witness, or a proof that there is none.
+"""Decide existence without given values: find a witness, or prove that there is none.
 
 In ℝ, ℂ and H(ℝ) roots exist by a theorem, for all values given, though no term in these names them.
 """

@@ -1,4 +1,4 @@
-"""Deciding a statement without quantifiers over all fields at once."""
+"""Decide a statement without quantifiers over all fields at once."""
 
 from collections.abc import Iterator
 from dataclasses import replace

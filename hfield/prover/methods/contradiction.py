@@ -1,4 +1,4 @@
-"""Showing that some polynomials cannot all be 0 while others are not: the core of an implication.
+"""Show that some polynomials cannot all be 0 while others are not.
 
 Over every field of a characteristic: 1 is in the ideal of the zeros and of ``1 − T·g`` for every g
 that must not be 0 (Rabinowitsch's trick). Over a field with rules (see ``field_rules``)

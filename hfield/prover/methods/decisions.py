@@ -1,4 +1,4 @@
-"""Decisions put together from what the procedures found."""
+"""Make decisions of what the procedures found."""
 
 from hfield.checker.glossary import (
     COUNTEREXAMPLE,

@@ -1,4 +1,4 @@
-"""Proving clauses: from polynomials that are 0 to one that is, over all fields of a characteristic."""
+"""Prove clauses over all fields of one characteristic."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Deciding a statement without quantifiers over one exact field; over a finite ring by all cases."""
+"""Decide a statement without quantifiers over one exact field or finite ring."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Deciding over rings that are no fields: by what holds in all rings, in a larger field, or modulo a number.
+"""Decide a statement over a ring that is no field.
 
 An integral domain lies in its field of fractions, and what holds for all elements of the field holds for
 those of the domain, as long as nothing is divided by: over the field there is more that divides.

@@ -1,4 +1,4 @@
-"""Presentations: what follows from relations between letters in every associative algebra.
+"""Prove what follows from relations between letters in every associative algebra.
 
 With ``identity`` the algebra has an identity and ``e`` is it; without, ``e`` is a letter like the
 others, as Theorem 1 of the thesis prints it, and the statement may fail.

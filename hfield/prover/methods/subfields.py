@@ -1,4 +1,4 @@
-"""Over ℚ_p: numbers that are known exactly, in number fields that lie in ℚ_p.
+"""Decide statements over ℚ_p in number fields that lie in ℚ_p, where numbers are exact.
 
 A zero of a norm, or a root, that Hensel's lemma finds is known to some digits only, and no statement is
 evaluated at it. But it lies in an extension of ℚ, whose generator Hensel's lemma finds in ℚ_p: there it is

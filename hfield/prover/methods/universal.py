@@ -1,4 +1,4 @@
-"""Deciding a statement without quantifiers, wherever the problem says: the choice of the method."""
+"""Choose the method for a statement without quantifiers."""
 
 from collections import Counter
 

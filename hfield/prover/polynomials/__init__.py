@@ -1,1 +1,1 @@
-"""Statements as clauses about polynomials, and ideals with cofactors, commutative and free."""
+"""Clauses about polynomials, and ideals with cofactors, commutative and free."""

@@ -1,4 +1,4 @@
-"""What is known of a field that helps to prove implications over it, as rules.
+"""Rules: properties of a field that help to prove implications over it.
 
 Each rule says that a quadratic form represents 0 only trivially, so that all its arguments are 0
 wherever its value is. The reasons come from the ring and from ``zero_norms``; they

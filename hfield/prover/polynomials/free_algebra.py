@@ -1,4 +1,4 @@
-"""Rewriting in free algebras, with cofactors: is f in the two-sided ideal of the generators?
+"""Decide membership in two-sided ideals of free algebras, with cofactors.
 
 Words are strings, polynomials map words to coefficients. Buchberger's algorithm in the free algebra
 (Mora 1986) need not stop, so it is bounded; what it finds is multiplied out again by whoever reads

@@ -1,4 +1,4 @@
-"""Buchberger's algorithm over a prime field, remembering how every element came about.
+"""Buchberger's algorithm over a prime field, with the origin of each element.
 
 From the history, cofactors to the generators are recovered for whatever reduces to 0. Monomials are
 integers whose order is degree reverse lexicographic and whose sum is the product of monomials:

@@ -1,4 +1,4 @@
-"""Membership in ideals with cofactors, verified exactly.
+"""Decide membership in ideals, with exact cofactors.
 
 The search runs modulo a prime: the characteristic, or a large prime when the characteristic is 0,
 in which case the cofactors' coefficients are then reconstructed as rational numbers. Either way the

@@ -1,4 +1,4 @@
-"""What a polynomial looks like: a sum of squares, one without roots in a field, a text."""
+"""Recognise polynomials: sums of squares, and those without roots in a field."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a proof may start from besides the clause: relations of constants, and telling quaternions."""
+"""Relations with which a proof may start besides its clause."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""When an integer polynomial in the unknowns is 0 over a ring: as a polynomial, or as a function."""
+"""Decide when an integer polynomial is 0 over a ring, as a polynomial or as a function."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What a statement is: names and sorts, the setting, when its algebra exists, trees and how they print."""
+"""Statements: their names and sorts, their setting, their trees, and how they are printed."""

@@ -1,4 +1,4 @@
-"""The statement language: what the names of a parsed statement mean, and of which sort they are.
+"""The statement language: the meaning and the sort of each name in a parsed statement.
 
 :mod:`hfield.syntax` turns text into a tree; this module gives every node a sort (quaternion,
 scalar or boolean), finds the unknowns and the constants of the field, and takes the statement

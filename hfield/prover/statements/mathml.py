@@ -1,4 +1,4 @@
-"""Statements as MathML, for pages: what a browser sets as a formula and a screen reader reads as one."""
+"""Write statements as MathML for web pages."""
 
 from __future__ import annotations
 

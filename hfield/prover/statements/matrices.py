@@ -1,4 +1,4 @@
-"""Matrices in statements, written out as statements about their entries.
+"""Rewrite statements about matrices as statements about their entries.
 
 ``L``, ``M`` and ``N`` are unknown 2 × 2 matrices, with the entries ``M11 M12 M21 M22``, which are unknown
 quaternions; ``matrix(p, q, r, u)`` has the rows p, q and r, u, and ``column`` and ``row`` have two entries.

@@ -1,4 +1,4 @@
-"""Statements as text (which reads back to the same tree), as unicode and as LaTeX."""
+"""Write statements as plain text, unicode and LaTeX."""
 
 from fractions import Fraction
 from functools import cached_property

@@ -1,4 +1,4 @@
-"""Where a statement is decided: a field (or all of them) and the structure constants of the algebra."""
+"""The setting of a statement: a field or all of them, and the structure constants."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sums, products and quotients of terms, without the 0 and the 1 that do nothing in them."""
+"""Build sums, products and quotients of terms without superfluous 0 and 1."""
 
 from hfield.syntax import Binary, Call, Negate, Node, Number
 

@@ -1,4 +1,4 @@
-"""Statements about an algebra by its table, written out as statements about coordinates.
+"""Rewrite statements about an algebra by its table as statements about coordinates.
 
 An unknown p of an algebra of dimension at most 4 becomes the coordinates ``p[0] … p[3]``; of a higher
 dimension it takes those of entries of matrices too, which stand in no such statement. What is left are

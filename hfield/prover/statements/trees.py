@@ -1,4 +1,4 @@
-"""Walking through syntax trees, and putting terms in the place of unknowns."""
+"""Walk through syntax trees, and substitute terms for unknowns."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
