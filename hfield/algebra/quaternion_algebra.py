@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     from hfield.algebra.quadratic_fields import Embedding
     from hfield.algebra.quotients import Quotient
     from hfield.exploring.automorphisms import AutomorphismGroup
-    from hfield.exploring.classes import ConjugacyClass
+    from hfield.exploring.conjugacy_classes import ConjugacyClass
     from hfield.exploring.elements import Elements
     from hfield.exploring.ideals import AlgebraIdeal
     from hfield.exploring.subalgebras import Subalgebra
@@ -919,7 +919,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> [len(c) for c in H("GF(3)").conjugacy_classes()]
         [1, 1, 1, 8, 6, 12, 12, 8, 6, 12, 8, 6]
         """
-        from hfield.exploring.classes import conjugacy_classes, split_classes
+        from hfield.exploring.conjugacy_classes import conjugacy_classes, split_classes
 
         if self.ring.order is not None and self.is_central_simple():
             return split_classes(self)

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from contextlib import nullcontext
 
 from hfield import __version__
-from hfield.cli.catalogue import command, groups
+from hfield.cli.catalogue import RENAMED, command, groups
 from hfield.cli.output import encodable, say, terminal_width
 from hfield.cli.status import Waiting
 from hfield.errors import HFieldError, shorten
@@ -85,7 +85,14 @@ def _dispatch(words: list[str]) -> int:
         return 0
     if words[0] == "help":
         return _dispatch([*words[1:2], "--help"])
-    module, parser = command(words[0])
+    name = words[0]
+    if name in RENAMED:
+        name = RENAMED[name]
+        say(
+            "warning",
+            f"`hfield {words[0]}` is now `hfield {name}`; the next version drops the old name",
+        )
+    module, parser = command(name)
     args = parser.read(words[1:])
     with Waiting(module.DOING) if hasattr(module, "DOING") else nullcontext():
         status: int = module.run(args)

@@ -53,7 +53,7 @@ GROUPS: dict[str, dict[str, str]] = {
         "docs": "open the documentation in a browser",
         "doctor": "list which libraries are installed and which are missing",
         "completion": "print the completion script of a shell",
-        "warm": "compile the loops over arrays ahead of time",
+        "precompile": "compile the loops over arrays ahead of time",
     },
 }
 LINES_OF_OTHER_NAMES = {
@@ -66,6 +66,8 @@ LINES_OF_OTHER_NAMES = {
     "rotate": "python, with the package rotation",
 }
 """Names that are no commands, with the line to type instead."""
+RENAMED = {"warm": "precompile"}
+"""Former names of commands, which still run with a warning."""
 COMMANDS = {name: text for group in GROUPS.values() for name, text in group.items()}
 LAST, OTHER = "Tools", "Other packages"
 GROUP = "hfield.commands"

@@ -24,7 +24,7 @@ ELEMENTS_PER_THREAD = 1 << 16  # elements for which one more thread is woken
 # whether they write past the caches.
 _loops: dict[Any, dict[tuple[tuple[bool, ...], bool], machine_code.Function]] = {}
 _announce = machine_code.Announcer(
-    "hfield: compiling a loop over arrays, once on this machine (`hfield warm` does it beforehand)"
+    "hfield: compiling a loop over arrays, once on this machine (`hfield precompile` does it beforehand)"
 )
 
 

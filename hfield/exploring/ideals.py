@@ -15,7 +15,7 @@ from typing import Any
 from hfield import structure
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import TooLargeError
-from hfield.exploring.classes import splitting
+from hfield.exploring.conjugacy_classes import splitting
 from hfield.exploring.elements import Elements
 from hfield.exploring.labels import labelled, order_of_ring
 from hfield.exploring.properties import Condition

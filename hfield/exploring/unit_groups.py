@@ -16,7 +16,7 @@ from hfield import structure
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.exploring import group_names
-from hfield.exploring.classes import (
+from hfield.exploring.conjugacy_classes import (
     ConjugacyClass,
     ListedClass,
     special_classes,

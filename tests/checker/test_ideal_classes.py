@@ -10,7 +10,7 @@ import pytest
 
 from hfield import QuaternionAlgebra, ring
 from hfield.checker.check import ExpectedClaim
-from hfield.checker.number_fields.classes import SUnits
+from hfield.checker.number_fields.class_groups import SUnits
 from hfield.checker.number_fields.integers import Factors, Integers
 from hfield.checker.number_fields.zeta import zeta_minus_one
 from hfield.checker.scalars.fields import read_ring

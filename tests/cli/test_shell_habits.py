@@ -23,7 +23,7 @@ from tests.subcases import slow, subcases
         (["prove", "x", "--field", "GF2"], ["GF2", "GF2t"]),
         (["table", "--format", "la"], ["latex"]),
         (["info", "--fa"], ["--factors"]),
-        (["warm", "--"], ["--help", "--format", "--output"]),
+        (["precompile", "--"], ["--help", "--format", "--output"]),
         (["eval", "i", "--algebra", "'["], ["'[1,t|GF(4)(t))'"]),
         (["check", "a"], []),
         (["nonsense", ""], []),

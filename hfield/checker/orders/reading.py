@@ -23,7 +23,7 @@ from hfield.checker.number_fields.integers import (
     integer_row,
 )
 from hfield.checker.number_fields.matrices import rational_rows, unit
-from hfield.checker.number_fields.narrow import Narrow
+from hfield.checker.number_fields.narrow_class_groups import Narrow
 from hfield.checker.number_fields.real_numbers import RealPlace
 from hfield.checker.orders.algebra import Algebra
 from hfield.checker.orders.elements import need_definite

@@ -30,7 +30,7 @@ from hfield.checker.glossary import (
     WITNESS,
 )
 from hfield.checker.language import BLANKS, Tree, parse, split, walk
-from hfield.checker.number_fields import classes
+from hfield.checker.number_fields import class_groups
 from hfield.checker.orders import words as orders
 from hfield.checker.orders.words import PARTS as ORDERS
 from hfield.checker.rejection import a_list, an_integer, an_object, kind_of, reject, shown
@@ -60,7 +60,7 @@ class Proposition:
 
 
 Check = Callable[[tuple[str, ...], Setting, str, Any], CheckResult]
-VOCABULARIES = (of_fields, linear_algebra, classes, orders)
+VOCABULARIES = (of_fields, linear_algebra, class_groups, orders)
 """Of orders in any algebra; the others are about H(F)."""
 SPECIAL: dict[str, Check] = {
     word: check for vocabulary in VOCABULARIES for word, check in vocabulary.CHECKS.items()

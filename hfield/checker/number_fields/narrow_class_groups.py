@@ -5,7 +5,7 @@ from itertools import product
 from math import prod
 
 from hfield.checker.budget import spend
-from hfield.checker.number_fields.classes import SUnits
+from hfield.checker.number_fields.class_groups import SUnits
 from hfield.checker.number_fields.ideals import times_number, times_primes
 from hfield.checker.number_fields.integers import Prime
 from hfield.checker.number_fields.matrices import Key, hermite, unit

@@ -1,4 +1,4 @@
-"""``hfield warm``: compile the loops over arrays ahead of time and keep them on disk."""
+"""``hfield precompile``: compile the loops over arrays ahead of time and keep them on disk."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ HELP = (
     "compiles them. Without arguments: the loops of the usual rings."
 )
 DOING = "compiling"
-EXAMPLES = ("hfield warm", "hfield warm 'H(GF(2^8))' '(-1,-3|QQ)'")
+EXAMPLES = ("hfield precompile", "hfield precompile 'H(GF(2^8))' '(-1,-3|QQ)'")
 RINGS = (
     *("GF(2)", "GF(3)", "GF(4)", "GF(5)", "GF(7)", "GF(8)", "GF(9)", "GF(13)", "GF(16)", "GF(25)"),
     *("GF(27)", "GF(2^8)", "GF(3^5)", "GF(257)", "GF(65537)", "GF(2^16)", "GF(2^32)", "GF(2^64)"),
