@@ -157,14 +157,14 @@ def test_cases_that_go_alike_are_one_line():
     steps = decide("p*q == 0 => p == 0 or q == 0", "QQ").steps
     (line,) = [step for step in steps if "in the ideal" in step]
     assert "16 cases, from p[0] ≠ 0 and q[0] ≠ 0 to p[3] ≠ 0 and q[3] ≠ 0" in line
-    assert line.endswith("after 1 conclusion from these facts")
+    assert line.endswith("that they and 1 conclusion from these facts generate")
 
 
 @pytest.mark.parametrize(
     ("text", "field", "line"),
     [
         ("1 == 1", None, "compute both sides"),
-        ("s == s + 0", None, "expand both sides in the 1 coordinate of what is unknown"),
+        ("s == s + 0", None, "expand both sides in the one unknown coordinate"),
         ("2*q == 0 => q == 0", None, "over the fields of every characteristic but 2 it holds"),
     ],
 )
