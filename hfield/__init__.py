@@ -8,7 +8,7 @@
 
 import lazy_loader
 
-import hfield.locking  # noqa: F401  # a fork may come while the names below are imported
+import hfield.core.locks  # noqa: F401  # a fork may come while the names below are imported
 
 __version__ = "0.3.0"
 

@@ -6,6 +6,7 @@ from .algebra.quaternion import Quaternion as Quaternion
 from .algebra.structure_algebra import StructureAlgebra as StructureAlgebra
 from .checker.check import check as check
 from .checker.rejection import Rejected as Rejected
+from .core.factorisation import UnfactoredError as UnfactoredError
 from .description import Description as Description
 from .description import info as info
 from .errors import CoercionError as CoercionError
@@ -21,7 +22,6 @@ from .errors import RingError as RingError
 from .errors import TableError as TableError
 from .errors import TooLargeError as TooLargeError
 from .errors import UndecidedError as UndecidedError
-from .factorisation import UnfactoredError as UnfactoredError
 from .fields.names import ring as ring
 from .fields.number_fields.ring import NumberField as NumberField
 from .functions import conj as conj

@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import Any
 
 from hfield.algebra import QuaternionAlgebra
+from hfield.core.executors import unordered
+from hfield.core.factorisation import factorise
 from hfield.errors import HFieldError
-from hfield.executors import unordered
-from hfield.factorisation import factorise
 from hfield.orders import class_number
 from hfield.rings import ring
 

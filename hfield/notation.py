@@ -8,9 +8,9 @@ read too (``other_systems``).
 import re
 from collections.abc import Sequence
 
+from hfield.core.product import Constants, Scalar
 from hfield.errors import CoercionError, NotationError, NotInvertibleError, shorten
 from hfield.fields.names import ring
-from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.syntax.brackets import outside, split
 from hfield.syntax.other_systems import read

@@ -30,7 +30,7 @@ CHECKER = (
 LEFT_OUT = {"rings": "not galois and not any_text and not of_all_candidates"}
 # What is mutated, and the tests that are to notice.
 PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
-    "product": (("hfield/product.py",), ("tests/adversary/test_product.py",)),
+    "product": (("hfield/core/product.py",), ("tests/adversary/test_product.py",)),
     "polynomials": (
         ("hfield/checker/polynomials.py",),
         ("tests/checker/test_polynomials.py", "tests/checker/test_core_reading.py"),

@@ -57,7 +57,9 @@ PRELOADED = (
     "matplotlib.figure",
     "scipy.spatial",
 )
-COMPILED = b"from anim.compiling import"  # in files that numba compiles, as hfield/product.py is
+COMPILED = (
+    b"from anim.compiling import"  # in files that numba compiles, as hfield/core/product.py is
+)
 PROBE = """
 import builtins, os
 
@@ -92,7 +94,7 @@ class Mutant(NamedTuple):
     @property
     def compiled(self) -> bool:
         """Whether numba compiles functions of this file."""
-        return COMPILED in self.source or self.file == "hfield/product.py"
+        return COMPILED in self.source or self.file == "hfield/core/product.py"
 
 
 def is_typing(node: ast.AST) -> bool:

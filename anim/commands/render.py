@@ -97,7 +97,7 @@ def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
 
 def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
     from anim.rendering import render
-    from hfield.executors import open_executor
+    from hfield.core.executors import open_executor
 
     shown = monotonic()
     with Progress("frames") as bar:

@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol
 
-from hfield import product, structure
+from hfield import structure
 from hfield.algebra.embedding import embedding
+from hfield.core import product
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import (
     CoercionError,
     MixedParentsError,
@@ -18,7 +20,6 @@ from hfield.errors import (
 )
 from hfield.hints import ELEMENT, Hinted
 from hfield.notation import element_text
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.coefficients import Coefficients
 from hfield.rings.holding import Batch, Holding

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from hfield import notation, structure, syntax
 from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion, check_axis, held_by, is_many
+from hfield.core.factorisation import Factors, factorise, known_primes
+from hfield.core.product import Constants, Scalar
 from hfield.errors import (
     CoercionError,
     HFieldError,
@@ -20,13 +22,11 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.factorisation import Factors, factorise, known_primes
 from hfield.fields.adjoining import adjoin_variables
 from hfield.fields.names import RingName
 from hfield.fields.names import ring as read_ring
 from hfield.hints import ALGEBRA, Hinted
 from hfield.notation import BASIS
-from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring, WithIntegers
 from hfield.rings.expressions import check_symbols, is_of_sympy
 from hfield.rings.floats import CDF

@@ -14,8 +14,8 @@ from pathlib import Path
 from shutil import get_terminal_size
 from typing import TYPE_CHECKING, TextIO
 
-from hfield.atomic import whole_file
 from hfield.cli.status import STATUS
+from hfield.core.files import whole_file
 from hfield.errors import HFieldError, shorten
 
 if TYPE_CHECKING:

@@ -268,7 +268,7 @@ def add_factors(parser: ArgumentParser) -> None:
 
 def given_factors(args: Namespace) -> AbstractContextManager[None]:
     """Use the primes of ``--factors`` inside the ``with``. Raises :class:`UsageError`, :class:`RingError`."""
-    from hfield.factorisation import known_primes
+    from hfield.core.factorisation import known_primes
 
     if args.factors is None:
         return known_primes(None, "--factors")

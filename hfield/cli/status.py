@@ -8,7 +8,7 @@ from threading import Event, RLock, Thread
 from types import TracebackType
 from typing import TextIO
 
-from hfield.progress import current
+from hfield.core.progress import current
 
 WIDTH = 79
 PATIENCE = 0.5  # seconds before a command says what it is at

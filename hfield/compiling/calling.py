@@ -15,7 +15,7 @@ from hfield.compiling.arithmetics.doubles import Formula
 from hfield.compiling.loops import Operand, emit_loop
 from hfield.compiling.memory import Array, Rows, address, in_one_piece, rows_of
 from hfield.compiling.threads import in_pieces, threads
-from hfield.straight_line import Program
+from hfield.core.straight_line import Program
 
 PIECE = 1 << 20  # elements that a thread takes at a time: for each it waits for the interpreter
 THREADED_ELEMENTS = 500_000  # from so many elements on a second thread is woken

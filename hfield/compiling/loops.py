@@ -16,7 +16,7 @@ from typing import NamedTuple
 from hfield.compiling.arithmetic import Arithmetic, Symbol
 from hfield.compiling.arithmetics.doubles import Formula
 from hfield.compiling.instructions import Code, module, raw_type, vector
-from hfield.straight_line import ONE, Program
+from hfield.core.straight_line import ONE, Program
 
 BLOCK = 512  # elements that are written past the caches together
 LINE = "<8 x i64>"

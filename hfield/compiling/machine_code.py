@@ -14,11 +14,11 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from hfield import locking
 from hfield.compiling.disk_cache import keep, kept
+from hfield.core import locks
 
 Function = Callable[[int, int], int]
-lock = locking.lock()
+lock = locks.lock()
 _addresses: dict[str, int] = {}  # of what is linked
 _symbols: dict[str, int] = {}  # what programs call by name, and where it lies
 _numbers = itertools.count()

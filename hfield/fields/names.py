@@ -78,7 +78,7 @@ def ring(spec: RingName, factors: Iterable[int] | None = None) -> Ring:
     (QQ(a,b), QQ(sqrt(2)))
     """
     if factors is not None:
-        from hfield.factorisation import known_primes
+        from hfield.core.factorisation import known_primes
 
         with known_primes(factors, "factors"):
             return ring(spec)

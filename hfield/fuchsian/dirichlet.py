@@ -17,6 +17,7 @@ import numpy as np
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.progress import report
 from hfield.errors import TooLargeError
 from hfield.fuchsian.plane import Plane, apply, same_point
 from hfield.fuchsian.polygon import Polygon
@@ -25,7 +26,6 @@ from hfield.fuchsian.side_search import Shape, grown
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
 from hfield.orders import maximal_orders
 from hfield.orders.invariants import is_eichler
-from hfield.progress import report
 
 ROUNDS = 50
 """So often at most units are looked for from more points."""

@@ -21,11 +21,11 @@ from hfield.checker.glossary import (
     WITNESS,
     ZERO_NORM,
 )
+from hfield.core.product import Constants, Coordinates, norm
 from hfield.errors import UndecidedError
 from hfield.evidence import Evidence, Kind
 from hfield.ledger.scopes import search_panel
 from hfield.notation import element_text
-from hfield.product import Constants, Coordinates, norm
 from hfield.prover.decision import Decision
 from hfield.prover.steps import say
 from hfield.rings.base import INFINITY, Ring

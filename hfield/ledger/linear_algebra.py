@@ -14,12 +14,12 @@ from hfield.checker.glossary import (
     REFUTED,
     SMITH_FORM,
 )
+from hfield.core.factorisation import factorise
+from hfield.core.product import Constants, Coordinates, multiply
 from hfield.evidence import Evidence, Kind
-from hfield.factorisation import factorise
 from hfield.ledger.base_field import hamilton, texts
 from hfield.ledger.claim import TemplateProposition
 from hfield.notation import element_text
-from hfield.product import Constants, Coordinates, multiply
 from hfield.prover.decision import FIELDS, Decision
 from hfield.prover.steps import say
 from hfield.rings.base import Ring

@@ -25,12 +25,12 @@ from hfield.checker.glossary import (
     UNIQUE_ROOTS,
     WITNESS,
 )
+from hfield.core.product import Coordinates, Scalar, multiply, norm
 from hfield.errors import UndecidedError
 from hfield.evidence import Evidence, Kind
 from hfield.ledger.base_field import hamilton, texts
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import search_panel
-from hfield.product import Coordinates, Scalar, multiply, norm
 from hfield.prover.decision import Decision
 from hfield.prover.steps import say
 from hfield.rings.base import INFINITY, Ring

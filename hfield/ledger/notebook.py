@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from hfield.executors import InProcess
+from hfield.core.executors import InProcess
 from hfield.fields.names import RingName
 from hfield.latex import words
 from hfield.ledger.claim import Row

@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 
 from hfield.checker.glossary import GAVE_UP
+from hfield.core.executors import collecting_rarely, unordered
 from hfield.errors import HFieldError
-from hfield.executors import collecting_rarely, unordered
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, decide
 from hfield.ledger.registry import claims, find
 from hfield.prover.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decision

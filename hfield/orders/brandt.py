@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat, fmpz_poly, nmod_mat
 
-from hfield.factorisation import factorise
+from hfield.core.factorisation import factorise
+from hfield.core.primality import is_prime, primes
+from hfield.core.progress import track
 from hfield.orders.ideals_of_norm import MOST, number_maximal
 from hfield.orders.invariants import eichler_symbol
-from hfield.primality import is_prime, primes
-from hfield.progress import track
 
 if TYPE_CHECKING:
     from hfield.orders.classes import Classes

@@ -19,9 +19,11 @@ from typing import Any
 
 from flint import fmpz_mat
 
+from hfield.core.factorisation import factorise
+from hfield.core.primality import is_prime, primes
+from hfield.core.progress import report, track
 from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.evidence import Certified, Claim
-from hfield.factorisation import factorise
 from hfield.orders import brandt, certificates, enumeration, hermite
 from hfield.orders.class_number import mass
 from hfield.orders.ideals_of_norm import (
@@ -45,8 +47,6 @@ from hfield.orders.lattice_values import (
 from hfield.orders.short_elements import theta_series
 from hfield.orders.validation import positive, prime
 from hfield.orders.z_order import ZOrder
-from hfield.primality import is_prime, primes
-from hfield.progress import report, track
 
 Key = tuple[int, ...]
 Row = tuple[int, ...]

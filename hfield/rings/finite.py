@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.product import Constants
 from hfield.errors import NotInvertibleError, shorten
-from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring, shared
 from hfield.rings.held import tables
 from hfield.rings.held.quotients import Polynomials

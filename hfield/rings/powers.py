@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from hfield.core.product import Arithmetic
 from hfield.errors import TooLargeError
-from hfield.product import Arithmetic
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import AnyPolynomial

@@ -11,10 +11,10 @@ from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.factorisation import Factors, known_primes, shared_primes
+from hfield.core.primality import WORD
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import RingError, UndecidedError, shorten
-from hfield.factorisation import Factors, known_primes, shared_primes
-from hfield.primality import WORD
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring, of_fields
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimal_conics import Vector

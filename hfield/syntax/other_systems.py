@@ -6,8 +6,8 @@ import re
 from math import lcm
 from typing import Any
 
+from hfield.core.product import Constants
 from hfield.errors import RingError, shorten
-from hfield.product import Constants
 
 RATIONALS = ("Rationals()", "RationalField()", "QQ", "y")
 WRITTEN = {  # over ℚ or GF(q); over ℚ[s]/(f), with the letter that stands for s

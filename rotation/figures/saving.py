@@ -9,8 +9,8 @@ from pathlib import Path
 from tempfile import TemporaryFile
 from typing import TYPE_CHECKING
 
-from hfield.atomic import whole_file
 from hfield.cli.output import writing
+from hfield.core.files import whole_file
 from hfield.errors import shorten
 from rotation.figures.drawing import Drawing, figure_style
 

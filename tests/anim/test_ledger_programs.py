@@ -14,8 +14,8 @@ from anim.film import Clip
 from anim.ledger import CLAIMS, optimised
 from anim.ledger.turning import UP, rotation, turned
 from hfield.cli import main
+from hfield.core.product import Constants, conjugate, multiply
 from hfield.ledger.claim import NO_FIELD, decide
-from hfield.product import Constants, conjugate, multiply
 from hfield.prover.statements.printing import to_text
 from hfield.rings import ring
 from hfield.syntax import number

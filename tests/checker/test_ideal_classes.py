@@ -16,9 +16,9 @@ from hfield.checker.number_fields.zeta import zeta_minus_one
 from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.number_fields import NumberField
 from hfield.cli import main
+from hfield.core.primality import primes
 from hfield.fields.number_fields.classes.evidence import seconds_above
 from hfield.fields.number_fields.classes.s_units import s_units
-from hfield.primality import primes
 from tests.checker.cases import Certificate
 from tests.checker.order_certificates import changed_and_passed, established, rejects
 from tests.subcases import subcases

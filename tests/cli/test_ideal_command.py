@@ -5,7 +5,7 @@ import json
 import pytest
 
 from hfield import QuaternionAlgebra
-from hfield.primality import is_prime
+from hfield.core.primality import is_prime
 from tests.cli import running
 
 P, Q = 10**35 + 1, 10**36 + 1

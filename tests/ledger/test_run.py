@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 
 import pytest
 
+from hfield.core.executors import InProcess
 from hfield.errors import TooLargeError
-from hfield.executors import InProcess
 from hfield.ledger import run
 from hfield.ledger.claim import NO_FIELD, Claim, Row
 from hfield.ledger.run import MIN_ROWS_PER_TASK, contradictions, decide_row, decide_rows

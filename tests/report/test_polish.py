@@ -5,7 +5,7 @@ import re
 import pytest
 
 from hfield.cli import main
-from hfield.executors import InProcess
+from hfield.core.executors import InProcess
 from hfield.ledger.document import LedgerError, read_ledger
 from hfield.ledger.errata import errata
 from hfield.ledger.registry import claims

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from hfield.product import conjugate
+from hfield.core.product import conjugate
 from hfield.prover.prove import prove
 from hfield.prover.statements.printing import to_text
 from hfield.syntax import Node, both, equal, names, parse

@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from hfield.product import Constants
+from hfield.core.product import Constants
 from hfield.rings import ring
 
 FOLDER = Path(__file__).parent.parent / "vectors"

@@ -5,8 +5,8 @@ import random
 import pytest
 from structure_cases import constants
 
+from hfield.core.product import Constants, multiply, norm, trace
 from hfield.fields.function_fields.symbols import common_slot_functions
-from hfield.product import Constants, multiply, norm, trace
 from hfield.rings import ring
 from hfield.structure import is_division, isomorphism, ramified_places
 from hfield.structure.forms import discriminant

@@ -5,8 +5,8 @@ from math import prod
 
 import pytest
 
+from hfield.core.product import Constants
 from hfield.errors import UndecidedError
-from hfield.product import Constants
 from hfield.rings import ring
 from hfield.rings.base import Ring
 from hfield.rings.integers import Rationals

@@ -5,8 +5,8 @@ import random
 import pytest
 from structure_cases import constants
 
+from hfield.core.product import Constants, multiply, norm
 from hfield.errors import UndecidedError
-from hfield.product import Constants, multiply, norm
 from hfield.rings import ring
 from hfield.structure.linear_algebra.centre import basis_of, centre
 from hfield.structure.linear_algebra.kernels import apply

@@ -7,8 +7,10 @@ import flint
 import pytest
 from structure_cases import constants
 
+from hfield.core.factorisation import known_primes, remove
+from hfield.core.primality import is_prime
+from hfield.core.product import Constants, multiply
 from hfield.errors import UndecidedError
-from hfield.factorisation import known_primes, remove
 from hfield.fields.number_fields.arithmetic import common_slot, is_local_square
 from hfield.fields.number_fields.conics import good_module, solve_conic_number_field
 from hfield.fields.number_fields.integral_basis import coordinate_rows
@@ -22,8 +24,6 @@ from hfield.fields.number_fields.quadratic.as_number_field import (
 from hfield.fields.number_fields.quadratic.places import places_above
 from hfield.fields.number_fields.quadratic.residues import Inert, prime_at
 from hfield.fields.number_fields.symbols import candidates
-from hfield.primality import is_prime
-from hfield.product import Constants, multiply
 from hfield.rings import ring
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
 from hfield.structure.minimal_conics import Conic

@@ -3,8 +3,8 @@ import random
 import pytest
 from structure_cases import constants
 
+from hfield.core.product import Constants, multiply, norm
 from hfield.errors import CoercionError, MixedParentsError, UndecidedError
-from hfield.product import Constants, multiply, norm
 from hfield.rings import ring
 from hfield.structure.forms import discriminant
 from hfield.structure.isomorphisms.isomorphic import is_isomorphic, isomorphism, same_parent

@@ -9,7 +9,6 @@ from math import cos, pi, sin
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hfield.atomic import whole_file
 from hfield.cli.orders import (
     SECONDS_A_CLASS,
     algebra_of,
@@ -21,6 +20,7 @@ from hfield.cli.output import OutputError, gone_on, try_picture
 from hfield.cli.output_document import OutputDocument, answer_one
 from hfield.cli.parser import UsageError, add_factors, add_format, add_output, given_factors
 from hfield.cli.status import Waiting
+from hfield.core.files import whole_file
 from hfield.errors import shorten
 from hfield.plotting import default_settings
 
@@ -66,7 +66,7 @@ def run(args: Namespace) -> int:
 
 
 def _answer(args: Namespace) -> OutputDocument:
-    from hfield.primality import is_prime
+    from hfield.core.primality import is_prime
 
     replace = bool(args.plot) and try_picture(args.plot)
     A = algebra_of(args.algebra)

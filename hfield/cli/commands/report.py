@@ -48,7 +48,7 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Decide, write, and return the exit status."""
-    from hfield.executors import open_executor
+    from hfield.core.executors import open_executor
     from hfield.ledger.columns import split_columns
     from hfield.ledger.document import read_ledgers, read_title
     from hfield.ledger.registry import claims

@@ -73,7 +73,7 @@ def configure(parser: ArgumentParser) -> None:
 def run(args: Namespace) -> int:
     """Compute what is missing, and write it."""
     from hfield import census
-    from hfield.executors import open_executor
+    from hfield.core.executors import open_executor
 
     survey, pairs = _asked(args)
     (most,) = numbers(args.most or str(AREA if args.groups else DEFAULT_CLASSES), "--most")[:1]

@@ -56,7 +56,7 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Decide, report, and return the exit status."""
-    from hfield.executors import collecting_rarely
+    from hfield.core.executors import collecting_rarely
 
     with collecting_rarely():
         return _verify(args)
@@ -64,7 +64,7 @@ def run(args: Namespace) -> int:
 
 def _verify(args: Namespace) -> int:
     """Read what is to be decided, decide and report."""
-    from hfield.executors import open_executor
+    from hfield.core.executors import open_executor
     from hfield.ledger.columns import split_columns
     from hfield.ledger.registry import find
     from hfield.ledger.run import as_expected, contradictions, decide_rows

@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from hfield.core.product import Constants, conjugate, multiply, norm, trace
 from hfield.errors import HFieldError, TooLargeError
 from hfield.export.coq.cofactors import Numerators
-from hfield.product import Constants, conjugate, multiply, norm, trace
 from hfield.prover.statements.language import Sort
 from hfield.syntax import Binary, Call, Index, Name, Negate, Node, Number, Power, parse
 

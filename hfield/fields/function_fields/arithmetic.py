@@ -17,8 +17,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.factorisation import Factors
+from hfield.core.primality import primes
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import UndecidedError, shorten
-from hfield.factorisation import Factors
 from hfield.fields.function_fields.artin_schreier import (
     artin_schreier,
     as_norm,
@@ -43,8 +45,6 @@ from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.rationals.embedding import traceless_root_rational
 from hfield.fields.rationals.symbols import hilbert_symbol_q, is_isotropic, ramified_places_q
-from hfield.primality import primes
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
 from hfield.rings.whole_numbers import square_class

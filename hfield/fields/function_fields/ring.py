@@ -17,9 +17,10 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import named
 from hfield.errors import CoercionError
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
-from hfield.product import Constants, Coordinates
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.held.numerators import Held, Numerators
@@ -29,7 +30,6 @@ from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.residue_polynomials import polynomials_modulo
 from hfield.rings.roots import common_divisor, monic, multiplied, substituted
 from hfield.rings.to_sympy import polynomial_in, symbol
-from hfield.straight_line import named
 
 if TYPE_CHECKING:
     import sympy

@@ -23,12 +23,12 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants, Scalar
 from hfield.errors import UndecidedError
 from hfield.fields.function_fields.places import FunctionPlace, prime_divisors
 from hfield.fields.function_fields.residues import ResidueField, residues_at, valuation
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.product import Constants, Scalar
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import NormalForm, normal_form
 

@@ -6,10 +6,10 @@ import random
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from hfield.core.factorisation import Factors
+from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply, norm, trace
 from hfield.errors import RingError, UndecidedError
-from hfield.factorisation import Factors
 from hfield.fields.local.field import DIGITS, Completion, LocalField, hensel
-from hfield.product import Constants, Coordinates, Scalar, conjugate, multiply, norm, trace
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField, known_field

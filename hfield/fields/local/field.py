@@ -19,9 +19,9 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, HFieldError, UndecidedError
 from hfield.fields.local.element import LocalElement
-from hfield.product import Scalar
 from hfield.rings.base import E, Known, Ring, shared
 from hfield.rings.operators import Overfield
 from hfield.rings.printing import is_sum, parentheses, power_text

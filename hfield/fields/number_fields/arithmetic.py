@@ -17,8 +17,10 @@ from typing import Any
 
 import flint
 
+from hfield.core.factorisation import Factors, factorise, known_primes, remove
+from hfield.core.primality import WORD, is_probable_prime, primes
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import RingError, UndecidedError, shorten
-from hfield.factorisation import Factors, factorise, known_primes, remove
 from hfield.fields.number_fields.conics import solve_conic_number_field
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import small_integer
@@ -37,8 +39,6 @@ from hfield.fields.number_fields.symbols import (
     residue_symbol,
 )
 from hfield.fields.number_fields.unimodular_lattice import embed_number_field
-from hfield.primality import WORD, is_probable_prime, primes
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.balls import precision
 from hfield.rings.whole_numbers import crt
 from hfield.structure.forms import NormalForm

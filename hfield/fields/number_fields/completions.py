@@ -9,6 +9,7 @@ from collections.abc import Hashable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Scalar
 from hfield.errors import UndecidedError, shorten
 from hfield.fields.local.field import Completion, LocalField
 from hfield.fields.number_fields.places import RealPlace, place_of_number_field
@@ -16,7 +17,6 @@ from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.quadratic.places import place_of_quadratic
 from hfield.fields.number_fields.quadratic.residues import prime_at
 from hfield.fields.number_fields.residues import local_place
-from hfield.product import Scalar
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.closed_fields.algebraic import CC, RR
 from hfield.rings.operators import Element

@@ -20,8 +20,9 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import remove
+from hfield.core.primality import WORD, is_prime
 from hfield.errors import RingError, TooLargeError, shorten
-from hfield.factorisation import remove
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import (
     LocalOrder,
@@ -33,7 +34,6 @@ from hfield.fields.number_fields.integers import (
     p_radical,
     residue_matrix,
 )
-from hfield.primality import WORD, is_prime
 from hfield.rings.base import Ring
 from hfield.rings.finite import modulus_text
 from hfield.rings.rational import rational

@@ -18,6 +18,7 @@ from typing import Any
 
 import flint
 
+from hfield.core.product import Constants, Coordinates
 from hfield.fields.number_fields.conics import Walk, expect_small_degree, module_basis, not_met
 from hfield.fields.number_fields.elements import coefficients
 from hfield.fields.number_fields.integral_basis import integral_multiple
@@ -25,7 +26,6 @@ from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates
-from hfield.product import Constants, Coordinates
 from hfield.structure.lattice_reduction import combination
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.minimal_conics import Vector, adapt, dot, kernel_at

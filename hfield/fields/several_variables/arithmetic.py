@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants
 from hfield.errors import RingError, UndecidedError
 from hfield.fields.function_fields.artin_schreier import artin_schreier
 from hfield.fields.function_fields.rational_functions import rational_functions
@@ -20,7 +21,6 @@ from hfield.fields.function_fields.residues import multiplicity
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.fields.several_variables.ring import RationalFunctions
-from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField

@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.progress import report, track
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.orders.brandt import of_power
 from hfield.orders.class_number import mass
@@ -46,7 +47,6 @@ from hfield.orders.over_integers.positive_generators import (
     units_modulo_squares,
 )
 from hfield.orders.short_elements import rows_of_norm
-from hfield.progress import report, track
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement

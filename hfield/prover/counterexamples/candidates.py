@@ -12,8 +12,8 @@ from functools import lru_cache
 from itertools import accumulate, islice
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants, Scalar, conjugate, multiply, trace
 from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
-from hfield.product import Constants, Scalar, conjugate, multiply, trace
 from hfield.prover.evaluation.scalars import PrimeScalars, RingScalars, constant
 from hfield.prover.evaluation.searcher import Assignment, Searcher
 from hfield.prover.problem import Problem, remembered
@@ -22,7 +22,7 @@ from hfield.prover.statements.setting import Setting
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
-    from hfield.product import Coordinates
+    from hfield.core.product import Coordinates
 
 
 Shape = tuple[tuple[int, bool], ...]  # number of coordinates of each unknown, and if it is a letter

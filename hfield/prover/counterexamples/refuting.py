@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 from flint import fmpq
 
+from hfield.core.product import Scalar
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
-from hfield.product import Scalar
 from hfield.prover.counterexamples.candidates import (
     nonzero_first,
     prime_search,

@@ -7,8 +7,8 @@ from functools import cached_property, lru_cache
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Scalar
 from hfield.errors import TooLargeError, UndecidedError
-from hfield.product import Scalar
 from hfield.prover.evaluation.evaluator import Evaluator
 from hfield.prover.evaluation.scalars import Decided, PrimeScalars, RingScalars, constant
 from hfield.prover.evaluation.searcher import Assignment, Searcher, lifted

@@ -1,15 +1,15 @@
 """Turn a statement into a function of the values of its unknowns.
 
 What each node is, which terms are quaternions and what a name means is settled once, so that a search
-evaluates thousands of places at the cost of the arithmetic. It runs over any :class:`Scalars`, and multiplies
-by the one formula of :mod:`hfield.product`. What divides may be undefined: that makes a comparison false.
+evaluates thousands of places at the cost of the arithmetic. It runs over any :class:`Scalars`, and uses the
+product of :mod:`hfield.core.product`. A comparison with an undefined division is false.
 """
 
 from collections.abc import Callable, Iterable, Mapping
 from operator import itemgetter, sub
 from typing import Any
 
-from hfield.product import Constants, conjugate, trace
+from hfield.core.product import Constants, conjugate, trace
 from hfield.prover.evaluation.scalars import Scalars, Value
 from hfield.prover.statements.language import BASIS, RESULT, Sort
 from hfield.prover.statements.printing import to_text

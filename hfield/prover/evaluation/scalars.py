@@ -13,8 +13,8 @@ from functools import lru_cache
 from operator import and_, mul, or_, xor
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias
 
+from hfield.core.product import Arithmetic, Constants, Scalar, multiply, norm
 from hfield.errors import NotInvertibleError, UndecidedError
-from hfield.product import Arithmetic, Constants, Scalar, multiply, norm
 from hfield.rings.base import Ring
 from hfield.rings.rational import fmpq
 

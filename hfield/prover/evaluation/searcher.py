@@ -4,8 +4,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
+from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
-from hfield.product import Scalar
 from hfield.prover.evaluation.evaluator import Evaluator
 from hfield.prover.evaluation.scalars import PrimeScalars, RingScalars, constant
 from hfield.prover.problem import Problem

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from hfield import structure
+from hfield.core.product import Coordinates, Scalar
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
-from hfield.product import Coordinates, Scalar
 from hfield.prover.evaluation.scalars import RingScalars
 from hfield.prover.evaluation.searcher import Searcher, assigned
 from hfield.prover.polynomials.expansion import Expanded, Quotient, Symbolic

@@ -11,9 +11,9 @@ from dataclasses import replace
 from itertools import chain
 
 from hfield.checker.glossary import EXHAUSTION
+from hfield.core.product import Scalar
 from hfield.errors import HFieldError, TooLargeError
 from hfield.evidence import Evidence, Kind, is_complete
-from hfield.product import Scalar
 from hfield.prover.counterexamples.candidates import by_weight, shown, small_scalars, witness_texts
 from hfield.prover.decision import FIELD, PROVED, REFUTED, Decision, undecided
 from hfield.prover.definedness import algebra_exists

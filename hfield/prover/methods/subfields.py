@@ -14,10 +14,10 @@ from typing import Any, Protocol, runtime_checkable
 
 import flint
 
+from hfield.core.product import Constants, conjugate, multiply, norm, trace
 from hfield.errors import HFieldError, TooLargeError
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
-from hfield.product import Constants, conjugate, multiply, norm, trace
 from hfield.prover.decision import PROVED, REFUTED, Decision
 from hfield.prover.polynomials.expansion import Symbolic
 from hfield.prover.polynomials.normal_form import branches

@@ -12,7 +12,7 @@ from functools import lru_cache
 from math import gcd, isqrt
 from typing import TYPE_CHECKING, Any
 
-from hfield.product import Scalar
+from hfield.core.product import Scalar
 from hfield.prover.evaluation.scalars import constant
 from hfield.prover.polynomials.field_rules import Rule, norm_rule_of
 from hfield.prover.polynomials.recognition import polynomial_text

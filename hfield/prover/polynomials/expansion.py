@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import flint
 from flint import Ordering, fmpz_mpoly_ctx
 
+from hfield.core.product import Constants
 from hfield.errors import TooLargeError
-from hfield.product import Constants
 from hfield.prover.evaluation.evaluator import Evaluator
 from hfield.prover.evaluation.scalars import Scalars
 from hfield.prover.polynomials.normal_form import TRUE, Clause, Formula, clauses, literal
@@ -25,7 +25,7 @@ from hfield.prover.problem import Problem, remembered
 from hfield.prover.statements.language import Sort
 
 if TYPE_CHECKING:
-    from hfield.product import Coordinates
+    from hfield.core.product import Coordinates
 
 
 MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too

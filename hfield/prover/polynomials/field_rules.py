@@ -12,8 +12,8 @@ from dataclasses import field as a_field
 from functools import lru_cache
 from typing import Any
 
+from hfield.core.product import Constants
 from hfield.errors import HFieldError, UndecidedError
-from hfield.product import Constants
 from hfield.prover.statements.setting import Setting, read_setting
 from hfield.prover.steps import say
 from hfield.rings.base import INFINITY, Ring, WithIntegers

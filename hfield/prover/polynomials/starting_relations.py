@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import norm
 from hfield.errors import TooLargeError
-from hfield.product import norm
 from hfield.prover.polynomials.expansion import Expanded, Symbolic
 from hfield.prover.polynomials.field_rules import relation
 from hfield.prover.polynomials.vanishing import collected, factored, known, vanishes

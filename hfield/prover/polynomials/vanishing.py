@@ -7,9 +7,9 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ParamSpec
 
+from hfield.core.factorisation import factor
+from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
-from hfield.factorisation import factor
-from hfield.product import Scalar
 from hfield.prover.evaluation.scalars import constant, some_nonzero
 from hfield.prover.polynomials.expansion import Expanded
 from hfield.rings.base import Ring

@@ -13,8 +13,8 @@ from fractions import Fraction
 from itertools import islice
 from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
+from hfield.core.product import Scalar
 from hfield.errors import NotationError
-from hfield.product import Scalar
 from hfield.prover.statements.matrices import ENTRIES, compared
 from hfield.prover.statements.matrices import WORDS as MATRIX_WORDS
 from hfield.prover.statements.trees import conjunction, walk

@@ -24,16 +24,16 @@ from hfield.compiling.arithmetics.register_tables import (
 from hfield.compiling.arithmetics.residues import Residues
 from hfield.compiling.calling import Kernel
 from hfield.compiling.memory import Rows
+from hfield.core.factorisation import factorise
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import Program
 from hfield.errors import CoercionError, shorten
-from hfield.factorisation import factorise
-from hfield.product import Constants, Coordinates
 from hfield.rings.array_held import programs
 from hfield.rings.array_held.held_values import HeldArrays
 from hfield.rings.array_held.rows import Row, RowArrays, inverses
 from hfield.rings.arrays import objects
 from hfield.rings.holding import Batch
 from hfield.rings.rational import is_plain_array
-from hfield.straight_line import Program
 
 if TYPE_CHECKING:
     import galois

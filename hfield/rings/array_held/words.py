@@ -30,15 +30,15 @@ from hfield.compiling.instructions import Code
 from hfield.compiling.loops import Operand, emit_body
 from hfield.compiling.lowest_terms import lowest
 from hfield.compiling.memory import Rows, rows_of
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import FIRST, SECOND, Program, pattern
 from hfield.errors import CoercionError
-from hfield.product import Constants, Coordinates
 from hfield.rings.array_held import programs
 from hfield.rings.array_held.held_values import HeldArrays, each
 from hfield.rings.array_held.programs import Sides
 from hfield.rings.array_held.rows import Row, RowArrays
 from hfield.rings.arrays import objects, one_shape, read_only
 from hfield.rings.rational import is_plain_array
-from hfield.straight_line import FIRST, SECOND, Program, pattern
 
 if TYPE_CHECKING:
     from hfield.compiling.arithmetic import Arithmetic

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield import syntax
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, NotInvertibleError, shorten
-from hfield.product import Scalar
 from hfield.rings.base import INFINITY, Known
 from hfield.rings.closed_fields.radicals import FUNCTIONS, ROOTS
 from hfield.rings.closed_fields.surds import Surd, from_rational

@@ -14,9 +14,9 @@ from collections.abc import Sequence
 from math import prod
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.factorisation import factorise
+from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm
 from hfield.errors import UndecidedError, shorten
-from hfield.factorisation import factorise
-from hfield.product import Constants, Coordinates, Scalar, multiply, norm
 from hfield.rings.base import Ring
 from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.product import Constants, Coordinates, Scalar, conjugate, multiply
+from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply
 from hfield.rings.base import Ring
 
 CONIC = "ramified nowhere, so the conic has a point (Hasse and Minkowski), and this is one"

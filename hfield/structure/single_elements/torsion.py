@@ -21,10 +21,10 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import factorise
+from hfield.core.primality import primes
+from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.errors import NotInvertibleError, UndecidedError, shorten
-from hfield.factorisation import factorise
-from hfield.primality import primes
-from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.balls import precision
 from hfield.rings.base import Ring, WithIntegers
 from hfield.rings.closed_fields.surds import Surd

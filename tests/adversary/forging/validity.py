@@ -11,9 +11,9 @@ from typing import Any
 
 from flint import fmpz_mat
 
+from hfield.core.product import Constants, multiply, norm
 from hfield.errors import HFieldError
 from hfield.ledger.linear_algebra import centre_equations
-from hfield.product import Constants, multiply, norm
 from hfield.prover.evaluation.evaluator import Evaluator
 from hfield.prover.evaluation.scalars import RingScalars
 from hfield.prover.polynomials.free_algebra import multiply_out

@@ -9,7 +9,7 @@ from typing import Any
 
 from flint import Ordering, fmpz_mpoly_ctx
 
-from hfield.product import Constants, norm
+from hfield.core.product import Constants, norm
 from hfield.prover.statements.setting import read_setting
 from hfield.rings import ring
 from hfield.syntax import Reader

@@ -15,8 +15,9 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from hfield.core.factorisation import Factors, factorise, known_primes, remove
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import RingError
-from hfield.factorisation import Factors, factorise, known_primes, remove
 from hfield.fields.number_fields.arithmetic import NumberFieldArithmetic
 from hfield.fields.number_fields.conics import solve_conic_number_field
 from hfield.fields.number_fields.elements import FieldElement
@@ -36,7 +37,6 @@ from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.rationals.conics import solve_conic
 from hfield.fields.rationals.embedding import traceless_root_rational
 from hfield.fields.rationals.symbols import ramified_places_q, symbol_of_parts
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.integers import QQ
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import NormalForm

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import remove
+from hfield.core.primality import is_prime, primes
 from hfield.errors import RingError, UndecidedError
-from hfield.factorisation import remove
-from hfield.primality import is_prime, primes
 from hfield.rings.closed_fields.surds import Surd, as_surd, from_rational
 
 if TYPE_CHECKING:

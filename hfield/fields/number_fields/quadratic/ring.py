@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import UnfactoredError, factorise
+from hfield.core.primality import is_prime
+from hfield.core.product import Constants
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
-from hfield.factorisation import UnfactoredError, factorise
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.with_ideals import WithIdeals
-from hfield.primality import is_prime
-from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.closed_fields.radicands import reduced
 from hfield.rings.closed_fields.surds import Surd, from_rational, sympy_of

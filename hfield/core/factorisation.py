@@ -13,8 +13,7 @@ from math import gcd, isqrt
 
 import flint
 
-from hfield.errors import RingError, UndecidedError, shorten
-from hfield.primality import (
+from hfield.core.primality import (
     LONGEST_BITS,
     PROVED_BITS,
     WORD,
@@ -22,6 +21,7 @@ from hfield.primality import (
     is_probable_prime,
     power_root,
 )
+from hfield.errors import RingError, UndecidedError, shorten
 
 SIEVED_BITS = 190
 """Composite numbers up to this length are always factored (a second or two for the worst of them)."""

@@ -7,8 +7,8 @@ import signal
 
 import pytest
 
-from hfield import atomic
-from hfield.atomic import whole_file, whole_folder
+from hfield.core import files
+from hfield.core.files import whole_file, whole_folder
 
 
 def no_links(*_: object, **__: object) -> None:
@@ -18,7 +18,7 @@ def no_links(*_: object, **__: object) -> None:
 @pytest.fixture(params=["links", "no links"], autouse=True)
 def file_system(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     if request.param == "no links":
-        monkeypatch.setattr(atomic.os, "link", no_links)
+        monkeypatch.setattr(files.os, "link", no_links)
 
 
 @pytest.mark.parametrize("replace", [None, False])

@@ -1,6 +1,6 @@
 """The formulas of an algebra as straight-line programs.
 
-A function of :mod:`hfield.product` is called with symbols that write down what is done to them. The
+A function of :mod:`hfield.core.product` is called with symbols that write down what is done to them. The
 structure constants that are 0, 1 or −1 are put in: a = −1 becomes a sign, t = 0 becomes nothing, and
 what was computed once is not computed again. All other constants are inputs with a name. What comes
 out serves every emitter: source text for Python, loops for a compiler, lines for a reader.
@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple, TypeVar
 
-from hfield import product
-from hfield.product import Arithmetic, Constants, Scalar
+from hfield.core import product
+from hfield.core.product import Arithmetic, Constants, Scalar
 from hfield.syntax.brackets import outside
 
 S = TypeVar("S", bound=Arithmetic)
