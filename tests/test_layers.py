@@ -45,10 +45,10 @@ FLOORS = [
         "hfield.algebra.maps",
         "hfield.orders",
         "hfield.matrices",
-        "hfield.polynomials",
         "hfield.quaternion",
         "hfield.element_text",
     },
+    {"hfield.polynomials"},  # names in texts mean the same as in matrices
     {"hfield.exploring"},  # stands on the element and on maps, and the algebra hands over to it
     {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
     {"hfield.orders.over_integers"},
