@@ -1,73 +1,86 @@
-"""How large the group of an order is, and how many elliptic points and cusps it has, by formulas over ℚ."""
+"""How large the group of an order is, and how many elliptic points and cusps it has, by formulas."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 from itertools import product
 from math import prod
+from typing import Any
 
 from flint import fmpz
 
 from hfield.factorisation import factorise
-from hfield.orders.invariants import eichler_symbol, is_eichler
+from hfield.orders import elliptic_points as over_fields
+from hfield.orders.invariants import eichler_symbol, is_eichler, level
+from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
+from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.z_order import ZOrder
 
 
-def area(order: ZOrder) -> Fraction:
+def area(order: LatticeValue) -> Fraction:
     """Return the area of the plane modulo the units of norm 1, in units of 2π.
 
-    Shimizu's formula, φ(D)·ψ(N)/6 for Eichler orders; for others by the local index of the units, divided
-    by that of their norms (Voight, theorem 39.1.8 and lemma 26.6.7).
+    Shimizu's formula, φ(D)·ψ(N)/6 for Eichler orders over ℤ; for others by the local index of the units,
+    divided by that of their norms (Voight, theorem 39.1.8 and lemma 26.6.7).
     """
-    found = Fraction(order.discriminant, 6)
-    for p in factorise(order.discriminant):
-        symbol = eichler_symbol(order, p)
+    base, whole = order.ambient.base, discriminant(order)
+    found = abs(base.zeta_minus_one) * Fraction(4, 2**base.degree) * base.absolute_norm(whole)
+    for P, _ in base.factorisation(whole):
+        q, symbol = base.absolute_norm(base.prime_ideal(P)), eichler_symbol(order, P)
         assert symbol is not None
-        found *= (1 - Fraction(1, p * p)) / (1 - Fraction(symbol, p))
+        found *= (1 - Fraction(1, q * q)) / (1 - Fraction(symbol, q))
         if symbol == 0:
-            found /= _norm_index(order, p)
+            found /= norm_index(order, P)
     return found
 
 
-def _norm_index(order: ZOrder, p: int) -> int:
-    """Return the index of the norms of local units in the units of ℤₚ, where the residue ring is 𝔽ₚ."""
-    if p > 2:
+def norm_index(order: LatticeValue, prime: Any) -> int:
+    """Return the index of the norms of local units in all local units, for an order with the symbol 0."""
+    if not order.ambient.base.is_rational:
+        return Local(order.ambient, prime).norm_index(order)
+    if prime > 2:
         return 2  # modulo p the norm is a square
-    norms = {order.trace_and_norm(x)[1] % 8 for x in product(range(8), repeat=4)}
+    whole = ZOrder.of(order)
+    norms = {whole.trace_and_norm(x)[1] % 8 for x in product(range(8), repeat=4)}
     return 4 // len(norms & {1, 3, 5, 7})
 
 
-def elliptic_points(order: ZOrder) -> dict[int, int] | None:
+def elliptic_points(order: LatticeValue) -> dict[int, int] | None:
     """Return how many elliptic points there are of each order; None for an order that is not Eichler.
 
-    They are counted by optimal embeddings of ℤ[i] or ℤ[ω] into an Eichler order (Voight, section 39.4).
+    Over ℤ they are counted by optimal embeddings of ℤ[i] or ℤ[ω] (Voight, section 39.4). None too over the
+    field of degree 1, where the algebra may be split.
     """
-    if not is_eichler(order):
+    base = order.ambient.base
+    if not is_eichler(order) or (base.degree == 1 and not base.is_rational):
         return None
-    D, level = order.ambient.discriminant, order.level
+    if not base.is_rational:
+        return over_fields.elliptic_points(order)
+    D, whole = order.ambient.discriminant, int(level(order))
     return {
         m: prod(1 - kronecker(d, p) for p in factorise(D))
-        * prod(1 + kronecker(d, q) for q in factorise(level))
+        * prod(1 + kronecker(d, q) for q in factorise(whole))
         for m, d in ((2, -4), (3, -3))
-        if level % (m * m)
+        if whole % (m * m)
     }
 
 
-def cusps(order: ZOrder) -> int | None:
+def cusps(order: LatticeValue) -> int | None:
     """Return how many cusps there are; None for an order in M₂(ℚ) that is not Eichler."""
-    if order.ambient.discriminant > 1:
+    ambient = order.ambient
+    if ambient.discriminant != 1 or ambient.degree > 1:  # a division algebra
         return 0
-    if not is_eichler(order):
+    if not is_eichler(order) or not ambient.base.is_rational:
         return None
     # Σ φ(gcd(d, N/d)) over the divisors d of the level
     return prod(
         sum(int(fmpz(p ** min(k, e - k)).euler_phi()) for k in range(e + 1))
-        for p, e in factorise(order.level).items()
+        for p, e in factorise(int(level(order))).items()
     )
 
 
-def is_hyperbolic_trace(order: ZOrder, t: int) -> bool:
+def is_hyperbolic_trace(order: LatticeValue, t: int) -> bool:
     """Tell whether an Eichler order has a unit of norm 1 with the trace t, |t| > 2.
 
     By strong approximation it does where ℤ[x]/(x² − tx + 1) embeds locally: no prime of D splits in its
@@ -84,5 +97,5 @@ def is_hyperbolic_trace(order: ZOrder, t: int) -> bool:
             return False
     return all(
         any((x * x - t * x + 1) % p**e == 0 for x in range(p**e))
-        for p, e in factorise(order.level).items()
+        for p, e in factorise(int(level(order))).items()
     )

@@ -6,19 +6,21 @@ positive rational numbers. Only this module and ``kernels`` distinguish the two 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import lru_cache
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_poly
+from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_poly
 
 from hfield.errors import LatticeError, RingError, TooLargeError, shorten
 from hfield.factorisation import factorise, remove
 from hfield.fields.number_fields import ideals
 from hfield.fields.number_fields.classes.class_groups import class_group
+from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.quadratic.places import QuadraticPlace
@@ -28,13 +30,13 @@ from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified
 from hfield.fields.rationals.places import INFINITE
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.orders import validation
+from hfield.orders import positive_generators, validation
 from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.primality import WORD
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
-from hfield.rings.whole_numbers import fraction
+from hfield.rings.whole_numbers import fraction, square_root
 from hfield.structure.forms import discriminant, normal_form
 
 if TYPE_CHECKING:
@@ -77,6 +79,8 @@ class Base(Protocol):
         """Return the basis in which lattices of an algebra are kept."""
 
     is_totally_real: bool
+    real_places: tuple[int, ...]
+    """The numbers of the real places."""
 
     @property
     def one(self) -> Any:
@@ -90,6 +94,10 @@ class Base(Protocol):
 
     def prime_ideal(self, prime: Any) -> Any:
         """Return a prime as an ideal."""
+
+    @property
+    def zeta_minus_one(self) -> Fraction:
+        """The value ζ(−1) of the zeta function of a totally real field."""
 
     @property
     def mass_factor(self) -> Fraction:
@@ -122,6 +130,15 @@ class Base(Protocol):
     def classes_modulo_signs(self, ambient: AlgebraBasis) -> Any:
         """Return the group of ideals modulo generators positive at the real places that ramify."""
 
+    def generators(self, ideal: Any, places: tuple[int, ...]) -> list[Any]:
+        """Return the generators of an ideal, in the field, that are positive at some real places.
+
+        One for each coset of the squares of units; none where there are none.
+        """
+
+    def are_coprime(self, first: Any, second: Any) -> bool:
+        """Tell whether two ideals are integral and their sum is 1."""
+
     def quadratic_symbol(self, trace: Any, norm: Any, prime: Any) -> int:
         """Return 1, 0 or −1 where x² − trace·x + norm has two roots, one or none modulo a prime."""
 
@@ -148,6 +165,24 @@ class Base(Protocol):
 
     def is_totally_positive(self, x: Any) -> bool:
         """Tell whether an element is positive at all infinite places."""
+
+    def sign(self, x: Any, place: int) -> int:
+        """Return the sign of an element at a real place, −1, 0 or 1."""
+
+    def real(self, x: Any, place: int) -> float:
+        """Return about the value of an element at a real place."""
+
+    def ball(self, x: Any, place: int) -> arb:
+        """Return a ball around the value, with flint's present precision."""
+
+    def square_root(self, x: Any) -> Any:
+        """Return a square root of an element, as one of ``ring``, or None."""
+
+    def short_elements(self, ideal: Any, count: int) -> Iterable[Any]:
+        """Return up to so many elements of an ideal that are short; over ℤ its generator."""
+
+    def ideal_classes(self, most: int) -> list[Any]:
+        """Return one ideal of each class, 1 first. Raises :class:`TooLargeError` for more than ``most``."""
 
     def as_rational(self, x: Any) -> fmpq | None:
         """Return an element of the field as a rational number, None for one that is none."""
@@ -177,6 +212,7 @@ class RationalIntegers:
     symbol = "ℤ"
     is_rational = True
     is_totally_real = True
+    real_places: tuple[int, ...] = (0,)
     one = 1
 
     def prime(self, x: object) -> int:
@@ -188,6 +224,7 @@ class RationalIntegers:
     def prime_ideal(self, prime: int) -> int:
         return prime
 
+    zeta_minus_one = Fraction(-1, 12)
     mass_factor = Fraction(1, 12)
 
     def absolute_norm(self, ideal: Fraction | int) -> int:
@@ -219,6 +256,16 @@ class RationalIntegers:
 
     def classes_modulo_signs(self, ambient: AlgebraBasis) -> OneClass:
         return OneClass()
+
+    def generators(self, ideal: Fraction | int, places: tuple[int, ...]) -> list[fmpq]:
+        x = self.inside(ideal)
+        return [x] if places else [x, -x]
+
+    def are_coprime(self, first: Fraction | int, second: Fraction | int) -> bool:
+        return (
+            first.denominator == second.denominator == 1
+            and math.gcd(first.numerator, second.numerator) == 1
+        )
 
     def quadratic_symbol(self, trace: fmpq, norm: fmpq, prime: int) -> int:
         return kronecker(int(trace.p) ** 2 - 4 * int(norm.p), prime)  # both are integers
@@ -263,6 +310,24 @@ class RationalIntegers:
 
     def is_totally_positive(self, x: Any) -> bool:
         return bool(x > 0)
+
+    def sign(self, x: fmpq, place: int) -> int:
+        return int(x > 0) - int(x < 0)
+
+    def real(self, x: fmpq, place: int) -> float:
+        return int(x.p) / int(x.q)
+
+    def ball(self, x: fmpq, place: int) -> arb:
+        return arb(x)
+
+    def square_root(self, x: fmpq) -> Fraction | None:
+        return square_root(fraction(x))
+
+    def short_elements(self, ideal: Fraction | int, count: int) -> list[fmpq]:
+        return [self.inside(ideal)]
+
+    def ideal_classes(self, most: int) -> list[int]:
+        return [self.one]
 
     def as_rational(self, x: Any) -> fmpq | None:
         return self.inside(x)
@@ -320,6 +385,7 @@ class NumberFieldIntegers:
         self.degree = self.field.degree
         self.integral_basis: tuple[Any, ...] = self.field.integral_basis()
         self.is_totally_real = self.field.signature == (self.degree, 0)
+        self.real_places = tuple(range(self.field.signature[0]))
         self.inside, self.outside = self.integers.inside, self.integers.outside
 
     symbol = "ℤ_K"
@@ -332,9 +398,13 @@ class NumberFieldIntegers:
         return self.integers.prime(prime)
 
     @property
+    def zeta_minus_one(self) -> Fraction:
+        return Fraction(self.ring.zeta_minus_one())
+
+    @property
     def mass_factor(self) -> Fraction:
         classes = self.ring.class_group().order
-        return Fraction(abs(self.ring.zeta_minus_one()) * classes, 2 ** (self.degree - 1))
+        return Fraction(abs(self.zeta_minus_one) * classes, 2 ** (self.degree - 1))
 
     def absolute_norm(self, ideal: ideals.Ideal) -> int:
         return int(ideal.norm())
@@ -367,8 +437,13 @@ class NumberFieldIntegers:
         return str(ideal)
 
     def classes_modulo_signs(self, ambient: AlgebraBasis) -> Any:
-        signs = (v.index for v in self.field.real_places() if v not in ambient.split_places)
-        return class_group(self.ring, tuple(signs))
+        return class_group(self.ring, ambient.ramified_real_places)
+
+    def generators(self, ideal: ideals.Ideal, places: tuple[int, ...]) -> list[Any]:
+        return positive_generators.generators(ideal, places)
+
+    def are_coprime(self, first: ideals.Ideal, second: ideals.Ideal) -> bool:
+        return first.is_integral() and second.is_integral() and first + second == self.one
 
     def quadratic_symbol(self, trace: Any, norm: Any, prime: PrimeIdeal) -> int:
         expect_small(prime)
@@ -451,6 +526,35 @@ class NumberFieldIntegers:
     def is_totally_positive(self, x: Any) -> bool:
         signs = self.field.multiplication(x).charpoly().coeffs()
         return all(c * (-1) ** (len(signs) - 1 - k) > 0 for k, c in enumerate(signs))
+
+    def sign(self, x: Any, place: int) -> int:
+        return int(self.field.sign(x, place))
+
+    def real(self, x: Any, place: int) -> float:
+        return float(self.field.embeddings.close(x.poly, place, 15).real.mid()) if x else 0.0
+
+    def ball(self, x: Any, place: int) -> arb:
+        found: arb = self.field.embeddings.value(x.poly, place, ctx.prec).real
+        return found
+
+    def square_root(self, x: Any) -> Any:
+        found = x.sqrt()
+        return None if found is None else self.outside(found)
+
+    def short_elements(self, ideal: ideals.Ideal, count: int) -> Iterable[Any]:
+        return s_units(self.ring).short(ideal, count)
+
+    def ideal_classes(self, most: int) -> list[ideals.Ideal]:
+        group = self.ring.class_group()
+        if group.order > most:
+            raise TooLargeError(
+                f"{shorten(self.ring.name)} has {group.order} classes of ideals, and at most {most} are "
+                "looked at here"
+            )
+        found = [self.one]
+        for a, d in zip(group.generators, group.invariants, strict=True):
+            found = [a**k * b for k in range(d) for b in found]
+        return found
 
     def as_rational(self, x: Any) -> fmpq | None:
         return x.poly[0] if x.poly.degree() < 1 else None

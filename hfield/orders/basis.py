@@ -274,12 +274,16 @@ class AlgebraBasis:
         return self.base.principal((t * t + a * 4) * b)
 
     @cached_property
-    def split_places(self) -> tuple[Any, ...]:
-        """The real places at which the algebra splits."""
+    def split_places(self) -> tuple[int, ...]:
+        """The numbers of the real places at which the algebra splits."""
         a, t, b = self.constants
-        square = a + t * t / 4
-        places = self.base.field.real_places()
-        return tuple(v for v in places if max(v.sign(square), v.sign(b)) > 0)
+        square, sign = a + t * t / 4, self.base.sign
+        return tuple(v for v in self.base.real_places if max(sign(square, v), sign(b, v)) > 0)
+
+    @property
+    def ramified_real_places(self) -> tuple[int, ...]:
+        """The numbers of the other real places."""
+        return tuple(v for v in self.base.real_places if v not in self.split_places)
 
     @property
     def is_fuchsian(self) -> bool:

@@ -24,6 +24,7 @@ from hfield.evidence import Certified, Claim
 from hfield.factorisation import factorise
 from hfield.orders import brandt, certificates, enumeration, hermite
 from hfield.orders.class_number import mass
+from hfield.orders.conjugators import conjugator
 from hfield.orders.ideals_of_norm import (
     is_maximal_or_eichler,
     of_prime_power_norm,
@@ -31,7 +32,6 @@ from hfield.orders.ideals_of_norm import (
     right_subideals,
     two_sided_prime,
 )
-from hfield.orders.isomorphic_orders import isomorphism
 from hfield.orders.lattice_values import (
     LatticeValue,
     conjugate,
@@ -369,7 +369,9 @@ def types_by_isomorphism(classes: Classes) -> list[int]:
     kinds: list[int] = []
     for n in range(len(classes)):
         order = ZOrder.of(order_of(classes._representative(n), "left"))
-        known = next((n for n, other in enumerate(found) if isomorphism(order, other)), None)
+        known = next(
+            (n for n, other in enumerate(found) if conjugator(order, other)[0] is not None), None
+        )
         if known is None:
             known = len(found)
             found.append(order)

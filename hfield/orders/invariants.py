@@ -43,6 +43,18 @@ def is_eichler(order: LatticeValue) -> bool:
     )
 
 
+def has_all_unit_norms(order: LatticeValue) -> bool:
+    """Tell whether the local units of an order are known to have all local units as norms.
+
+    They have where the Eichler symbols are 1 and −1.
+    """
+    ambient, base, whole = order.ambient, order.ambient.base, discriminant(order)
+    return all(
+        (e == 1 and P in ambient.ramified) or eichler_symbol(order, P) != 0
+        for P, e in base.factorisation(whole)
+    )
+
+
 def conductor(order: LatticeValue) -> Any:
     """Return the largest ideal f with O = R + f·G for an order G, R being the integers of the base.
 

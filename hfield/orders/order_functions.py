@@ -9,17 +9,11 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from fractions import Fraction
-from functools import partial
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from hfield.evidence import Claim
-from hfield.fuchsian.split_order import RationalOrder, SplitOrder
 from hfield.orders import (
-    certificates,
     class_number,
-    equivalence,
     hermite,
     ideals_at_primes,
     ideals_of_norm,
@@ -29,17 +23,13 @@ from hfield.orders import (
     pseudo_bases,
     quadratic_orders,
     short_elements,
-    units,
     z_order,
 )
 from hfield.orders.class_number import StableClasses
 from hfield.orders.lattice_values import LatticeValue, conjugate
-from hfield.orders.over_integers import certificates as certificates_over_fields
-from hfield.orders.over_integers import equivalence as equivalence_over_fields
 from hfield.orders.over_integers import local_orders, related_orders, stable_classes
 from hfield.orders.over_integers import quadratic_orders as quadratic_orders_over_fields
 from hfield.orders.over_integers.local_orders import Local
-from hfield.orders.over_integers.split_order import SplitIntegersOrder
 from hfield.orders.validation import integer, positive
 from hfield.orders.z_order import ZOrder
 
@@ -70,15 +60,9 @@ class OrderFunctions:
     ternary_basis: Callable[[Any], Triple]
     """Elements i, j, k with which 1 is a basis of the order, or such elements up to numbers."""
     ternary_theta_series: Callable[[Any, object], Any]
-    units: Callable[[Any], tuple[Quaternion, ...]]
-    unit_index: Callable[[Any], int]
-    unit_group: Callable[[Any], str]
-    isomorphism: Callable[[Any, Any], Any]
     represent_integer: Callable[[Any, Any, int | None], Quaternion | None]
     embeddings: Callable[[Any, Any], Any]
     stable_classes: Callable[[Any], StableClasses]
-    split_order: Callable[[Any], SplitOrder]
-    claim: Callable[[Any], Claim]
 
 
 def functions(order: LatticeValue) -> OrderFunctions:
@@ -87,21 +71,6 @@ def functions(order: LatticeValue) -> OrderFunctions:
 
 
 # --- over ℤ ----------------------------------------------------------------------------------------
-
-
-def from_the_plane(order: ZOrder) -> equivalence.Search:
-    """Return a search for elements of an indefinite algebra that are short from points of its plane."""
-
-    def search(lattice: LatticeValue, size: Fraction) -> Quaternion | None:
-        from hfield.fuchsian.search import element_of_norm
-
-        split, rows = RationalOrder(order), hermite.tuples(lattice.reduced[0])
-        basis = [lattice.element(row) for row in rows]
-        return element_of_norm(split, basis, split.scalar(size)) or element_of_norm(
-            split, basis, split.scalar(-size)
-        )
-
-    return search
 
 
 def _larger_over_z(order: LatticeValue, p: int) -> LatticeValue:
@@ -113,11 +82,6 @@ def _ternary_basis_over_z(order: ZOrder) -> Triple:
     den, rows, _ = order.reduced_ternary if order.ambient.definite else order.ternary
     i, j, k = (order.element(row, 2 * den) for row in hermite.tuples(rows))
     return i, j, k
-
-
-def _isomorphism_over_z(first: Any, second: Any) -> certificates.Answer:
-    one, other = ZOrder.of(first.value), ZOrder.of(second.value)
-    return isomorphic_orders.isomorphism(one, other, from_the_plane(one))
 
 
 def _represent_over_z(order: ZOrder, n: object, seed: int | None) -> Quaternion | None:
@@ -140,15 +104,9 @@ OVER_Z = OrderFunctions(
     random_ideal=ideals_of_norm.random_ideal,
     ternary_basis=_ternary_basis_over_z,
     ternary_theta_series=lambda O, n: short_elements.theta_series_of_form(O.reduced_ternary[2], n),
-    units=units.units,
-    unit_index=units.unit_index,
-    unit_group=units.unit_group,
-    isomorphism=_isomorphism_over_z,
     represent_integer=_represent_over_z,
     embeddings=_embeddings_over_z,
     stable_classes=lambda O: class_number.over_z(ZOrder.of(O.value)),
-    split_order=lambda O: RationalOrder(ZOrder.of(O.value)),
-    claim=lambda O: certificates.of_order(ZOrder.of(O.value)),
 )
 
 
@@ -166,20 +124,6 @@ def _ternary_basis_over_fields(order: LatticeValue) -> Triple:
     return i, j, k
 
 
-def _units_over_fields(order: LatticeValue) -> tuple[Quaternion, ...]:
-    rows = equivalence_over_fields.units(order)
-    return tuple(order.ambient.quaternion(row.entries()) for row in rows)
-
-
-def _isomorphism_over_fields(first: Any, second: Any) -> equivalence_over_fields.Comparison:
-    if first.discriminant() != second.discriminant():
-        found = equivalence_over_fields.Comparison(False, "their discriminants differ")
-    else:
-        found = equivalence_over_fields.conjugator(first.value, second.value)
-    claimed = partial(certificates_over_fields.of_isomorphism, first, second)
-    return replace(found, claimed=claimed)
-
-
 OVER_FIELDS = OrderFunctions(
     maximal_overorder=local_orders.maximal,
     gorenstein_closure=related_orders.gorenstein_closure,
@@ -190,13 +134,7 @@ OVER_FIELDS = OrderFunctions(
     random_ideal=lambda O, norm, rng: conjugate(ideals_at_primes.random_ideal(O, norm, rng)),
     ternary_basis=_ternary_basis_over_fields,
     ternary_theta_series=short_elements.ternary_theta_series,
-    units=_units_over_fields,
-    unit_index=equivalence_over_fields.unit_index,
-    unit_group=equivalence_over_fields.unit_group,
-    isomorphism=_isomorphism_over_fields,
     represent_integer=quadratic_orders_over_fields.represent,
     embeddings=lambda O, d: quadratic_orders_over_fields.embeddings(O.value, d),
     stable_classes=stable_classes.stable_classes,
-    split_order=SplitIntegersOrder,
-    claim=certificates_over_fields.of_order,
 )

@@ -83,7 +83,7 @@ def shortest(lattice: LatticeValue) -> tuple[Quaternion, ...]:
     )
 
 
-def _multiple_of_content(lattice: LatticeValue, n: Any) -> fmpq:
+def multiple_of_content(lattice: LatticeValue, n: Any) -> fmpq:
     """Return a rational number as a multiple of the content of Tr(N(x))."""
     ambient = lattice.ambient
     return (
@@ -118,7 +118,7 @@ def _form_of_norm(lattice: LatticeValue, norm: Any) -> Form | None:
     rational = ambient.base.as_rational(norm)
     if rational is not None:  # the form is a multiple of Tr(N(x))
         rows, gram = lattice.reduced
-        length = 2 * ambient.degree * _multiple_of_content(lattice, rational)
+        length = 2 * ambient.degree * multiple_of_content(lattice, rational)
         return (gram, rows, int(length.p)) if length.q == 1 else None
     gram, basis, den = reduced(ambient, lattice.rows, 1 / norm)
     return gram, (basis * lattice.den).numer_denom()[0], 2 * ambient.degree * den
@@ -134,6 +134,21 @@ def _rows(lattice: LatticeValue, norm: Any, form: Form) -> Iterator[fmpz_mat]:
             yield row
 
 
+def first_of_norm(lattice: LatticeValue, norm: Any) -> fmpz_mat | None:
+    """Return an element with a norm, totally positive, as a row over the denominator, or None."""
+    form = _form_of_norm(lattice, norm)
+    if form is None:
+        return None
+    gram, basis, length = form
+    ambient, below = lattice.ambient, fmpq(1, lattice.den)
+    for n in range(len(gram)):  # in a reduced basis a vector of least length is usually there
+        if gram[n][n] == length:
+            row = fmpz_mat([basis.tolist()[n]])
+            if ambient.degree == 1 or ambient.norm((row * below).entries()) == norm:
+                return row
+    return next(_rows(lattice, norm, form), None)
+
+
 def rows_of_norm(lattice: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
     """Yield one of ±x for each x with a norm, totally positive."""
     form = _form_of_norm(lattice, norm)
@@ -143,7 +158,7 @@ def rows_of_norm(lattice: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
 
 def of_norm_at_most(lattice: LatticeValue, n: Any) -> tuple[Quaternion, ...]:
     """Return all x with Tr(N(x)) at most a rational number, 0 too, ascending. Raises likewise."""
-    bound = math.floor(_multiple_of_content(lattice, n))
+    bound = math.floor(multiple_of_content(lattice, n))
     if bound < 0:
         return ()
     base = lattice.ambient.base
@@ -188,7 +203,7 @@ def norm_counts(lattice: LatticeValue, bound: int) -> dict[tuple[fmpq, ...], int
     """Return how many elements have each norm of trace at most a bound, by its coordinates."""
     ambient = lattice.ambient
     rows, gram = lattice.reduced
-    length = math.floor(2 * _multiple_of_content(lattice, bound))
+    length = math.floor(2 * multiple_of_content(lattice, bound))
     _expect_countable(gram, length, bound)
     forms = [[list(map(int, row)) for row in form.tolist()] for form in ambient.grams(rows)]
     counts = Counter({(0,) * len(forms): 1})

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from hfield import QuaternionAlgebra, ring
+from hfield import Order, QuaternionAlgebra, ring
 from hfield.certificates.check import Pin
 from hfield.certificates.number_fields.real_numbers import Real, RealPlace
 from hfield.certificates.orders.reading import OverField
@@ -157,7 +157,7 @@ def test_a_suborder_has_more_area_than_the_domain_of_the_order() -> None:
 
 
 def test_a_conjugate_order_has_the_same_area_and_other_units() -> None:
-    order = group(*ORDERS[0]).order.order
+    order = Order(group(*ORDERS[0]).order.order)
     x = order.algebra(1, 2, 0, 1)
     other = (x * order * x.inverse()).left_order().claim.statement
     text = other.partition("{")[2].split("; ")[0]

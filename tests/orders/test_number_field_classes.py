@@ -175,7 +175,7 @@ def test_left_ideals() -> None:
             assert ideals[0] * answer.element == I
         else:
             assert answer.reason
-    with pytest.raises(LatticeError, match="left ideals of one order"):
+    with pytest.raises(LatticeError, match="conjugate one first"):
         ideals[0].equivalence(ideals[0].conjugate())
 
 

@@ -28,6 +28,7 @@ from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.orders.brandt import of_power
 from hfield.orders.class_number import mass
 from hfield.orders.classes import orbits, renumbered
+from hfield.orders.conjugators import conjugator
 from hfield.orders.enumeration import Vector, least_vectors
 from hfield.orders.invariants import good_primes
 from hfield.orders.lattice_values import (
@@ -38,9 +39,8 @@ from hfield.orders.lattice_values import (
     times_ideal,
 )
 from hfield.orders.over_integers import ideals_of_norm
-from hfield.orders.over_integers.equivalence import conjugator
 from hfield.orders.over_integers.local_orders import Local
-from hfield.orders.over_integers.positive_generators import (
+from hfield.orders.positive_generators import (
     narrow_classes,
     totally_positive_generator,
     units_modulo_squares,
@@ -396,7 +396,7 @@ class Classes:
                 (
                     other
                     for other, (count, known) in firsts.items()
-                    if count == units and conjugator(known, order)
+                    if count == units and conjugator(known, order)[0] is not None
                 ),
                 kind,
             )

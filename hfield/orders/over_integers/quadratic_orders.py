@@ -18,7 +18,6 @@ import flint
 
 from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.orders.lattice_values import LatticeValue, discriminant
-from hfield.orders.over_integers.equivalence import units
 from hfield.orders.over_integers.ideals_of_norm import generators, random_generators, subideals
 from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.short_elements import (
@@ -27,6 +26,7 @@ from hfield.orders.short_elements import (
     rows_of_norm,
     ternary_rows,
 )
+from hfield.orders.units import units_modulo_scalars
 from hfield.primality import WORD
 
 if TYPE_CHECKING:
@@ -123,7 +123,7 @@ def _orbits(order: LatticeValue, elements: list[flint.fmpq_mat]) -> int:
     if not elements:
         return 0
     times = order.ambient.times
-    maps = [times(u, "left") * times(u).inv() for u in units(order)]
+    maps = [times(u, "left") * times(u).inv() for u in units_modulo_scalars(order)]
     left, orbits = {str(s): s for s in elements}, 0
     while left:
         s = next(iter(left.values()))

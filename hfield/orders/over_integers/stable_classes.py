@@ -17,7 +17,7 @@ from hfield.fields.number_fields.symbols import square_class
 from hfield.orders.class_number import LocalNorms, StableClasses
 from hfield.orders.lattice_values import LatticeValue, includes, product, times_ideal
 from hfield.orders.over_integers.local_orders import Local
-from hfield.orders.over_integers.positive_generators import units_modulo_squares
+from hfield.orders.positive_generators import units_modulo_squares
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
