@@ -114,19 +114,14 @@ class SplitOrder:
         found: Quaternion = x * base.outside(min(scales, key=size))
         return found
 
-    def flat(self, q: Quaternion) -> list[fmpq]:
-        """Return rational coordinates of an element."""
-        found: list[fmpq] = self.order.ambient.row(q).entries()
-        return found
-
     @cached_property
-    def inverse(self) -> fmpq_mat:
-        """The matrix from these coordinates to those with respect to the basis."""
-        return fmpq_mat([self.flat(x) for x in self.basis]).inv()
+    def _inverse(self) -> fmpq_mat:
+        """The matrix from the coordinates in the ambient basis to those with respect to this one."""
+        return self.order.ambient.rows(self.basis).inv()
 
     def rows(self, elements: list[Quaternion]) -> list[list[int]]:
         """Return the coordinates of elements of the order with respect to the basis."""
-        found = fmpq_mat([self.flat(x) for x in elements]) * self.inverse
+        found = self.order.ambient.rows(elements) * self._inverse
         return [[int(c.p) for c in row] for row in found.tolist()]
 
     @cached_property
@@ -160,7 +155,7 @@ class SplitOrder:
         """
         ideals = TwoSidedIdeals(self.order)
         chosen = [ideals.primes_of(m) for m in norms]
-        units = self.base.generators(self.base.one, self.base.real_places)
+        units = self.base.positive_units
         # each bit of a number is a generator
         found: list[TwoSided] = [
             (self.basis, units[1 << k]) for k in range(len(units).bit_length() - 1)

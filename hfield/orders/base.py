@@ -136,8 +136,18 @@ class Base(Protocol):
         One for each coset of the squares of units; none where there are none.
         """
 
+    @property
+    def positive_units(self) -> tuple[Any, ...]:
+        """The totally positive units, one for each coset of the squares of units, 1 first.
+
+        The numbers of units are words of bits: each bit is a generator.
+        """
+
+    def is_integral(self, ideal: Any) -> bool:
+        """Tell whether all elements of an ideal are integers."""
+
     def are_coprime(self, first: Any, second: Any) -> bool:
-        """Tell whether two ideals are integral and their sum is 1."""
+        """Tell whether the sum of two integral ideals is 1."""
 
     def quadratic_symbol(self, trace: Any, norm: Any, prime: Any) -> int:
         """Return 1, 0 or −1 where x² − trace·x + norm has two roots, one or none modulo a prime."""
@@ -261,11 +271,13 @@ class RationalIntegers:
         x = self.inside(ideal)
         return [x] if places else [x, -x]
 
+    positive_units: tuple[Any, ...] = (fmpq(1),)
+
+    def is_integral(self, ideal: Fraction | int) -> bool:
+        return ideal.denominator == 1
+
     def are_coprime(self, first: Fraction | int, second: Fraction | int) -> bool:
-        return (
-            first.denominator == second.denominator == 1
-            and math.gcd(first.numerator, second.numerator) == 1
-        )
+        return math.gcd(first.numerator, second.numerator) == 1
 
     def quadratic_symbol(self, trace: fmpq, norm: fmpq, prime: int) -> int:
         return kronecker(int(trace.p) ** 2 - 4 * int(norm.p), prime)  # both are integers
@@ -442,8 +454,15 @@ class NumberFieldIntegers:
     def generators(self, ideal: ideals.Ideal, places: tuple[int, ...]) -> list[Any]:
         return positive_generators.generators(ideal, places)
 
+    @property
+    def positive_units(self) -> tuple[Any, ...]:
+        return positive_generators.units_modulo_squares(self.ring)
+
+    def is_integral(self, ideal: ideals.Ideal) -> bool:
+        return ideal.is_integral()
+
     def are_coprime(self, first: ideals.Ideal, second: ideals.Ideal) -> bool:
-        return first.is_integral() and second.is_integral() and first + second == self.one
+        return bool(first + second == self.one)
 
     def quadratic_symbol(self, trace: Any, norm: Any, prime: PrimeIdeal) -> int:
         expect_small(prime)

@@ -107,13 +107,20 @@ class AlgebraBasis:
 
     def row(self, x: Any) -> fmpq_mat:
         """Return what the algebra reads as an element, a matrix of one row."""
-        q = x if getattr(x, "algebra", None) is self.algebra else self.algebra(x)
-        if q.is_batch:
-            raise LatticeError(
-                "a lattice is spanned by single elements, and this is an array of them"
-            )
-        parts = self._quaternions.into([self.base.inside(c) for c in q.coordinates])
-        return fmpq_mat(1, self.size, self.base.coordinate_rows(parts).entries())
+        return self.rows([x])
+
+    def rows(self, elements: Sequence[Any]) -> fmpq_mat:
+        """Return what the algebra reads as elements, one a row."""
+        inside, into, numbers = self.base.inside, self._quaternions.into, list[Any]()
+        for x in elements:
+            q = x if getattr(x, "algebra", None) is self.algebra else self.algebra(x)
+            if q.is_batch:
+                raise LatticeError(
+                    "a lattice is spanned by single elements, and this is an array of them"
+                )
+            numbers += into([inside(c) for c in q.coordinates])
+        entries = self.base.coordinate_rows(numbers).entries()
+        return fmpq_mat(len(elements), self.size, entries)
 
     def integral_row(self, x: object) -> tuple[int, list[fmpz]]:
         """Return the same as integers over a denominator."""
@@ -247,7 +254,7 @@ class AlgebraBasis:
                 f"{self.algebra} is not totally definite: over a field other than QQ bases are reduced in "
                 "totally definite algebras"
             )
-        a, t, b = self.constants
+        a, t, b = (self.base.trace(x) for x in self.constants)  # of degree 1
         h, s = t / 2, abs(a + t * t / 4)
         # over 1, i − t/2, j and their product the norm is diagonal
         rows = fmpq_mat([[1, h, 0, 0], [0, 1, 0, 0], [0, 0, 1, h], [0, 0, 0, 1]])

@@ -78,16 +78,25 @@ def of_ideal(ideal: LatticeValue, side: str, order: LatticeValue) -> Claim:
 
 
 def of_equivalence(
-    side: str, first: LatticeValue, second: LatticeValue, result: EquivalenceResult
+    side: str,
+    first: LatticeValue,
+    second: LatticeValue,
+    between: LatticeValue | None,
+    result: EquivalenceResult,
 ) -> Claim:
-    """Return that an element carries one ideal to another, or that none does."""
+    """Return that an element carries one ideal to another, or that none does.
+
+    ``between`` has the c with first·c in second, or c·first on the right; without it, it is computed.
+    """
     about = f"{_side(side)}; {text(first)}; {text(second)}"
     words = _words(first.ambient)
     if result.holds or result.element is not None:
         return _positive(words, EQUIVALENT, about, result)
     if result.theorem is not None:
         return _by_theorem(words, EQUIVALENT, about, result)
-    method, shown = words.no_equivalence(_side(side), first, second)
+    if between is None:
+        between = colon(second, first, "left" if side == "right" else "right")
+    method, shown = words.no_equivalence(_side(side), first, second, between)
     return words.claim(EQUIVALENT, about, method, "refuted", **shown)
 
 
@@ -209,7 +218,10 @@ def _side(side: str) -> str:
 
 def _basis(lattice: LatticeValue, norm: Any) -> dict[str, Any]:
     """Return a basis of a lattice that is reduced for Tr(N(x)/ν): it is run through quickly."""
-    rows = reduced(lattice.ambient, lattice.rows, 1 / norm)[1]
+    if lattice.ambient.base.as_rational(norm) is not None:  # the form is a multiple of Tr(N(x))
+        rows = lattice.reduced[0] * flint.fmpq(1, lattice.den)
+    else:
+        rows = reduced(lattice.ambient, lattice.rows, 1 / norm)[1]
     den, table = _coordinates(lattice.ambient, rows)
     return {"den": den, "rows": table}
 
@@ -254,7 +266,9 @@ class _Words(Protocol):
     ) -> Claim:
         """Return a statement with its evidence."""
 
-    def no_equivalence(self, side: str, first: LatticeValue, second: LatticeValue) -> Refutation:
+    def no_equivalence(
+        self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
+    ) -> Refutation:
         """Return what shows that no element carries one ideal to another."""
 
     def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation | None:
@@ -299,9 +313,10 @@ class _Rational:
         data = {"kind": name, **shown}
         return Claim(algebra, f"{name}{{{about}}}", data, method, verdict, refusal=refusal)
 
-    def no_equivalence(self, side: str, first: LatticeValue, second: LatticeValue) -> Refutation:
+    def no_equivalence(
+        self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
+    ) -> Refutation:
         size = square_root(index(first, second))
-        between = colon(second, first, "right" if side == "left" else "left")
         if size is None or (size / between.norm).denominator != 1:
             return NORM, {}
         return ENUMERATION, {"between": _basis(between, self.ambient.base.inside(size))}
@@ -383,13 +398,14 @@ class _OverField:
         data = {"kind": name, **shown}
         return Claim(algebra, f"{name}{{{about}}}", data, method, verdict, cited, refusal=refusal)
 
-    def no_equivalence(self, side: str, first: LatticeValue, second: LatticeValue) -> Refutation:
+    def no_equivalence(
+        self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
+    ) -> Refutation:
         ambient = self.ambient
         quotient = second.norm / first.norm
         nu, shown = totally_positive_generator(quotient), _units(ambient)
         if nu is None:
             return NORM, {**shown, "quotient": _product(ambient.base.ring, quotient)}
-        between = colon(second, first, "right" if side == "left" else "left")
         if side == "right":
             between = conjugate(between)
         norm = ambient.base.field.coordinates(nu)

@@ -20,7 +20,6 @@ from hfield.orders.z_order import ZOrder
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
-    from hfield.fields.number_fields.elements import FieldElement
     from hfield.orders.basis import AlgebraBasis
 
 
@@ -86,10 +85,10 @@ class _Ternary:
         times = self.ambient.times
         return bool(x * times(y) == y * times(x))
 
-    def of_norm(self, norm: FieldElement) -> list[flint.fmpq_mat]:
+    def of_norm(self, norm: Any) -> list[flint.fmpq_mat]:
         """Return one of ±x for each element of a norm."""
         gram, basis, den = reduced(self.ambient, self.basis, self.ambient.base.field.one)
-        length = 2 * den * norm.trace()
+        length = 2 * den * self.ambient.base.trace(norm)
         if length.q != 1:
             return []
         rows = (

@@ -50,7 +50,7 @@ def equivalence(
     strong approximation does not decide.
     """
     invertible = is_locally_principal(first, order) and is_locally_principal(second, order)
-    norm = second.norm / first.norm
+    norm, between = second.norm / first.norm, None
     if invertible or index(first, second) == norm * norm:
         between = _between(first, second, order, side, invertible)
         found = element_generating(between, norm, order, invertible)
@@ -58,7 +58,9 @@ def equivalence(
         found = EquivalenceResult(
             False, "the index of one in the other is not the square of the quotient of their norms"
         )
-    return replace(found, make_claim=partial(certificates.of_equivalence, side, first, second))
+    return replace(
+        found, make_claim=partial(certificates.of_equivalence, side, first, second, between)
+    )
 
 
 def _between(

@@ -899,10 +899,12 @@ class Ideal(Certified, Lattice):
     @classmethod
     def like(cls, lattice: Lattice, order: Order, side: str) -> Self:
         """Return a lattice as an ideal of an order. Raises :class:`LatticeError` where it is none."""
-        pair = (lattice.value, order.value) if side == "right" else (order.value, lattice.value)
-        if lattice_values.product(*pair) != lattice.value:
+        value, product = lattice.value, lattice_values.product
+        on_left = side == "right" or product(order.value, value) == value
+        on_right = side == "left" or product(value, order.value) == value
+        if not (on_left and on_right):
             raise LatticeError(f"{shorten(lattice)} is no {side} ideal of {shorten(order)}")
-        return cls(lattice.value, side, order)
+        return cls(value, side, order)
 
     def __repr__(self) -> str:
         if len(self.basis) == 4:
@@ -958,10 +960,10 @@ class Ideal(Certified, Lattice):
         """Return a lattice made of this ideal and another one as an ideal, where it is one."""
         if not isinstance(other, Ideal):
             return found
-        sides = {self.side, other.side} - {"two-sided"} or {"two-sided"}
-        if len(sides) == 2 or self.order != other.order:
+        side = self.side if other.side == "two-sided" else other.side
+        if self.side not in (side, "two-sided") or self.order != other.order:
             return found
-        return Ideal.of(found, sides.pop(), self.order)
+        return Ideal(found.value, side, self.order)
 
     def conjugate(self) -> Ideal:
         """Return the ideal of the conjugates, on the other side."""
@@ -1005,12 +1007,13 @@ class Ideal(Certified, Lattice):
         >>> (6 * I).primitive_part()[1], (6 * I).primitive_part()[0] == I
         (ideal(6), True)
         """
-        if not self.is_integral():
-            raise LatticeError("only an integral ideal has a primitive part, and this one is none")
         base = self.value.ambient.base
         inverse = lattice_values.scalars_into(self.value, self.order.value)
+        m = base.inverse(inverse)
+        if not base.is_integral(m):
+            raise LatticeError("only an integral ideal has a primitive part, and this one is none")
         found = Ideal(lattice_values.times_ideal(self.value, inverse), self.side, self._order)
-        return found, base.shown_index(base.inverse(inverse))
+        return found, base.shown_index(m)
 
     def pushforward(self, other: Ideal) -> Ideal:
         """Return ``I⁻¹·(I ∩ J)`` for J = other: a left ideal of the right order of I, of norm N(J).
@@ -1039,7 +1042,8 @@ class Ideal(Certified, Lattice):
 
     def _coprime(self, other: Ideal) -> None:
         n, m = self.value.norm, other.value.norm
-        if not self.value.ambient.base.are_coprime(n, m):
+        base = self.value.ambient.base
+        if not (base.is_integral(n) and base.is_integral(m) and base.are_coprime(n, m)):
             raise LatticeError(f"the norms {n} and {m} are not coprime and integral")
 
     def _joint(self, other: object) -> Ideal:
@@ -1081,10 +1085,10 @@ class Ideal(Certified, Lattice):
     def equivalence(self, other: Ideal) -> EquivalenceResult:
         """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
 
-        Where there is none it is false, and ``reason`` says why. In an indefinite algebra a theorem may
-        decide, and the element be missing: it is looked for where one real place splits and no other infinite
-        one. Raises :class:`LatticeError` for ideals of different orders or sides, and
-        :class:`UndecidedError`.
+        Two-sided ideals are compared as left ones, or on the side of the other. Where there is none the
+        answer is false, and ``reason`` says why. In an indefinite algebra a theorem may decide, and the
+        element be missing: it is looked for where one real place splits and no other infinite one. Raises
+        :class:`LatticeError` for ideals of different orders or sides, and :class:`UndecidedError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order()
@@ -1092,8 +1096,9 @@ class Ideal(Certified, Lattice):
         >>> I.norm(), bool(answer), O.left_ideal([answer.element]) == I
         (ideal(11), True, True)
         """
-        second = self._joint(other).value
-        return equivalence.equivalence(self.value, second, self.order.value, self.side)
+        second = self._joint(other)
+        side = second.side if self.side == "two-sided" else self.side
+        return equivalence.equivalence(self.value, second.value, self.order.value, side)
 
     def is_equivalent(self, other: Ideal) -> bool:
         """Tell whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""

@@ -29,9 +29,8 @@ def units(order: LatticeValue) -> tuple[Quaternion, ...]:
 
 def units_modulo_scalars(order: LatticeValue) -> Iterator[fmpq_mat]:
     """Yield one of each coset of the units of the base in those of an order. Raises likewise."""
-    base = order.ambient.base
     expect_definite(order.ambient, "units()")
-    for u in base.generators(base.one, base.real_places):
+    for u in order.ambient.base.positive_units:
         yield from rows_of_norm(order, u)
 
 

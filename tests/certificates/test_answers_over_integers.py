@@ -54,7 +54,7 @@ def conjugated(order: Any, x: Any) -> Any:
 def equivalence_claim(first: Any, second: Any, element: Any) -> Claim:
     """That this element carries one ideal to the other; without one, that none does."""
     result = EquivalenceResult(element is not None, "", element)
-    return certificates.of_equivalence(first.side, first.value, second.value, result)
+    return certificates.of_equivalence(first.side, first.value, second.value, None, result)
 
 
 def isomorphism_claim(first: Any, second: Any, element: Any) -> Claim:

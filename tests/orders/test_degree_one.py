@@ -206,6 +206,23 @@ def test_orders_are_one_class_over_both() -> None:
     assert dir(O) == dir(P)
 
 
+def test_ideals_are_one_class_over_both() -> None:
+    (I, J), x = (
+        (A.maximal_order().left_ideal([3, "1 + j"]) for A in (algebra(11), QuaternionAlgebra(11))),
+        2,
+    )
+    assert type(I) is type(J)
+    assert dir(I) == dir(J)
+    assert I.side == J.side
+    for one, other in (
+        (I.is_principal(), J.is_principal()),
+        ((I * x).is_principal(), (J * x).is_principal()),
+    ):
+        assert type(one) is type(other)
+        assert (one.holds, one.reason) == (other.holds, other.reason)
+        assert one.claim.verdict == other.claim.verdict
+
+
 def pairs_of_orders() -> Iterator[tuple[Order, Order]]:
     """Orders over the field of degree 1, and the same over the rational numbers."""
     A = QuaternionAlgebra(K, -1, -11)
