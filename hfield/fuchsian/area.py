@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import partial
 from itertools import product
 from math import prod
 from typing import Any
@@ -49,34 +50,33 @@ def norm_index(order: LatticeValue, prime: Any) -> int:
 def elliptic_points(order: LatticeValue) -> dict[int, int] | None:
     """Return how many elliptic points there are of each order; None for an order that is not Eichler.
 
-    Over ℤ they are counted by optimal embeddings of ℤ[i] or ℤ[ω] (Voight, section 39.4). None too over the
-    field of degree 1, where the algebra may be split.
+    Over ℤ they are counted by optimal embeddings of ℤ[i] or ℤ[ω] (Voight, section 39.4).
     """
     base = order.ambient.base
-    if not is_eichler(order) or (base.degree == 1 and not base.is_rational):
+    if not is_eichler(order):
         return None
-    if not base.is_rational:
+    if base.degree > 1:
         return over_fields.elliptic_points(order)
-    D, whole = order.ambient.discriminant, int(level(order))
-    return {
-        m: prod(1 - kronecker(d, p) for p in factorise(D))
-        * prod(1 + kronecker(d, q) for q in factorise(whole))
-        for m, d in ((2, -4), (3, -3))
-        if whole % (m * m)
-    }
+    found, primes = {}, base.factorisation(level(order))
+    for m, trace in ((2, 0), (3, 1)):
+        if base.absolute_norm(level(order)) % (m * m):
+            symbol = partial(base.quadratic_symbol, base.inside(trace), base.inside(1))
+            found[m] = prod(1 - symbol(P) for P in order.ambient.ramified)
+            found[m] *= prod(1 + symbol(P) for P, _ in primes)
+    return found
 
 
 def cusps(order: LatticeValue) -> int | None:
     """Return how many cusps there are; None for an order in M₂(ℚ) that is not Eichler."""
-    ambient = order.ambient
-    if ambient.discriminant != 1 or ambient.degree > 1:  # a division algebra
+    ambient, base = order.ambient, order.ambient.base
+    if ambient.ramified or ambient.degree > 1:  # a division algebra
         return 0
-    if not is_eichler(order) or not ambient.base.is_rational:
+    if not is_eichler(order):
         return None
     # Σ φ(gcd(d, N/d)) over the divisors d of the level
     return prod(
-        sum(int(fmpz(p ** min(k, e - k)).euler_phi()) for k in range(e + 1))
-        for p, e in factorise(int(level(order))).items()
+        sum(int(fmpz(base.absolute_norm(P) ** min(k, e - k)).euler_phi()) for k in range(e + 1))
+        for P, e in ((base.prime_ideal(P), e) for P, e in base.factorisation(level(order)))
     )
 
 
