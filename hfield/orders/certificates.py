@@ -90,52 +90,40 @@ def of_equivalence(
     """
     about = f"{_side(side)}; {text(first)}; {text(second)}"
     words = _words(first.ambient)
-    if result.holds or result.element is not None:
-        return _positive(words, EQUIVALENT, about, result)
-    if result.theorem is not None:
-        return _by_theorem(words, EQUIVALENT, about, result)
+    if result.holds:
+        return _proved(words, EQUIVALENT, about, result)
     if between is None:
         between = colon(second, first, "left" if side == "right" else "right")
-    method, shown = words.no_equivalence(_side(side), first, second, between)
-    return words.claim(EQUIVALENT, about, method, "refuted", **shown)
+    found = words.no_equivalence(_side(side), first, second, between)
+    return _refuted(words, EQUIVALENT, about, found)
 
 
 def of_isomorphism(first: LatticeValue, second: LatticeValue, result: EquivalenceResult) -> Claim:
     """Return that an element conjugates one order into another, or that the orders are not isomorphic."""
     about = f"{text(first)}; {text(second)}"
     words = _words(first.ambient)
-    if result.holds or result.element is not None:
-        return _positive(words, ISOMORPHIC, about, result)
+    if result.holds:
+        return _proved(words, ISOMORPHIC, about, result)
     found: Refutation | None = DISCRIMINANT, {}
     if words.size(discriminant(first)) == words.size(discriminant(second)):
-        found = words.no_isomorphism(first, second)
-    if found is None:
-        return words.claim(
-            ISOMORPHIC,
-            about,
-            ENUMERATION,
-            "refuted",
-            refusal="nothing was found that tells them apart",
-        )
-    method, shown = found
-    return words.claim(ISOMORPHIC, about, method, "refuted", **shown)
+        found = words.no_isomorphism(first, second) if first.ambient.definite else None
+    return _refuted(words, ISOMORPHIC, about, found)
 
 
-def _positive(words: _Words, word: str, about: str, result: EquivalenceResult) -> Claim:
+def _proved(words: _Words, word: str, about: str, result: EquivalenceResult) -> Claim:
+    """Return that there is an element; without it the checker is not asked."""
     if result.element is None:
-        return _by_theorem(words, word, about, result)
+        return words.claim(word, about, "strong approximation", refusal=REFUSAL)
     return words.claim(word, about, ELEMENT, element=words.element(result.element))
 
 
-def _by_theorem(words: _Words, word: str, about: str, result: EquivalenceResult) -> Claim:
-    """Return a statement that the checker is not asked about, as it does not know the theorem."""
-    return words.claim(
-        word,
-        about,
-        "strong approximation",
-        "proved" if result.holds else "refuted",
-        refusal=REFUSAL,
-    )
+def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> Claim:
+    """Return that there is no element; the checker is not asked where nothing shows it."""
+    if found is None:
+        reason = "nothing that the checker follows was found to tell them apart"
+        return words.claim(word, about, ENUMERATION, "refuted", refusal=reason)
+    method, shown = found
+    return words.claim(word, about, method, "refuted", **shown)
 
 
 def of_unit_index(order: LatticeValue, number: int) -> Claim:
@@ -268,11 +256,11 @@ class _Words(Protocol):
 
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
-    ) -> Refutation:
-        """Return what shows that no element carries one ideal to another."""
+    ) -> Refutation | None:
+        """Return what shows that no element carries one ideal to another, if something does."""
 
     def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation | None:
-        """Return what shows that orders of one discriminant are not isomorphic, if something does."""
+        """Return what shows that definite orders of one discriminant are not isomorphic, if it is found."""
 
 
 def _words(ambient: AlgebraBasis) -> _Words:
@@ -327,8 +315,6 @@ class _Rational:
         Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far
         enough.
         """
-        if not self.ambient.definite:
-            return None
         orders = [ZOrder.of(first), ZOrder.of(second)]
         grams = [order.reduced_ternary[2] for order in orders]
         reach = min(gram[n][n] for gram in grams for n in range(3)) // 2
@@ -400,12 +386,14 @@ class _OverField:
 
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
-    ) -> Refutation:
+    ) -> Refutation | None:
         ambient = self.ambient
         quotient = second.norm / first.norm
         nu, shown = totally_positive_generator(quotient), _units(ambient)
         if nu is None:
             return NORM, {**shown, "quotient": _product(ambient.base.ring, quotient)}
+        if not ambient.definite:
+            return None
         if side == "right":
             between = conjugate(between)
         norm = ambient.base.field.coordinates(nu)

@@ -150,6 +150,35 @@ def test_indefinite_orders_are_isomorphic_with_the_element(field: str) -> None:
         assert order.unit_group() == "infinite"
 
 
+@pytest.mark.parametrize("field", ["QQ", "QQ(sqrt(5))"])
+def test_conductors_tell_indefinite_orders_apart(field: str) -> None:
+    K = ring(field)
+    A = QuaternionAlgebra.from_ramification(
+        K, (5, 11) if field == "QQ" else [K.real_places()[0], K.primes_above(11)[0]]
+    )
+    O, P = A.order([2 * b for b in A.maximal_order().basis]), A.eichler_order(8)
+    assert O.discriminant() == P.discriminant()
+    answer = O.isomorphism(P)
+    assert not answer
+    assert "conductors" in answer.reason
+    assert answer.certificate is None
+    assert "tell them apart" in answer.why_no_certificate
+
+
+def test_certificates_of_answers_in_indefinite_algebras() -> None:
+    seen = set()
+    for field, a, b in (("QQ", -1, 3), ("QQ(sqrt(10))", "sqrt(10)", -1), ("QQ(sqrt(10))", -1, 3)):
+        O = QuaternionAlgebra(field, a, b).maximal_order()
+        for p in (5, 7, 13):
+            answer = ideal(O, p).is_principal()
+            kind = (bool(answer), answer.element is not None)
+            assert (answer.certificate is not None) == (answer.element is not None)
+            assert (answer.theorem is not None) == (kind == (True, False))
+            assert kind != (True, False) or "strong approximation" in answer.why_no_certificate
+            seen.add(kind)
+    assert len(seen) == 3
+
+
 def test_isomorphisms_that_norms_of_ideals_decide_are_refused() -> None:
     """Over ℚ(√10) there are two classes of ideals, and two-sided ideals would have to be looked at."""
     A = QuaternionAlgebra("QQ(sqrt(10))", -1, 3)
