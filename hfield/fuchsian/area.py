@@ -15,7 +15,7 @@ from hfield.orders import elliptic_points as over_fields
 from hfield.orders.invariants import eichler_symbol, is_eichler, level
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
-from hfield.orders.over_integers.local_orders import Local
+from hfield.orders.orders_at_primes import Local
 from hfield.orders.z_order import ZOrder
 
 

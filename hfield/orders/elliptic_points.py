@@ -29,7 +29,7 @@ from hfield.fields.number_fields.sums import roots_in, sums_of_roots
 from hfield.fields.number_fields.symbols import DyadicPrime
 from hfield.orders.invariants import level
 from hfield.orders.lattice_values import LatticeValue
-from hfield.orders.over_integers.local_orders import Local
+from hfield.orders.orders_at_primes import Local
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement

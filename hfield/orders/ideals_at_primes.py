@@ -9,13 +9,13 @@ from typing import Any
 
 from hfield.errors import LatticeError, TooLargeError
 from hfield.orders.lattice_values import LatticeValue, discriminant, includes
+from hfield.orders.orders_at_primes import Local, Rows
 from hfield.orders.over_integers.ideals_of_norm import (
     MOST,
     generators,
     random_generators,
     subideals,
 )
-from hfield.orders.over_integers.local_orders import Local, Rows
 
 
 def ideals_of_norm(order: LatticeValue, norm: Any) -> list[LatticeValue]:

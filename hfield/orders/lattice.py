@@ -40,11 +40,13 @@ from hfield.orders import (
     klpt,
     lattice_values,
     pseudo_bases,
+    related_orders,
     rings,
     short_elements,
     ternary_forms,
     units,
 )
+from hfield.orders import orders_at_primes as local_orders
 from hfield.orders.basis import basis_of
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.classes import Classes
@@ -53,10 +55,10 @@ from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.hecke_modules import RationalModule
 from hfield.orders.lattice_values import LatticeValue, rows_json
 from hfield.orders.order_functions import functions
-from hfield.orders.over_integers import class_sets, local_orders, related_orders
+from hfield.orders.orders_at_primes import Local
+from hfield.orders.over_integers import class_sets
 from hfield.orders.over_integers import ideals_of_norm as ideals_over_fields
 from hfield.orders.over_integers.hecke_modules import IntegersModule
-from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.ternary_forms import TernaryForm
 from hfield.orders.validation import checked_side, listed, natural

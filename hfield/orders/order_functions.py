@@ -22,14 +22,16 @@ from hfield.orders import (
     maximal_orders,
     pseudo_bases,
     quadratic_orders,
+    related_orders,
     short_elements,
     z_order,
 )
+from hfield.orders import orders_at_primes as local_orders
 from hfield.orders.class_number import StableClasses
 from hfield.orders.lattice_values import LatticeValue, conjugate
-from hfield.orders.over_integers import local_orders, related_orders, stable_classes
+from hfield.orders.orders_at_primes import Local
 from hfield.orders.over_integers import quadratic_orders as quadratic_orders_over_fields
-from hfield.orders.over_integers.local_orders import Local
+from hfield.orders.over_integers import stable_classes
 from hfield.orders.validation import integer, positive
 from hfield.orders.z_order import ZOrder
 

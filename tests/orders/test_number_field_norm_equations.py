@@ -4,8 +4,8 @@ import pytest
 
 from hfield import IndefiniteError, LatticeError, QuaternionAlgebra, TooLargeError, ring
 from hfield.orders import short_elements
+from hfield.orders.orders_at_primes import Local
 from hfield.orders.over_integers import quadratic_orders
-from hfield.orders.over_integers.local_orders import Local
 
 
 def elements_of_norm(O, n):

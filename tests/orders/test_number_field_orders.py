@@ -10,7 +10,7 @@ import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
 from hfield.orders.lattice import Lattice, Order
-from hfield.orders.over_integers.local_orders import Local
+from hfield.orders.orders_at_primes import Local
 from hfield.orders.rings import checked_ring
 from tests.subcases import share_quick
 

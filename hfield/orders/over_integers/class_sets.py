@@ -38,8 +38,8 @@ from hfield.orders.lattice_values import (
     product,
     times_ideal,
 )
+from hfield.orders.orders_at_primes import Local
 from hfield.orders.over_integers import ideals_of_norm
-from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.positive_generators import (
     narrow_classes,
     totally_positive_generator,

@@ -17,7 +17,7 @@ import flint
 from hfield.errors import LatticeError, TooLargeError
 from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import LatticeValue, add_elements, add_rows, discriminant
-from hfield.orders.over_integers.local_orders import Local, Rows
+from hfield.orders.orders_at_primes import Local, Rows
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement

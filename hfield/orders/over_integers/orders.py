@@ -6,13 +6,13 @@ from typing import Any
 
 from hfield.errors import LatticeError, shorten
 from hfield.fields.number_fields.ideals import Ideal
+from hfield.orders import orders_at_primes as local_orders
 from hfield.orders.basis import AlgebraBasis, basis_of
 from hfield.orders.lattice_values import (
     LatticeValue,
     discriminant,
     hermite_form,
 )
-from hfield.orders.over_integers import local_orders
 
 
 def maximal_order(algebra: Any) -> LatticeValue:

@@ -18,8 +18,8 @@ import flint
 
 from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.orders.lattice_values import LatticeValue, discriminant
+from hfield.orders.orders_at_primes import Local
 from hfield.orders.over_integers.ideals_of_norm import generators, random_generators, subideals
-from hfield.orders.over_integers.local_orders import Local
 from hfield.orders.short_elements import (
     expect_definite,
     of_norm_among,

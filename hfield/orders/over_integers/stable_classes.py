@@ -16,7 +16,7 @@ import flint
 from hfield.fields.number_fields.symbols import square_class
 from hfield.orders.class_number import LocalNorms, StableClasses
 from hfield.orders.lattice_values import LatticeValue, includes, product, times_ideal
-from hfield.orders.over_integers.local_orders import Local
+from hfield.orders.orders_at_primes import Local
 from hfield.orders.positive_generators import units_modulo_squares
 
 if TYPE_CHECKING:

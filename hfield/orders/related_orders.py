@@ -29,7 +29,7 @@ from hfield.orders.lattice_values import (
     times_ideal,
 )
 from hfield.orders.maximal_orders import MOST, in_steps
-from hfield.orders.over_integers.local_orders import Local, independent
+from hfield.orders.orders_at_primes import Local, independent
 
 # --- below and above -------------------------------------------------------------------------------
 
