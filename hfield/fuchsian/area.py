@@ -15,7 +15,7 @@ from hfield.orders import elliptic_points as over_fields
 from hfield.orders.invariants import eichler_symbol, is_eichler, level
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
-from hfield.orders.orders_at_primes import Local
+from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.z_order import ZOrder
 
 
@@ -39,7 +39,7 @@ def area(order: LatticeValue) -> Fraction:
 def norm_index(order: LatticeValue, prime: Any) -> int:
     """Return the index of the norms of local units in all local units, for an order with the symbol 0."""
     if not order.ambient.base.is_rational:
-        return Local(order.ambient, prime).norm_index(order)
+        return OrderAtPrime(order, prime).norm_index()
     if prime > 2:
         return 2  # modulo p the norm is a square
     whole = ZOrder.of(order)

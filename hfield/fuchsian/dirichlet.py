@@ -25,7 +25,6 @@ from hfield.fuchsian.search import Rows, Sight, distinct, free_centers
 from hfield.fuchsian.split_order import SplitOrder
 from hfield.orders import maximal_orders
 from hfield.orders.invariants import is_eichler
-from hfield.orders.z_order import ZOrder
 from hfield.progress import tell
 
 ROUNDS = 50
@@ -98,7 +97,7 @@ def order_above(order: SplitOrder) -> SplitOrder | None:
     """
     found, index = None, Fraction(1)
     if order.base.is_rational and not is_eichler(order.order):
-        found = SplitOrder(maximal_orders.overorder(ZOrder.of(order.order)))
+        found = SplitOrder(maximal_orders.overorder(order.order))
         index = order.area() / found.area()
     if index > MOST_COSETS:
         raise TooLargeError(

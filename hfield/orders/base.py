@@ -14,7 +14,7 @@ from functools import lru_cache
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_poly
+from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
 
 from hfield.errors import LatticeError, RingError, TooLargeError, shorten
 from hfield.factorisation import factorise, remove
@@ -25,10 +25,11 @@ from hfield.fields.number_fields.integral_basis import coordinate_rows, element_
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.quadratic.places import QuadraticPlace
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
-from hfield.fields.number_fields.residues import local_place
+from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified
 from hfield.fields.rationals.places import INFINITE
+from hfield.fields.rationals.residues import PrimePlace
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.orders import positive_generators, validation
 from hfield.orders.linear_algebra_mod_p import kronecker
@@ -36,12 +37,15 @@ from hfield.primality import WORD
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
+from hfield.rings.residue_polynomials import coefficients, residues
 from hfield.rings.whole_numbers import fraction, square_root
+from hfield.structure.finite_places import FinitePlace
 from hfield.structure.forms import discriminant, normal_form
 
 if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
+    from hfield.rings.flint_types import Polynomial
 
 Quadruple = tuple[Any, Any, Any, Any]
 
@@ -55,6 +59,13 @@ class QuaternionBasis(NamedTuple):
     constants: Constants
     into: Callable[[Sequence[Any]], Quadruple]
     back: Callable[[Sequence[Any]], Quadruple]
+
+
+class ResiduePlace(FinitePlace, Protocol):
+    """The residue field of a prime above the prime number ``below``, of valuation ``index`` there."""
+
+    below: int
+    index: int
 
 
 class Base(Protocol):
@@ -115,14 +126,26 @@ class Base(Protocol):
     def residues(self, prime: Any) -> list[Any]:
         """Return integers of the field, one of each class modulo a prime, 0 first."""
 
-    def lift(self, prime: Any, residue: nmod_poly) -> Any:
+    def place(self, prime: Any) -> ResiduePlace:
+        """Return the residue field of a prime, with the arithmetic in it."""
+
+    def digits(self, prime: Any, residue: Any) -> list[int]:
+        """Return the coordinates of a residue over the prime field."""
+
+    def residue(self, prime: Any, digits: Sequence[int]) -> Any:
+        """Return the residue with these coordinates."""
+
+    def lift(self, prime: Any, residue: Any) -> Any:
         """Return an integer of the field with a given residue modulo a prime."""
 
     def integer_near(self, x: Any, modulus: int) -> Any:
         """Return an integer of the field that is x modulo a power of p, where x is integral at p."""
 
-    def integral_ideal(self, x: object) -> Any:
-        """Return what a user gives as a norm. Raises :class:`LatticeError` for what is no integral ideal."""
+    def integral_ideal(self, x: object, what: str = "norm") -> Any:
+        """Return what a user gives as a norm, or a level.
+
+        Raises :class:`LatticeError` for what is no integral ideal.
+        """
 
     def ideal_text(self, ideal: Any) -> int | str:
         """Return an integral ideal for JSON."""
@@ -252,14 +275,23 @@ class RationalIntegers:
     def residues(self, prime: int) -> list[fmpq]:
         return list(map(fmpq, range(prime)))
 
-    def lift(self, prime: int, residue: nmod_poly) -> fmpq:
-        return fmpq(int(residue[0]))
+    def place(self, prime: int) -> PrimePlace:
+        return PrimePlace(prime, fmpq)
+
+    def digits(self, prime: int, residue: int) -> list[int]:
+        return [residue]
+
+    def residue(self, prime: int, digits: Sequence[int]) -> int:
+        return digits[0]
+
+    def lift(self, prime: int, residue: int) -> fmpq:
+        return fmpq(residue)
 
     def integer_near(self, x: fmpq, modulus: int) -> fmpq:
         return fmpq(int(x.p) * pow(int(x.q), -1, modulus) % modulus)
 
-    def integral_ideal(self, x: object) -> int:
-        return validation.positive(x, "norm")
+    def integral_ideal(self, x: object, what: str = "norm") -> int:
+        return validation.positive(x, what)
 
     def ideal_text(self, ideal: Fraction | int) -> int:
         return int(ideal)
@@ -429,9 +461,19 @@ class NumberFieldIntegers:
 
     def residues(self, prime: PrimeIdeal) -> list[Any]:
         digits = product(range(prime.p), repeat=prime.f)
-        return [self.lift(prime, nmod_poly(list(c), prime.p)) for c in digits]
+        return [self.lift(prime, self.residue(prime, c)) for c in digits]
 
-    def lift(self, prime: PrimeIdeal, residue: nmod_poly) -> Any:
+    def place(self, prime: PrimeIdeal) -> LocalPlace:
+        return local_place(prime)
+
+    def digits(self, prime: PrimeIdeal, residue: Polynomial) -> list[int]:
+        found = coefficients(residue)
+        return found + [0] * (prime.f - len(found))
+
+    def residue(self, prime: PrimeIdeal, digits: Sequence[int]) -> Polynomial:
+        return residues(prime.p, digits)
+
+    def lift(self, prime: PrimeIdeal, residue: Polynomial) -> Any:
         return self.integer_near(prime.lift(residue), prime.p)
 
     def integer_near(self, x: Any, modulus: int) -> Any:
@@ -439,10 +481,10 @@ class NumberFieldIntegers:
         digits = [int(c.p) * pow(int(c.q), -1, modulus) % modulus for c in row]
         return self.element_of([fmpq(c) for c in digits])
 
-    def integral_ideal(self, x: object) -> ideals.Ideal:
+    def integral_ideal(self, x: object, what: str = "norm") -> ideals.Ideal:
         found = self.ideal(x)
         if not found.is_integral():
-            raise LatticeError(f"expected an ideal of integers as the norm, not {found}")
+            raise LatticeError(f"expected an ideal of integers as the {what}, not {found}")
         return found
 
     def ideal_text(self, ideal: ideals.Ideal) -> str:

@@ -129,12 +129,16 @@ class AlgebraBasis:
 
     def is_integral(self, row: Sequence[fmpq]) -> bool:
         """Tell whether an element has an integral trace and norm."""
-        numbers = [trace(self.constants, self.parts(row)), self.norm(row)]
+        numbers = [self.trace(row), self.norm(row)]
         return bool(self.base.coordinate_rows(numbers).numer_denom()[1] == 1)
 
     def norm(self, row: Sequence[fmpq]) -> Any:
         """Return the reduced norm of an element, a number of the field."""
         return norm(self.constants, self.parts(row))
+
+    def trace(self, row: Sequence[fmpq]) -> Any:
+        """Return the reduced trace of an element, a number of the field."""
+        return trace(self.constants, self.parts(row))
 
     # --- products ----------------------------------------------------------------------------------
 
@@ -176,6 +180,12 @@ class AlgebraBasis:
     def scalar_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
         """Return the same for integer coordinates of a number in the integral basis."""
         return _combined(self.scalars, row)
+
+    def times_scalar(self, rows: fmpz_mat, number: Sequence[int | fmpz]) -> fmpz_mat:
+        """Return rows times a number, given by its coordinates in the integral basis."""
+        if any(number[1:]):
+            return rows * self.scalar_matrix(number)
+        return rows * number[0]
 
     @cached_property
     def identity(self) -> fmpz_mat:

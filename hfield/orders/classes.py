@@ -109,7 +109,7 @@ class Classes(Certified):
                 f"{ring.algebra} is indefinite: by strong approximation an Eichler order has one right ideal "
                 "class there; class_set() enumerates in definite algebras"
             )
-        self.ring = ring
+        self.ring = ZOrder.of(ring)
         self.mass = mass(ring)
         if self.mass > MOST_CLASSES:
             raise TooLargeError(

@@ -25,11 +25,11 @@ from hfield.errors import TooLargeError
 from hfield.fields.names import ring
 from hfield.fields.number_fields.classes.class_groups import class_group, unit_group
 from hfield.fields.number_fields.ideals import integers
+from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.sums import roots_in, sums_of_roots
 from hfield.fields.number_fields.symbols import DyadicPrime
 from hfield.orders.invariants import level
 from hfield.orders.lattice_values import LatticeValue
-from hfield.orders.orders_at_primes import Local
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
@@ -124,14 +124,14 @@ class _LocalField:
             self.symbol = {2 * e: -1, 2 * e + 1: 1}.get(defect, 0)
             exponent = 0 if self.symbol else 2 * e + 1 - defect
         else:
-            place = self.local.place
+            place = local_place(P)
             root = place.quadratic_root(place.one, place.zero, place.zero - P.residue_of(unit))
             self.symbol, exponent = -1 if root is None else 1, 0
         self.conductor = (v - exponent) // 2
 
     @cached_property
-    def local(self) -> Local:
-        return Local(self.ambient, self.P)
+    def representatives(self) -> list[FieldElement]:
+        return self.ambient.base.residues(self.P)
 
     def embeddings(self, k: int, e: int) -> int:
         """Return how many classes of optimal embeddings Eichler's order of level Pᵉ has, for a conductor Pᵏ.
@@ -152,7 +152,7 @@ class _LocalField:
                 [
                     y
                     for x in roots[-1]
-                    for r in self.local.representatives
+                    for r in self.representatives
                     for y in [x + r * step]
                     if self._is_root(y * 2 - trace, d, s + 1 + 2 * self.e)
                 ]
@@ -165,7 +165,7 @@ class _LocalField:
     def _residues(self, count: int) -> Iterator[FieldElement]:
         """Yield numbers, one of each class modulo P^count."""
         steps = [self.P.uniformiser**s for s in range(count)]
-        for digits in product(self.local.representatives, repeat=count):
+        for digits in product(self.representatives, repeat=count):
             pairs = zip(digits, steps, strict=True)
             yield sum((r * step for r, step in pairs), self.ambient.base.field.zero)
 

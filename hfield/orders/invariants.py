@@ -9,7 +9,6 @@ from typing import Any
 
 from hfield.orders.lattice_values import LatticeValue, discriminant, dual
 from hfield.primality import primes
-from hfield.product import trace
 
 
 def level(order: LatticeValue) -> Any:
@@ -27,8 +26,7 @@ def eichler_symbol(order: LatticeValue, prime: Any) -> int | None:
     if not base.valuation(discriminant(order), prime):
         return None
     for row in order.rows.tolist():
-        t = trace(ambient.constants, ambient.parts(row))
-        symbol = base.quadratic_symbol(t, ambient.norm(row), prime)
+        symbol = base.quadratic_symbol(ambient.trace(row), ambient.norm(row), prime)
         if symbol:
             return symbol
     return 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
@@ -13,14 +12,10 @@ from hfield.orders.equivalence import element_generating
 from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.invariants import conductor, is_eichler
 from hfield.orders.lattice_values import LatticeValue, discriminant
+from hfield.orders.related_orders import connecting, gorenstein_closure
 
 
-def isomorphism(
-    first: LatticeValue,
-    second: LatticeValue,
-    gorenstein_closure: Callable[[LatticeValue], LatticeValue],
-    connecting_ideal: Callable[[LatticeValue, LatticeValue], LatticeValue],
-) -> EquivalenceResult:
+def isomorphism(first: LatticeValue, second: LatticeValue) -> EquivalenceResult:
     """Return an answer with an element x such that ``x·first·x⁻¹ = second``.
 
     Of an indefinite algebra, orders are decided where they are equal, or their discriminants or conductors
@@ -28,16 +23,11 @@ def isomorphism(
     ideal of the base has to have a generator that is positive where the algebra ramifies, else
     :class:`IndefiniteError` is raised.
     """
-    found = _decide(first, second, gorenstein_closure, connecting_ideal)
+    found = _decide(first, second)
     return replace(found, make_claim=partial(certificates.of_isomorphism, first, second))
 
 
-def _decide(
-    first: LatticeValue,
-    second: LatticeValue,
-    gorenstein_closure: Callable[[LatticeValue], LatticeValue],
-    connecting_ideal: Callable[[LatticeValue, LatticeValue], LatticeValue],
-) -> EquivalenceResult:
+def _decide(first: LatticeValue, second: LatticeValue) -> EquivalenceResult:
     ambient, conjugates = first.ambient, "the element conjugates one into the other"
     if first == second:
         return EquivalenceResult(True, "they are equal", first.algebra(1))
@@ -60,7 +50,7 @@ def _decide(
             "whether two orders of an indefinite algebra are isomorphic is decided where their "
             "Gorenstein closures are Eichler orders, and one of these is none"
         )
-    bridge = connecting_ideal(one, other)
+    bridge = connecting(one, other)
     found = element_generating(bridge, bridge.norm, one)
     if found.element is None:
         return found

@@ -39,6 +39,7 @@ from hfield.orders import (
     isomorphisms,
     klpt,
     lattice_values,
+    maximal_orders,
     pseudo_bases,
     related_orders,
     rings,
@@ -46,7 +47,6 @@ from hfield.orders import (
     ternary_forms,
     units,
 )
-from hfield.orders import orders_at_primes as local_orders
 from hfield.orders.basis import basis_of
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.classes import Classes
@@ -55,9 +55,8 @@ from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.hecke_modules import RationalModule
 from hfield.orders.lattice_values import LatticeValue, rows_json
 from hfield.orders.order_functions import functions
-from hfield.orders.orders_at_primes import Local
+from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.over_integers import class_sets
-from hfield.orders.over_integers import ideals_of_norm as ideals_over_fields
 from hfield.orders.over_integers.hecke_modules import IntegersModule
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.ternary_forms import TernaryForm
@@ -521,7 +520,7 @@ class Order(WithStableClasses, Certified, Lattice):
 
     def is_bass(self) -> bool:
         """Tell whether every order that contains this one is Gorenstein (Voight, section 24.5)."""
-        return invariants.is_bass(self.value, self._functions.larger_at)
+        return invariants.is_bass(self.value, lambda O, P: OrderAtPrime(O, P).larger)
 
     def is_hereditary(self) -> bool:
         """Tell whether all ideals are invertible: whether no square divides the discriminant."""
@@ -568,11 +567,11 @@ class Order(WithStableClasses, Certified, Lattice):
 
         Raises :class:`UnfactoredError`, and over ℤ_K :class:`TooLargeError` at primes of 64 bits and more.
         """
-        return Order(self._functions.maximal_overorder(self.value))
+        return Order(maximal_orders.overorder(self.value))
 
     def gorenstein_closure(self) -> Order:
         """Return the Gorenstein order G with O = R + f·G, f the conductor (Voight, section 24.2)."""
-        return Order(self._functions.gorenstein_closure(self.value))
+        return Order(related_orders.gorenstein_closure(self.value))
 
     def suborders(self, prime: object, k: int = 1) -> list[Order]:
         """Return all orders of index Pᵏ in this one. Raises :class:`TooLargeError` for many candidates.
@@ -605,10 +604,7 @@ class Order(WithStableClasses, Certified, Lattice):
         where the element may be missing; others raise :class:`UndecidedError`. Where not every ideal of the
         field has a generator positive where an indefinite algebra ramifies, :class:`IndefiniteError`.
         """
-        second, known = self._order_like(other).value, self._functions
-        return isomorphisms.isomorphism(
-            self.value, second, known.gorenstein_closure, known.connecting_ideal
-        )
+        return isomorphisms.isomorphism(self.value, self._order_like(other).value)
 
     def is_isomorphic(self, other: Lattice) -> bool:
         """Tell whether two orders are isomorphic. Raises as :meth:`isomorphism` does."""
@@ -728,7 +724,7 @@ class Order(WithStableClasses, Certified, Lattice):
         [1, 5, 19]
         """
         norm, side = self.value.ambient.base.integral_ideal(n), checked_side(side)
-        values = self._functions.ideals_of_norm(self.value, norm)
+        values = ideals_of_norm.ideals_of_norm(self.value, norm)
         found = [self._ideal(J, "right") for J in values]
         return found if side == "right" else [J.conjugate() for J in found]
 
@@ -748,7 +744,7 @@ class Order(WithStableClasses, Certified, Lattice):
             lattice_values.product(value, self.value) != value
         ):
             raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of the order")
-        values = self._functions.subideals(self.value, value, P)
+        values = ideals_of_norm.subideals(self.value, value, P)
         return [self._ideal(J, "right") for J in values]
 
     def random_ideal(self, n: object, side: str = "left", seed: int | None = None) -> Ideal:
@@ -763,7 +759,7 @@ class Order(WithStableClasses, Certified, Lattice):
         (ideal(49), ideal(1))
         """
         norm, side = self.value.ambient.base.integral_ideal(n), checked_side(side)
-        value = self._functions.random_ideal(self.value, norm, random.Random(seed))
+        value = ideals_of_norm.random_ideal(self.value, norm, random.Random(seed))
         found = self._ideal(value, "left")
         return found if side == "left" else found.conjugate()
 
@@ -773,7 +769,7 @@ class Order(WithStableClasses, Certified, Lattice):
         Raises :class:`LatticeError` unless both are Eichler orders of one level.
         """
         second = self._order_like(other).value
-        return self._ideal(self._functions.connecting_ideal(self.value, second), "left")
+        return self._ideal(related_orders.connecting(self.value, second), "left")
 
     # --- elements ----------------------------------------------------------------------------------
 
@@ -1256,8 +1252,7 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
     def _stable_class(self, n: int) -> tuple[int, int]:
         stable, norm, ambient = self.order._stable, self.norms[n], self.ambient
         local = (
-            ideals_over_fields.local_generator(Local(ambient, place.prime), self.lattices[n])
-            for place in stable.places
+            ideals_of_norm.local_generator(self.lattices[n], place.prime) for place in stable.places
         )
         values = (ambient.norm(x.entries()) / norm.element for x in local)
         return norm.number, stable.reduced(values)
@@ -1270,7 +1265,9 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
         def of_level(level: list[tuple[PrimeIdeal, int]]) -> IntegersClassSet:
             primes = [ambient.base.prime_ideal(P) ** e for P, e in level]
             ideal = math.prod(primes, start=ambient.base.one)
-            return IntegersClassSet(Order(local_orders.eichler(self._maximal.value, ideal)))
+            return IntegersClassSet(
+                Order(maximal_orders.eichler_suborder(self._maximal.value, ideal))
+            )
 
         return IntegersModule(self, of_level)
 

@@ -91,6 +91,11 @@ class LatticeValue:
         return self.ambient.grams(self.matrix)
 
     @cached_property
+    def integral_grams(self) -> list[fmpz_mat]:
+        """The same, of an order, not scaled: traces and norms of elements of an order are integral."""
+        return [hermite.divided(g, self.ambient.scale * self.den**2) for g in self.grams]
+
+    @cached_property
     def norm(self) -> Any:
         """The ideal that the reduced norms of the elements generate; over ℤ their gcd."""
         return self.ambient.kernels.norm(self.ambient, self.grams, self.content, self.den)

@@ -8,8 +8,7 @@ from functools import cached_property
 
 from flint import fmpz_mat
 
-from hfield.orders import hermite, lattice_values
-from hfield.orders.invariants import conductor
+from hfield.orders import hermite
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.rings.whole_numbers import fraction
 
@@ -69,18 +68,3 @@ class ZOrder(LatticeValue):
         den, rows, gram = self.ternary
         reduced, steps = gram.lll(transform=True, rep="gram")
         return den, steps * rows, [[int(x) for x in row] for row in reduced.tolist()]
-
-
-# --- what an order is ------------------------------------------------------------------------------
-
-
-def gorenstein_closure(order: ZOrder) -> ZOrder:
-    """Return the Gorenstein order G with O = ℤ + f·G, f the conductor (Voight, section 24.2)."""
-    f = int(conductor(order))
-    den, rows, gram = order.ternary
-    # ℤ + 2G has the trace-0 part of ℤ + 2O, divided by f
-    found = [[2 * f * den, 0, 0, 0]]
-    for n, row in enumerate(hermite.tuples(rows)):
-        odd = int(gram[n, n]) // 2 // f**2 % 2
-        found.append([row[0] + odd * f * den, *row[1:]])
-    return ZOrder.of(lattice_values.hermite_form(order.ambient, 2 * f * den, fmpz_mat(found)))
