@@ -61,6 +61,13 @@ class QuaternionBasis(NamedTuple):
     back: Callable[[Sequence[Any]], Quadruple]
 
 
+class Counts(NamedTuple):
+    """Numbers of elements by their norms, which are given by coordinates over a denominator."""
+
+    numbers: dict[tuple[int, ...], int]
+    den: int
+
+
 class ResiduePlace(FinitePlace, Protocol):
     """The residue field of a prime above the prime number ``below``, of valuation ``index`` there."""
 
@@ -235,6 +242,15 @@ class Base(Protocol):
     def shown_index(self, ideal: Any) -> Any:
         """Return an ideal as an index that a user sees."""
 
+    def theta_step(self, lattice: LatticeValue) -> Fraction:
+        """Return the number of whose multiples a theta series counts: the norm over ℤ, elsewhere 1."""
+
+    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> Any:
+        """Return numbers of elements of norms as a user sees them.
+
+        It is a list over ℤ, for the multiples of a step up to a bound, and elsewhere a dict.
+        """
+
 
 class RationalIntegers:
     """The integers ℤ; the coordinates of quaternions are those over (1, i, j, k)."""
@@ -394,6 +410,15 @@ class RationalIntegers:
 
     def shown_index(self, ideal: Fraction) -> int | Fraction:
         return ideal.numerator if ideal.denominator == 1 else ideal
+
+    def theta_step(self, lattice: LatticeValue) -> Fraction:
+        return Fraction(lattice.norm)
+
+    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> list[int]:
+        unit, found = int(step * counts.den), [0] * (bound + 1)
+        for (norm,), count in counts.numbers.items():
+            found[norm // unit] = count
+        return found
 
 
 class OneClass:
@@ -629,6 +654,17 @@ class NumberFieldIntegers:
 
     def shown_index(self, ideal: ideals.Ideal) -> ideals.Ideal:
         return ideal
+
+    def theta_step(self, lattice: LatticeValue) -> Fraction:
+        return Fraction(1)
+
+    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> dict[Any, int]:
+        norms = {
+            self.element_of([fmpq(x, counts.den) for x in values]): count
+            for values, count in counts.numbers.items()
+        }
+        ordered = sorted(norms.items(), key=lambda pair: (self.trace(pair[0]), str(pair[0])))
+        return {self.outside(norm): count for norm, count in ordered}
 
 
 def expect_small(prime: PrimeIdeal) -> None:

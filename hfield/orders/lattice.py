@@ -539,7 +539,7 @@ class Order(WithStableClasses, Certified, Lattice):
         {0: 1, 5/2+1/2*sqrt(5): 12, 5/2-1/2*sqrt(5): 12, 3: 20}
         """
         expect_definite(self.value.ambient, "ternary_theta_series()")
-        return self._functions.ternary_theta_series(self.value, n)
+        return short_elements.ternary_theta_series(self.value, n)
 
     def ternary_form(self) -> TernaryForm:
         """Return a form whose even Clifford algebra is the order; up to units its discriminant is that.
@@ -555,7 +555,7 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> f.order().is_maximal().holds, f.ring.norm(f.discriminant())
         (True, 1)
         """
-        basis = self._functions.ternary_basis(self.value)
+        basis = pseudo_bases.basis_modulo_numbers(self.value)
         found = ternary_forms.form_of(basis, type(self.algebra))
         reducible = self.value.ambient.base.is_rational and found.is_definite()
         return found.reduced() if reducible else found

@@ -141,6 +141,31 @@ class LatticeValue:
         return steps * self.matrix, list(map(list, hermite.tuples(reduced)))
 
     @cached_property
+    def ternary(self) -> tuple[int, fmpz_mat, fmpz_mat]:
+        """The elements 2x − tr(x), of an order those of trace 0 in R + 2O (Voight, chapter 22).
+
+        A denominator, rows over it that are a basis over ℤ, and their matrix of ``Tr(tr(x·conj(y)))``, which
+        is integral for an order.
+        """
+        ambient, n = self.ambient, self.ambient.degree
+        rank = 3 * n
+        vectors = fmpz_mat([row[n:] for row in self.matrix.tolist()]).hnf().tolist()[:rank]
+        without_scalars = fmpz_mat([[0] * n + row for row in vectors])
+        c = ambient.conjugate_scale
+        rows = without_scalars * (ambient.identity * c - ambient.conjugation)
+        den = self.den * c
+        gram = rows * ambient.trace_form * rows.transpose()
+        scale = ambient.scale * den * den
+        return den, rows, fmpz_mat(rank, rank, [x // scale for x in gram.entries()])
+
+    @cached_property
+    def reduced_ternary(self) -> tuple[int, fmpz_mat, list[list[int]]]:
+        """The same with an LLL-reduced basis, in a definite algebra."""
+        den, rows, gram = self.ternary
+        reduced, steps = gram.lll(transform=True, rep="gram")
+        return den, steps * rows, list(map(list, hermite.tuples(reduced)))
+
+    @cached_property
     def volume(self) -> Any:
         """The index ideal of the lattice in that of 1, I, J, IJ; fractional where it is not inside."""
         return self.ambient.kernels.volume(self.ambient, self.matrix, self.den)

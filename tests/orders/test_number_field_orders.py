@@ -61,7 +61,7 @@ def test_ideals_of_prime_norm_are_all_of_them(name: str) -> None:
     orders = [A.maximal_order(), A.order([x * 2 for x in A.maximal_order().basis])]
     if P in split_primes(A, 2):
         orders += [A.eichler_order([(P, 1)]), A.eichler_order([(P, 2)])]
-    for O, e in ((O, e) for O in orders for e in (1, 2)):
+    for O, e in product(orders, (1, 2) if P.p**P.f < 8 else (1,)):
         found = O.ideals_of_norm(A.ring.ideal(P) ** e, side="right")
         assert len(found) == len(set(found))
         for I in found[::e]:
