@@ -1,50 +1,55 @@
-"""Quadratic orders inside a quaternion order: embeddings, and a frame ``ℤ[α] + ℤ[α]·β`` with α small.
+"""Quadratic orders over ℤ_K inside an order of a totally definite algebra, and elements of given norm.
 
-The elements ``s = 2x − tr(x)`` are those of trace 0 in ``ℤ + 2O``, and s² is the discriminant of ``ℤ[x]``;
-so the quadratic orders of discriminant d in O are vectors of norm −d of a ternary lattice. They are
-embedded optimally when the vector is primitive (Voight, *Quaternion Algebras*, chapter 30; Gross, 1987).
-
-Inside O lies ``ℤ[α] + ℤ[α]·β``, of norm form ``f(x, y) + N(β)·f(z, w)``. For random z, w the rest is a
-prime about once in as many times as it has digits, and Cornacchia's algorithm represents it by f: so elements
-are found whose norm has hundreds of digits (Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny
-path problem", 2014, section 3.2). Small norms are decided by enumeration.
+The elements s = 2x − tr(x) are those of trace 0 in ℤ_K + 2O, and s² is the discriminant of ℤ_K[x]: a
+quadratic order of discriminant d is embedded by the vectors of norm −d of a ternary lattice, and optimally
+where no multiple of s by an inverse ideal is in it (Voight, *Quaternion Algebras*, chapter 30).
 """
 
 from __future__ import annotations
 
 import math
-import random
 from collections.abc import Iterator
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import cached_property, lru_cache
-from itertools import product
-from operator import mul
-from typing import Any
+from itertools import count, product
+from random import Random
+from typing import TYPE_CHECKING, Any
 
-from flint import fmpz, fmpz_mat
+import flint
 
-from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, UndecidedError, shorten
-from hfield.evidence import Certified, Claim
-from hfield.factorisation import factorise, remove
-from hfield.orders import certificates, enumeration, hermite
-from hfield.orders.invariants import is_eichler
-from hfield.orders.short_elements import expect_affordable, expect_definite, of_norm
-from hfield.orders.z_order import ZOrder
-from hfield.primality import is_probable_prime, primes
-from hfield.rings.whole_numbers import sqrt_mod
+from hfield.orders.ideals_of_norm import of_prime_norm, random_ideal
+from hfield.orders.lattice_values import LatticeValue, conjugate, discriminant
+from hfield.orders.orders_at_primes import OrderAtPrime
+from hfield.orders.short_elements import (
+    expect_definite,
+    of_norm_among,
+    rows_of_norm,
+    ternary_rows,
+)
+from hfield.orders.units import units_modulo_scalars
+
+if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
+    from hfield.fields.number_fields.elements import FieldElement
+    from hfield.orders.basis import AlgebraBasis
+
+ENUMERATED = 10**6
+"""Ellipsoids with about so many integral points are run through."""
+TRIALS = 100
+"""So many random ideals are tried."""
+TRIED = 20_000
+"""No more classes of elements modulo powers of a prime than this are tried for a local obstruction."""
 
 
 @dataclass(frozen=True)
-class Embeddings(Certified):
-    """The optimal embeddings of the quadratic order of ``discriminant`` in an order of a definite algebra.
+class IntegersEmbeddings:
+    """The optimal embeddings of the quadratic ℤ_K-order of ``discriminant`` in an order.
 
-    ``elements`` are the images of ``(d + √d)/2``; ``orbits`` counts them up to conjugation by units.
+    ``elements`` are the images of ``(t + √d)/2``, t² ≡ d modulo 4; ``orbits`` counts them up to conjugation
+    by units of the order.
     """
 
-    order: Any  # an Order, whose class stands above
-    discriminant: int
+    discriminant: Any
     elements: tuple[Quaternion, ...]
     orbits: int
 
@@ -52,11 +57,6 @@ class Embeddings(Certified):
     def element(self) -> Quaternion | None:
         """One of them, or None."""
         return self.elements[0] if self.elements else None
-
-    @cached_property
-    def claim(self) -> Claim:
-        """What there is to certify, as a statement with its evidence."""
-        return certificates.of_embedding(self.order.value, self.discriminant, self.element)
 
     def __len__(self) -> int:
         return len(self.elements)
@@ -66,255 +66,182 @@ class Embeddings(Certified):
         return bool(self.elements)
 
 
-def embeddings(order: ZOrder, d: int) -> tuple[tuple[Quaternion, ...], int]:
-    """Return the images of (d + √d)/2 under the optimal embeddings of an order, d < 0, and their orbits.
+def embeddings(order: LatticeValue, d: Any) -> IntegersEmbeddings:
+    """Return the optimal embeddings of the quadratic order of discriminant d, totally negative.
 
-    Raises :class:`LatticeError` for a d that is no negative discriminant, :class:`IndefiniteError`.
+    Raises :class:`LatticeError` where d is no discriminant, :class:`IndefiniteError`.
     """
-    expect_definite(order.ambient, "embeddings()")
-    if d >= 0 or d % 4 not in (0, 1):
+    ambient, base = order.ambient, order.ambient.base
+    expect_definite(ambient, "embeddings()")
+    field, x = base.field, base.inside(d)
+    t = _root_modulo_4(ambient, x)
+    if t is None or any(v.sign(x) >= 0 for v in field.real_places()):
         raise LatticeError(
-            f"{d} is no discriminant of an imaginary quadratic order: expected d < 0, 0 or 1 modulo 4"
+            f"{shorten(d)} is no discriminant of a totally imaginary quadratic order over the integers of "
+            f"{shorten(ambient.algebra.ring.name)}: expected a totally negative integer, a square modulo 4"
         )
-    den, rows, gram = order.reduced_ternary
-    expect_affordable(enumeration.volume(gram, -2 * d, 2), "elements of norm at most")
-    found = []
-    for x in enumeration.vectors_of_length(gram, -2 * d):
-        if math.gcd(*x) == 1:
-            row = hermite.combination(x, rows)
-            found += [row, tuple(-c for c in row)]
-    elements = tuple((d + order.element(row, den)) / 2 for row in sorted(found, reverse=True))
-    units = of_norm(order, Fraction(1)) if elements else ()
-    left, orbits = set(elements), 0
-    while left:
-        q = left.pop()
-        left -= {u * q * u.conjugate() for u in units}
-        orbits += 1
-    return elements, orbits
-
-
-@dataclass(frozen=True)
-class Frame:
-    """α and β in O with N(β) = ``norm`` and s·β = −β·s for s = 2α − t, s² = d, t = d modulo 2."""
-
-    discriminant: int
-    norm: int
-    alpha: Quaternion
-    beta: Quaternion
-
-    @property
-    def t(self) -> int:
-        """The trace of α."""
-        return self.discriminant % 2
-
-    @property
-    def n(self) -> int:
-        """The norm of α."""
-        return (self.t - self.discriminant) // 4
-
-    def binary(self, x: int, y: int) -> int:
-        """Return the norm of x + y·α."""
-        return x * x + self.t * x * y + self.n * y * y
-
-    def element(self, x: int, y: int, z: int, w: int) -> Quaternion:
-        """Return x + y·α + (z + w·α)·β."""
-        return x + y * self.alpha + (z + w * self.alpha) * self.beta
-
-
-@lru_cache(maxsize=64)
-def frame(order: ZOrder) -> Frame:
-    """Return the frame for a quadratic order of least discriminant in an order of a definite algebra."""
-    _, _, gram = order.reduced_ternary
-    return next(frames(order, min(gram[n][n] for n in range(3)) // 2))
-
-
-@lru_cache(maxsize=64)
-def extremal_frame(order: ZOrder, largest: int) -> Frame | None:
-    """Return a frame with d ≥ −largest and N(β) = p, the discriminant of the order, or None."""
-    p = order.discriminant
-    return next((f for f in frames(order, largest) if f.norm == p), None)
-
-
-def frames(order: ZOrder, largest: int) -> Iterator[Frame]:
-    """Yield the frames for all optimally embedded quadratic orders with d ≥ −largest, by |d|."""
-    _, _, gram = order.reduced_ternary
-    short = sorted((value, v) for v, value in enumeration.short_vectors(gram, 2 * largest))
-    yield from (_frame(order, v) for _, v in short if math.gcd(*v) == 1)
-
-
-def _frame(order: ZOrder, x: tuple[int, ...]) -> Frame:
-    den, rows, _ = order.reduced_ternary
-    s = hermite.combination(x, rows)
-    element = order.element(s, den)
-    d = -int(str(element.norm()))
-    alpha = (element + d % 2) / 2
-    # elements with trace 0 and orthogonal to s
-    r = order.ambient
-    forms = order.matrix * r.trace_form
-    conditions = forms * fmpz_mat([[1, s[0]], [0, s[1]], [0, s[2]], [0, s[3]]])
-    stacked = [
-        [*row, *(int(m == n) for n in range(4))] for m, row in enumerate(conditions.tolist())
+    ternary = ternary_rows(order)
+    # what would make an order of smaller discriminant d/b² contain the image
+    inverses = [
+        ambient.base.prime_ideal(ambient.base.prime(P)) ** -1
+        for P, e in ambient.base.principal(x).factorisation()
+        if e > 1
     ]
-    h = fmpz_mat(stacked).hnf()
-    kernel = fmpz_mat([row[2:] for row in h.tolist()[2:]])
-    plane = kernel * order.matrix
-    small, steps = (plane * r.trace_form * plane.transpose()).lll(transform=True, rep="gram")
-    rows2 = hermite.tuples(steps * plane)
-    beta = order.element(rows2[0] if small[0, 0] <= small[1, 1] else rows2[1])
-    return Frame(d, int(str(beta.norm())), alpha, beta)
+    found = []
+    for s in of_norm_among(ambient, ternary, -x):
+        multiples = ([s * ambient.scalar(c) for c in b.elements] for b in inverses)
+        if not any(_inside(some, ternary) for some in multiples):
+            found += [s, -s]
+    shift = ambient.row(1) * ambient.scalar(t)
+    images = [(shift + s) * flint.fmpq(1, 2) for s in found]
+    elements = tuple(ambient.quaternion(row.entries()) for row in images)
+    return IntegersEmbeddings(d, elements, _orbits(order, found))
 
 
-SMALL = (2, 3, 5, 7, 11, 13)
+def _root_modulo_4(ambient: AlgebraBasis, d: FieldElement) -> FieldElement | None:
+    """Return t with t² ≡ d modulo 4, or None."""
+    field = ambient.base.field
+    for digits in product((0, 1), repeat=ambient.degree):
+        t: FieldElement = sum(
+            (w * c for w, c in zip(ambient.base.integral_basis, digits, strict=True)), field.zero
+        )
+        if field.is_integral((t * t - d) * flint.fmpq(1, 4)):
+            return t
+    return None
 
 
-def represent(d: int, m: int) -> tuple[int, int] | None:
-    """Return (x, y) with ``x² + t·xy + n·y² = m``, t = d modulo 2, n = (t − d)/4, or None if none was found.
+def _inside(vectors: list[flint.fmpq_mat], ternary: flint.fmpq_mat) -> bool:
+    n = ternary.ncols() // 4
+    square = flint.fmpq_mat([r[n:] for r in ternary.tolist()])
+    pure = flint.fmpq_mat([v.entries()[n:] for v in vectors])
+    return bool((pure * square.inv()).numer_denom()[1] == 1)
 
-    For m a prime times a product of primes up to 13 only.
+
+def _orbits(order: LatticeValue, elements: list[flint.fmpq_mat]) -> int:
+    """Return how many orbits there are under conjugation by the units of an order."""
+    if not elements:
+        return 0
+    times = order.ambient.times
+    maps = [times(u, "left") * times(u).inv() for u in units_modulo_scalars(order)]
+    left, orbits = {str(s): s for s in elements}, 0
+    while left:
+        s = next(iter(left.values()))
+        for m in maps:
+            left.pop(str(s * m), None)
+        orbits += 1
+    return orbits
+
+
+# --- norm equations --------------------------------------------------------------------------------
+
+
+def represent(order: LatticeValue, n: Any, seed: int | None = None) -> Quaternion | None:
+    """Return an element of an order with norm n, or None where there is none.
+
+    Small n are decided by enumeration in the form Tr(N(x)/n). For others an obstruction at a prime is looked
+    for, and a generator of norm n of random ideals of norm n, whose shortest vectors it is among.
+    Raises :class:`IndefiniteError`, and :class:`UndecidedError`.
     """
-    t = d % 2
-    n = (t - d) // 4
-    x, y = 1, 0
-    for p in SMALL:
-        while m % p == 0:
-            m //= p
-            root = _small(d, p)
-            if root is None:  # inert: only squares are norms
-                if m % p:
-                    return None
-                m //= p
-                root = (p, 0)
-            x, y = x * root[0] - n * y * root[1], x * root[1] + y * root[0] + t * y * root[1]
-    if m == 1:
-        return x, y
-    if not likely(m):
+    ambient, base = order.ambient, order.ambient.base
+    expect_definite(ambient, "represent_integer()")
+    norm = base.inside(n)
+    if not norm:
+        return ambient.quaternion([flint.fmpq(0)] * ambient.size)
+    if not ambient.base.field.is_integral(norm) or any(
+        v.sign(norm) < 0 for v in ambient.base.field.real_places()
+    ):
         return None
-    last = cornacchia(d, m)
-    if last is None:
+    small, whole = _points(order, norm) < ENUMERATED, discriminant(order)
+    if not small and any(
+        is_obstructed(order, base.prime(P), norm) for P, _ in whole.factorisation()
+    ):
         return None
-    return x * last[0] - n * y * last[1], x * last[1] + y * last[0] + t * y * last[1]
-
-
-@lru_cache(maxsize=1024)
-def _small(d: int, p: int) -> tuple[int, int] | None:
-    t = d % 2
-    n = (t - d) // 4
-    span = range(-p, p + 1)
-    return next(
-        ((x, y) for y in range(p) for x in span if x * x + t * x * y + n * y * y == p), None
+    rng = Random(1 if seed is None else seed)
+    lattices = [order] if small else _random_ideals(order, norm, rng)
+    for lattice in lattices:
+        for row in rows_of_norm(lattice, norm):
+            return ambient.quaternion(row.entries())
+    if small:
+        return None
+    raise UndecidedError(
+        f"whether the norm of an element is {shorten(n)} was not decided: no prime forbids it, and of "
+        f"{TRIALS} random ideals of this norm none has such a generator"
     )
 
 
-SMALL_PRIMES = math.prod(p for p in primes(200) if p >= 17)
+def _random_ideals(order: LatticeValue, norm: FieldElement, rng: Random) -> Iterator[LatticeValue]:
+    """Yield some right ideals of an order whose norm is generated by a number."""
+    ambient, whole = order.ambient, discriminant(order)
+    base, bad, good = ambient.base, [], ambient.base.one
+    for place, e in base.principal(norm).factorisation():
+        if whole.valuation(place) > 0:
+            bad += [of_prime_norm(order, base.prime(place))] * e
+        else:
+            good *= base.prime_ideal(base.prime(place)) ** e
+    for _ in range(TRIALS):
+        ideal = conjugate(random_ideal(order, good, rng))
+        for known in bad:
+            ideal = known.random_inside(ideal, rng)
+        yield ideal
 
 
-def likely(m: int) -> bool:
-    """Tell whether m is a probable prime; most composite numbers are sorted out by their small factors.
+def _points(order: LatticeValue, norm: FieldElement) -> float:
+    """Return about how many elements of the lattice have Tr(N(x)/n) ≤ [K : ℚ]."""
+    ambient, rows = order.ambient, order.rows
+    form = rows * ambient.form(1 / norm) * rows.transpose()
+    m = ambient.size
+    log_det = math.log(int(form.det().p)) - math.log(int(form.det().q))
+    log_ball = m / 2 * math.log(math.pi) - math.lgamma(m / 2 + 1)
+    return math.exp(min(log_ball + m / 2 * math.log(2 * ambient.degree) - log_det / 2, 700.0))
 
-    No proof is needed: what is represented is an element, and its norm is known.
+
+def is_obstructed(order: LatticeValue, prime: Any, norm: FieldElement) -> bool:
+    """Tell whether no element of the order has this norm in the completion at P; False where it is not seen.
+
+    An element outside of P·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one
+    of norm n (Hensel); one in P·O has the norm of one of norm n/π².
     """
-    return (m < 40_000 or math.gcd(m, SMALL_PRIMES) == 1) and is_probable_prime(m)
-
-
-def cornacchia(d: int, m: int) -> tuple[int, int] | None:
-    """Return (x, y) with ``x² + t·xy + n·y² = m`` for a prime m > 13, or None.
-
-    Cornacchia's algorithm (Cohen, *A Course in Computational Algebraic Number Theory*, 1.5.3).
-    """
-    t, absolute = d % 2, -d
-    a, b, limit = 2 * m, 0, math.isqrt(4 * m)
-    if d % m:
-        if fmpz(d % m).jacobi(m) != 1:
-            return None
-        b = sqrt_mod(d, m)
-    if (b - d) % 2:
-        b = m - b
-    while b > limit:
-        a, b = b, a % b
-    c, rest = divmod(4 * m - b * b, absolute)
-    y = math.isqrt(c)
-    if rest or y * y != c:
-        return None
-    return (b - t * y) // 2, y
-
-
-ENUMERATED = 2 * 10**5
-TRIALS = 50_000
-
-
-def represent_integer(order: ZOrder, n: int, seed: int | None = None) -> Quaternion | None:
-    """Return an element of O of norm n, or None where an enumeration, or a prime, shows that there is none.
-
-    Raises :class:`IndefiniteError`, and :class:`UndecidedError` where n is too large to enumerate and nothing
-    was found.
-    """
-    expect_definite(order.ambient, "represent_integer()")
-    rows, gram = order.reduced
-    if enumeration.volume(gram, 2 * n, 3) < ENUMERATED:
-        for x in enumeration.vectors_of_length(gram, 2 * n):
-            return order.element(hermite.combination(x, rows))
-        return None
-    if not is_eichler(order) and any(
-        is_obstructed(order, p, n) for p in factorise(order.discriminant)
-    ):
-        return None
-    found = in_frame(frame(order), n, random.Random(0 if seed is None else seed))
-    if found is None:
-        raise UndecidedError(
-            f"no element of norm {shorten(n)} was found in {TRIALS} trials; the order contains quadratic "
-            f"orders of discriminant {shorten(frame(order).discriminant)} and beyond only"
-        )
-    return found
-
-
-TRIED = 20_000
-"""No more classes of elements modulo powers of a prime than this are tried for a local obstruction."""
-
-
-def is_obstructed(order: ZOrder, p: int, n: int) -> bool:
-    """Tell whether no element has the norm n in the completion at p; False where that is not seen.
-
-    An x outside of p·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one of norm
-    n (Hensel); one in p·O has the norm of one of norm n/p².
-    """
-    if p**4 > TRIED:
+    at = OrderAtPrime(order, prime)
+    ambient, P = at.ambient, at.place
+    if at.norm**4 > TRIED:
         return False
-    classes = list(product(range(p), repeat=4))
-    level, k = classes[1:], 1
-    while level:
-        rest = []
-        for x in level:
-            difference = order.trace_and_norm(x)[1] - n
-            if difference % p**k:
-                continue
-            slopes = (sum(map(mul, row, x)) for row in order.gram)
-            slope = min((remove(s, p)[0] for s in slopes if s), default=math.inf)
-            if not difference or remove(difference, p)[0] > 2 * slope:
-                return False
-            rest.append(x)
-        if len(rest) * len(classes) > TRIED:
-            return False
-        level = [
-            tuple(a + p**k * b for a, b in zip(x, v, strict=True)) for x in rest for v in classes
-        ]
-        k += 1
-    return bool(n % p**2) or is_obstructed(order, p, n // p**2)
+    basis = at.basis_modulo_prime
+    values = [ambient.norm(b.entries()) for b in basis]
+    classes = list(_vectors(at))
+
+    def solvable(target: FieldElement) -> bool:
+        level, power = [x for x in classes if any(x.entries())], ambient.base.field.one
+        for k in count(1):
+            rest = []
+            for x in level:
+                norm = ambient.norm(x.entries())
+                if norm != target and P.valuation(norm - target) < k:
+                    continue
+                slopes = (
+                    ambient.norm((x + b).entries()) - norm - c
+                    for b, c in zip(basis, values, strict=True)
+                )
+                slope = min((P.valuation(d) for d in slopes if d), default=math.inf)
+                if norm == target or P.valuation(norm - target) > 2 * slope:
+                    return True
+                rest.append(x)
+            if len(rest) * len(classes) > TRIED:
+                return True  # not known
+            power = power * P.uniformiser
+            level = [x + v * ambient.scalar(power) for x in rest for v in classes]
+            if not level:
+                break
+        lower = target / (P.uniformiser * P.uniformiser)
+        return P.valuation(lower) >= 0 and solvable(lower)
+
+    return not solvable(norm)
 
 
-def in_frame(f: Frame, n: int, rng: random.Random, trials: int = TRIALS) -> Quaternion | None:
-    """Return an element of norm n of ``ℤ[α] + ℤ[α]·β``, or None after so many trials."""
-    bound = n // f.norm
-    # f(z, w) ≥ |d|/(4·n)·z² and ≥ |d|/4·w²
-    widest = math.isqrt(4 * bound // -f.discriminant)
-    for _ in range(trials):
-        w = rng.randint(-widest, widest)
-        rest = bound + f.discriminant * w * w // 4
-        half = math.isqrt(max(rest, 0))
-        z = rng.randint(-half, half) - f.t * w // 2
-        m = n - f.norm * f.binary(z, w)
-        if m <= 0:
-            continue
-        found = represent(f.discriminant, m)
-        if found is not None:
-            return f.element(*found, z, w)
-    return None
+def _vectors(at: OrderAtPrime) -> Iterator[flint.fmpq_mat]:
+    """Yield one element of each class of an order modulo P times it."""
+    ambient, basis = at.ambient, at.basis_modulo_prime
+    for digits in product(at.representatives, repeat=len(basis)):
+        total = flint.fmpq_mat(1, ambient.size)
+        for c, b in zip(digits, basis, strict=True):
+            total = total + b * ambient.scalar(c)
+        yield total
