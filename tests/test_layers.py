@@ -53,7 +53,6 @@ FLOORS = [
     {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
     {"hfield.orders.equivalence"},  # looks for elements in the hyperbolic plane
     {"hfield.orders.isomorphisms"},
-    {"hfield.orders.order_functions"},
     {"hfield.orders.lattice"},
     {"hfield.orders.hurwitz_order"},
     {"hfield.algebra"},

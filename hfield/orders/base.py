@@ -145,6 +145,9 @@ class Base(Protocol):
     def lift(self, prime: Any, residue: Any) -> Any:
         """Return an integer of the field with a given residue modulo a prime."""
 
+    def root_modulo_4(self, d: Any) -> Any:
+        """Return t with t² ≡ d modulo 4, over ℤ d itself; None where there is none."""
+
     def integer_near(self, x: Any, modulus: int) -> Any:
         """Return an integer of the field that is x modulo a power of p, where x is integral at p."""
 
@@ -302,6 +305,9 @@ class RationalIntegers:
 
     def lift(self, prime: int, residue: int) -> fmpq:
         return fmpq(residue)
+
+    def root_modulo_4(self, d: fmpq) -> fmpq | None:
+        return d if d.q == 1 and int(d.p) % 4 in (0, 1) else None
 
     def integer_near(self, x: fmpq, modulus: int) -> fmpq:
         return fmpq(int(x.p) * pow(int(x.q), -1, modulus) % modulus)
@@ -500,6 +506,13 @@ class NumberFieldIntegers:
 
     def lift(self, prime: PrimeIdeal, residue: Polynomial) -> Any:
         return self.integer_near(prime.lift(residue), prime.p)
+
+    def root_modulo_4(self, d: Any) -> Any:
+        for digits in product((0, 1), repeat=self.degree):
+            t = self.element_of(list(map(fmpq, digits)))
+            if self.field.is_integral((t * t - d) * fmpq(1, 4)):
+                return t
+        return None
 
     def integer_near(self, x: Any, modulus: int) -> Any:
         (row,) = self.coordinate_rows([x]).tolist()

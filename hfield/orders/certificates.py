@@ -26,6 +26,7 @@ from hfield.certificates.glossary import (
     SHIMIZU,
     SIEGEL,
 )
+from hfield.errors import LatticeError
 from hfield.evidence import Claim
 from hfield.factorisation import factorise
 from hfield.fields.number_fields.classes import evidence
@@ -173,8 +174,15 @@ def of_ideal_classes(classes: Any) -> Claim:
     return Claim(algebra, statement, shown, BY_MASS, assumes=cited)
 
 
-def of_embedding(order: ZOrder, d: int, element: Quaternion | None) -> Claim:
-    """Return that a quadratic order is, or is not, optimally embedded in an order over ℤ."""
+def of_embedding(order: LatticeValue, d: object, element: Quaternion | None) -> Claim:
+    """Return that a quadratic order is, or is not, optimally embedded in an order over ℤ.
+
+    Raises :class:`LatticeError` over another base.
+    """
+    if not order.ambient.base.is_rational:
+        raise LatticeError(
+            "embeddings are certified over ℤ only, where statements about them exist"
+        )
     words = _words(order.ambient)
     statement = f"embedding{{{text(order)}; {d}}}"
     shown: dict[str, Any] = {"kind": "embedding"}

@@ -20,7 +20,12 @@ from hfield.errors import LatticeError, UndecidedError
 from hfield.orders import hermite
 from hfield.orders.lattice_values import LatticeValue, includes, multiple, spanning_rows
 from hfield.orders.linear_algebra_mod_p import kernel
-from hfield.orders.quadratic_orders import Frame, extremal_frame, in_frame, represent
+from hfield.orders.quadratic_frames import (
+    QuadraticFrame,
+    extremal_frame,
+    in_frame,
+    represent,
+)
 from hfield.orders.short_elements import expect_definite, least_norm, up_to
 from hfield.orders.z_order import ZOrder
 from hfield.primality import is_prime, is_probable_prime
@@ -115,7 +120,7 @@ def to_power_norm(
 
 
 def _from_prime(
-    ideal: LatticeValue, f: Frame, norm: int, prime: int, rng: random.Random
+    ideal: LatticeValue, f: QuadraticFrame, norm: int, prime: int, rng: random.Random
 ) -> tuple[Quaternion, int] | None:
     """Return an element of norm N·primeᵉ in a left ideal of prime norm N, and e."""
     p = f.norm
@@ -150,7 +155,7 @@ def _ratio(ideal: LatticeValue, u: Quaternion, v: Quaternion, norm: int) -> tupl
 
 
 def _strong_approximation(
-    f: Frame, norm: int, prime: int, ratio: tuple[int, int], rng: random.Random
+    f: QuadraticFrame, norm: int, prime: int, ratio: tuple[int, int], rng: random.Random
 ) -> tuple[Quaternion, int] | None:
     """Return μ ≡ λ·(C + D·s)·β modulo N of norm primeᵇ, and b."""
     n, p, d = norm, f.norm, -f.discriminant
@@ -175,7 +180,7 @@ def _strong_approximation(
     return None
 
 
-def _lift(f: Frame, n: int, target: int, c0: int, d0: int) -> Quaternion | None:
+def _lift(f: QuadraticFrame, n: int, target: int, c0: int, d0: int) -> Quaternion | None:
     """Return ``N·(x + y·s) + (c₀ + N·c + (d₀ + N·e)·s)·β`` of norm ``target``.
 
     Modulo N² that is one linear condition on (c, e); they are taken close to −(c₀, d₀)/N.

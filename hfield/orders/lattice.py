@@ -41,6 +41,7 @@ from hfield.orders import (
     lattice_values,
     maximal_orders,
     pseudo_bases,
+    quadratic_orders,
     related_orders,
     rings,
     short_elements,
@@ -54,10 +55,10 @@ from hfield.orders.eigensystems import WithForms
 from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.hecke_modules import RationalModule
 from hfield.orders.lattice_values import LatticeValue, rows_json
-from hfield.orders.order_functions import functions
 from hfield.orders.orders_at_primes import OrderAtPrime
-from hfield.orders.over_integers import class_sets
+from hfield.orders.over_integers import class_sets, stable_classes
 from hfield.orders.over_integers.hecke_modules import IntegersModule
+from hfield.orders.quadratic_orders import Embeddings
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.ternary_forms import TernaryForm
 from hfield.orders.validation import checked_side, listed, natural
@@ -398,7 +399,6 @@ class Order(WithStableClasses, Certified, Lattice):
 
     def __init__(self, value: LatticeValue) -> None:
         super().__init__(ZOrder.of(value) if value.ambient.base.is_rational else value)
-        self._functions = functions(value)
 
     @classmethod
     def generated(cls, algebra: Parent, elements: Iterable[object]) -> Order:
@@ -784,9 +784,9 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> A.order(["i", "j"]).represent_integer(2 + s), M.represent_integer(2 + s).norm()
         (None, 2+sqrt(2))
         """
-        return self._functions.represent_integer(self.value, n, seed)
+        return quadratic_orders.represent_integer(self.value, n, seed)
 
-    def embeddings(self, discriminant: object) -> Any:
+    def embeddings(self, discriminant: object) -> Embeddings:
         """Return the optimal embeddings of the quadratic order of a totally negative discriminant.
 
         Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
@@ -796,7 +796,9 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> len(found), found.orbits, found.element**3
         (20, 1, −1)
         """
-        return self._functions.embeddings(self, discriminant)
+        return Embeddings(
+            self, discriminant, *quadratic_orders.embeddings(self.value, discriminant)
+        )
 
     # --- classes -----------------------------------------------------------------------------------
 
@@ -835,7 +837,9 @@ class Order(WithStableClasses, Certified, Lattice):
 
     @cached_property
     def _stable(self) -> StableClasses:
-        return self._functions.stable_classes(self)
+        if self.value.ambient.base.is_rational:
+            return class_number.over_z(ZOrder.of(self.value))
+        return stable_classes.stable_classes(self)
 
     def mass(self) -> Fraction:
         """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ], over ℤ modulo ±1, over the right ideal classes, by a formula.

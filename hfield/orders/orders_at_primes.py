@@ -147,6 +147,10 @@ class OrderAtPrime:
                     return self.order_row(v), *roots
         raise LatticeError(f"this order is not an Eichler order at {self.prime}")
 
+    def coordinates(self, rows: fmpq_mat) -> fmpz_mat:
+        """Return the coordinates of elements of the order."""
+        return (rows * self.order.inverse_rows).numer_denom()[0]
+
     def order_row(self, v: Vector) -> fmpq_mat:
         """Return the element with these coordinates, a row of rational numbers."""
         return (fmpz_mat([list(v)]) * self.order.matrix) * fmpq(1, self.order.den)

@@ -1,13 +1,9 @@
-"""Quadratic orders inside a quaternion order: embeddings, and a frame ``ℤ[α] + ℤ[α]·β`` with α small.
+"""Quadratic orders inside an order over ℤ as frames ``ℤ[α] + ℤ[α]·β`` with α small.
 
-The elements ``s = 2x − tr(x)`` are those of trace 0 in ``ℤ + 2O``, and s² is the discriminant of ``ℤ[x]``;
-so the quadratic orders of discriminant d in O are vectors of norm −d of a ternary lattice. They are
-embedded optimally when the vector is primitive (Voight, *Quaternion Algebras*, chapter 30; Gross, 1987).
-
-Inside O lies ``ℤ[α] + ℤ[α]·β``, of norm form ``f(x, y) + N(β)·f(z, w)``. For random z, w the rest is a
+A frame has the norm form ``f(x, y) + N(β)·f(z, w)``. For random z, w the rest is a
 prime about once in as many times as it has digits, and Cornacchia's algorithm represents it by f: so elements
 are found whose norm has hundreds of digits (Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny
-path problem", 2014, section 3.2). Small norms are decided by enumeration.
+path problem", 2014, section 3.2).
 """
 
 from __future__ import annotations
@@ -16,85 +12,20 @@ import math
 import random
 from collections.abc import Iterator
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import cached_property, lru_cache
-from itertools import product
-from operator import mul
-from typing import Any
+from functools import lru_cache
 
 from flint import fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.errors import LatticeError, UndecidedError, shorten
-from hfield.evidence import Certified, Claim
-from hfield.factorisation import factorise, remove
-from hfield.orders import certificates, enumeration, hermite
-from hfield.orders.invariants import is_eichler
-from hfield.orders.short_elements import expect_affordable, expect_definite, of_norm
-from hfield.orders.z_order import ZOrder
+from hfield.errors import UndecidedError, shorten
+from hfield.orders import enumeration, hermite
+from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.primality import is_probable_prime, primes
 from hfield.rings.whole_numbers import sqrt_mod
 
 
 @dataclass(frozen=True)
-class Embeddings(Certified):
-    """The optimal embeddings of the quadratic order of ``discriminant`` in an order of a definite algebra.
-
-    ``elements`` are the images of ``(d + √d)/2``; ``orbits`` counts them up to conjugation by units.
-    """
-
-    order: Any  # an Order, whose class stands above
-    discriminant: int
-    elements: tuple[Quaternion, ...]
-    orbits: int
-
-    @property
-    def element(self) -> Quaternion | None:
-        """One of them, or None."""
-        return self.elements[0] if self.elements else None
-
-    @cached_property
-    def claim(self) -> Claim:
-        """What there is to certify, as a statement with its evidence."""
-        return certificates.of_embedding(self.order.value, self.discriminant, self.element)
-
-    def __len__(self) -> int:
-        return len(self.elements)
-
-    def __bool__(self) -> bool:
-        """Tell whether there is an optimal embedding."""
-        return bool(self.elements)
-
-
-def embeddings(order: ZOrder, d: int) -> tuple[tuple[Quaternion, ...], int]:
-    """Return the images of (d + √d)/2 under the optimal embeddings of an order, d < 0, and their orbits.
-
-    Raises :class:`LatticeError` for a d that is no negative discriminant, :class:`IndefiniteError`.
-    """
-    expect_definite(order.ambient, "embeddings()")
-    if d >= 0 or d % 4 not in (0, 1):
-        raise LatticeError(
-            f"{d} is no discriminant of an imaginary quadratic order: expected d < 0, 0 or 1 modulo 4"
-        )
-    den, rows, gram = order.reduced_ternary
-    expect_affordable(enumeration.volume(gram, -2 * d, 2), "elements of norm at most")
-    found = []
-    for x in enumeration.vectors_of_length(gram, -2 * d):
-        if math.gcd(*x) == 1:
-            row = hermite.combination(x, rows)
-            found += [row, tuple(-c for c in row)]
-    elements = tuple((d + order.element(row, den)) / 2 for row in sorted(found, reverse=True))
-    units = of_norm(order, Fraction(1)) if elements else ()
-    left, orbits = set(elements), 0
-    while left:
-        q = left.pop()
-        left -= {u * q * u.conjugate() for u in units}
-        orbits += 1
-    return elements, orbits
-
-
-@dataclass(frozen=True)
-class Frame:
+class QuadraticFrame:
     """α and β in O with N(β) = ``norm`` and s·β = −β·s for s = 2α − t, s² = d, t = d modulo 2."""
 
     discriminant: int
@@ -122,27 +53,27 @@ class Frame:
 
 
 @lru_cache(maxsize=64)
-def frame(order: ZOrder) -> Frame:
+def frame(order: LatticeValue) -> QuadraticFrame:
     """Return the frame for a quadratic order of least discriminant in an order of a definite algebra."""
     _, _, gram = order.reduced_ternary
     return next(frames(order, min(gram[n][n] for n in range(3)) // 2))
 
 
 @lru_cache(maxsize=64)
-def extremal_frame(order: ZOrder, largest: int) -> Frame | None:
+def extremal_frame(order: LatticeValue, largest: int) -> QuadraticFrame | None:
     """Return a frame with d ≥ −largest and N(β) = p, the discriminant of the order, or None."""
-    p = order.discriminant
+    p = discriminant(order)
     return next((f for f in frames(order, largest) if f.norm == p), None)
 
 
-def frames(order: ZOrder, largest: int) -> Iterator[Frame]:
+def frames(order: LatticeValue, largest: int) -> Iterator[QuadraticFrame]:
     """Yield the frames for all optimally embedded quadratic orders with d ≥ −largest, by |d|."""
     _, _, gram = order.reduced_ternary
     short = sorted((value, v) for v, value in enumeration.short_vectors(gram, 2 * largest))
     yield from (_frame(order, v) for _, v in short if math.gcd(*v) == 1)
 
 
-def _frame(order: ZOrder, x: tuple[int, ...]) -> Frame:
+def _frame(order: LatticeValue, x: tuple[int, ...]) -> QuadraticFrame:
     den, rows, _ = order.reduced_ternary
     s = hermite.combination(x, rows)
     element = order.element(s, den)
@@ -161,7 +92,7 @@ def _frame(order: ZOrder, x: tuple[int, ...]) -> Frame:
     small, steps = (plane * r.trace_form * plane.transpose()).lll(transform=True, rep="gram")
     rows2 = hermite.tuples(steps * plane)
     beta = order.element(rows2[0] if small[0, 0] <= small[1, 1] else rows2[1])
-    return Frame(d, int(str(beta.norm())), alpha, beta)
+    return QuadraticFrame(d, int(str(beta.norm())), alpha, beta)
 
 
 SMALL = (2, 3, 5, 7, 11, 13)
@@ -238,27 +169,12 @@ def cornacchia(d: int, m: int) -> tuple[int, int] | None:
     return (b - t * y) // 2, y
 
 
-ENUMERATED = 2 * 10**5
 TRIALS = 50_000
 
 
-def represent_integer(order: ZOrder, n: int, seed: int | None = None) -> Quaternion | None:
-    """Return an element of O of norm n, or None where an enumeration, or a prime, shows that there is none.
-
-    Raises :class:`IndefiniteError`, and :class:`UndecidedError` where n is too large to enumerate and nothing
-    was found.
-    """
-    expect_definite(order.ambient, "represent_integer()")
-    rows, gram = order.reduced
-    if enumeration.volume(gram, 2 * n, 3) < ENUMERATED:
-        for x in enumeration.vectors_of_length(gram, 2 * n):
-            return order.element(hermite.combination(x, rows))
-        return None
-    if not is_eichler(order) and any(
-        is_obstructed(order, p, n) for p in factorise(order.discriminant)
-    ):
-        return None
-    found = in_frame(frame(order), n, random.Random(0 if seed is None else seed))
+def represent_integer(order: LatticeValue, n: int, rng: random.Random) -> Quaternion:
+    """Return an element of norm n, large, of an order over ℤ. Raises :class:`UndecidedError`."""
+    found = in_frame(frame(order), n, rng)
     if found is None:
         raise UndecidedError(
             f"no element of norm {shorten(n)} was found in {TRIALS} trials; the order contains quadratic "
@@ -267,41 +183,9 @@ def represent_integer(order: ZOrder, n: int, seed: int | None = None) -> Quatern
     return found
 
 
-TRIED = 20_000
-"""No more classes of elements modulo powers of a prime than this are tried for a local obstruction."""
-
-
-def is_obstructed(order: ZOrder, p: int, n: int) -> bool:
-    """Tell whether no element has the norm n in the completion at p; False where that is not seen.
-
-    An x outside of p·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one of norm
-    n (Hensel); one in p·O has the norm of one of norm n/p².
-    """
-    if p**4 > TRIED:
-        return False
-    classes = list(product(range(p), repeat=4))
-    level, k = classes[1:], 1
-    while level:
-        rest = []
-        for x in level:
-            difference = order.trace_and_norm(x)[1] - n
-            if difference % p**k:
-                continue
-            slopes = (sum(map(mul, row, x)) for row in order.gram)
-            slope = min((remove(s, p)[0] for s in slopes if s), default=math.inf)
-            if not difference or remove(difference, p)[0] > 2 * slope:
-                return False
-            rest.append(x)
-        if len(rest) * len(classes) > TRIED:
-            return False
-        level = [
-            tuple(a + p**k * b for a, b in zip(x, v, strict=True)) for x in rest for v in classes
-        ]
-        k += 1
-    return bool(n % p**2) or is_obstructed(order, p, n // p**2)
-
-
-def in_frame(f: Frame, n: int, rng: random.Random, trials: int = TRIALS) -> Quaternion | None:
+def in_frame(
+    f: QuadraticFrame, n: int, rng: random.Random, trials: int = TRIALS
+) -> Quaternion | None:
     """Return an element of norm n of ``ℤ[α] + ℤ[α]·β``, or None after so many trials."""
     bound = n // f.norm
     # f(z, w) ≥ |d|/(4·n)·z² and ≥ |d|/4·w²

@@ -1,8 +1,9 @@
-"""Quadratic orders over ℤ_K inside an order of a totally definite algebra, and elements of given norm.
+"""Quadratic orders inside an order of a totally definite algebra, and elements of given norm.
 
-The elements s = 2x − tr(x) are those of trace 0 in ℤ_K + 2O, and s² is the discriminant of ℤ_K[x]: a
-quadratic order of discriminant d is embedded by the vectors of norm −d of a ternary lattice, and optimally
-where no multiple of s by an inverse ideal is in it (Voight, *Quaternion Algebras*, chapter 30).
+The elements s = 2x − tr(x) are those of trace 0 in R + 2O, R being the integers of the base, and s² is the
+discriminant of R[x]. So the quadratic orders of discriminant d in O are vectors of norm −d of a ternary
+lattice. They are embedded optimally where no number outside of R takes the vector into the lattice
+(J. Voight, *Quaternion Algebras*, chapter 30; B. Gross, "Heights and the special values of L-series", 1987).
 """
 
 from __future__ import annotations
@@ -10,19 +11,24 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import count, product
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-import flint
+from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.errors import LatticeError, UndecidedError, shorten
-from hfield.orders.ideals_of_norm import of_prime_norm, random_ideal
+from hfield.evidence import Certified, Claim
+from hfield.orders import certificates, enumeration, hermite, quadratic_frames
+from hfield.orders.ideals_of_norm import is_maximal_or_eichler, of_prime_norm, random_ideal
 from hfield.orders.lattice_values import LatticeValue, conjugate, discriminant
 from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.short_elements import (
+    expect_affordable,
     expect_definite,
-    of_norm_among,
+    form_of_norm,
+    reduced,
     rows_of_norm,
     ternary_rows,
 )
@@ -30,25 +36,28 @@ from hfield.orders.units import units_modulo_scalars
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
-    from hfield.fields.number_fields.elements import FieldElement
     from hfield.orders.basis import AlgebraBasis
 
-ENUMERATED = 10**6
-"""Ellipsoids with about so many integral points are run through."""
+MAX_ENUMERATED = 2 * 10**5
+"""Norms are decided by enumeration where about so many steps do it."""
 TRIALS = 100
 """So many random ideals are tried."""
-TRIED = 20_000
+MAX_CLASSES = 20_000
 """No more classes of elements modulo powers of a prime than this are tried for a local obstruction."""
 
 
-@dataclass(frozen=True)
-class IntegersEmbeddings:
-    """The optimal embeddings of the quadratic ℤ_K-order of ``discriminant`` in an order.
+# --- embeddings ------------------------------------------------------------------------------------
 
-    ``elements`` are the images of ``(t + √d)/2``, t² ≡ d modulo 4; ``orbits`` counts them up to conjugation
-    by units of the order.
+
+@dataclass(frozen=True)
+class Embeddings(Certified):
+    """The optimal embeddings of the quadratic order of ``discriminant`` d in an order.
+
+    ``elements`` are the images of ``(t + √d)/2``, t² ≡ d modulo 4, where over ℤ t is d; ``orbits`` counts
+    them up to conjugation by units of the order.
     """
 
+    order: Any  # an Order, whose class stands above
     discriminant: Any
     elements: tuple[Quaternion, ...]
     orbits: int
@@ -58,6 +67,11 @@ class IntegersEmbeddings:
         """One of them, or None."""
         return self.elements[0] if self.elements else None
 
+    @cached_property
+    def claim(self) -> Claim:
+        """The answer as a statement with its evidence. Raises :class:`LatticeError` over ℤ_K."""
+        return certificates.of_embedding(self.order.value, self.discriminant, self.element)
+
     def __len__(self) -> int:
         return len(self.elements)
 
@@ -66,68 +80,75 @@ class IntegersEmbeddings:
         return bool(self.elements)
 
 
-def embeddings(order: LatticeValue, d: Any) -> IntegersEmbeddings:
-    """Return the optimal embeddings of the quadratic order of discriminant d, totally negative.
+def embeddings(order: LatticeValue, d: Any) -> tuple[tuple[Quaternion, ...], int]:
+    """Return the elements and the number of orbits of :class:`Embeddings`, for a discriminant d.
 
-    Raises :class:`LatticeError` where d is no discriminant, :class:`IndefiniteError`.
+    Raises :class:`LatticeError` where d is no totally negative discriminant, :class:`IndefiniteError`.
     """
     ambient, base = order.ambient, order.ambient.base
     expect_definite(ambient, "embeddings()")
-    field, x = base.field, base.inside(d)
-    t = _root_modulo_4(ambient, x)
-    if t is None or any(v.sign(x) >= 0 for v in field.real_places()):
+    x = base.inside(d)
+    t = base.root_modulo_4(x)
+    if t is None or not base.is_totally_positive(-x):
         raise LatticeError(
             f"{shorten(d)} is no discriminant of a totally imaginary quadratic order over the integers of "
-            f"{shorten(ambient.algebra.ring.name)}: expected a totally negative integer, a square modulo 4"
+            f"{shorten(base.ring.name)}: expected a totally negative integer, a square modulo 4"
         )
-    ternary = ternary_rows(order)
-    # what would make an order of smaller discriminant d/b² contain the image
-    inverses = [
-        ambient.base.prime_ideal(ambient.base.prime(P)) ** -1
-        for P, e in ambient.base.principal(x).factorisation()
-        if e > 1
-    ]
-    found = []
-    for s in of_norm_among(ambient, ternary, -x):
-        multiples = ([s * ambient.scalar(c) for c in b.elements] for b in inverses)
-        if not any(_inside(some, ternary) for some in multiples):
-            found += [s, -s]
+    vectors = list(_of_trace_zero(order, -x))
+    both = sorted((*vectors, *(-s for s in vectors)), key=fmpq_mat.entries, reverse=True)
     shift = ambient.row(1) * ambient.scalar(t)
-    images = [(shift + s) * flint.fmpq(1, 2) for s in found]
+    images = [(shift + s) * fmpq(1, 2) for s in both]
     elements = tuple(ambient.quaternion(row.entries()) for row in images)
-    return IntegersEmbeddings(d, elements, _orbits(order, found))
+    return elements, _orbits(order, both)
 
 
-def _root_modulo_4(ambient: AlgebraBasis, d: FieldElement) -> FieldElement | None:
-    """Return t with t² ≡ d modulo 4, or None."""
-    field = ambient.base.field
-    for digits in product((0, 1), repeat=ambient.degree):
-        t: FieldElement = sum(
-            (w * c for w, c in zip(ambient.base.integral_basis, digits, strict=True)), field.zero
-        )
-        if field.is_integral((t * t - d) * flint.fmpq(1, 4)):
-            return t
-    return None
+def _of_trace_zero(order: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
+    """Yield one of ±s for each primitive s of trace 0 in R + 2O with a norm, totally positive."""
+    ambient, n = order.ambient, order.ambient.degree
+    rational = ambient.base.as_rational(norm)
+    if rational is not None:  # Tr(N(s)/ν) is a multiple of Tr(N(s))
+        den, rows, gram = order.reduced_ternary
+        length = 2 * n * rational
+    else:
+        gram, basis, scale = reduced(ambient, ternary_rows(order), 1 / norm)
+        den, rows = hermite.rational(basis)
+        length = fmpq(2 * n * scale)
+    if length.q != 1:
+        return
+    bound = int(length.p)
+    expect_affordable(enumeration.volume(gram, bound, len(gram) - 1), "elements of norm at most")
+    multiplications = _multiplications(ambient, rows)
+    for v in enumeration.vectors_of_length(gram, bound):
+        vector = fmpz_mat([list(v)])
+        row = (vector * rows) * fmpq(1, den)
+        if n > 1 and ambient.norm(row.entries()) != norm:
+            continue
+        multiples = hermite.stacked(*(vector * m for m in multiplications))
+        # c·s is in the lattice for numbers c of the field only that are in R
+        if hermite.volume(multiples.transpose().hnf()) == 1:
+            yield row
 
 
-def _inside(vectors: list[flint.fmpq_mat], ternary: flint.fmpq_mat) -> bool:
-    n = ternary.ncols() // 4
-    square = flint.fmpq_mat([r[n:] for r in ternary.tolist()])
-    pure = flint.fmpq_mat([v.entries()[n:] for v in vectors])
-    return bool((pure * square.inv()).numer_denom()[1] == 1)
+def _multiplications(ambient: AlgebraBasis, rows: fmpz_mat) -> list[fmpz_mat]:
+    """Return the matrices of the multiplication by the integral basis on rows of trace 0."""
+    n = ambient.degree
+    pure = fmpz_mat([row[n:] for row in rows.tolist()])
+    blocks = (fmpz_mat([row[n:] for row in m.tolist()[n:]]) for m in ambient.scalars)
+    inverse = pure.inv()
+    return [(fmpq_mat(pure * block) * inverse).numer_denom()[0] for block in blocks]
 
 
-def _orbits(order: LatticeValue, elements: list[flint.fmpq_mat]) -> int:
+def _orbits(order: LatticeValue, elements: list[fmpq_mat]) -> int:
     """Return how many orbits there are under conjugation by the units of an order."""
     if not elements:
         return 0
     times = order.ambient.times
     maps = [times(u, "left") * times(u).inv() for u in units_modulo_scalars(order)]
-    left, orbits = {str(s): s for s in elements}, 0
+    left, orbits = {tuple(s.entries()): s for s in elements}, 0
     while left:
         s = next(iter(left.values()))
         for m in maps:
-            left.pop(str(s * m), None)
+            left.pop(tuple((s * m).entries()), None)
         orbits += 1
     return orbits
 
@@ -135,113 +156,113 @@ def _orbits(order: LatticeValue, elements: list[flint.fmpq_mat]) -> int:
 # --- norm equations --------------------------------------------------------------------------------
 
 
-def represent(order: LatticeValue, n: Any, seed: int | None = None) -> Quaternion | None:
+def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -> Quaternion | None:
     """Return an element of an order with norm n, or None where there is none.
 
-    Small n are decided by enumeration in the form Tr(N(x)/n). For others an obstruction at a prime is looked
-    for, and a generator of norm n of random ideals of norm n, whose shortest vectors it is among.
-    Raises :class:`IndefiniteError`, and :class:`UndecidedError`.
+    Small n are decided by enumeration. For others an obstruction at a prime is looked for, and then an
+    element: over ℤ in the frame of a quadratic order, elsewhere in random ideals. Raises
+    :class:`IndefiniteError`, and :class:`UndecidedError`.
     """
     ambient, base = order.ambient, order.ambient.base
     expect_definite(ambient, "represent_integer()")
     norm = base.inside(n)
     if not norm:
-        return ambient.quaternion([flint.fmpq(0)] * ambient.size)
-    if not ambient.base.field.is_integral(norm) or any(
-        v.sign(norm) < 0 for v in ambient.base.field.real_places()
-    ):
+        return ambient.quaternion([fmpq(0)] * ambient.size)
+    integral = base.coordinate_rows([norm]).numer_denom()[1] == 1
+    form = form_of_norm(order, norm) if integral and base.is_totally_positive(norm) else None
+    if form is None:
         return None
-    small, whole = _points(order, norm) < ENUMERATED, discriminant(order)
-    if not small and any(
-        is_obstructed(order, base.prime(P), norm) for P, _ in whole.factorisation()
-    ):
+    gram, _, length = form
+    if enumeration.volume(gram, length, len(gram) - 1) < MAX_ENUMERATED:
+        return _first_of_norm(order, norm)
+    factors = base.factorisation(discriminant(order))
+    uncertain = (P for P, e in factors if not is_maximal_or_eichler(order, P, e))
+    if any(is_obstructed(order, P, norm) for P in uncertain):
         return None
-    rng = Random(1 if seed is None else seed)
-    lattices = [order] if small else _random_ideals(order, norm, rng)
-    for lattice in lattices:
-        for row in rows_of_norm(lattice, norm):
-            return ambient.quaternion(row.entries())
-    if small:
-        return None
+    rng = Random(0 if seed is None else seed)
+    if base.is_rational:
+        return quadratic_frames.represent_integer(order, int(norm.p), rng)
+    for ideal in _random_ideals(order, norm, rng):
+        x = _first_of_norm(ideal, norm)
+        if x is not None:
+            return x
     raise UndecidedError(
         f"whether the norm of an element is {shorten(n)} was not decided: no prime forbids it, and of "
         f"{TRIALS} random ideals of this norm none has such a generator"
     )
 
 
-def _random_ideals(order: LatticeValue, norm: FieldElement, rng: Random) -> Iterator[LatticeValue]:
+def _first_of_norm(lattice: LatticeValue, norm: Any) -> Quaternion | None:
+    row = next(rows_of_norm(lattice, norm), None)
+    return None if row is None else lattice.ambient.quaternion(row.entries())
+
+
+def _random_ideals(order: LatticeValue, norm: Any, rng: Random) -> Iterator[LatticeValue]:
     """Yield some right ideals of an order whose norm is generated by a number."""
-    ambient, whole = order.ambient, discriminant(order)
-    base, bad, good = ambient.base, [], ambient.base.one
-    for place, e in base.principal(norm).factorisation():
-        if whole.valuation(place) > 0:
-            bad += [of_prime_norm(order, base.prime(place))] * e
+    base, whole = order.ambient.base, discriminant(order)
+    factors = base.factorisation(base.principal(norm))
+    bad, good = [], base.one
+    for P, e in factors:
+        if base.valuation(whole, P):
+            bad += [of_prime_norm(order, P)] * e
         else:
-            good *= base.prime_ideal(base.prime(place)) ** e
+            good *= base.prime_ideal(P) ** e
     for _ in range(TRIALS):
         ideal = conjugate(random_ideal(order, good, rng))
-        for known in bad:
-            ideal = known.random_inside(ideal, rng)
+        for ideals in bad:
+            ideal = ideals.random_inside(ideal, rng)
         yield ideal
 
 
-def _points(order: LatticeValue, norm: FieldElement) -> float:
-    """Return about how many elements of the lattice have Tr(N(x)/n) ≤ [K : ℚ]."""
-    ambient, rows = order.ambient, order.rows
-    form = rows * ambient.form(1 / norm) * rows.transpose()
-    m = ambient.size
-    log_det = math.log(int(form.det().p)) - math.log(int(form.det().q))
-    log_ball = m / 2 * math.log(math.pi) - math.lgamma(m / 2 + 1)
-    return math.exp(min(log_ball + m / 2 * math.log(2 * ambient.degree) - log_det / 2, 700.0))
-
-
-def is_obstructed(order: LatticeValue, prime: Any, norm: FieldElement) -> bool:
+def is_obstructed(order: LatticeValue, prime: Any, norm: Any) -> bool:
     """Tell whether no element of the order has this norm in the completion at P; False where it is not seen.
 
     An element outside of P·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one
     of norm n (Hensel); one in P·O has the norm of one of norm n/π².
     """
     at = OrderAtPrime(order, prime)
-    ambient, P = at.ambient, at.place
-    if at.norm**4 > TRIED:
+    if at.norm**4 > MAX_CLASSES:
         return False
-    basis = at.basis_modulo_prime
-    values = [ambient.norm(b.entries()) for b in basis]
-    classes = list(_vectors(at))
+    place, number = at.place, at.base.element_of
+    classes = list(_classes(at))
+    uniformiser = at.coordinates(order.rows * at.ambient.scalar(place.uniformiser))
 
-    def solvable(target: FieldElement) -> bool:
-        level, power = [x for x in classes if any(x.entries())], ambient.base.field.one
+    def solvable(target: Any) -> bool:
+        power = at.ambient.identity
+        level = classes[1:]  # but 0
         for k in count(1):
             rest = []
             for x in level:
-                norm = ambient.norm(x.entries())
-                if norm != target and P.valuation(norm - target) < k:
+                images = [form * x.transpose() for form in at.traces]
+                value = number([fmpq((x * image)[0, 0], 2) for image in images])
+                if value != target and place.valuation(value - target) < k:
                     continue
                 slopes = (
-                    ambient.norm((x + b).entries()) - norm - c
-                    for b, c in zip(basis, values, strict=True)
+                    number([fmpq(image[m, 0]) for image in images]) for m in range(at.ambient.size)
                 )
-                slope = min((P.valuation(d) for d in slopes if d), default=math.inf)
-                if norm == target or P.valuation(norm - target) > 2 * slope:
+                slope = min((place.valuation(s) for s in slopes if s), default=math.inf)
+                if value == target or place.valuation(value - target) > 2 * slope:
                     return True
                 rest.append(x)
-            if len(rest) * len(classes) > TRIED:
+            if len(rest) * len(classes) > MAX_CLASSES:
                 return True  # not known
-            power = power * P.uniformiser
-            level = [x + v * ambient.scalar(power) for x in rest for v in classes]
+            power = power * uniformiser
+            shifts = [c * power for c in classes]
+            level = [x + v for x in rest for v in shifts]
             if not level:
                 break
-        lower = target / (P.uniformiser * P.uniformiser)
-        return P.valuation(lower) >= 0 and solvable(lower)
+        lower = target / (place.uniformiser * place.uniformiser)
+        return place.valuation(lower) >= 0 and solvable(lower)
 
     return not solvable(norm)
 
 
-def _vectors(at: OrderAtPrime) -> Iterator[flint.fmpq_mat]:
-    """Yield one element of each class of an order modulo P times it."""
-    ambient, basis = at.ambient, at.basis_modulo_prime
-    for digits in product(at.representatives, repeat=len(basis)):
-        total = flint.fmpq_mat(1, ambient.size)
-        for c, b in zip(digits, basis, strict=True):
-            total = total + b * ambient.scalar(c)
+def _classes(at: OrderAtPrime) -> Iterator[fmpz_mat]:
+    """Yield the coordinates of one element of each class of an order modulo P times it, 0 first."""
+    scalars = [at.ambient.scalar(c) for c in at.representatives]
+    multiples = [[at.coordinates(b * c) for c in scalars] for b in at.basis_modulo_prime]
+    for chosen in product(*multiples):
+        total = chosen[0]
+        for x in chosen[1:]:
+            total = total + x
         yield total

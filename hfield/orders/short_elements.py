@@ -99,7 +99,7 @@ def of_norm(lattice: LatticeValue, norm: Any) -> tuple[Quaternion, ...]:
         return (lattice.element([0] * lattice.ambient.size),)
     if not base.is_totally_positive(norm):
         return ()
-    form = _form_of_norm(lattice, norm)
+    form = form_of_norm(lattice, norm)
     if form is None:
         return ()
     gram, _, length = form
@@ -110,7 +110,7 @@ def of_norm(lattice: LatticeValue, norm: Any) -> tuple[Quaternion, ...]:
 Form = tuple[list[list[int]], fmpz_mat, int]
 
 
-def _form_of_norm(lattice: LatticeValue, norm: Any) -> Form | None:
+def form_of_norm(lattice: LatticeValue, norm: Any) -> Form | None:
     """Return a multiple of Tr(N(x)/ν) on a reduced basis, rows over the denominator, and its value.
 
     The value is that for N(x) = ν; None where there is no such x.
@@ -137,7 +137,7 @@ def _rows(lattice: LatticeValue, norm: Any, form: Form) -> Iterator[fmpz_mat]:
 
 def first_of_norm(lattice: LatticeValue, norm: Any) -> fmpz_mat | None:
     """Return an element with a norm, totally positive, as a row over the denominator, or None."""
-    form = _form_of_norm(lattice, norm)
+    form = form_of_norm(lattice, norm)
     if form is None:
         return None
     gram, basis, length = form
@@ -152,7 +152,7 @@ def first_of_norm(lattice: LatticeValue, norm: Any) -> fmpz_mat | None:
 
 def rows_of_norm(lattice: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
     """Yield one of ±x for each x with a norm, totally positive."""
-    form = _form_of_norm(lattice, norm)
+    form = form_of_norm(lattice, norm)
     if form is not None:
         yield from (row * fmpq(1, lattice.den) for row in _rows(lattice, norm, form))
 
@@ -256,12 +256,3 @@ def reduced(ambient: AlgebraBasis, rows: fmpq_mat, c: Any) -> tuple[list[list[in
     whole, den = (rows * ambient.form(c) * rows.transpose()).numer_denom()
     gram, change = whole.lll(transform=True, rep="gram")
     return [list(map(int, row)) for row in gram.tolist()], change * rows, int(den)
-
-
-def of_norm_among(ambient: AlgebraBasis, rows: fmpq_mat, norm: Any) -> Iterator[fmpq_mat]:
-    """Yield one of ±x for each x with a norm, totally positive, among the combinations of rows."""
-    gram, basis, den = reduced(ambient, rows, 1 / norm)
-    for x in enumeration.vectors_of_length(gram, 2 * ambient.degree * den):
-        row = fmpz_mat(1, len(x), x) * basis
-        if ambient.norm(row.entries()) == norm:
-            yield row

@@ -3,8 +3,7 @@
 import pytest
 
 from hfield import IndefiniteError, LatticeError, QuaternionAlgebra, TooLargeError, ring
-from hfield.orders import short_elements
-from hfield.orders.over_integers import quadratic_orders
+from hfield.orders import quadratic_orders, short_elements
 
 
 def elements_of_norm(O, n):
