@@ -33,7 +33,6 @@ from hfield.fields.rationals.residues import PrimePlace
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.orders import positive_generators, validation
 from hfield.orders.linear_algebra_mod_p import kronecker
-from hfield.primality import WORD
 from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
@@ -545,7 +544,6 @@ class NumberFieldIntegers:
         return bool(first + second == self.one)
 
     def quadratic_symbol(self, trace: Any, norm: Any, prime: PrimeIdeal) -> int:
-        expect_small(prime)
         place, t, n = local_place(prime), prime.residue_of(trace), prime.residue_of(norm)
         if (t if place.even else (t * t - n * 4) % place.modulus) == 0:
             return 0
@@ -678,14 +676,6 @@ class NumberFieldIntegers:
         }
         ordered = sorted(norms.items(), key=lambda pair: (self.trace(pair[0]), str(pair[0])))
         return {self.outside(norm): count for norm, count in ordered}
-
-
-def expect_small(prime: PrimeIdeal) -> None:
-    """Raise :class:`TooLargeError` for a prime ideal whose residues exceed a machine's word."""
-    if prime.p >= WORD:
-        raise TooLargeError(
-            f"orders are not computed at {shorten(prime)}, whose residues exceed a machine's word"
-        )
 
 
 INTEGERS = RationalIntegers()

@@ -565,7 +565,7 @@ class Order(WithStableClasses, Certified, Lattice):
     def maximal_overorder(self) -> Order:
         """Return a maximal order that contains this one, always the same.
 
-        Raises :class:`UnfactoredError`, and over ℤ_K :class:`TooLargeError` at primes of 64 bits and more.
+        Raises :class:`UnfactoredError`.
         """
         return Order(maximal_orders.overorder(self.value))
 
@@ -750,8 +750,7 @@ class Order(WithStableClasses, Certified, Lattice):
     def random_ideal(self, n: object, side: str = "left", seed: int | None = None) -> Ideal:
         """Return a random ideal of norm n, prime to the discriminant, which no prime divides.
 
-        The same for the same seed. Raises :class:`LatticeError`, and over ℤ_K :class:`TooLargeError` for
-        primes of 64 bits and more.
+        The same for the same seed. Raises :class:`LatticeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()

@@ -21,7 +21,8 @@ from flint import fmpq, fmpq_mat, fmpz_mat
 from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.orders import certificates, enumeration, hermite, quadratic_frames
-from hfield.orders.ideals_of_norm import is_maximal_or_eichler, of_prime_norm, random_ideal
+from hfield.orders.ideals_of_norm import of_prime_norm, random_ideal
+from hfield.orders.invariants import is_eichler
 from hfield.orders.lattice_values import LatticeValue, conjugate, discriminant
 from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.short_elements import (
@@ -175,9 +176,9 @@ def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -
     gram, _, length = form
     if enumeration.volume(gram, length, len(gram) - 1) < MAX_ENUMERATED:
         return _first_of_norm(order, norm)
-    factors = base.factorisation(discriminant(order))
-    uncertain = (P for P, e in factors if not is_maximal_or_eichler(order, P, e))
-    if any(is_obstructed(order, P, norm) for P in uncertain):
+    if not is_eichler(order) and any(
+        is_obstructed(order, P, norm) for P, e in base.factorisation(discriminant(order)) if e > 1
+    ):
         return None
     rng = Random(0 if seed is None else seed)
     if base.is_rational:

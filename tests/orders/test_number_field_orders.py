@@ -9,6 +9,7 @@ from random import Random
 import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
+from hfield.errors import TooLargeError
 from hfield.orders.lattice import Lattice, Order
 from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.rings import checked_ring
@@ -332,3 +333,22 @@ def test_random_ideals_have_cyclic_quotients() -> None:
             assert I == O.random_ideal(norm, side, seed)
     with pytest.raises(LatticeError, match="divides both"):
         O.random_ideal(3)
+
+
+def test_long_primes() -> None:
+    """As over ℤ: residues are of any size."""
+    p = 10**40 + 121
+    A = QuaternionAlgebra("QQ[s]/(s^2-5)", -1, -1)
+    P = A.ring.primes_above(p)[0]
+    O, prime = A.maximal_order(), A.ring.ideal(P)
+    I = O.random_ideal(prime**2, seed=1)
+    assert (I.norm(), I.is_invertible(), I.primitive_part()[1]) == (prime**2, True, 1)
+    J = O.connecting_ideal(I.right_order())
+    assert (J.left_order(), J.right_order()) == (O, I.right_order())
+    E = A.eichler_order([(P, 2)])
+    assert (E.level, E.eichler_symbol(P), E.is_eichler()) == (prime**2, 1, True)
+    assert E.maximal_overorder().is_maximal()
+    third = A.order([q * p for q in O.basis])
+    assert (third.conductor(), third.gorenstein_closure()) == (A.ring.ideal(p), O)
+    with pytest.raises(TooLargeError):
+        O.ideals_of_norm(prime)
