@@ -16,7 +16,6 @@ from hfield.orders.invariants import eichler_symbol, is_eichler, level
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.orders.orders_at_primes import OrderAtPrime
-from hfield.orders.z_order import ZOrder
 
 
 def area(order: LatticeValue) -> Fraction:
@@ -42,8 +41,8 @@ def norm_index(order: LatticeValue, prime: Any) -> int:
         return OrderAtPrime(order, prime).norm_index()
     if prime > 2:
         return 2  # modulo p the norm is a square
-    whole = ZOrder.of(order)
-    norms = {whole.trace_and_norm(x)[1] % 8 for x in product(range(8), repeat=4)}
+    at = OrderAtPrime(order, prime)
+    norms = {at.norm_of(x)[0] % 8 for x in product(range(8), repeat=4)}
     return 4 // len(norms & {1, 3, 5, 7})
 
 

@@ -37,7 +37,6 @@ from hfield.orders.invariants import level
 from hfield.orders.lattice_values import LatticeValue, colon, conjugate, discriminant, index
 from hfield.orders.positive_generators import totally_positive_generator
 from hfield.orders.short_elements import reduced
-from hfield.orders.z_order import ZOrder
 from hfield.primality import is_prime
 from hfield.rings.whole_numbers import square_root
 
@@ -323,7 +322,7 @@ class _Rational:
         Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far
         enough.
         """
-        orders = [ZOrder.of(first), ZOrder.of(second)]
+        orders = [first, second]
         grams = [order.reduced_ternary[2] for order in orders]
         reach = min(gram[n][n] for gram in grams for n in range(3)) // 2
         for _ in range(DOUBLINGS):

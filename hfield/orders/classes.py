@@ -103,7 +103,7 @@ def _expect_few_neighbours(count: int, p: int) -> None:
 class Classes(Certified):
     """The classes as values: their lattices, units and neighbours."""
 
-    def __init__(self, ring: ZOrder) -> None:
+    def __init__(self, ring: LatticeValue) -> None:
         if not ring.ambient.definite:
             raise IndefiniteError(
                 f"{ring.algebra} is indefinite: by strong approximation an Eichler order has one right ideal "

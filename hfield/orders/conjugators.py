@@ -16,7 +16,6 @@ from hfield.orders import isomorphic_orders
 from hfield.orders.enumeration import short_vectors, vectors_of_length
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.short_elements import expect_definite, reduced, ternary_rows
-from hfield.orders.z_order import ZOrder
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
@@ -30,7 +29,7 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
     """
     expect_definite(first.ambient, "isomorphism()")
     if first.ambient.base.is_rational:
-        return isomorphic_orders.conjugator(ZOrder.of(first), ZOrder.of(second))
+        return isomorphic_orders.conjugator(first, second)
     return by_two_images(first, second)
 
 

@@ -13,7 +13,6 @@ from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Module, expect_eichler
 from hfield.orders.invariants import is_eichler
 from hfield.orders.standard_orders import eichler_order
-from hfield.orders.z_order import ZOrder
 from hfield.primality import primes
 
 
@@ -49,4 +48,4 @@ class RationalModule(Module):
         number = 1
         for p, e in level:
             number *= p**e
-        return RationalModule(Classes(ZOrder.of(eichler_order(self.classes.ring.algebra, number))))
+        return RationalModule(Classes(eichler_order(self.classes.ring.algebra, number)))

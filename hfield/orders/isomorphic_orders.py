@@ -20,10 +20,10 @@ from flint import fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.orders import enumeration, hermite
 from hfield.orders.enumeration import Gram, Vector
-from hfield.orders.z_order import ZOrder
+from hfield.orders.lattice_values import LatticeValue
 
 
-def conjugator(first: ZOrder, second: ZOrder) -> tuple[Quaternion | None, str]:
+def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
     """Return x with ``x·first·x⁻¹ = second``, primitive, for definite orders over ℤ, or None and why."""
     den, rows, gram = first.reduced_ternary
     other_den, other_rows, other_gram = second.reduced_ternary
@@ -45,7 +45,7 @@ def conjugator(first: ZOrder, second: ZOrder) -> tuple[Quaternion | None, str]:
     return first.element(row, 1), ""
 
 
-def _conjugating(order: ZOrder, sources: fmpz_mat, targets: fmpz_mat) -> list[int]:
+def _conjugating(order: LatticeValue, sources: fmpz_mat, targets: fmpz_mat) -> list[int]:
     """Return x ≠ 0 with x·s = ±t·x for the three rows s and t, one sign for all."""
     r = order.ambient
     s, t = hermite.tuples(sources), hermite.tuples(targets)

@@ -18,7 +18,14 @@ from flint import fmpz, fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders import hermite
-from hfield.orders.lattice_values import LatticeValue, includes, multiple, spanning_rows
+from hfield.orders.invariants import level
+from hfield.orders.lattice_values import (
+    LatticeValue,
+    discriminant,
+    includes,
+    multiple,
+    spanning_rows,
+)
 from hfield.orders.linear_algebra_mod_p import kernel
 from hfield.orders.quadratic_frames import (
     QuadraticFrame,
@@ -27,7 +34,6 @@ from hfield.orders.quadratic_frames import (
     represent,
 )
 from hfield.orders.short_elements import expect_definite, least_norm, up_to
-from hfield.orders.z_order import ZOrder
 from hfield.primality import is_prime, is_probable_prime
 from hfield.rings.whole_numbers import sqrt_mod
 
@@ -80,15 +86,15 @@ ATTEMPTS = 60
 
 
 def to_power_norm(
-    ideal: LatticeValue, order: ZOrder, side: str, prime: int, seed: int
+    ideal: LatticeValue, order: LatticeValue, side: str, prime: int, seed: int
 ) -> tuple[Quaternion, int]:
     """Return (c, e) with I·c of norm primeᵉ, for a left ideal of a p-extremal order.
 
     Raises :class:`LatticeError` for an order that is not p-extremal, :class:`UndecidedError`.
     """
     expect_definite(ideal.ambient, "equivalent_of_power_norm()")
-    p = order.discriminant
-    f = extremal_frame(order, LARGEST) if order.level == 1 else None
+    p = int(discriminant(order))
+    f = extremal_frame(order, LARGEST) if level(order) == 1 else None
     if prime == p:
         raise LatticeError(f"the norm is to be a power of a prime other than the discriminant {p}")
     if side == "right" or f is None:

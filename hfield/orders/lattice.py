@@ -397,9 +397,6 @@ class Order(WithStableClasses, Certified, Lattice):
 
     elsewhere = ORDER
 
-    def __init__(self, value: LatticeValue) -> None:
-        super().__init__(ZOrder.of(value) if value.ambient.base.is_rational else value)
-
     @classmethod
     def generated(cls, algebra: Parent, elements: Iterable[object]) -> Order:
         """Return the ring that elements generate over the integers of the field.
@@ -417,7 +414,7 @@ class Order(WithStableClasses, Certified, Lattice):
         missing.
         """
         basis = listed(elements)
-        if basis_of(algebra).base.is_rational and len(basis) != 4:
+        if basis_of(algebra).degree == 1 and len(basis) != 4:
             raise LatticeError(
                 f"a basis of an order has four elements, and {len(basis)} were given"
             )
@@ -1129,7 +1126,7 @@ class Ideal(Certified, Lattice):
         """
         self._expect_rational("equivalent_of_power_norm()")
         p = checked_prime(prime)
-        c, e = klpt.to_power_norm(self.value, ZOrder.of(self.order.value), self.side, p, seed)
+        c, e = klpt.to_power_norm(self.value, self.order.value, self.side, p, seed)
         return Ideal.of(self * c, "left", self.order), c, e
 
     def _expect_rational(self, what: str) -> None:
@@ -1156,7 +1153,7 @@ class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
     order: Order
 
     def __init__(self, order: Order) -> None:
-        super().__init__(ZOrder.of(order.value))
+        super().__init__(order.value)
         self.order = order
 
     def __getitem__(self, n: int) -> Ideal:
