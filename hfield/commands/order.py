@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from hfield.commands.answers import Answer, of_parts
@@ -13,8 +15,8 @@ from hfield.commands.orders import (
     algebra_of,
     answer_certified,
     elements_of,
-    ideal_json,
     level_of,
+    number_json,
     sum_text,
     summands,
 )
@@ -66,18 +68,14 @@ def run(args: Namespace) -> int:
 
 def _answer(args: Namespace) -> tuple[Answer, Callable[[], Claim]]:
     O = _made(args)
-    data: Callable[[Any], dict[str, Any]] = to_json
-    page: Callable[[Any], list[Part]] = parts
-    if O.algebra.over_integers:
-        data, page = data_over_integers, parts_over_integers
     if not args.units:
-        return of_parts(lambda: data(O), lambda: page(O)), lambda: O.claim
+        return of_parts(lambda: to_json(O), lambda: parts(O)), lambda: O.claim
     if not O.is_definite():
         raise UsageError(
             f"--units lists the units of a definite order, and {O.algebra} is indefinite: hfield domain "
             "describes the group of its units of norm 1"
         )
-    shown = of_parts(lambda: data(O) | _units_json(O), lambda: [*page(O), _listed_units(O)])
+    shown = of_parts(lambda: to_json(O) | _units_json(O), lambda: [*parts(O), _listed_units(O)])
     return shown, lambda: O.claim
 
 
@@ -91,7 +89,7 @@ def _listed_units(O: Any) -> Part:
     """Return the units for people; over a number field one of each coset of those of the field."""
     from hfield.presenting import Facts
 
-    name = "unit" if not O.algebra.over_integers else "coset of unit"
+    name = "unit" if not _algebra(O).over_integers else "coset of unit"
     return Facts([(name, str(q)) for q in O.units()], 22)
 
 
@@ -105,10 +103,122 @@ def _made(args: Namespace) -> Any:
     return A.eichler_order(level_of(args.level or "1", A))
 
 
+def _algebra(O: Order) -> Any:
+    return O.algebra
+
+
+@dataclass(frozen=True)
+class Invariant:
+    """A key and a value for programs, and a name and a text for people.
+
+    Without a name it is for programs alone, without a key for people; what is None is left out on the page.
+    """
+
+    key: str
+    value: Callable[[Any], object]
+    name: str = ""
+    text: Callable[[Any], object] | None = None
+
+    def shown(self, O: Order) -> tuple[str, str] | None:
+        """Return the line of the page, if there is one."""
+        found = (self.text or self.value)(O) if self.name else None
+        return None if found is None else (self.name, str(found))
+
+
+def _kind(O: Order) -> str:
+    level = f"{O.discriminant()}, of level {O.level}"
+    kind = (
+        "maximal"
+        if O.is_maximal()
+        else "an Eichler order"
+        if O.is_eichler()
+        else "no Eichler order"
+    )
+    return f"{level}: {kind}"
+
+
+def _properties(O: Order) -> str | None:
+    words = {"hereditary": O.is_hereditary, "Bass": O.is_bass, "Gorenstein": O.is_gorenstein}
+    return ", ".join(word for word, holds in words.items() if holds()) or None
+
+
+def _unit_index(O: Order) -> int | None:
+    with suppress(TooLargeError):
+        return O.unit_index() if O.is_definite() else None
+    return None
+
+
+def _unit_count(O: Order) -> int | None:
+    index = _unit_index(O)
+    return None if _algebra(O).over_integers or index is None else 2 * index
+
+
+def _unit_group(O: Order) -> str | None:
+    return None if O.is_definite() and _unit_index(O) is None else O.unit_group()
+
+
+def _units(O: Order) -> str:
+    over_a_field: bool = _algebra(O).over_integers
+    if not O.is_definite():
+        return "infinitely many" + " modulo those of the field" * over_a_field
+    if not over_a_field:
+        return f"{O.unit_count()}, the group {O.unit_group()}"
+    try:
+        return f"{O.unit_index()} modulo those of the field, the group {O.unit_group()}"
+    except TooLargeError as error:
+        return f"not counted: {error}"
+
+
+def _mass(O: Order) -> str | None:
+    return None if _algebra(O).over_integers or not O.is_definite() else str(O.mass())
+
+
+def _class_number(O: Order) -> int | None:
+    """Return how many classes of ideals there are, where a formula or a theorem tells."""
+    if _algebra(O).over_integers or not O.is_eichler():
+        return None
+    found: int = _algebra(O).class_number(O.level)
+    return found
+
+
+def _class_number_by(O: Order) -> str | None:
+    if _class_number(O) is None:
+        return None
+    return "Eichler's formula" if O.is_definite() else "strong approximation"
+
+
+def _class_number_text(O: Order) -> str | None:
+    number = _class_number(O)
+    return None if number is None else f"{number}, by {_class_number_by(O)}"
+
+
+INVARIANTS = (
+    Invariant(
+        "discriminant", lambda O: number_json(O.discriminant()), "reduced discriminant", _kind
+    ),
+    Invariant("level", lambda O: number_json(O.level)),
+    Invariant("maximal", lambda O: bool(O.is_maximal())),
+    Invariant("reason", lambda O: O.is_maximal().reason),
+    Invariant("eichler", lambda O: O.is_eichler()),
+    Invariant(
+        "conductor", lambda O: number_json(O.conductor()), "conductor", lambda O: O.conductor()
+    ),
+    Invariant("gorenstein", lambda O: O.is_gorenstein()),
+    Invariant("bass", lambda O: O.is_bass()),
+    Invariant("hereditary", lambda O: O.is_hereditary(), "properties", _properties),
+    Invariant("units", _unit_count, "units", _units),
+    Invariant("unit_index", _unit_index),
+    Invariant("unit_group", _unit_group),
+    Invariant("mass", _mass, "mass"),
+    Invariant("class_number", _class_number, "class number", _class_number_text),
+    Invariant("class_number_by", _class_number_by),
+)
+"""What is told of an order over every base; one more is one line here."""
+
+
 def to_json(O: Order) -> dict[str, Any]:
     """Return what programs read."""
     den, rows = O.hnf
-    definite = "inf" in O.algebra.ramified_places()  # type: ignore[attr-defined]
     return {
         "schema": "hfield-order/1",
         "kind": "order",
@@ -116,114 +226,21 @@ def to_json(O: Order) -> dict[str, Any]:
         "den": den,
         "rows": [list(row) for row in rows],
         "basis": [[O.algebra.ring.text(x) for x in q.coordinates] for q in O.basis],
-        "discriminant": O.discriminant(),
-        "level": O.level,
-        "maximal": bool(O.is_maximal()),
-        "eichler": O.is_eichler(),
-        "conductor": O.conductor(),
-        "units": O.unit_count() if definite else None,
-        "unit_group": O.unit_group(),
-        "mass": str(O.mass()) if definite else None,
-        **_class_number(O, definite),
+        **({"pseudo_basis": summands(O)} if _algebra(O).over_integers else {}),
+        **{invariant.key: invariant.value(O) for invariant in INVARIANTS},
     }
-
-
-def _class_number(O: Order, definite: bool) -> dict[str, object]:
-    """Return how many classes of ideals there are, and how that is known; nothing for no Eichler order."""
-    if not O.is_eichler():
-        return {"class_number": None, "class_number_by": None}
-    number = O.algebra.class_number(O.level)  # type: ignore[attr-defined]
-    how = "Eichler's formula" if definite else "strong approximation"
-    return {"class_number": number, "class_number_by": how}
 
 
 def parts(O: Order) -> list[Part]:
     """Return what people read."""
     from hfield.presenting import Facts
 
-    data = to_json(O)
-    kind = (
-        "maximal"
-        if data["maximal"]
-        else "an Eichler order"
-        if data["eichler"]
-        else "no Eichler order"
-    )
-    units = (
-        "infinitely many"
-        if data["units"] is None
-        else f"{data['units']}, the group {data['unit_group']}"
-    )
-    facts = [
-        ("algebra", data["algebra"]),
-        ("basis", ", ".join(str(q) for q in O.basis)),
-        ("reduced discriminant", f"{data['discriminant']}, of level {data['level']}: {kind}"),
-        ("conductor", str(data["conductor"])),
-        ("units", units),
-    ]
-    if data["mass"] is not None:
-        facts.append(("mass", data["mass"]))
-    if data["class_number"] is not None:
-        facts.append(("class number", f"{data['class_number']}, by {data['class_number_by']}"))
-    formulas = {"algebra": f"${O.algebra.latex()}$", "basis": f"${O.latex()}$"}
+    basis = ("basis", ", ".join(str(q) for q in O.basis))
+    if _algebra(O).over_integers:
+        basis = ("sum of", sum_text(O))
+    lines = [line for invariant in INVARIANTS if (line := invariant.shown(O))]
+    if _algebra(O).over_integers and not O.is_maximal():
+        lines.append(("not maximal", O.is_maximal().reason))
+    facts = [("algebra", str(O.algebra)), basis, *lines]
+    formulas = {"algebra": f"${O.algebra.latex()}$", basis[0]: f"${O.latex()}$"}
     return [Facts(facts, 22, formulas=formulas)]
-
-
-def data_over_integers(O: Order) -> dict[str, Any]:
-    """Return what programs read of an order over the integers of a number field."""
-    maximal = O.is_maximal()
-    return {
-        "schema": "hfield-order/1",
-        "kind": "order",
-        "algebra": str(O.algebra),
-        "basis": [[O.algebra.ring.text(x) for x in q.coordinates] for q in O.basis],
-        "pseudo_basis": summands(O),
-        "discriminant": ideal_json(O.discriminant()),
-        "level": ideal_json(O.level),
-        "maximal": bool(maximal),
-        "reason": maximal.reason,
-        "eichler": O.is_eichler(),
-        "conductor": ideal_json(O.conductor()),
-        "bass": O.is_bass(),
-        "hereditary": O.is_hereditary(),
-        "unit_index": _units(O)[0],
-    }
-
-
-def _units(O: Order) -> tuple[int | None, str]:
-    """Return how many units there are modulo those of the field, if that is known, and what people read."""
-    if not O.is_definite():
-        return None, "infinitely many modulo those of the field"
-    try:
-        return O.unit_index(), f"{O.unit_index()} modulo those of the field"
-    except TooLargeError as error:
-        return None, f"not counted: {error}"
-
-
-def parts_over_integers(O: Order) -> list[Part]:
-    """Return what people read of it."""
-    from hfield.presenting import Facts
-
-    maximal = O.is_maximal()
-    kind = "maximal" if maximal else "an Eichler order" if O.is_eichler() else "no Eichler order"
-    words = [
-        word
-        for word, holds in (
-            ("hereditary", O.is_hereditary()),
-            ("Bass", O.is_bass()),
-            ("Gorenstein", O.is_gorenstein()),
-        )
-        if holds
-    ]
-    facts = [
-        ("algebra", str(O.algebra)),
-        ("sum of", sum_text(O)),
-        ("reduced discriminant", f"{O.discriminant()}, of level {O.level}: {kind}"),
-        ("conductor", f"{O.conductor()}{': ' * bool(words)}{', '.join(words)}"),
-        ("units", _units(O)[1]),
-    ]
-    if not maximal:
-        facts.append(("not maximal", maximal.reason))
-    return [
-        Facts(facts, 22, formulas={"algebra": f"${O.algebra.latex()}$", "sum of": f"${O.latex()}$"})
-    ]

@@ -141,3 +141,8 @@ def ideal_json(ideal: Any) -> dict[str, object]:
         "norm": str(ideal.norm()),
         "factorisation": [[str(P), e] for P, e in ideal.factorisation()],
     }
+
+
+def number_json(x: Any) -> Any:
+    """Return a discriminant, a level or a norm: a number over ℚ, and else an ideal."""
+    return x if isinstance(x, int) else ideal_json(x)

@@ -39,7 +39,7 @@ from tests.commands.running import page, run
         ),
         (
             ["brandt", "(-1,-1|QQ(sqrt(5)))", "6 + sqrt(5)", "--prime", "sqrt(5)"],
-            ["2 classes", "3 3", "5 1", "x^2 - 4*x - 12"],
+            ["2 classes", "3 3", "1 5", "x^2 - 4*x - 12"],
         ),
         (["classes", "11", "--format", "latex"], [r"\begin{tabular}", r"1 & 2 & 6 & $\mathrm{C6}$ & 1 \\"]),
         (["classes", "(3,5|QQ)", "--level", "7"], ["order 105: indefinite", "class number 1, by strong"]),
@@ -72,6 +72,13 @@ def test_json(capsys):
     data = json.loads(page(capsys, "brandt", "37", "--prime", "3", "--format", "json"))
     assert [sum(row) for row in data["matrix"]] == [4, 4, 4]
     assert len(data["characteristic_polynomial"]) == 4
+
+
+def test_an_order_has_the_same_invariants_over_every_base(capsys):
+    texts = ("(-1,-11|QQ)", "(-1,-1|QQ(sqrt(5)))", "(2,3|QQ)", "(-1,3|QQ(sqrt(10)))")
+    keys = [set(json.loads(page(capsys, "order", x, "--format", "json"))) for x in texts]
+    assert keys[0] == keys[2] == keys[1] - {"pseudo_basis"} == keys[3] - {"pseudo_basis"}
+    assert {"bass", "unit_index", "unit_group", "reason"} <= keys[0]
 
 
 @pytest.mark.parametrize(
