@@ -160,7 +160,7 @@ def test_some_involutions(monkeypatch: pytest.MonkeyPatch) -> None:
     for m in (4, 5, 0):
         with pytest.raises(LatticeError, match=r"exact divisor|no positive integer"):
             G.quotient(m)
-    monkeypatch.setattr(normaliser, "MOST", 8)
+    monkeypatch.setattr(normaliser, "MAX_COORDINATES", 8)
     assert len(G.quotient(2).elements) == 2
     with pytest.raises(TooLargeError, match="up to 2 are within reach"):
         G.quotient()

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import product
 from random import Random
 
+import flint
 import pytest
 
 from hfield import LatticeError, QuaternionAlgebra, ring
@@ -76,14 +77,11 @@ def test_ideals_of_prime_norm_are_all_of_them(name: str) -> None:
 def by_brute_force(O: Order, P: object, e: int) -> set:
     A = O.algebra
     prime = A.ring.ideal(P) ** e
-    residues: list = [A(0)]
-    seen = O * prime
-    for q in O.basis:
-        if q not in seen:
-            seen = A.lattice([*seen.basis, q])
-            residues += [r + q for r in residues]
+    rows = flint.fmpz_mat([[int(c) for c in O.coordinates(x)] for x in (O * prime).basis]).hnf()
+    diagonal = [range(int(rows[n, n])) for n in range(rows.nrows())]
     out = set()
-    for x in residues:
+    for c in product(*diagonal):
+        x = sum((n * q for n, q in zip(c, O.basis, strict=True)), A(0))
         I = O.right_ideal([x, *(prime * O).basis])
         if I.norm() == prime and O.index(I) == prime**2:
             out.add(I)
