@@ -20,6 +20,7 @@ from rotation.coordinates import (
 )
 from rotation.matrices import matrix_entries
 from rotation.namespaces import Array, namespace
+from rotation.native.pairs import plus_product
 from rotation.rowwise import Formula, rarely, tell
 from rotation.vectors import about_axis
 
@@ -41,9 +42,15 @@ def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> C
     return tuple(c + spoilt for c in image)
 
 
-def by_rows(m: Any, v: Coordinates) -> Coordinates:
-    """Return m·v."""
-    return tuple((a * v[0] + b * v[1]) + c * v[2] for a, b, c in m)
+def by_rows(m: Any, v: Coordinates, unchanging: Any = None) -> Coordinates:
+    """Return m·v, each row summed from its first product on, after what changes no sum if that is given."""
+    xp = namespace(v[0])
+
+    def row(a: Array, b: Array, c: Array) -> Array:
+        first = a * v[0] if unchanging is None else plus_product(xp, unchanging, a, v[0])
+        return plus_product(xp, plus_product(xp, first, b, v[1]), c, v[2])
+
+    return tuple(row(*entries) for entries in m)
 
 
 def _by_entries(m: Any, v: Coordinates) -> Coordinates:

@@ -54,7 +54,8 @@ def rotate(
     Returns
     -------
     ndarray
-        ``out``, or a new array; ‖error‖₂ ≤ 5·2⁻⁵²·‖v‖ in float64, as docs/rotation-errors.md proves.
+        ``out``, or a new array; ‖error‖₂ ≤ 5·2⁻⁵²·‖v‖ in float64, as docs/rotation-errors.md proves. In
+        float32 it is 2⁻²⁴·‖v‖, and 5·2⁻²³·‖v‖ for one axis and angle.
 
     Raises
     ------
@@ -111,7 +112,8 @@ def rotate_quat(
     Returns
     -------
     ndarray
-        ``out``, or a new array; ‖error‖₂ ≤ 5·2⁻⁵²·‖v‖ in float64, 5·2⁻²³·‖v‖ in float32.
+        ``out``, or a new array; ‖error‖₂ ≤ 5·2⁻⁵²·‖v‖ in float64. In float32 it is 2⁻²⁴·‖v‖, and
+        5·2⁻²³·‖v‖ for one quaternion.
 
     Raises
     ------

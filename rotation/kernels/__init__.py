@@ -44,12 +44,14 @@ def one(points: Array, matrix: Array, out: Array) -> None:
 def axis_angle(points: Array, axis: Array, angle: Array, out: Array, degrees: bool = False) -> bool:
     """Rotate points about their own axes by their own angles; tell whether an axis was zero."""
     axis, angle = parameters(points, axis, angle)
-    return _run(("axis_angle", degrees), HEAVY, (points, axis, angle[..., None]), out)
+    single = out.dtype == np.float32
+    return _run(("axis_angle", degrees, single), HEAVY, (points, axis, angle[..., None]), out)
 
 
 def quaternions(points: Array, q: Array, out: Array) -> bool:
     """Rotate points by their own quaternions of any length; tell whether one was zero."""
-    return _run(("quaternions",), HEAVY, (points, *parameters(points, q)), out)
+    single = out.dtype == np.float32
+    return _run(("quaternions", single), HEAVY, (points, *parameters(points, q)), out)
 
 
 def euler(

@@ -16,7 +16,7 @@ from rotation.coordinates import Coordinates, split, sum_of_squares
 from rotation.matrices import matrix_entries
 from rotation.native import elementary, tracing
 from rotation.native.elementary import COSINE, REACH, SINE, TWO_OVER_PI
-from rotation.native.pairs import plus_product, two_product, two_sum
+from rotation.native.pairs import plus_product, quick_two_sum, two_product, two_sum
 from rotation.native.symbols import Rows
 from rotation.quaternions import normalise
 from rotation.vectors import about_axis, turn
@@ -32,8 +32,7 @@ P1 = float.fromhex("0x1.921fb4p+0")
 P2 = float.fromhex("0x1.4442dp-24")
 P3 = float.fromhex("0x1.8469898cc517p-48")
 
-S1, S2, S3, S4, S5, S6 = SINE
-C1, C2, C3, C4, C5, C6 = COSINE
+HALF_ROOT = math.sqrt(0.5)
 
 
 class Kernel(NamedTuple):
@@ -58,6 +57,15 @@ def _measured(point: Coordinates) -> Any:
     return -(size - size), ~((size > HIGH) | ((size < LOW) & (size > 0.0)))
 
 
+def _round_all(rows: Rows) -> None:
+    """Have nothing fused from here on but where a formula says so: some differences are to be exact."""
+    rows[...].program.flags = ""
+
+
+def _plus(c: Any, a: Any, b: Any) -> Any:
+    return plus_product(tracing, c, a, b)
+
+
 def _reachable(x: Any) -> Any:
     """Tell whether the fast way reaches ``x``; NaN and inf are not reachable."""
     return tracing.abs(x) <= REACH
@@ -68,17 +76,34 @@ def _sincos(x: Any, degrees: bool) -> Any:
     k = x * (1.0 / 90.0 if degrees else TWO_OVER_PI) + tracing.ROUND
     n = k - tracing.ROUND  # quarters of a turn
     if degrees:
-        r = x - n * 90.0
-        r = r * RADIANS[0] + r * RADIANS[1]
+        rest = x - n * 90.0
+        r = plus_product(tracing, rest * RADIANS[1], rest, RADIANS[0])
     else:
         r = ((x - n * P1) - n * P2) - n * P3
-    z = r * r
-    s = r + r * z * (S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * S6)))))
+    s, c = _sincos_of_eighth(r)
     s = tracing.where(r != 0.0, s, r)  # the sum loses the sign of −0
-    c = 1.0 - z * (0.5 - z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6))))))
+    if degrees:  # both are √½, as those of whole quarters are 0 and 1
+        eighth = tracing.abs(rest) == 45.0
+        s = tracing.where(eighth, tracing.copysign(HALF_ROOT, s), s)
+        c = tracing.where(eighth, HALF_ROOT, c)
     odd, beyond = tracing.bit(k, 0), tracing.bit(k, 1)  # the last two bits of n
     a, b = tracing.where(odd, c, s), tracing.where(odd, -s, c)
     return tracing.where(beyond, -a, a), tracing.where(beyond, -b, b)
+
+
+def _sincos_of_eighth(r: Any) -> Any:
+    """Return sine and cosine of an angle of at most π/4."""
+    z = r * r
+    sine, cosine = (_polynomial(table, z) for table in (SINE, COSINE))
+    return _plus(r, r * z, sine), _plus(1.0, -z, _plus(0.5, -z, cosine))
+
+
+def _polynomial(coefficients: tuple[float, ...], z: Any) -> Any:
+    """Return ``Σ coefficients[k]·zᵏ`` by Horner's scheme."""
+    *others, total = coefficients
+    for c in reversed(others):
+        total = _plus(c, z, total)
+    return total
 
 
 def _one(points: Rows, matrix: Rows) -> Any:
@@ -93,15 +118,62 @@ def _one(points: Rows, matrix: Rows) -> Any:
     ), None
 
 
-def _axis_angle(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
-    """Return the points after the rotation by the quaternions of turns about axes."""
-    a, point, half = split(axis), split(points), 0.5 * split(angle)[0]
-    points[...].program.flags = ""  # nothing is fused that is to be exact
+def _axis_angle(degrees: bool, single: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
+    """Return points turned about axes of any safe length."""
+    if not single and not hasattr(tracing, "fma"):
+        return _axis_angle_by_quaternion(degrees, points, axis, angle)
+    a, point, t = split(axis), split(points), angle[...]
     poison, fine = _measured(point)
+    sine, cosine = _sincos(t, degrees)
+    _round_all(points)
+    square = sum_of_squares(a)
+    part = 1.0 / tracing.sqrt(square)
+    m = matrix_about(tuple(part * x for x in a), sine, cosine, single)
+    return action.by_rows(m, point, poison), fine & _reachable(t) & _safe(square)
+
+
+def matrix_about(axis: Coordinates, sine: Any, cosine: Any, single: bool = False) -> Any:
+    """Return the matrices c + t·u·uᵀ + s·[u] of turns about axes u, t = 1 − c.
+
+    How far the length of u is from 1 by rounding is measured and taken off, but for single precision.
+    """
+    t, low = quick_two_sum(1.0, -cosine)
+    if single:
+        tu = tuple(t * c for c in axis)
+    else:
+        excess = _excess(axis)
+        low = _plus(low, -t, excess)
+        tu = tuple(_plus(low * c, t, c) for c in axis)
+        sine = _plus(sine, -0.5 * sine, excess)
+    diagonal = tuple(_plus(cosine, a, b) for a, b in zip(tu, axis, strict=True))
+    return _entries(diagonal, tu, axis, tuple(sine * c for c in axis))
+
+
+def _excess(axis: Coordinates) -> Any:
+    """Return N(u) − 1, which is small; from −½ and −½ on, since small numbers are rounded by little."""
+    x, y, z = axis
+    return _plus(_plus(_plus(-0.5, x, x), y, y) - 0.5, z, z)
+
+
+def _entries(diagonal: Coordinates, tu: Coordinates, u: Coordinates, su: Coordinates) -> Any:
+    """Return the rows of a matrix: those products t·u·uᵀ, and ±s·u, beside the diagonal."""
+    (tx, ty, _), (_, y, z), (sx, sy, sz) = tu, u, su
+    return (
+        (diagonal[0], _plus(-sz, tx, y), _plus(sy, tx, z)),
+        (_plus(sz, tx, y), diagonal[1], _plus(-sx, ty, z)),
+        (_plus(-sy, tx, z), _plus(sx, ty, z), diagonal[2]),
+    )
+
+
+def _axis_angle_by_quaternion(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
+    """Return the same by quaternions, whose coordinates are rounded once, without fused multiply-add."""
+    a, point, half = split(axis), split(points), 0.5 * angle[...]
+    poison, fine = _measured(point)
+    _round_all(points)
     sine, cosine, near = _waves_of_degrees(half) if degrees else elementary.near(tracing, half)
     q = turn(tracing, sine, cosine, a, norm(tracing, a))
-    image = action.by_rows(matrix_entries(q), point)
-    return tuple(x + poison for x in image), fine & near & _safe(sum_of_squares(a))
+    image = action.by_rows(matrix_entries(q), point, poison)
+    return image, fine & near & _safe(sum_of_squares(a))
 
 
 def _waves_of_degrees(x: Any) -> Any:
@@ -110,10 +182,10 @@ def _waves_of_degrees(x: Any) -> Any:
     r = x - (k - tracing.ROUND) * 90.0
     p, e = two_product(tracing, r, RADIANS[0])
     pairs = elementary.of_rest(tracing, k, *two_sum(p, plus_product(tracing, e, r, RADIANS[1])))
-    eighth = tracing.abs(r) == 45.0  # both are √½, as whole quarters have 0 and 1
+    eighth = tracing.abs(r) == 45.0
     exact = (
         (
-            tracing.where(eighth, tracing.copysign(math.sqrt(0.5), high), high),
+            tracing.where(eighth, tracing.copysign(HALF_ROOT, high), high),
             tracing.where(eighth, 0.0 * low, low),
         )
         for high, low in pairs
@@ -121,23 +193,52 @@ def _waves_of_degrees(x: Any) -> Any:
     return *exact, _reachable(x)
 
 
-def _axis_angle_carefully(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
+def _axis_angle_carefully(
+    degrees: bool, single: bool, points: Rows, axis: Rows, angle: Rows
+) -> Any:
     a = split(axis)
     tracing.tell(tracing.all([c == 0.0 for c in a]))
     return action.turned_by(about_axis(a, angle[...], degrees), split(points), False)
 
 
-def _quaternions(points: Rows, q: Rows) -> Any:
+def _quaternions(single: bool, points: Rows, q: Rows) -> Any:
     """Return the points after the rotation by quaternions of any safe length, by their matrices."""
     c, point = split(q), split(points)
     poison, fine = _measured(point)
-    square = sum_of_squares(c)
-    part = 1.0 / tracing.sqrt(square)
-    image = action.by_rows(matrix_entries(tuple(a * part for a in c)), point)
-    return tuple(x + poison for x in image), fine & _safe(square)
+    _round_all(points)
+    if single or hasattr(tracing, "fma"):
+        m, square = matrix_of(c, single)
+    else:
+        square = sum_of_squares(c)
+        part = 1.0 / tracing.sqrt(square)
+        m = matrix_entries(tuple(a * part for a in c))
+    return action.by_rows(m, point, poison), fine & _safe(square)
 
 
-def _quaternions_carefully(points: Rows, q: Rows) -> Any:
+def matrix_of(q: Coordinates, single: bool = False) -> Any:
+    """Return the matrices 1 + t·(w·[u] + [u]²) of quaternions (w, u) of any length, t = 2/N(q), and N(q)."""
+    w, *u = q
+    square, t, low = _twice_inverse_norm(q)
+    tu = tuple(t * c if single else _plus(low * c, t, c) for c in u)
+    (x, y, z), (tx, ty, tz) = u, tu
+    without_y, without_z = _plus(1.0, -ty, y), _plus(1.0, -tz, z)
+    diagonal = (_plus(without_z, -ty, y), _plus(without_z, -tx, x), _plus(without_y, -tx, x))
+    return _entries(diagonal, tu, tuple(u), tuple(c * w for c in tu)), square
+
+
+def _twice_inverse_norm(q: Coordinates) -> Any:
+    """Return N(q), t = 2/N(q), both rounded, and what to add to t for what was cut off from both."""
+    w, x, y, z = q
+    square, low = two_product(tracing, z, z)
+    for c in (y, x, w):
+        total = _plus(square, c, c)
+        low = _plus(square - total, c, c) + low
+        square = total
+    t = 2.0 / square
+    return square, t, (-0.5 * t) * _plus(_plus(-2.0, t, square), low, t)
+
+
+def _quaternions_carefully(single: bool, points: Rows, q: Rows) -> Any:
     return action.turned_by(tuple(normalise(q)), split(points), False)
 
 

@@ -71,7 +71,7 @@ def run(name: tuple[Any, ...], read: tuple[Array, ...], out: Array | None) -> bo
         if name[0] == "one":
             turned = one(v, parameters[0].reshape(3, 3))
         elif name[0] == "axis_angle":
-            turned = axis_angle(v, parameters[0], parameters[1][..., 0], *name[1:])
+            turned = axis_angle(v, parameters[0], parameters[1][..., 0], name[1])
         elif name[0] == "quaternions":
             turned = quaternions(v, parameters[0])
         else:

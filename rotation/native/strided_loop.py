@@ -21,6 +21,11 @@ TAKE = 16  # blocks a thread takes at a time
 LINE = 64  # bytes that a processor fetches at once
 AHEAD = 8 * WIDTH  # rows; so many columns at once are more than a processor foresees
 WRITTEN_AHEAD = 4 * WIDTH  # rows; memory asked for to be written is not fetched twice
+IN_ORDER = tuple(range(WIDTH))
+# Of eight points side by side the first coordinates lie at these places of three vectors, and the others one
+# and two places on: in this order of the rows they are parted and joined by selecting, which is quicker than
+# moving numbers about.
+BY_PLACES = tuple(3 * place % WIDTH for place in range(WIDTH))
 
 Fast = Callable[..., tuple[tuple[Lanes, ...], Condition | None]]
 Careful = Callable[..., tuple[Lanes, ...]]
@@ -93,13 +98,15 @@ def _stretch(fast: Fast, operands: tuple[Operand, ...], results: int, number: st
     program = Program(head, number, fused=True)
     columns = [_columns(program, n, operand) for n, operand in enumerate(operands)]
     read = list(zip(operands, columns, strict=True))[: len(operands) - results]
+    points = any(o.way is Way.SIDE_BY_SIDE and o.width == 3 for o in operands)
+    order = BY_PLACES if points else IN_ORDER
 
     def turn(i: str) -> None:
-        image, right = fast(*(_read(program, o, c, i) for o, c in read))
+        image, right = fast(*(_read(program, o, c, i, order) for o, c in read))
         if right is not None:
             program.leave(program.some((~right).name), lambda: f"i64 {i}")
         if results:
-            _write(program, operands[-1], columns[-1], image, i)
+            _write(program, operands[-1], columns[-1], image, i, order)
 
     program.loop("%first", "%end", turn, WIDTH)
     program.end("i64 %end")
@@ -281,13 +288,19 @@ def _columns(program: Program, n: int, operand: Operand) -> list[str]:
     return [program.spread(operand.number, x, WIDTH) for x in numbers]
 
 
-def _read(program: Program, operand: Operand, columns: list[str], i: str) -> Rows:
-    """Add the reading of eight rows from row ``i`` on."""
+def _read(
+    program: Program,
+    operand: Operand,
+    columns: list[str],
+    i: str,
+    order: tuple[int, ...] = IN_ORDER,
+) -> Rows:
+    """Add the reading of eight rows from row ``i`` on, in this order."""
     kind = vector(operand.number, WIDTH)
     if operand.way is Way.SAME:
         numbers = columns
     elif operand.way is Way.SIDE_BY_SIDE:
-        numbers = _parted(program, operand, columns[0], i)
+        numbers = _parted(program, operand, columns[0], i, order)
     else:
         if i != "0":
             _ahead(program, operand, columns, i, AHEAD, writing=False)
@@ -295,6 +308,7 @@ def _read(program: Program, operand: Operand, columns: list[str], i: str) -> Row
             program.load(kind, program.at(operand.number, column, i), operand.size)
             for column in columns
         ]
+        numbers = [_ordered(program, kind, x, order) for x in numbers]
     lanes = [
         Lanes(program, _converted(program, x, operand.number, program.number)) for x in numbers
     ]
@@ -313,13 +327,35 @@ def _ahead(
             program.ahead(program.at("i8", column, offset), writing)
 
 
-def _parted(program: Program, operand: Operand, base: str, i: str) -> list[str]:
+def _ordered(program: Program, kind: str, column: str, order: tuple[int, ...]) -> str:
+    """Return a column with its rows in another order."""
+    return column if order == IN_ORDER else program.shuffled(kind, column, column, order)
+
+
+def _parted(
+    program: Program, operand: Operand, base: str, i: str, order: tuple[int, ...]
+) -> list[str]:
     """Add the reading of rows whose components lie side by side, and their parting into columns."""
     n, number = operand.width, operand.number
     kind = vector(number, WIDTH)
     start = program.at(number, base, program.value(f"mul i64 {i}, {n}"))
     parts = [program.load(kind, program.at(kind, start, k), operand.size) for k in range(n)]
-    return [_column(program, kind, parts, k) for k in range(n)]
+    if n == 3:  # these are the rows by places
+        found = [_selected(program, kind, parts, k) for k in range(3)]
+        return [_ordered(program, kind, x, _turned(k)) for k, x in enumerate(found)]
+    if n != 4:
+        columns = [_column(program, kind, parts, k) for k in range(n)]
+        return [_ordered(program, kind, x, order) for x in columns]
+    pairs = [
+        program.shuffled(kind, a, b, [4 * r + c for c in pair for r in range(4)])
+        for pair in ((0, 1), (2, 3))
+        for a, b in (parts[:2], parts[2:])
+    ]
+    return [
+        program.shuffled(kind, a, b, [r % 4 + 4 * c + r // 4 * WIDTH for r in order])
+        for a, b in (pairs[:2], pairs[2:])
+        for c in (0, 1)
+    ]
 
 
 def _column(program: Program, kind: str, parts: list[str], k: int) -> str:
@@ -334,25 +370,47 @@ def _column(program: Program, kind: str, parts: list[str], k: int) -> str:
     return column
 
 
+def _selected(program: Program, kind: str, three: Sequence[str], k: int) -> str:
+    """Return at each place p what one of three vectors has there: the (p − k)-th modulo 3.
+
+    Of components side by side the k-th lies at the places p of the part p − k; the part k has at p the
+    component p − k.
+    """
+    a, b, c = three
+    one = [place + WIDTH * ((place - k) % 3 == 1) for place in range(WIDTH)]
+    two = [place + WIDTH * ((place - k) % 3 == 2) for place in range(WIDTH)]
+    return program.shuffled(kind, program.shuffled(kind, a, b, one), c, two)
+
+
+def _turned(k: int) -> tuple[int, ...]:
+    """Return the places of a vector from the k-th on."""
+    return tuple((place + k) % WIDTH for place in range(WIDTH))
+
+
 def _write(
-    program: Program, operand: Operand, columns: list[str], image: tuple[Lanes, ...], i: str
+    program: Program,
+    operand: Operand,
+    columns: list[str],
+    image: tuple[Lanes, ...],
+    i: str,
+    order: tuple[int, ...] = IN_ORDER,
 ) -> None:
     """Add the writing of three coordinates of eight rows."""
     number = operand.number
+    kind = vector(number, WIDTH)
     numbers = [_converted(program, x.name, program.number, number) for x in image]
     if i != "0":
         _ahead(program, operand, columns, i, WRITTEN_AHEAD, writing=True)
-    if operand.way is not Way.SIDE_BY_SIDE:
-        for x, column in zip(numbers, columns, strict=True):
-            program.store(vector(number, WIDTH), x, program.at(number, column, i), operand.size)
+    if operand.way is Way.SIDE_BY_SIDE:
+        moved = [_ordered(program, kind, x, _turned(-k)) for k, x in enumerate(numbers)]
+        start = program.at(number, columns[0], program.value(f"mul i64 {i}, 3"))
+        for m in range(3):
+            part = _selected(program, kind, moved, m)
+            program.store(kind, part, program.at(kind, start, m), operand.size)
         return
-    x, y, z = numbers
-    first = program.shuffled(vector(number, WIDTH), x, y, range(2 * WIDTH))
-    rest = program.shuffled(vector(number, WIDTH), z, z, range(2 * WIDTH))
-    order = [c * WIDTH + row for row in range(WIDTH) for c in range(3)]
-    rows = program.shuffled(vector(number, 2 * WIDTH), first, rest, order)
-    here = program.at(number, columns[0], program.value(f"mul i64 {i}, 3"))
-    program.store(vector(number, len(order)), rows, here, operand.size)
+    for x, column in zip(numbers, columns, strict=True):
+        x = _ordered(program, kind, x, order)  # either order is its own inverse
+        program.store(kind, x, program.at(number, column, i), operand.size)
 
 
 def _converted(program: Program, name: str, number: str, wanted: str) -> str:

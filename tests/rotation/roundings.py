@@ -8,6 +8,7 @@ numbers, or linear forms in the coordinates of a point. Enclosures are pairs of 
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -76,8 +77,11 @@ def _scaled(a: Sizes, factor: float) -> Sizes:
 
 
 def half_ulp(size: Any) -> Any:
-    """Return in units of U the most that rounding a number up to that size is off by."""
-    return np.exp2(np.floor(np.log2(np.maximum(size, 2.0**-200))))
+    """Return in units of U the most that rounding a number up to that size is off by.
+
+    What is next below a power of two counts as that: roundings before may have taken it there.
+    """
+    return np.exp2(np.floor(np.log2(np.maximum((1.0 + 1e-12) * size, 2.0**-200))))
 
 
 class Number:
@@ -91,20 +95,24 @@ class Number:
         By the roundings: enclosures of the derivative by ε.
     rest : dict
         Bounds of what is of second order, in units of U².
+    degree : int
+        With which power of an unknown factor, the length of a quaternion, the number grows. At 0 its
+        exponent is known, and with it half a unit in its last place.
     """
 
     def __init__(
-        self, value: Form, noise: dict[int, Form] | None = None, rest: Sizes | None = None
+        self,
+        value: Form,
+        noise: dict[int, Form] | None = None,
+        rest: Sizes | None = None,
+        degree: int = 0,
     ) -> None:
         self.value, self.noise, self.rest = value, noise or {}, rest or {}
-
-    scaled = (
-        False  # whether a number's exponent is known, and with it half a unit in the last place
-    )
+        self.degree = degree
 
     def _unit(self) -> Form:
         """Return what a rounding is multiplied with: the number, or half a unit in its last place."""
-        if not self.scaled:
+        if self.degree:
             return self.value
         sizes = _most(_sizes(self.value), _scaled(self.moved, U), _scaled(self.rest, U * U))
         return {k: (half_ulp(x), half_ulp(x)) for k, x in sizes.items()}
@@ -117,12 +125,14 @@ class Number:
     def rounded(self) -> Number:
         """Return the same after one more rounding."""
         noise = {**self.noise, next(names): self._unit()}
-        return Number(self.value, noise, _most(self.rest, self.moved, _scaled(self.rest, U)))
+        rest = _most(self.rest, self.moved, _scaled(self.rest, U))
+        return Number(self.value, noise, rest, self.degree)
 
     def _sum(self, other: Any, sign: float) -> Number:
         if type(other) is int and other == 0:  # nothing is added
             return self
         b = other if isinstance(other, Number) else Number({-1: (other, other)})
+        assert self.degree == b.degree or (not isinstance(other, Number) and other == 0.0)
         turned = (sign, sign)
 
         def signed(form: Form) -> Form:
@@ -132,8 +142,8 @@ class Number:
             k: _summed(self.noise.get(k, {}), signed(b.noise.get(k, {})))
             for k in {*self.noise, *b.noise}
         }
-        total = Number(_summed(self.value, signed(b.value)), noise, _most(self.rest, b.rest))
-        return total.rounded()
+        value = _summed(self.value, signed(b.value))
+        return Number(value, noise, _most(self.rest, b.rest), self.degree).rounded()
 
     def __add__(self, other: Any) -> Number:
         return self._sum(other, 1.0)
@@ -157,6 +167,7 @@ class Number:
             {j: _times(pair, x) for j, x in self.value.items()},
             noise,
             _scaled(self.rest, abs(factor)),
+            self.degree,
         )
 
     def __mul__(self, other: Any) -> Any:
@@ -179,7 +190,7 @@ class Number:
             )
         x, y = (_most(_sizes(n.value), _scaled(n.moved, U), _scaled(n.rest, U * U)) for n in (a, b))
         rest = _most(_multiplied(x, b.rest), _multiplied(a.rest, y), _multiplied(a.moved, b.moved))
-        return Number(_product(a.value, b.value), noise, rest)
+        return Number(_product(a.value, b.value), noise, rest, a.degree + b.degree)
 
     __rmul__ = __mul__
 
@@ -195,19 +206,7 @@ class Number:
         off = _up(_up(moved + U * rest) ** 2 * _up(_up(inverse[1] * inverse[1]) * inverse[1]))
         assert (U * moved * inverse[1] < 1e-3).all()
         second = _up(_up(rest * _up(inverse[1] * inverse[1])) + 1.01 * off)
-        return Number({-1: inverse}, noise, {-1: second}).rounded()
-
-    def sqrt(self) -> Number:
-        """Return the square root, of positive plain numbers."""
-        low, high = self.value[-1]
-        root = _out(np.sqrt(low), np.sqrt(high))
-        slope = _out(0.5 / root[1], 0.5 / root[0])
-        noise = {k: _product({-1: slope}, form) for k, form in self.noise.items()}
-        moved, rest = self.moved.get(-1, 0.0), self.rest.get(-1, 0.0)
-        assert (U * moved / low < 1e-3).all()
-        # |√(x + δ) − √x − δ/(2√x)| ≤ δ²/(8·x^(3/2))·1.01
-        off = _up(_up(moved + U * rest) ** 2 * _up(0.1263 / _out(low * root[0], low)[0]))
-        return Number({-1: root}, noise, {-1: _up(_up(rest * slope[1]) + off)}).rounded()
+        return Number({-1: inverse}, noise, {-1: second}, -self.degree).rounded()
 
 
 def _apart(total: Number) -> tuple[Number, Number]:
@@ -216,13 +215,13 @@ def _apart(total: Number) -> tuple[Number, Number]:
     name = next(k for k in high.noise if k not in total.noise)
     low = {name: {k: (-b, -a) for k, (a, b) in high.noise[name].items()}}
     zero = {k: (0.0 * a, 0.0 * b) for k, (a, b) in total.value.items()}
-    return high, Number(zero, low, _most(total.moved, _scaled(total.rest, U)))
+    return high, Number(zero, low, _most(total.moved, _scaled(total.rest, U)), total.degree)
 
 
 def together(a: Number, b: Number) -> Number:
     """Return the sum before it is rounded."""
     noise = {k: _summed(a.noise.get(k, {}), b.noise.get(k, {})) for k in {*a.noise, *b.noise}}
-    return Number(_summed(a.value, b.value), noise, _most(a.rest, b.rest))
+    return Number(_summed(a.value, b.value), noise, _most(a.rest, b.rest), a.degree)
 
 
 def fused_numbers(a: Any, b: Any, c: Any) -> Number:
@@ -263,6 +262,61 @@ def norm(image: list[Number], keys: tuple[int, ...]) -> tuple[Any, Any]:
         ratio = np.maximum.reduce([a / b for a, b in zip(t, s, strict=True)])
         found.append(np.sqrt(ratio) * (1.0 + 1e-12))  # a hundred roundings of this very calculation
     return found[0], found[1]
+
+
+def image_error(own: Any, fused: bool, sizes: Any, shared: Sequence[Enclosure] = ()) -> Any:
+    """Return a bound of ‖error‖/‖v‖ of m·v, in units of U, m an orthogonal matrix but for its errors.
+
+    For every G, |wᵀ·G·v| ≤ ½·(wᵀ·|Gᵀ|·w + vᵀ·|G|·v) with |G| = √(Gᵀ·G), and a sum over all G is at most
+    half of the sum of the largest eigenvalues of Σ|Gᵀ| and Σ|G|. Those of the sums of a row of m are eᵢ·bᵀ
+    with parts b of the row; the squares of the rows add up to 1 as m is orthogonal.
+
+    Parameters
+    ----------
+    own : array, shape (3, 3, n)
+        How far each entry may be off by what no other entry shares.
+    fused : bool
+        Whether the sums of a row are fused multiply-adds.
+    sizes : array, shape (3, 3, n)
+        Bounds of the entries.
+    shared : sequence of pairs of arrays (3, 3, n)
+        Enclosures of how far the matrix is off by other roundings.
+    """
+    rows, columns = (3.0, (3.0, 2.0, 1.0)) if fused else (2.0, (2.0, 2.0, 1.0))
+    own = own if fused else own + sizes  # a rounding for each product
+    left = np.moveaxis(rows * np.eye(3)[..., None] + np.eye(3)[..., None] * own.sum(axis=1), -1, 0)
+    right = np.moveaxis(np.diag(columns)[..., None] + np.eye(3)[..., None] * own.sum(axis=0), -1, 0)
+    around = np.zeros(len(left))
+    for low, high in shared:
+        middle = 0.5 * (low + high)
+        around += np.sqrt(((high - low) ** 2).sum(axis=(0, 1))) * 0.51
+        u, s, vt = np.linalg.svd(np.moveaxis(middle, -1, 0))
+        left = left + np.einsum("nij,nj,nkj->nik", u, s, u)
+        right = right + np.einsum("nji,nj,njk->nik", vt, s, vt)
+    largest = (np.linalg.eigvalsh(m)[:, -1] for m in (left, right))
+    return (0.5 * sum(largest) + around) * (1.0 + 1e-9)
+
+
+def turned_error(matrix: Sequence[Sequence[Number]], fused: bool) -> Any:
+    """Return what `image_error` does for a matrix of numbers."""
+    numbers = [x for row in matrix for x in row]
+    n = len(numbers[0].value[-1][0])
+
+    def filled(entries: Iterable[Any]) -> Any:
+        return np.array([np.broadcast_to(x, n) for x in entries]).reshape(3, 3, n)
+
+    own, shared = np.zeros((3, 3, n)), []
+    for name in sorted({name for x in numbers for name in x.noise}):
+        parts = [x.noise.get(name, {-1: (0.0, 0.0)})[-1] for x in numbers]
+        low, high = (filled(ends) for ends in zip(*parts, strict=True))
+        size = _size((low, high))
+        if np.count_nonzero(size.any(axis=-1)) > 1:
+            shared.append((low, high))
+        else:
+            own += size
+    sizes = filled(_size(x.value[-1]) for x in numbers)
+    second = np.sqrt((filled(x.rest.get(-1, 0.0) for x in numbers) ** 2).sum(axis=(0, 1)))
+    return image_error(own, fused, sizes, shared) + U * second
 
 
 def proved(
