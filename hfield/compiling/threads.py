@@ -1,12 +1,15 @@
 """Threads that share the blocks of one call.
 
 The calling thread always works too, so a call never waits for help that did not come: helpers that
-have not started when the work is done are called off. There is no state in a call that other Python
-threads, a fork or the end of the interpreter could break; numba's own parallel regions fail there.
+have not started when the work is done are called off. One that has started may lose its processor to
+other work in the middle of a block, which nobody else can finish. So after a long wait the calls that
+follow run alone for a while. There is no state in a call that other Python threads, a fork or the end of
+the interpreter could break; numba's own parallel regions fail there.
 """
 
 import os
 import threading
+import time
 from collections import deque
 from collections.abc import Callable, Iterator
 from ctypes import addressof, c_int64
@@ -19,6 +22,9 @@ from typing import Any
 from hfield.errors import HFieldError
 
 VARIABLES = ("HFIELD_NUM_THREADS", "ROTATION_NUM_THREADS")
+RESPITE = (
+    20  # after a long wait calls run alone for so many times as long: it is a twentieth of all time
+)
 
 
 class ThreadsError(HFieldError, ValueError):
@@ -30,6 +36,7 @@ class _State:
 
     def __init__(self) -> None:
         self.number: int | None = None
+        self.alone_until = 0.0  # by the clock of `time.perf_counter`
         self.forget_helpers()
 
     def forget_helpers(self) -> None:
@@ -114,14 +121,24 @@ def share(work: Callable[..., Any], pieces: int, alive: object, *arguments: obje
     """Run ``work(address of a counter, *arguments)`` in up to ``pieces`` threads; tell if any said true.
 
     ``alive`` is what the arguments point into: it is kept until the last thread is done, also when
-    Ctrl-C ends the wait for it.
+    Ctrl-C ends the wait for it. A wait for helpers is long if it takes longer than the work of the caller.
     """
     counter = c_int64(0)
     task = partial(_task, work, counter, alive, arguments)
-    helpers = _helpers(task, min(threads(), pieces) - 1)
+    number = min(threads(), pieces) - 1
+    if number < 1:
+        return task()
+    start = time.perf_counter()
+    if start < _state.alone_until:
+        return task()
+    helpers = _helpers(task, number)
     answer = task()
+    finished = time.perf_counter()
     for helper in helpers:
         answer |= helper.result()
+    end = time.perf_counter()
+    if end - finished > finished - start:
+        _state.alone_until = end + RESPITE * (end - finished)
     return answer
 
 
@@ -167,8 +184,6 @@ def _task(
 
 
 def _helpers(task: Callable[[], bool], number: int) -> list[_Part]:
-    if number < 1:
-        return []
     with _state.lock:
         try:
             while _state.helpers < number:
