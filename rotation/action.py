@@ -26,7 +26,7 @@ from rotation.vectors import about_axis
 
 # Up to so many points the formulas are faster than the kernels, which take longer to begin; with sines, which
 # here are the system's, up to fewer.
-FEW, FEW_SINES = 25_000, 600
+FEW, FEW_SINES = 8_000, 600
 
 
 def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> Coordinates:
@@ -116,8 +116,11 @@ def by_euler(axes: tuple[int, ...], backward: bool, degrees: bool) -> Formula:
 def write(formula: Formula, target: Array, *arrays: Array) -> bool:
     """Write a formula's values to ``target``; its last array is the points. Tell what it tells.
 
-    The arrays may be of both precisions; all is computed in double.
+    The arrays may be of both precisions; all is computed in double. The target may be the points.
     """
-    image, told = formula.told(*(a.astype(np.float64, copy=False) for a in arrays))
-    target[...] = image
-    return told
+    doubles = [a.astype(np.float64, copy=False) for a in arrays]
+    told = formula.function(target, *doubles)  # the machine code writes where it can
+    if told is None:
+        image, told = formula.told(*doubles)
+        target[...] = image
+    return bool(told)

@@ -167,11 +167,11 @@ def components_last(array: Array, layout: Layout) -> Array:
 
 def common_batch(**batches: Shape) -> Shape:
     """Return the batch shape that all named ones broadcast to; raises `RotationError` naming them."""
-    first, *others = batches.values()
-    if all(shape == first for shape in others):
-        return first
+    widest = max(batches.values(), key=len)
+    if all(shape in ((), widest) for shape in batches.values()):
+        return widest
     try:
-        return np.broadcast_shapes(first, *others)
+        return np.broadcast_shapes(*batches.values())
     except ValueError:
         shapes = ", ".join(f"{name} {shape}" for name, shape in batches.items())
         raise RotationError(

@@ -25,7 +25,7 @@ from rotation.euler import sequence
 from rotation.matrices import TO_MATRIX
 from rotation.namespaces import expect_numpy
 from rotation.quaternions import normalised
-from rotation.vectors import from_axis_angle
+from rotation.vectors import FROM_AXIS_ANGLE
 
 
 def rotate(
@@ -77,14 +77,14 @@ def rotate(
     batch = common_batch(points=points_batch, axis=axis_batch, angle=t.shape)
     result, target = destination(out, batch, p, (a, t), layout)
     degrees = bool(degrees)
+    if a.size == 3 and t.size == 1:
+        require_nonzero(a, "axis")
+        axis, angle = (x.astype(np.float64, copy=False) for x in (a.reshape(3), t.reshape(())))
+        _turn_all(p, FROM_AXIS_ANGLE[degrees](axis, angle), target)
+        return result
     if result.size <= 3 * FEW_SINES:
         if write(ABOUT_AXIS[degrees], target, *_checked(out, p, a), t, p):
             require_nonzero(a, "axis")
-        return result
-    if a.size == 3 and t.size == 1:
-        require_nonzero(a, "axis")
-        turn = from_axis_angle(a.reshape(3), t.reshape(()), degrees)
-        kernels.one(p, _matrix_of_quaternion(turn), target)
         return result
     if _in_place(out, p) and kernels.contains_zero(a):
         require_nonzero(a, "axis")
@@ -135,15 +135,11 @@ def rotate_quat(
         r, q_batch = components(q, 4, "q", layout)
     batch = common_batch(points=points_batch, q=q_batch)
     result, target = destination(out, batch, p, (r,), layout)
-    if result.size <= 3 * FEW:
-        unit = normalised(r)
-        single = unit.size == 4
-        m = TO_MATRIX(unit.reshape(4)) if single else unit
-        write(BY_MATRIX if single else BY_QUATERNION, target, m, p)
-        return result
     if r.size == 4:
-        require_nonzero(r, "quaternion")
-        kernels.one(p, _matrix_of_quaternion(r.reshape(4)), target)
+        _turn_all(p, normalised(r.reshape(4)), target)
+        return result
+    if result.size <= 3 * FEW:
+        write(BY_QUATERNION, target, normalised(r), p)
         return result
     if _in_place(out, p) and kernels.contains_zero(r):
         require_nonzero(r, "quaternion")
@@ -214,24 +210,10 @@ def _in_place(out: Array | None, points: Array) -> bool:
     return out is not None and np.may_share_memory(out, points)
 
 
-def _matrix_of_quaternion(q: Array) -> Array:
-    """Return the 3 × 3 matrix of ``v ↦ q v q⁻¹``, every entry the float64 nearest to the exact one.
-
-    A float is a whole number times a power of two, so the entries are quotients of whole numbers, and
-    Python divides these with one rounding. No length of ``q`` over- or underflows. A ``q`` that is not
-    finite gives NaN.
-    """
-    if not np.isfinite(q).all():
-        return np.full((3, 3), np.nan)
-    ratios = [float(c).as_integer_ratio() for c in q]
-    common = max(denominator for _, denominator in ratios)
-    w, x, y, z = (numerator * (common // denominator) for numerator, denominator in ratios)
-    ww, xx, yy, zz = w * w, x * x, y * y, z * z
-    n = ww + xx + yy + zz
-    return np.array(
-        [
-            [(ww + xx - yy - zz) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n],
-            [2 * (x * y + w * z) / n, (ww - xx + yy - zz) / n, 2 * (y * z - w * x) / n],
-            [2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (ww - xx - yy + zz) / n],
-        ]
-    )
+def _turn_all(points: Array, q: Array, target: Array) -> None:
+    """Turn all points by one unit quaternion."""
+    m = TO_MATRIX(q.astype(np.float64, copy=False))
+    if target.size <= 3 * FEW:
+        write(BY_MATRIX, target, m, points)
+    else:
+        kernels.one(points, m, target)

@@ -5,6 +5,8 @@ nothing here multiplies quaternions in its own way. Thesis, section 2.2.5; K. Sh
 rotation with quaternion curves", SIGGRAPH 1985.
 """
 
+from functools import reduce
+from operator import and_
 from typing import Any
 
 import numpy as np
@@ -176,31 +178,41 @@ def power(q: Array, exponent: Any) -> Array:
     RotationError
         A whole number beyond the largest float.
     """
-    return _raised(SHORTER_POWER, q, exponent)
+    return _raised(SHORTER_POWER, exponent, q)
 
 
 def direct_power(q: Array, exponent: Any) -> Array:
     """Return the power of unit quaternions (…, 4) as they stand: −q turns the long way round."""
-    return _raised(_POWER, q, exponent)
+    return _raised(_POWER, exponent, q)
 
 
-def _raised(formula: Formula, q: Array, exponent: Any) -> Array:
+def slerp(p: Array, q: Array, t: Any) -> Array:
+    """Return ``p·(p⁻¹·q)ᵗ`` for unit quaternions (…, 4), and p itself where q is p or −p."""
+    return _raised(SLERP, t, p, q)
+
+
+def _raised(raise_to: Formula, exponent: Any, *rotations: Array) -> Array:
+    xp = namespace(*rotations)
+    plain = all(type(q) is np.ndarray for q in rotations)
     if isinstance(exponent, int | float):
-        exponent = namespace(q).asarray(
-            number(exponent, "exponent"), dtype=None if type(q) is np.ndarray else q.dtype
+        exponent = xp.asarray(
+            number(exponent, "exponent"), dtype=None if plain else rotations[-1].dtype
         )
     else:
-        namespace(q, exponent)  # of two libraries it raises
-        common_batch(rotations=tuple(q.shape[:-1]), exponents=tuple(getattr(exponent, "shape", ())))
-    raised = formula(q, exponent)
+        namespace(*rotations, exponent)  # of two libraries it raises
+    shapes = {f"rotations{n or ''}": tuple(q.shape[:-1]) for n, q in enumerate(rotations)}
+    common_batch(**shapes, exponents=tuple(getattr(exponent, "shape", ())))
+    raised = raise_to(*rotations, exponent)
     # What exponents are stored in does not decide for numpy; floats of Python are of every precision.
-    return raised.astype(q.dtype, copy=False) if type(q) is np.ndarray else raised
+    return raised.astype(np.result_type(*rotations), copy=False) if plain else raised
 
 
 def _power(q: Array, exponent: Array, shorter: bool) -> Array:
-    exponent = exponent[...]
-    xp = namespace(q)
-    w, *u = upright(xp, split(q)) if shorter else split(q)
+    return join(namespace(q), _powers(namespace(q), split(q), exponent[...], shorter))
+
+
+def _powers(xp: Any, q: Coordinates, exponent: Array, shorter: bool) -> Coordinates:
+    w, *u = upright(xp, q) if shorter else q
     n = length(xp, tuple(u))
     half = xp.atan2(n, w) * exponent
     turning = n > 0.0
@@ -209,10 +221,27 @@ def _power(q: Array, exponent: Array, shorter: bool) -> Array:
     sine, cosine = waves(xp, half, False)
     ratio = xp.where(turning, sine / xp.where(turning, n, xp.ones_like(n)), near + 0.0 * n)
     cosine = xp.where(n == 0.0, xp.ones_like(half), cosine)
-    return join(xp, (cosine, *(ratio * c for c in u)))
+    return (cosine, *(ratio * c for c in u))
 
 
 _POWER, SHORTER_POWER = (Formula(_power, (4,), (), parameters=(short,)) for short in (False, True))
+
+
+def _slerp(p: Array, q: Array, t: Array) -> Array:
+    xp, start, end, exponent = namespace(p), split(p), split(q), t[...]
+    way = steadied(multiplied(formula.conjugate(HAMILTON, start), end))
+    point = steadied(multiplied(start, _powers(xp, way, exponent, True)))
+    if derived(p) or derived(q):  # also there it moves with both ends
+        return join(xp, point)
+    same, opposite = (
+        reduce(and_, (a == b for a, b in zip(start, ends, strict=True)))
+        for ends in (end, tuple(-c for c in end))
+    )
+    still = (same | opposite) & xp.isfinite(exponent)
+    return join(xp, tuple(xp.where(still, a, b) for a, b in zip(start, point, strict=True)))
+
+
+SLERP = Formula(_slerp, (4,), (4,), ())
 
 
 @quiet

@@ -7,8 +7,8 @@ from typing import Any, Self
 import numpy as np
 
 from rotation import groups, hints, pytrees, quaternions, sampling
-from rotation.action import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW
-from rotation.arrays import common_batch, precision, real
+from rotation.action import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW, write
+from rotation.arrays import common_batch, destination, precision, real
 from rotation.batch import Batch, expect_rotations
 from rotation.conversions import Conversions
 from rotation.errors import ForeignArrayError, RotationError
@@ -470,7 +470,7 @@ class Rotation(Conversions):
             Points or ``out`` of another type.
         """
         q = self._q
-        if type(q) is np.ndarray and out is None and type(points) in (np.ndarray, list, tuple):
+        if type(q) is np.ndarray and type(points) in (np.ndarray, list, tuple):
             v = points if type(points) is np.ndarray else real(points, "points")
             if (
                 v.dtype.char in "df"
@@ -480,12 +480,17 @@ class Rotation(Conversions):
                 and v.size <= 3 * FEW
                 and (q.ndim == 1 or v.ndim == 1 or q.shape[:-1] == v.shape[:-1])
             ):
-                w = v if v.dtype.char == "d" else v.astype(np.float64)
                 if q.ndim > 1:
-                    image = (BY_INVERSE if inverse else BY_QUATERNION)(q, w)
+                    formula, turn = (BY_INVERSE if inverse else BY_QUATERNION), q
                 else:
-                    m = TO_MATRIX(q)
-                    image = BY_MATRIX(m.T if inverse else m, w)
+                    formula, turn = BY_MATRIX, TO_MATRIX(INVERSE(q) if inverse else q)
+                if out is not None:
+                    batch = q.shape[:-1] or v.shape[:-1]
+                    result, target = destination(out, batch, v, (q,), "aos")
+                    write(formula, target, turn, v)
+                    return result
+                w = v if v.dtype.char == "d" else v.astype(np.float64)
+                image = formula(turn, w)
                 return image if w is v else image.astype(np.float32)
         return self._applied(points, inverse, out)
 

@@ -10,6 +10,7 @@ each combination; the result is in single precision where all arrays are.
 
 import itertools
 from collections.abc import Callable
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -155,7 +156,7 @@ class Formula:
 
     def _shared(self, function: Callable[..., bool], arrays: list[Array], out: Array) -> bool:
         """Compute piece by piece, in as many threads as there are."""
-        rows = out.size // int(np.prod(self._row, dtype=np.int64))
+        rows = out.size // prod(self._row)
         flat = [
             a if a.ndim == len(shape) else a.reshape(rows, *shape)
             for a, shape in zip(arrays, self._shapes, strict=True)

@@ -182,7 +182,7 @@ def from_axis_angle(axis: Any, angle: Any, degrees: bool = False) -> Array:
     refuse_zeros(v, "axis")
     a = floats(angle, "angles", xp)
     common_batch(axes=tuple(v.shape[:-1]), angles=tuple(a.shape))
-    return _FROM_AXIS_ANGLE[bool(degrees)](v, a)
+    return FROM_AXIS_ANGLE[bool(degrees)](v, a)
 
 
 def _from_axis_angle(axis: Array, angle: Array, degrees: bool) -> Array:
@@ -201,7 +201,7 @@ def about_axis(axis: Coordinates, angle: Array, degrees: bool) -> Coordinates:
     return tuple(x + poison(axis) for x in turn(xp, sine, cosine, a, norm(xp, a)))
 
 
-_FROM_AXIS_ANGLE = [
+FROM_AXIS_ANGLE = [
     Formula(_from_axis_angle, (3,), (), parameters=(degrees,)) for degrees in (False, True)
 ]
 

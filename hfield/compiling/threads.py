@@ -152,6 +152,8 @@ def in_pieces(
     2 MiB.
     """
     length = max(shortest, -(-n // threads()))
+    if length >= n:
+        return work(0, n)
     cuts = [*range(0, n, length), n]
     stretches = [(deque(range(start, end, piece)), end) for start, end in pairwise(cuts)]
     turns = deque(range(len(stretches)))

@@ -20,6 +20,7 @@ from rotation.namespaces import (
     number,
     quiet,
 )
+from rotation.pytrees import known
 from rotation.rotation import Rotation
 
 
@@ -29,7 +30,7 @@ def slerp(p: Rotation, q: Rotation, t: Any) -> Rotation:
     Parameters
     ----------
     p, q : Rotation
-        Between a rotation and itself nothing moves, with whatever signs of the quaternions. Where
+        Between a rotation and itself nothing moves, with whatever signs of the quaternions: that is p. Where
         they are half a turn apart two ways are equally short; taken is the turn from ``p`` about
         the axis, as p has turned it, whose first nonzero coordinate is positive.
     t : float or array
@@ -42,9 +43,12 @@ def slerp(p: Rotation, q: Rotation, t: Any) -> Rotation:
     >>> slerp(p, q, [0.0, 0.5, 1.0]).as_euler("ZYX", degrees=True)[:, 0].round(12)
     array([ 0., 45., 90.])
     """
+    if type(t) is float and type(p) is type(q) is Rotation:
+        made = quaternions.SLERP.function(Rotation, p._q, q._q, t)
+        if made is not None:
+            return known(made)
     expect_rotations(p=p, q=q)
-    t = _parameter(t, p, q)
-    return p * Rotation._of(quaternions.power((p.inv() * q)._q, t))
+    return Rotation._of(quaternions.slerp(p._q, q._q, _parameter(t, p, q)))
 
 
 @quiet

@@ -108,14 +108,9 @@ def _polynomial(coefficients: tuple[float, ...], z: Any) -> Any:
 
 def _one(points: Rows, matrix: Rows) -> Any:
     """Rotate by one matrix, in the precision of the points."""
-    a, b, c, d, e, f, g, h, k = split(matrix)
-    x, y, z = split(points)
+    entries, (x, y, z) = split(matrix), split(points)
     poison = -((x - x) + ((y - y) + (z - z)))  # NaN or −0
-    return (
-        a * x + (b * y + (c * z + poison)),
-        d * x + (e * y + (f * z + poison)),
-        g * x + (h * y + (k * z + poison)),
-    ), None
+    return action.by_rows((entries[:3], entries[3:6], entries[6:]), (x, y, z), poison), None
 
 
 def _axis_angle(degrees: bool, single: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
