@@ -118,7 +118,8 @@ def to_euler(q: Array, seq: str, degrees: bool = False) -> Array:
 
     The first and third angle lie in [−π, π], the second in [−π/2, π/2], or in [0, π] where the first
     and the last letter agree. In gimbal lock (the second angle at an end of its interval to within
-    rounding) only a sum or a difference of the others is determined: then the third angle is 0.
+    16·2⁻⁵²) only a sum or a difference of the others is determined: then the third angle is 0. The
+    angles describe the rotation to 8·2⁻⁵² radians, in gimbal lock to 24·2⁻⁵².
     Read off the quaternion, so nothing is lost near the lock: E. Bernardes and S. Viollet,
     "Quaternion to Euler angles conversion: a direct, general and computationally efficient
     method", PLoS ONE 17 (2022).

@@ -14,7 +14,7 @@ import numpy as np
 from hfield.core import product as formula
 from rotation.angles import to_degrees, waves
 from rotation.arrays import common_batch
-from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unit
+from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unchanging, unit
 from rotation.namespaces import Array, expect_last, floats, namespace, number, quiet, refuse_zeros
 from rotation.optimum import derived, held
 from rotation.rowwise import Formula, rarely, tell
@@ -166,6 +166,8 @@ _ANGLE = [Formula(_angle, (4,), parameters=(degrees,)) for degrees in (False, Tr
 def power(q: Array, exponent: Any) -> Array:
     """Return the rotation about the same axis by ``exponent`` times the angle in [0, π].
 
+    It is within (3 + 2.5·|exponent|)·2⁻⁵² of the exact quaternion (docs/rotation-errors.md).
+
     Parameters
     ----------
     q : array, shape (…, 4)
@@ -237,8 +239,11 @@ def _slerp(p: Array, q: Array, t: Array) -> Array:
         reduce(and_, (a == b for a, b in zip(start, ends, strict=True)))
         for ends in (end, tuple(-c for c in end))
     )
-    still = (same | opposite) & xp.isfinite(exponent)
-    return join(xp, tuple(xp.where(still, a, b) for a, b in zip(start, point, strict=True)))
+    spoilt = unchanging(xp, (exponent,))
+    return join(
+        xp,
+        tuple(xp.where(same | opposite, a, b) + spoilt for a, b in zip(start, point, strict=True)),
+    )
 
 
 SLERP = Formula(_slerp, (4,), (4,), ())

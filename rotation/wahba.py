@@ -32,6 +32,8 @@ def checked(a: Any, b: Any, weights: Any) -> tuple[Array, Array, Array]:
     """Return two sets of vectors (…, N, 3) and their weights (…, N) as arrays that fit together."""
     xp = namespace(a, b, weights)
     a, b = (floats(v, "vectors", xp) for v in (a, b))
+    if is_numpy(xp):  # the order of sums does not depend on that of memory
+        a, b = np.ascontiguousarray(a), np.ascontiguousarray(b)
     for v in (a, b):
         expect_last(v, (3,), "vectors")
     if a.ndim == b.ndim == 1:

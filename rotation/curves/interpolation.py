@@ -44,7 +44,7 @@ def slerp(p: Rotation, q: Rotation, t: Any) -> Rotation:
     array([ 0., 45., 90.])
     """
     if type(t) is float and type(p) is type(q) is Rotation:
-        made = quaternions.SLERP.function(Rotation, p._q, q._q, t)
+        made: Rotation | None = quaternions.SLERP.function(Rotation, p._q, q._q, t)
         if made is not None:
             return known(made)
     expect_rotations(p=p, q=q)

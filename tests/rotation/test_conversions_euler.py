@@ -86,6 +86,19 @@ def test_near_gimbal_lock_nothing_is_lost(seq: str) -> None:
                 assert np.minimum(turns, 2 * np.pi - turns).max() < 4e-15 / size
 
 
+@subcases("seq", ALL)
+def test_angles_describe_the_rotation_at_every_distance_from_gimbal_lock(seq: str) -> None:
+    rng = np.random.default_rng(8)
+    for end in ends(seq):
+        angles = rng.uniform(-np.pi, np.pi, (40, 3))
+        angles[:, 1] = end + 10.0 ** rng.uniform(-18, -1, 40) * rng.choice([-1, 1], 40)
+        r = Rotation.from_euler(seq, angles)
+        for q, found in zip(r.as_quat(), r.as_euler(seq), strict=True):
+            off = reference.euler(seq, found).T * reference.matrix_of(reference.exact(q))
+            turned = reference.length([off[i, j] - off[j, i] for i, j in ((0, 1), (0, 2), (1, 2))])
+            assert turned / 2 <= (24 if found[2] == 0 else 8) * 2.0**-52
+
+
 def test_small_angles_keep_their_digits() -> None:
     for size in (1e-300, 1e-20, 1e-8):
         angles = size * np.array([1.0, 2.0, -3.0])

@@ -1,11 +1,12 @@
 """Similarities, geodesic medians, even grids, poses that face a point."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 
-from rotation import Rotation, RotationError, align_similarity, look_at
+from rotation import Rotation, RotationError, align, align_points, align_similarity, look_at
 
 RNG = np.random.default_rng(11)
 
@@ -127,3 +128,38 @@ def test_what_cannot_be_faced() -> None:
         look_at([0, 0, 0], [1, 0, 0], convention="unity")
     with pytest.raises(RotationError, match="convention"):
         look_at([0, 0, 0], [1, 0, 0], convention="nowhere")
+
+
+def strided(x: np.ndarray) -> np.ndarray:
+    wide = np.full(tuple(2 * n for n in x.shape), np.nan)
+    every = tuple(slice(None, None, 2) for _ in x.shape)
+    wide[every] = x
+    return wide[every]
+
+
+@pytest.mark.parametrize("count", [2, 7, 33, 1000])
+def test_bits_do_not_depend_on_how_weights_and_vectors_lie(count: int) -> None:
+    rng = np.random.default_rng(count)
+    r, weights = Rotation.random(count, rng=rng), rng.uniform(0.1, 1.0, count)
+    source, noise = rng.normal(size=(2, count, 3))
+    target = r[0].apply(source) + 0.1 * noise
+    fits: list[Callable[[np.ndarray, np.ndarray], object]] = [
+        lambda v, w: r.mean(w).as_quat(),
+        lambda v, w: align(v, target, w)[0].as_quat(),
+        lambda v, w: align(target, v, w)[1],
+        lambda v, w: align_points(v, target, w)[1],
+        lambda v, w: align_similarity(v, target, w).scale,
+    ]
+    if count < 100:
+        fits.append(lambda v, w: r.median(w).as_quat())
+    others: list[Callable[[np.ndarray], np.ndarray]] = [
+        lambda x: x.astype(">f8"),
+        lambda x: x[::-1].copy()[::-1],
+        np.asfortranarray,
+        strided,
+    ]
+    for fit in fits:
+        usual = np.asarray(fit(source, weights)).tobytes()
+        for other in others:
+            assert np.asarray(fit(other(source), weights)).tobytes() == usual
+            assert np.asarray(fit(source, other(weights))).tobytes() == usual

@@ -32,6 +32,18 @@ def test_slerp_ends_and_goes_on_evenly() -> None:
     assert near(slerp(p, q, 0.3), slerp(q, p, 0.7), 1e-13)
 
 
+@pytest.mark.parametrize("shape", [(), (3,), (500,)])
+def test_between_a_rotation_and_itself_lies_nothing_else(shape: tuple[int, ...]) -> None:
+    p = Rotation.random(shape, rng=5)
+    q, curve = Rotation.from_quat(-p.as_quat()), Rotation.concatenate([p, p]).reshape(2, *shape)
+    for t in (0.0, 0.3, np.array(0.7), 1.0, -2.0, 1e300):
+        for end in (p, q):
+            np.testing.assert_array_equal(slerp(p, end, t).as_quat(), p.as_quat())
+        if 0.0 <= t <= 1.0:
+            np.testing.assert_array_equal(Slerp([0, 1], curve)(t).as_quat(), p.as_quat())
+    assert np.isnan(slerp(p, p, np.nan).as_quat()).all()
+
+
 def test_slerp_takes_the_shorter_way() -> None:
     p, q = Rotation.random((2, 500), rng=2)
     for sign in (1, -1):

@@ -65,7 +65,44 @@ def test_axes_and_angles_are_right_to_five_ulps_of_the_length(degrees: bool) -> 
     for v, got, q in zip(points, turned, turns, strict=True):
         right = matrix_of(q) * mp.matrix(exact(v))
         error = length([a - b for a, b in zip(exact(got), right, strict=True)])
-        assert error <= 2.5 * ULP * length(exact(v))
+        assert error <= 3 * ULP * length(exact(v))
+
+
+# Found by a search among some 10⁹, climbing: 3.41 and 2.43 units, by the kernels.
+WORST = {
+    "quaternion": (
+        ("-0x1.03062553c1352p+0", "0x1.22ea6db78a721p-4", "-0x1.264ec57ddf45ap-3"),
+        (
+            "-0x1.6ca45c2c3237fp-4",
+            "0x1.f4e21f22a8964p-5",
+            "0x1.6b34ce263873bp+0",
+            "0x1.25c57f77999a1p-2",
+        ),
+    ),
+    "axis and angle": (
+        ("0x1.0ac3e7fd57fe1p+1", "0x1.f2d4c6d6946b4p-5", "-0x1.b6c0b856fe17fp-5"),
+        (
+            "0x1.047455ef25155p+1",
+            "0x1.3126f23e861bcp+0",
+            "-0x1.3427a9eefa949p+1",
+            "0x1.5aa9bf299c9bbp+1",
+        ),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", WORST)
+def test_the_worst_that_was_found(name: str) -> None:
+    point, numbers = ([float.fromhex(x) for x in part] for part in WORST[name])
+    points, rows = np.array([point] * 2), np.array([numbers] * 2)
+    if name == "quaternion":
+        turned, q = rotate_quat(points, rows), exact(numbers)
+    else:
+        turned = rotate(points, rows[:, :3], rows[:, 3])
+        *axis, angle = exact(numbers)
+        q = [mp.cos(angle / 2) * length(axis), *(mp.sin(angle / 2) * x for x in axis)]
+    error = matrix_of(q) * mp.matrix(exact(point)) - mp.matrix(exact(turned[0]))
+    assert length(error) <= 5 * ULP * length(exact(point))
 
 
 def sines(angles: Any) -> tuple[Any, Any]:

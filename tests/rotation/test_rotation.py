@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from hfield import QQ, H
 from rotation import DTypeError, Rotation, RotationError
 from tests.rotation import reference
-from tests.rotation.reference import mp
+from tests.rotation.reference import exact, length, mp
 
 
 def rotations(shape: Any, seed: int = 0) -> Rotation:
@@ -183,6 +183,20 @@ def test_rational_rotations_are_those_of_hfield() -> None:
         product = [float(Fraction(str(c))) for c in (pair[0] * pair[1]).coordinates]
         p, q = (Rotation([float(Fraction(str(c))) for c in x.coordinates]) for x in pair)
         assert (p * q).as_quat() == pytest.approx(product, abs=1e-15)
+
+
+@pytest.mark.parametrize("most", [0.5, 3.0, 1000.0, 1e6])
+def test_powers_are_as_near_as_documented(most: float) -> None:
+    rng = np.random.default_rng(9)
+    raw = rng.normal(size=(60, 4)) * 10.0 ** rng.uniform(-6, 0, (60, 4))
+    r, exponents = Rotation(raw), rng.uniform(-most, most, 60)
+    for row, t, found in zip(r.as_quat(), exponents, (r**exponents).as_quat(), strict=True):
+        w, *u = exact(row if row[0] > 0 else -row)
+        n = length(u)
+        half = mp.atan2(n, w) * mp.mpf(t)
+        right = [mp.cos(half), *(mp.sin(half) * x / n for x in u)]
+        error = length([a - b for a, b in zip(exact(found), right, strict=True)])
+        assert error <= (3 + 2.5 * abs(t)) * 2.0**-52
 
 
 def test_inverse_and_powers() -> None:
