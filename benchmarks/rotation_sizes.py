@@ -31,7 +31,7 @@ from rotation import Rotation
 from rotation.kernels import threads
 
 Ways = dict[str, Callable[[], Any]]  # by whose they are; ours first
-SIZES = (1, 10, 100, 1000, 10_000, 1_000_000)
+SIZES = (1, 10, 100, 1000, 10_000, 100_000, 1_000_000)
 RUN = 2e-4  # seconds of a run of calls
 SLOW = 5.0  # seconds of a call that is not repeated
 PEERS = {
@@ -65,10 +65,17 @@ def rotations(n: int) -> dict[str, Ways]:
     r, s = Rotation(raw), ScipyRotation.from_quat(raw, scalar_first=True)
     p, t = Rotation(other), ScipyRotation.from_quat(other, scalar_first=True)
     one, single = Rotation([1, 2, 3, 4]), ScipyRotation.from_quat([2, 3, 4, 1])
-    m = s.as_matrix()
+    m, out, generator = s.as_matrix(), np.empty_like(v), np.random.default_rng(1)
+    axis = np.array([1.0, 2.0, 3.0])
+    turn = axis / np.linalg.norm(axis) * 3.0
     calls: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
         "apply 1→N": (lambda: one.apply(v), lambda: single.apply(v)),
         "apply N→N": (lambda: r.apply(v), lambda: s.apply(v)),
+        "apply N→N, out=": (lambda: r.apply(v, out=out), lambda: s.apply(v)),
+        "rotate, one axis": (
+            lambda: rotation.rotate(v, axis, 3.0),
+            lambda: ScipyRotation.from_rotvec(turn).apply(v),
+        ),
         "apply N→N, float32": (lambda: r.apply(v32), lambda: s.apply(v32)),
         "mul": (lambda: r * p, lambda: s * t),
         "inv": (lambda: r.inv(), lambda: s.inv()),
@@ -96,6 +103,10 @@ def rotations(n: int) -> dict[str, Ways]:
             lambda: ScipyRotation.from_euler("ZYX", a),
         ),
         "as_euler": (lambda: r.as_euler("ZYX"), lambda: s.as_euler("ZYX")),
+        "random": (
+            lambda: Rotation.random(shape, rng=generator),
+            lambda: ScipyRotation.random(n if shape else None, rng=generator),
+        ),
         "from_mrp": (lambda: Rotation.from_mrp(v), lambda: ScipyRotation.from_mrp(v)),
         "as_mrp": (lambda: r.as_mrp(), lambda: s.as_mrp()),
     }
@@ -109,7 +120,11 @@ def rotations(n: int) -> dict[str, Ways]:
     if 1 < n <= 10_000:
         calls |= splines(n)
     calls |= transforms(r, s, v)
-    rows = {name: {"ours": ours, "scipy": scipys} for name, (ours, scipys) in calls.items()}
+    rows: dict[str, Ways] = {
+        name: {"ours": ours, "scipy": scipys} for name, (ours, scipys) in calls.items()
+    }
+    if find_spec("quaternion"):
+        rows["slerp"] = {"ours": lambda: rotation.slerp(r, p, 0.3)}
     for peer, add in (
         ("quaternion", numpy_quaternions),
         ("quaternionic", quaternionics),
@@ -129,7 +144,9 @@ def numpy_quaternions(r: Rotation, p: Rotation, v: Any, m: Any) -> dict[str, Cal
     q = import_module("quaternion")
     a, b = (q.as_quat_array(x.as_quat())[()] for x in (r, p))
     a, b = (q.quaternion(*x.as_quat()) for x in (r, p)) if r.single else (a, b)
+    slerp = q.slerp_evaluate if r.single else np.slerp_vectorized  # type: ignore[attr-defined]
     return {
+        "slerp": lambda: slerp(a, b, 0.3),
         "mul": lambda: a * b,
         "inv": lambda: a.conjugate(),
         "pow": lambda: a**0.3,

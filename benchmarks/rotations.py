@@ -2,9 +2,9 @@
 
     python benchmarks/rotations.py [POINTS] [SECONDS]
 
-Three loads: one rotation of all points; an axis and an angle for each point; Euler angles for each
-point. The floor is `np.copyto` into a preallocated array of the same size and dtype, which is also how
-our calls are made (``out=``). The ways take turns, round after round, for SECONDS (default 20) a load,
+Four loads: one rotation of all points; an axis and an angle, a quaternion, or Euler angles for each
+point. The floor is `np.copyto` between preallocated arrays, of as many bytes as our calls read and write;
+these are made with ``out=``. The ways take turns, round after round, for SECONDS (default 20) a load,
 and the best time of a call counts, so that a busy machine disturbs all alike. A turn is a run of calls, as
 frame follows frame: the first is not timed, since it finds the caches full of another's arrays. Our calls
 have one thread and then two; the copy and the peers have one. Peers build what they need (quaternions,
@@ -49,12 +49,19 @@ def quaternion_of(axis: Array, angle: Array) -> Array:
     return np.concatenate([np.cos(half), np.sin(half) * unit], axis=-1)
 
 
+def copy(p: Array, numbers: int) -> Way:
+    """Return a copy that moves so many numbers for each point, half of them to, half of them fro."""
+    here = np.ones(len(p) * numbers // 2)
+    there = np.empty_like(here)
+    return lambda: np.copyto(there, here)
+
+
 def one_rotation(p: Array) -> dict[str, Way]:
     q = np.array([0.3, -0.5, 0.7, 0.4]) / np.linalg.norm([0.3, -0.5, 0.7, 0.4])
     out, p32, soa = np.empty_like(p), p.astype(np.float32), p.T.copy()
     out32, out_soa = np.empty_like(p32), np.empty_like(soa)
     inplace = p.copy()
-    ways: dict[str, Way] = {"copy": lambda: np.copyto(out, p)}
+    ways: dict[str, Way] = {"copy": copy(p, 6)}
     for n in (1, 2):
         ways[f"ours, (N, 3), {n}"] = ours(n, lambda: rotate_quat(p, q, out=out))
         ways[f"ours, (3, N), {n}"] = ours(n, lambda: rotate_quat(soa, q, out=out_soa, layout="soa"))
@@ -84,7 +91,7 @@ def own_axes(p: Array) -> dict[str, Way]:
     axis, angle = RNG.normal(size=p.shape), RNG.uniform(-np.pi, np.pi, len(p))
     out, soa, soa_axis = np.empty_like(p), p.T.copy(), axis.T.copy()
     out_soa = np.empty_like(soa)
-    ways: dict[str, Way] = {"copy": lambda: np.copyto(out, p)}
+    ways: dict[str, Way] = {"copy": copy(p, 10)}
     for n in (1, 2):
         ways[f"ours, (N, 3), {n}"] = ours(n, lambda: rotate(p, axis, angle, out=out))
         ways[f"ours, (3, N), {n}"] = ours(
@@ -119,11 +126,30 @@ def own_axes(p: Array) -> dict[str, Way]:
     return ways
 
 
+def own_quaternions(p: Array) -> dict[str, Way]:
+    q = RNG.normal(size=(len(p), 4))
+    out, soa, soa_q = np.empty_like(p), p.T.copy(), q.T.copy()
+    out_soa, p32, q32 = np.empty_like(soa), p.astype(np.float32), q.astype(np.float32)
+    out32 = np.empty_like(p32)
+    ways: dict[str, Way] = {"copy": copy(p, 10)}
+    for n in (1, 2):
+        ways[f"ours, (N, 3), {n}"] = ours(n, lambda: rotate_quat(p, q, out=out))
+        ways[f"ours, (3, N), {n}"] = ours(
+            n, lambda: rotate_quat(soa, soa_q, out=out_soa, layout="soa")
+        )
+        ways[f"ours, float32, {n}"] = ours(n, lambda: rotate_quat(p32, q32, out=out32))
+    if find_spec("scipy"):
+        from scipy.spatial.transform import Rotation
+
+        ways["scipy"] = lambda: Rotation.from_quat(q, scalar_first=True).apply(p)
+    return ways
+
+
 def own_euler(p: Array) -> dict[str, Way]:
     angles = RNG.uniform(-np.pi, np.pi, p.shape)
     out, soa, soa_angles = np.empty_like(p), p.T.copy(), angles.T.copy()
     out_soa = np.empty_like(soa)
-    ways: dict[str, Way] = {"copy": lambda: np.copyto(out, p)}
+    ways: dict[str, Way] = {"copy": copy(p, 9)}
     for n in (1, 2):
         ways[f"ours, (N, 3), {n}"] = ours(n, lambda: rotate_euler(p, angles, out=out))
         ways[f"ours, (3, N), {n}"] = ours(
@@ -174,6 +200,7 @@ def main(arguments: list[str]) -> None:
     loads = (
         ("one rotation of all points", one_rotation),
         ("an axis and an angle for each point", own_axes),
+        ("a quaternion for each point", own_quaternions),
         ("Euler angles ZYX for each point", own_euler),
     )
     for title, load in loads:

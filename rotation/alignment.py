@@ -7,7 +7,7 @@ from rotation.errors import RotationError
 from rotation.matrices import largest
 from rotation.namespaces import Array, certainly, floats, namespace, quiet, refuse_rows
 from rotation.rotation import Rotation
-from rotation.wahba import checked, fitted
+from rotation.wahba import checked, checked_vectors, fitted
 
 
 def align(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Array]:
@@ -40,7 +40,10 @@ def align(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Arra
     >>> r.as_rotvec(degrees=True).round(9) + 0.0, float(rssd.round(9))
     (array([ 0.,  0., 90.]), 0.0)
     """
-    q, rssd = fitted(*checked(target, source, weights))
+    if weights is None:
+        q, rssd = fitted(*checked_vectors(target, source, weights), None)
+    else:
+        q, rssd = fitted(*checked(target, source, weights))
     return Rotation._of(q), rssd
 
 

@@ -30,6 +30,12 @@ from rotation.vectors import between, from_axis_angle
 
 def checked(a: Any, b: Any, weights: Any) -> tuple[Array, Array, Array]:
     """Return two sets of vectors (…, N, 3) and their weights (…, N) as arrays that fit together."""
+    a, b = checked_vectors(a, b, weights)
+    return a, b, _weights(namespace(a), weights, a)
+
+
+def checked_vectors(a: Any, b: Any, weights: Any) -> tuple[Array, Array]:
+    """Return two sets of vectors (…, N, 3) as arrays that fit together, of the library of all three."""
     xp = namespace(a, b, weights)
     a, b = (floats(v, "vectors", xp) for v in (a, b))
     if is_numpy(xp):  # the order of sums does not depend on that of memory
@@ -43,7 +49,7 @@ def checked(a: Any, b: Any, weights: Any) -> tuple[Array, Array, Array]:
             f"vectors of shapes {tuple(a.shape)} and {tuple(b.shape)}: "
             "as many of one kind as of the other are expected, and at least one pair"
         )
-    return a, b, _weights(xp, weights, a)
+    return a, b
 
 
 def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
@@ -122,9 +128,12 @@ def sensitivity(q: Array, a: Array, b: Array, w: Array) -> Array:
 
 
 @quiet
-def fitted(a: Array, b: Array, w: Array) -> tuple[Array, Array]:
-    """Return the quaternions (…, 4) that take b closest to a, and the roots of the sums that remain."""
-    exact = certain(a, b, w)
+def fitted(a: Array, b: Array, w: Array | None) -> tuple[Array, Array]:
+    """Return the quaternions (…, 4) that take b closest to a, and the roots of the sums that remain.
+
+    Without weights all are 1.
+    """
+    exact = None if w is None else certain(a, b, w)
     if exact is not None:
         return exact
     q = _best(namespace(a), a, b, w)
@@ -132,11 +141,13 @@ def fitted(a: Array, b: Array, w: Array) -> tuple[Array, Array]:
 
 
 @quiet
-def remaining(q: Array, a: Array, b: Array, w: Array) -> Array:
+def remaining(q: Array, a: Array, b: Array, w: Array | None) -> Array:
     """Return ``√(Σ w‖a − R·b‖²)``; no square overflows."""
     xp = namespace(a)
     turned = xp.matmul(b, xp.matrix_transpose(to_matrix(q)))
-    rests = xp.sqrt(w) * _LENGTH(a - turned)
+    rests = _LENGTH(a - turned)
+    if w is not None:
+        rests = xp.sqrt(w) * rests
     longest = xp.max(rests, axis=-1, keepdims=True)
     longest = xp.where(longest > 0.0, longest, xp.ones_like(longest))
     return xp.sqrt(xp.sum((rests / longest) ** 2, axis=-1)) * longest[..., 0]
@@ -155,12 +166,14 @@ def _weights(xp: Any, weights: Any, vectors: Array) -> Array:
     return w
 
 
-def _best(xp: Any, a: Array, b: Array, w: Array) -> Array:
+def _best(xp: Any, a: Array, b: Array, w: Array | None) -> Array:
     # Only directions matter, and lengths relative to each other: nothing overflows when squared.
     a, b = a / largest(xp, a), b / largest(xp, b)
-    heaviest = xp.max(w, axis=-1, keepdims=True)
-    refuse_rows(heaviest[..., 0] == 0.0, "the weights", "are all zero")
-    m = xp.matmul(xp.matrix_transpose(_TIMES(a, w / heaviest)), b)
+    if w is not None:
+        heaviest = xp.max(w, axis=-1, keepdims=True)
+        refuse_rows(heaviest[..., 0] == 0.0, "the weights", "are all zero")
+        a = _TIMES(a, w / heaviest)
+    m = xp.matmul(xp.matrix_transpose(a), b)
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))
     m = xp.where(finite[..., None, None], m, xp.eye(3, dtype=m.dtype))
     u, s, vt = xp.linalg.svd(held(m))
