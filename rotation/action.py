@@ -24,9 +24,9 @@ from rotation.native.pairs import plus_product
 from rotation.rowwise import Formula, rarely, tell
 from rotation.vectors import about_axis
 
-# Up to so many points the formulas are faster than the kernels, which take longer to begin; with sines, which
-# here are the system's, up to fewer.
-FEW, FEW_SINES = 8_000, 600
+# Up to so many points the formulas are faster than the kernels, which take longer to begin: by one rotation,
+# by quaternions of their own, and by axes and angles of their own, whose sines are here the system's.
+FEW, FEW_OWN, FEW_SINES = 25_000, 8_000, 600
 
 
 def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> Coordinates:

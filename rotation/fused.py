@@ -10,7 +10,16 @@ import numpy as np
 import numpy.typing as npt
 
 from rotation import kernels
-from rotation.action import ABOUT_AXIS, BY_MATRIX, BY_QUATERNION, FEW, FEW_SINES, by_euler, write
+from rotation.action import (
+    ABOUT_AXIS,
+    BY_MATRIX,
+    BY_QUATERNION,
+    FEW,
+    FEW_OWN,
+    FEW_SINES,
+    by_euler,
+    write,
+)
 from rotation.arrays import (
     Array,
     Layout,
@@ -138,7 +147,7 @@ def rotate_quat(
     if r.size == 4:
         _turn_all(p, normalised(r.reshape(4)), target)
         return result
-    if result.size <= 3 * FEW:
+    if result.size <= 3 * FEW_OWN:
         write(BY_QUATERNION, target, normalised(r), p)
         return result
     if _in_place(out, p) and kernels.contains_zero(r):

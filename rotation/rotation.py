@@ -7,7 +7,7 @@ from typing import Any, Self
 import numpy as np
 
 from rotation import groups, hints, pytrees, quaternions, sampling
-from rotation.action import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW, write
+from rotation.action import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW, FEW_OWN, write
 from rotation.arrays import common_batch, destination, precision, real
 from rotation.batch import Batch, expect_rotations
 from rotation.conversions import Conversions
@@ -477,7 +477,7 @@ class Rotation(Conversions):
                 and q.dtype.char == "d"
                 and v.ndim
                 and v.shape[-1] == 3
-                and v.size <= 3 * FEW
+                and v.size <= 3 * (FEW if q.ndim == 1 else FEW_OWN)
                 and (q.ndim == 1 or v.ndim == 1 or q.shape[:-1] == v.shape[:-1])
             ):
                 if q.ndim > 1:

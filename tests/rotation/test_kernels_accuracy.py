@@ -19,8 +19,8 @@ RNG = np.random.default_rng(7)
 def way(request: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """Have all points rotated by the formulas of few points, then by the kernels of many."""
     few = 10**9 if request.param == "formulas" else -1
-    monkeypatch.setattr(fused, "FEW", few)
-    monkeypatch.setattr(fused, "FEW_SINES", few)
+    for name in ("FEW", "FEW_OWN", "FEW_SINES"):
+        monkeypatch.setattr(fused, name, few)
 
 
 def errors(points: Any, turned: Any, quaternions: Any) -> float:
