@@ -39,7 +39,7 @@ def field_class(F: Any) -> galois.FieldArray | None:
 
 
 def _made_class(F: Any) -> galois.FieldArray:
-    # Each new class evaluates its polynomial once, for which galois would compile a loop: half a second or more.
+    # Each new class evaluates its polynomial once, for which galois otherwise compiles a loop: a second.
     options: dict[str, Any] = {"compile": "python-calculate"}
     subfield = galois.GF(F.characteristic, **options)
     if F.degree > 1:
@@ -49,8 +49,9 @@ def _made_class(F: Any) -> galois.FieldArray:
     cls = galois.GF(F.order, **options)
     for made in (subfield, cls):
         made.compile("auto" if made.order < TABLES_BELOW else "jit-calculate")
-    one = cls.Ones(1)
-    one * one - one  # builds galois's tables now, and not inside somebody's first product
+    if cls.ufunc_mode == "jit-lookup":
+        one = cls.Ones(1)
+        one * one - one  # builds galois's tables now, and not inside somebody's first product
     return cls
 
 
