@@ -58,7 +58,7 @@ def share_quick(cases: Iterable[Any], step: int) -> list[Any]:
 def pairs_quick(firsts: Iterable[Any], seconds: Iterable[Any], step: int) -> list[Any]:
     """Return all pairs for ``pytest.mark.parametrize``, one of so many quick, so that all values come.
 
-    >>> [pair for pair in pairs_quick("ab", (1, 2), 2) if isinstance(pair, tuple)]
+    >>> [pair for pair in pairs_quick("ab", (1, 2), 2) if not hasattr(pair, "marks")]
     [('a', 1), ('b', 2)]
     """
     others = list(seconds)
