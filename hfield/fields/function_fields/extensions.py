@@ -156,8 +156,9 @@ class SimpleExtension(Overfield[ExtensionElement]):
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
         f, _ = self._over_common_denominator(self.modulus_coefficients)
         g, den = self._over_common_denominator(x.coefficients)
-        v, c = _inverse_modulo(f, g, self.base.one.num)
-        return self.reduced([self.base.quotient(den * a, c) for a in v])
+        base: Any = self.base  # a field of quotients of polynomials
+        v, c = _inverse_modulo(f, g, base.one.num)
+        return self.reduced([base.quotient(den * a, c) for a in v])
 
     def _over_common_denominator(self, fractions: Sequence[Quotient]) -> tuple[list[Any], Any]:
         """Return the numerators of fractions over a common denominator, without zeros at the end, and it."""
