@@ -477,7 +477,8 @@ def try_mutant(copy: Path, mutant: Mutant, tests: list[TimedTest]) -> dict[str, 
     rest = [test for test in quick_tests if test not in first]
     quick = (failures(copy, first, "-x") or failures(copy, rest, "-x") or [None])[0]
     slow_tests = within([test for test in tests if test.slow], SLOW_SECONDS)
-    full = quick or (failures(copy, slow_tests, "-x", "--runslow") or [None])[0]
+    all_tests = [*slow_tests, *quick_tests]  # with --runslow quick tests draw more cases
+    full = quick or (failures(copy, all_tests, "-x", "--runslow") or [None])[0]
     file.write_bytes(before)
     place = {"file": mutant.file, "line": mutant.line, "change": mutant.change}
     counts = {"tests": len(tests), "slow tests": len(slow_tests)}

@@ -12,7 +12,9 @@ from pathlib import Path
 import hypothesis
 import pytest
 
-QUICK_EXAMPLES, EXAMPLES = 25, 100  # that hypothesis draws where a test does not say how many
+from tests import thorough
+
+QUICK_EXAMPLES, EXAMPLES = 15, 100  # that hypothesis draws where a test does not say how many
 
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # a hundred commands are started: compiled once
 
@@ -28,10 +30,14 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     """Give tests what a plain command has: no width of lines, which pytest's workers set, and Ctrl-C.
 
+    While modules are imported nothing is garbage, and looking for it takes a third of the time.
+
     Under a shell's ``&`` Ctrl-C is ignored, by the commands that tests start too. Hypothesis has no
     deadline, since a busy machine is slow and not wrong.
     """
-    drawn = EXAMPLES if config.getoption("runslow") else QUICK_EXAMPLES
+    gc.disable()
+    thorough.run_all = config.getoption("runslow")
+    drawn = EXAMPLES if thorough.run_all else QUICK_EXAMPLES
     hypothesis.settings.register_profile("any machine", deadline=None, max_examples=drawn)
     hypothesis.settings.load_profile("any machine")
     os.environ.pop("COLUMNS", None)
@@ -40,8 +46,42 @@ def pytest_configure(config: pytest.Config) -> None:
             signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+class LastFirst:
+    """Collects the last files of a folder first."""
+
+    def collect(self):
+        """Return the files and folders."""
+        return reversed(list(super().collect()))
+
+
+class LastFirstPackage(LastFirst, pytest.Package):
+    """A folder with an ``__init__.py``."""
+
+
+class LastFirstDir(LastFirst, pytest.Dir):
+    """A folder without one."""
+
+
+def pytest_collect_directory(path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """Let every other worker begin at the end.
+
+    All workers collect all files at the same time. From a clean checkout each compiles half of them, and
+    reads the other half as others have compiled it.
+    """
+    worker = getattr(parent.config, "workerinput", {"workerid": "gw0"})["workerid"]
+    if int(worker[2:]) % 2 == 0:
+        return None
+    kind = LastFirstPackage if (path / "__init__.py").is_file() else LastFirstDir
+    return kind.from_parent(parent, path=path)
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out slow tests, unless they are asked for, and all cases but the first under ``--once``."""
+    """Leave out slow tests, unless they are asked for, and all cases but the first under ``--once``.
+
+    Workers must agree on the order.
+    """
+    if hasattr(config, "workerinput"):
+        items.sort(key=lambda item: item.path)
     if config.getoption("once"):
         items[:] = {item.nodeid.partition("[")[0]: item for item in reversed(items)}.values()
         items.reverse()
@@ -55,6 +95,7 @@ def pytest_collection_finish() -> None:
 
     What thousands of tests leave in caches is much to look through, and little of it is garbage.
     """
+    gc.enable()
     gc.collect()
     gc.freeze()
     gc.set_threshold(20_000, 20, 20)

@@ -55,6 +55,20 @@ def share_quick(cases: Iterable[Any], step: int) -> list[Any]:
     return [_slow(case) if n % step else case for n, case in enumerate(cases)]
 
 
+def pairs_quick(firsts: Iterable[Any], seconds: Iterable[Any], step: int) -> list[Any]:
+    """Return all pairs for ``pytest.mark.parametrize``, one of so many quick, so that all values come.
+
+    >>> [pair for pair in pairs_quick("ab", (1, 2), 2) if not hasattr(pair, "marks")]
+    [('a', 1), ('b', 2)]
+    """
+    others = list(seconds)
+    return [
+        slow(x, y) if (m + n) % step else (x, y)
+        for m, x in enumerate(firsts)
+        for n, y in enumerate(others)
+    ]
+
+
 def _slow(case: Any) -> Any:
     return slow(*case) if isinstance(case, tuple) else slow(case)
 

@@ -1,4 +1,7 @@
-"""How many cases a test takes of many alike: a fifth of random ones, all with HFIELD_THOROUGH=1."""
+"""How many cases a test takes of many alike.
+
+Of random cases a fifth, all of them with HFIELD_THOROUGH=1. ``quick_part`` thins further in the quick tests.
+"""
 
 import os
 from collections.abc import Iterable, Sequence
@@ -9,6 +12,7 @@ T = TypeVar("T")
 U = TypeVar("U")
 
 THOROUGH = os.environ.get("HFIELD_THOROUGH", "") not in ("", "0")
+run_all = False  # set by conftest.py under --runslow, before tests are collected
 
 
 def cases(most: int) -> int:
@@ -19,6 +23,11 @@ def cases(most: int) -> int:
 def part(items: Sequence[T], step: int = 5) -> Sequence[T]:
     """Return every ``step``-th of some cases, or all."""
     return items if THOROUGH else items[::step]
+
+
+def quick_part(items: Sequence[T], step: int = 2) -> Sequence[T]:
+    """Return every ``step``-th of some cases in the quick tests, all of them under --runslow."""
+    return items if THOROUGH or run_all else items[::step]
 
 
 def pairwise(items: Iterable[T], others: Sequence[U]) -> list[tuple[T, U]]:

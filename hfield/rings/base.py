@@ -149,6 +149,8 @@ class Core(ABC, Generic[E]):
 
     def is_unit(self, x: E) -> bool:
         """Tell whether x has an inverse. Raises :class:`UndecidedError` where that is not known."""
+        if self.is_field and self.is_exact:
+            return not self.is_zero(x)
         try:
             self.inverse(x)
         except NotInvertibleError:

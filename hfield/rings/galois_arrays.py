@@ -39,14 +39,19 @@ def field_class(F: Any) -> galois.FieldArray | None:
 
 
 def _made_class(F: Any) -> galois.FieldArray:
-    options: dict[str, Any] = {} if F.order < TABLES_BELOW else {"compile": "jit-calculate"}
+    # Each new class evaluates its polynomial once, for which galois otherwise compiles a loop: a second.
+    options: dict[str, Any] = {"compile": "python-calculate"}
+    subfield = galois.GF(F.characteristic, **options)
     if F.degree > 1:
         # Told a primitive element, galois need not search for one, which may take it seconds.
-        poly = galois.Poly(F.coefficients[::-1], field=galois.GF(F.characteristic))
+        poly = galois.Poly(F.coefficients[::-1], field=subfield)
         options |= {"irreducible_poly": poly, "primitive_element": primitive(F), "verify": False}
     cls = galois.GF(F.order, **options)
-    one = cls.Ones(1)
-    one * one - one  # builds galois's tables now, and not inside somebody's first product
+    for made in (subfield, cls):
+        made.compile("auto" if made.order < TABLES_BELOW else "jit-calculate")
+    if cls.ufunc_mode == "jit-lookup":
+        one = cls.Ones(1)
+        one * one - one  # builds galois's tables now, and not inside somebody's first product
     return cls
 
 

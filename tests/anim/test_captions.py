@@ -13,15 +13,16 @@ from anim.picture.captions import FORMULAS, WORDS, caption, strip
 from anim.picture.look import FILM_LOOK, Look
 from anim.pipelines import PIPELINES, kinematic
 from anim.rendering import Scene, draw, framed
-from tests.subcases import slow
+from tests.subcases import pairs_quick
 
 FILM = clip(frames=9)
 MOTIONS: dict[str, Motion] = {name: kinematic(name, FILM) for name in PIPELINES}
 MOTIONS |= {"physics": physical(FILM), "free": physical(FILM, None, *STORY)}
 
 
-@pytest.mark.parametrize("size", [(160, 120), (200, 400), slow((640, 480))], ids=str)
-@pytest.mark.parametrize("name", MOTIONS)
+@pytest.mark.parametrize(
+    ("name", "size"), pairs_quick(MOTIONS, [(160, 120), (200, 400), (640, 480)], 3), ids=str
+)
 def test_they_stand_above_a_whole_picture_of_the_scene(name, size):
     model, motion = Model(ring=30), MOTIONS[name]
     assert name in FORMULAS

@@ -7,7 +7,7 @@ from anim.model import Model
 from anim.picture import Camera, Look, merge, painter
 from anim.picture.styles import flat, shaded
 from tests.anim.cones import NOTHING, interior, nearest, random_rotation, reference
-from tests.subcases import subcases
+from tests.subcases import pairs_quick, subcases
 from tests.thorough import cases
 
 # A colour of its own for each piece and band, far apart from each other.
@@ -89,8 +89,7 @@ def test_depth_is_right_from_other_cameras(style, camera, attitudes):
     assert share_wrong(brush, attitudes[:8]) <= LIMIT
 
 
-@pytest.mark.parametrize("p2", [0.1, 0.9, 1.4])
-@pytest.mark.parametrize("style", ["flat", "shaded"])
+@pytest.mark.parametrize(("p2", "style"), pairs_quick([0.1, 0.9, 1.4], ["flat", "shaded"], 2))
 def test_depth_is_right_for_other_collars(style, p2, attitudes):
     brush = coloured(Model(p2=p2, bands=7), Look(SIZE, style, tilt=180))
     assert share_wrong(brush, attitudes[8:16]) <= LIMIT
@@ -104,8 +103,7 @@ OUTLINES = {
 }
 
 
-@pytest.mark.parametrize("style", ["flat", "shaded"])
-@pytest.mark.parametrize("name", OUTLINES)
+@pytest.mark.parametrize(("name", "style"), pairs_quick(OUTLINES, ["flat", "shaded"], 2))
 def test_depth_is_right_for_other_outlines(style, name, attitudes):
     model = Model.from_outline(OUTLINES[name], bands=7)
     # Rays know nothing of the picture's unit: the model is as large as its picture.

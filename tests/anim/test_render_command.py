@@ -14,6 +14,7 @@ from PIL import Image
 from anim.output import FORMATS
 from anim.picture import STYLES
 from hfield.cli import main
+from tests.subcases import pairs_quick
 
 SMALL = ("--size", "96x72", "--points", "30", "--frames", "6")
 
@@ -34,8 +35,10 @@ def test_every_suffix(capsys, tmp_path: Path, name: str) -> None:
     assert os.listdir(tmp_path) == [name]
 
 
-@pytest.mark.parametrize("model", ["quaternions", "product", "euler", "matrix", "physics", "free"])
-@pytest.mark.parametrize("style", STYLES)
+@pytest.mark.parametrize(
+    ("model", "style"),
+    pairs_quick(["quaternions", "product", "euler", "matrix", "physics", "free"], STYLES, 3),
+)
 def test_every_model_in_every_style(capsys, tmp_path: Path, model: str, style: str) -> None:
     path = tmp_path / "t"
     words = (

@@ -18,6 +18,7 @@ from hfield.exploring.labels import labelled
 from hfield.exploring.unit_groups import LinearGroup, ListedUnitGroup
 from hfield.structure.counting.tally import MIN_COMPILED
 from tests.exploring.brute_force import CASES, BruteForce, Case, cases_of
+from tests.subcases import slow
 
 
 def order_in(brute: BruteForce, x: int) -> int:
@@ -141,7 +142,7 @@ def test_linear_groups_against_listing(ring: str) -> None:
     [
         (H(GF(3)), "GL(2,3)", "SL(2,3)", "PGL(2,3)"),
         (H("ZZ/9"), "GL(2,Z/9)", "SL(2,Z/9)", "PGL(2,Z/9)"),
-        (H("ZZ/15"), "GL(2,3) x GL(2,5)", "SL(2,3) x SL(2,5)", "PGL(2,3) x PGL(2,5)"),
+        slow(H("ZZ/15"), "GL(2,3) x GL(2,5)", "SL(2,3) x SL(2,5)", "PGL(2,3) x PGL(2,5)"),
         (H("ZZ/6"), "C2 x C2 x C2 x GL(2,3)", "C2 x C2 x C2 x SL(2,3)", "S4 x PGL(2,3)"),
         (
             QuaternionAlgebra("GF(3)", -1, 0),
@@ -190,6 +191,7 @@ def test_invariants_of_products() -> None:
     assert automorphisms.derived_series == (576, 144, 16, 1)
 
 
+@pytest.mark.slow
 def test_invariants_against_gap() -> None:
     groups = [H("ZZ/4").unit_group(), QuaternionAlgebra("GF(3)", -1, 0).unit_group()]
     groups += [QuaternionAlgebra("GF(3)", 0, 0).unit_group(), H("GF(4)").unit_group()]

@@ -11,11 +11,14 @@ from hfield.ledger.registry import claims, find
 
 @pytest.fixture(scope="module")
 def export():
-    return export_ledger()
+    """The theorems of what is proved by hand, and of a share of the other claims."""
+    chosen = [c for n, c in enumerate(claims()) if c.id in {*BY_HAND, "C1.1.3-q"} or n % 8 == 0]
+    return export_ledger(chosen)
 
 
 @pytest.mark.slow
-def test_everything_universal_is_exported(export):
+def test_everything_universal_is_exported():
+    export = export_ledger()
     assert export.left == ()
     names = {t.name for t in export.theorems}
     for claim in claims():

@@ -15,7 +15,8 @@ from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.fuchsian import area, dirichlet, group, normaliser, presentation
 from hfield.fuchsian.polygon import Polygon
 from hfield.orders.lattice import Order
-from tests.subcases import subcases
+from tests.subcases import share_quick, subcases
+from tests.thorough import quick_part
 
 # D, N: the area in units of π/3, elliptic points of order 2 and 3, the genus (tables of Shimura curves)
 KNOWN = {
@@ -214,7 +215,7 @@ def test_modulo_the_normaliser_of_eichler_orders_over_a_field() -> None:
 def test_the_index_in_the_normaliser_against_pari() -> None:
     """[U⁺ : U²] times the pairs (class of 𝔞, S) with 𝔞²·∏Pᵉ narrowly principal, with PARI's class groups."""
     pari = pytest.importorskip("cypari", reason="cypari, an oracle, is not installed").pari
-    for d, p, level in [(10, 3, 2), (15, 2, 7), (34, 2, 3), (30, 2, 1), (5, 2, 11)]:
+    for d, p, level in quick_part([(10, 3, 2), (15, 2, 7), (34, 2, 3), (30, 2, 1), (5, 2, 11)]):
         K = ring(f"QQ(sqrt({d}))")
         P = K.primes_above(level)[0] if level > 1 else None
         A = over_field(K.name, [0], p)
@@ -429,9 +430,11 @@ def test_signatures_without_a_domain(monkeypatch) -> None:
 
 @pytest.mark.parametrize(
     ("field", "below", "level"),
+    share_quick(
     [("QQ(sqrt(5))", 5, 1), ("QQ(sqrt(5))", 5, 4), ("QQ(sqrt(2))", 2, 9), ("QQ(sqrt(3))", 3, 1),
      ("QQ(sqrt(13))", 3, 4), ("QQ(sqrt(10))", 3, 2), ("QQ(sqrt(17))", 17, 1), ("QQ[s]/(s^3-3*s-1)", 0, 3),
-     ("QQ(sqrt(3))", 3, "1+sqrt(3)"), ("QQ(sqrt(3))", 3, 2)],  # orders that are not maximal at the level
+     # orders that are not maximal at the level
+     ("QQ(sqrt(3))", 3, "1+sqrt(3)"), ("QQ(sqrt(3))", 3, 2)], 2),
 )  # fmt: skip
 def test_signatures_over_number_fields_without_a_domain(
     field: str, below: int, level: object, monkeypatch: pytest.MonkeyPatch

@@ -13,6 +13,7 @@ from hfield.orders.brandt import by_theta_series
 from hfield.orders.ideal_products import modulo_norm
 from hfield.orders.lattice import Lattice
 from tests.orders.random_lattices import algebra, element
+from tests.subcases import slow
 
 
 def eichler(A, rng, levels=(1, 1, 2, 3, 4, 5, 6, 9)):
@@ -109,7 +110,7 @@ def test_ideals_of_orders_that_are_no_eichler_orders(p, count) -> None:
         assert {I.hnf for I in O.ideals_of_norm(p, "right")} == right_ideals_of_norm(O, p)
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 6, 8, 9])
+@pytest.mark.parametrize("n", [2, slow(3), slow(4), 6, slow(8), 9])
 def test_brandt_matrices_count_them(n) -> None:
     A = QuaternionAlgebra("QQ", -1, -7)
     M = A.maximal_order()

@@ -17,38 +17,39 @@ from hfield.prover.polynomials.sums_of_squares import as_sum_of_squares
 from hfield.prover.statements.printing import to_latex, to_unicode
 from hfield.prover.statements.setting import read_setting
 from hfield.syntax import parse
+from tests.subcases import pairs_quick
+
+ORDERED = [None, "QQ", "QQ(sqrt(2))", "RR"]
+STATEMENTS = [
+    ("abs(p*q) == abs(p)*abs(q)", "proved"),
+    ("abs(p + q) == abs(p) + abs(q)", "refuted"),
+    ("norm(q) >= 0", "proved"),
+    ("norm(p + q) <= 2*norm(p) + 2*norm(q)", "proved"),
+    ("q != 0 => norm(q) > 0", "proved"),
+    ("norm(q) > 0 <=> q != 0", "proved"),
+    ("norm(q) > 0", "refuted"),
+    ("dot(p,q)**2 <= norm(p)*norm(q)", "proved"),
+    ("dot(p,q)**2 < norm(p)*norm(q)", "refuted"),
+    ("norm(comm(p,q)) <= 4*norm(p)*norm(q)", "proved"),
+    ("norm(q) < -1 => p == q", "vacuous"),
+    ("abs(p) >= 0", "proved"),
+    ("norm(q) == 1 => q[0] <= 1", "proved"),
+    ("norm(q) == 1 => q[0] < 1", "refuted"),
+    ("norm(p) >= 1 and norm(q) >= 1 => norm(p*q) >= 1", "proved"),
+    ("s >= 0 and t >= 0 => s*t >= 0", "proved"),
+    ("s >= t and t >= x => s >= x", "proved"),
+    ("s >= t and t >= s <=> s == t", "proved"),
+    ("s >= 0 or s <= 0", "proved"),
+    ("s > 0 <=> 1/s > 0", "proved"),
+    ("s >= 0 <=> 1/s >= 0", "refuted"),
+    ("1/s >= 0 or 1/s < 0", "refuted"),
+    ("not (1/0 >= 0)", "proved"),
+]
 
 
-@pytest.mark.parametrize("field", [None, "QQ", "QQ(sqrt(2))", "RR"])
-@pytest.mark.parametrize(
-    ("statement", "verdict"),
-    [
-        ("abs(p*q) == abs(p)*abs(q)", "proved"),
-        ("abs(p + q) == abs(p) + abs(q)", "refuted"),
-        ("norm(q) >= 0", "proved"),
-        ("norm(p + q) <= 2*norm(p) + 2*norm(q)", "proved"),
-        ("q != 0 => norm(q) > 0", "proved"),
-        ("norm(q) > 0 <=> q != 0", "proved"),
-        ("norm(q) > 0", "refuted"),
-        ("dot(p,q)**2 <= norm(p)*norm(q)", "proved"),
-        ("dot(p,q)**2 < norm(p)*norm(q)", "refuted"),
-        ("norm(comm(p,q)) <= 4*norm(p)*norm(q)", "proved"),
-        ("norm(q) < -1 => p == q", "vacuous"),
-        ("abs(p) >= 0", "proved"),
-        ("norm(q) == 1 => q[0] <= 1", "proved"),
-        ("norm(q) == 1 => q[0] < 1", "refuted"),
-        ("norm(p) >= 1 and norm(q) >= 1 => norm(p*q) >= 1", "proved"),
-        ("s >= 0 and t >= 0 => s*t >= 0", "proved"),
-        ("s >= t and t >= x => s >= x", "proved"),
-        ("s >= t and t >= s <=> s == t", "proved"),
-        ("s >= 0 or s <= 0", "proved"),
-        ("s > 0 <=> 1/s > 0", "proved"),
-        ("s >= 0 <=> 1/s >= 0", "refuted"),
-        ("1/s >= 0 or 1/s < 0", "refuted"),
-        ("not (1/0 >= 0)", "proved"),
-    ],
-)
-def test_statements_with_an_order(statement: str, verdict: str, field: str | None) -> None:
+@pytest.mark.parametrize(("case", "field"), pairs_quick(STATEMENTS, ORDERED, 3))
+def test_statements_with_an_order(case: tuple[str, str], field: str | None) -> None:
+    statement, verdict = case
     answer = prove(statement, field)
     assert answer.verdict == verdict
     assert answer.certificate is not None, answer.why_no_certificate

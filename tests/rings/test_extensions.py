@@ -11,6 +11,7 @@ from hfield.fields.function_fields.extensions import ExtensionElement
 from hfield.rings import ring
 from hfield.rings.roots import divided, stripped
 from tests.subcases import subcases
+from tests.thorough import quick_part
 
 NAMES = (
     "GF(3)(t)[u]/(u^2-t^3+t)", "QQ(x)[u]/(u^3-x)", "QQ(x,y)[u]/(u^2-x*y)", "GF(4)(s,t)",
@@ -24,7 +25,7 @@ def test_it_is_a_field(name: str) -> None:
     rng = Random(7)
     drawn = [F.random(rng) for _ in range(3)]
     drawn += [F.gen, F.gen + 1, F.one, -F.gen * F.gen, F(F.names()[sorted(F.names())[0]])]
-    for x, y in product(drawn, drawn):
+    for x, y in quick_part(list(product(drawn, drawn)), 3):
         assert x * (y + 1) == x * y + x
         assert (x - y, y - x) == (x + -y, -(x - y))
         if not F.is_zero(y):

@@ -277,7 +277,7 @@ def exact_product(q: Any) -> Any:
 
 
 def test_long_products_do_not_drift() -> None:
-    n = 60_000
+    n = 20_000
     q = RNG.normal(size=(n, 4))
     q /= np.linalg.norm(q, axis=-1, keepdims=True)
     for factors in (q, np.broadcast_to(q[0], (n, 4))):

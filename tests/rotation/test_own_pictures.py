@@ -9,6 +9,7 @@ from matplotlib.colors import to_rgb, to_rgba
 from matplotlib.figure import Figure
 
 from rotation import LETTER_T, DTypeError, Rotation, RotationError, draw_plane
+from tests.subcases import pairs_quick
 
 TURN = Rotation.from_axis_angle([1, 1, 1], 120, degrees=True)
 OWN = {"axes.prop_cycle": "cycler(color=['#112233', '#445566'])", "axes.labelcolor": "#778899"}
@@ -129,8 +130,10 @@ def test_without_points_the_axes_are_turned():
     assert np.allclose(lengths, lengths[0])
 
 
-@pytest.mark.parametrize("points", [None, [[0, 0, 0]], [[0, 0, 2]], np.ones((100, 3))])
-@pytest.mark.parametrize("angle", [0, 1e-9, 180])
+@pytest.mark.parametrize(
+    ("points", "angle"),
+    pairs_quick([None, [[0, 0, 0]], [[0, 0, 2]], np.ones((100, 3))], [0, 1e-9, 180], 3),
+)
 def test_no_turn_and_points_on_the_axis(points, angle):
     r = Rotation.from_euler("Z", angle, degrees=True)
     pixels(r.plot(axes("3d"), points).figure)

@@ -22,7 +22,7 @@ from hfield.rings.base import Known, Ring, shared
 from hfield.rings.operators import Element, Overfield
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, from_unicode, sum_text
-from hfield.rings.roots import divided, multiplied, stripped
+from hfield.rings.roots import multiplied, stripped
 from hfield.rings.to_sympy import polynomial_in, symbol
 
 if TYPE_CHECKING:
@@ -152,20 +152,20 @@ class SimpleExtension(Overfield[ExtensionElement]):
 
     def inverse(self, x: ExtensionElement) -> ExtensionElement:
         """Return 1/x, by the extended Euclidean algorithm. Raises :class:`NotInvertibleError` for 0."""
-        base = self.base
         if self.is_zero(x):
             raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
-        f, g = list(self.modulus_coefficients), stripped(base, x.coefficients)
-        u, v = [base.zero], [base.one]  # g = v·x modulo f throughout
-        while len(g) > 1:
-            quotient, rest = divided(base, f, g)
-            f, g = g, rest
-            product = multiplied(base, quotient, v)
-            size = max(len(u), len(product))
-            padded = ([*p, *[base.zero] * (size - len(p))] for p in (u, product))
-            u, v = v, [r - s for r, s in zip(*padded, strict=True)]
-        scale = base.inverse(g[0])
-        return self.reduced([scale * c for c in v])
+        f, _ = self._over_common_denominator(self.modulus_coefficients)
+        g, den = self._over_common_denominator(x.coefficients)
+        base: Any = self.base  # a field of quotients of polynomials
+        v, c = _inverse_modulo(f, g, base.one.num)
+        return self.reduced([base.quotient(den * a, c) for a in v])
+
+    def _over_common_denominator(self, fractions: Sequence[Quotient]) -> tuple[list[Any], Any]:
+        """Return the numerators of fractions over a common denominator, without zeros at the end, and it."""
+        den = self.base.one.num
+        for c in fractions:
+            den = den * (c.den // den.gcd(c.den))
+        return _without_zeros([c.num * (den // c.den) for c in fractions]), den
 
     @property
     def level(self) -> Known:
@@ -271,6 +271,43 @@ class SimpleExtension(Overfield[ExtensionElement]):
             if not self.base.is_zero(c)
         )
         return sum_text(reversed(list(terms)), style)
+
+
+def _inverse_modulo(f: list[Any], g: list[Any], one: Any) -> tuple[list[Any], Any]:
+    """Return v and a constant c ≠ 0 with v·g = c modulo f, of polynomials f and g without common factors.
+
+    All coefficients are polynomials over a field, low degree in u first, and stay so: by subresultants all
+    divisions are exact (G. E. Collins, J. ACM 14, 1967), and no fraction is reduced.
+    """
+    zero = one - one
+    u, v = [zero] * len(f), [one] + [zero] * (len(f) - 1)  # g = v·(the given g) modulo f throughout
+    lead = scale = one
+    while len(g) > 1:
+        drop = len(f) - len(g)
+        for shift in range(drop, -1, -1):
+            top = f[-1]
+            f = _pseudo_reduced(f, g, g[-1], top, shift)[:-1]
+            u = _pseudo_reduced(u, v, g[-1], top, shift)
+        divisor = lead * scale**drop
+        f, g = g, _without_zeros([c // divisor for c in f])
+        u, v = v, [c // divisor for c in u]
+        lead = f[-1]
+        scale = lead**drop // scale ** (drop - 1)
+    return v, g[0]
+
+
+def _pseudo_reduced(f: list[Any], g: list[Any], a: Any, b: Any, shift: int) -> list[Any]:
+    """Return a·f − b·uⁿ·g, n being the shift, in as many coefficients as f has."""
+    out = [a * c for c in f]
+    for n, c in enumerate(g[: len(f) - shift], shift):
+        out[n] = out[n] - b * c
+    return out
+
+
+def _without_zeros(f: list[Any]) -> list[Any]:
+    """Return the coefficients up to the last that is not 0."""
+    size = next((n for n in range(len(f), 0, -1) if f[n - 1] != 0), 0)
+    return f[:size]
 
 
 def _horner(target: Ring, coefficients: Sequence[Any], x: Any) -> Any:

@@ -90,14 +90,14 @@ class Indices:
 
     def __add__(self, other: Indices) -> Indices:
         t = self.tables
-        return Indices(t, t.sums[self.values * t.size + other.values])
+        return Indices(t, t.sums.take(self.values * t.size + other.values))
 
     def __mul__(self, other: Indices) -> Indices:
         t = self.tables
-        return Indices(t, t.products[self.values * t.size + other.values])
+        return Indices(t, t.products.take(self.values * t.size + other.values))
 
     def __neg__(self) -> Indices:
-        return Indices(self.tables, self.tables.negatives[self.values])
+        return Indices(self.tables, self.tables.negatives.take(self.values))
 
     def __sub__(self, other: Indices) -> Indices:
         return self + -other
