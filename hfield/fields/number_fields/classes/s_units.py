@@ -27,6 +27,7 @@ import numpy.typing as npt
 
 from hfield.checker.number_fields.bounds import ZIMMERT_FACTORS
 from hfield.core.primality import is_prime, primes
+from hfield.core.progress import track
 from hfield.errors import TooLargeError, UndecidedError, shorten
 from hfield.fields.number_fields.classes.reduced_ideals import ReducedIdeals
 from hfield.fields.number_fields.classes.short_integers import ShortIntegers
@@ -193,7 +194,7 @@ class SUnits:
         numbers: dict[int, list[int]] = {}
         for number, p in enumerate(self._last_primes.tolist()):
             numbers.setdefault(p, []).append(number)
-        for k, P in enumerate(self.base):
+        for k, P in enumerate(track(self.base, len(self.base), "prime ideals")):
             if P.is_inert:
                 self.reductions[k] = (self.field(P.p), {k: 1})
                 continue
