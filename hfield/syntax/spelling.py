@@ -53,7 +53,8 @@ _POWER = re.compile(f"([{_SUPERSCRIPTS}]+)(?=(\\d)?)")
 _TO_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
 # A bar and a coordinate belong to the last letter, with its digits: qq̄ is q·q̄, and pq²₀ is p·(q²)₀.
 _LETTER = rf"[^\W\d_{_SUPERSCRIPTS}₀-₉][0-9_]*"
-_BAR = re.compile(f"({_LETTER})\u0304")
+_BAR = re.compile(f"({_LETTER})[\u0304\u0305]")
+_BAR_OF_GROUP = re.compile("\\)[\u0304\u0305]")
 _COORDINATE_OF_POWER = re.compile(f"({_LETTER}[{_SUPERSCRIPTS}]+)([₀₁₂₃])")
 _COORDINATE = re.compile("[₀₁₂₃]")
 _TIMES = re.compile(r"[a-z]\s*(?:×|\\times\b)\s*[a-z]")
@@ -128,12 +129,30 @@ def _without_signs(letters: Letters) -> Letters:
     letters = letters.sub(_OWN_BAR, lambda found: (_decomposed(found[0]),))
     letters = letters.sub(_FRACTION, _fraction)
     letters = letters.sub(_BAR, lambda found: (_apart(found) + "conj(", 1, ")"))
+    letters = _bars_of_groups(letters)
     letters = letters.sub(_COORDINATE_OF_POWER, lambda found: ("(", 1, ")", 2))
     letters = letters.sub(_POWER, _power)
     letters = letters.sub(_ROOT, lambda found: ("sqrt(", 1, ")") if found[1] else ("sqrt",))
     letters = letters.sub(_COORDINATE, lambda found: (f"[{'₀₁₂₃'.index(found[0])}]",))
     for sign, words in _SIGNS.items():
         letters = letters.replaced(sign, words)
+    return letters
+
+
+def _bars_of_groups(letters: Letters) -> Letters:
+    """Write ``(p + q)̄`` as ``conj(p + q)``."""
+    while (found := _BAR_OF_GROUP.search(letters.text)) is not None:
+        depth, start = 0, found.start()
+        for start in range(found.start(), -1, -1):
+            depth += (letters.text[start] == ")") - (letters.text[start] == "(")
+            if not depth:
+                break
+        if depth:
+            return letters
+        blank = " " if letters.text[start - 1 : start].isalpha() else ""
+        conj = Letters.written(f"{blank}conj", letters.places[start])
+        group = letters[start : found.start() + 1]
+        letters = Letters.join([letters[:start], conj, group, letters[found.end() :]])
     return letters
 
 

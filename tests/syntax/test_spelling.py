@@ -119,6 +119,8 @@ def test_fractions_and_blanks():
         (r"\frac{\sqrt3}2j - p^2\frac12", "((sqrt(3))/(2))*j - p^2*((1)/(2))"),
         (r"\sqrt{\frac12} \sqrt 2i", "sqrt(((1)/(2)))*sqrt(2)*i"),
         ("i|p|q = 2|p|", "i*abs(p)*q == 2*abs(p)"),
+        ("(pq)\u0304 = ((p + r)\u0305 q)\u0304", "conj(p*q) == conj(conj(p + r)*q)"),
+        ("p(q)\u0304²", "p*conj(q)**2"),
         ("-1/2i + p/2 i - q^-1", "-1/2*i + p/2*i - q^-1"),
         ("every one", "every one"),
         ("|pq|^2 = ‖p‖² |q|", "norm(p*q) == norm(p)*abs(q)"),
