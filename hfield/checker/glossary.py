@@ -137,9 +137,13 @@ MINKOWSKI = (
 REDUCED_FORMS = (
     "each class of a quadratic field has an ideal of norm at most √(|D|/3), or √(D/5) for D > 0"
 )
+ZIMMERT = "prime ideals of norm at most c·√|D| generate the class group, c by degree and signature (Zimmert)"
 FRIEDMAN = "the regulator of a number field of positive unit rank is at least 0.2052 (Friedman)"
 ARTIN = "a unit ε > 1 of a cubic field with one real place has 4ε³ + 24 > |D| (Artin)"
 CUSICK = "the regulator of a totally real cubic field is at least log²(D/4)/16 (Cusick)"
+HERMITE = (
+    "a lattice of rank r and determinant d has a vector of square at most γᵣ·d^(2/r) (Hermite)"
+)
 
 # The theorems that evidence may cite, by the texts that stand in ``assumes``, and where they are proved. They
 # are general and say nothing about the algebra at hand; everything else in ``assumes`` is an assumption.
@@ -160,9 +164,11 @@ THEOREMS = {
     POINCARE: "Voight, Quaternion Algebras, theorem 37.5.3; Maskit, Adv. Math. 7 (1971), 219-230",
     MINKOWSKI: "Neukirch, Algebraic Number Theory, chapter I, section 5 and exercise 3 of section 6",
     REDUCED_FORMS: "Cassels, An Introduction to the Geometry of Numbers, chapter II, theorems II and IV",
+    ZIMMERT: "Zimmert, Inventiones mathematicae 62 (1981), 367-380, corollary 1; Hecke, on the different",
     FRIEDMAN: "Friedman, Inventiones mathematicae 98 (1989), 599-622",
     ARTIN: "Artin, Theory of Algebraic Numbers (1959), chapter 13",
     CUSICK: "Cusick, Lower bounds for regulators, Springer Lecture Notes in Mathematics 1068 (1984), 63-73",
+    HERMITE: "Cassels, An Introduction to the Geometry of Numbers, chapters IX and X; Blichfeldt for r > 8",
     COMPLEX_ROOTS: "(a + b·i)² = c + d·i is solved by real square roots of (√(c² + d²) ± c)/2",
 }
 # Those that a statement may be read with (``citing{odd-degree; …}``), by the names it gives them.

@@ -101,9 +101,12 @@ class Newform:
         several = [next(primes) for _ in range(number)]
         return {self.module.shown(P): self[P] for P in several}
 
+    def named_eigenvalues(self, number: int) -> str:
+        """Return the first eigenvalues as a text, such as ``a_2 = 1, a_5 = -2, …``."""
+        return ", ".join([*(f"a_{P} = {a}" for P, a in self.eigenvalues(number).items()), "…"])
+
     def __repr__(self) -> str:
-        shown = ", ".join(f"{P}: {a}" for P, a in self.eigenvalues(5).items())
-        return f"a newform with the eigenvalues {shown}, …"
+        return f"<newform {self.named_eigenvalues(5)}>"
 
 
 class Module(ABC):
@@ -274,7 +277,7 @@ class WithForms:
 
         >>> from hfield import QuaternionAlgebra
         >>> f = QuaternionAlgebra(37).maximal_order().class_set().newforms()[0]; f, f.signs
-        (a newform with the eigenvalues 2: -2, 3: -3, 5: -2, 7: -1, 11: -5, …, {37: 1})
+        (<newform a_2 = -2, a_3 = -3, a_5 = -2, a_7 = -1, a_11 = -5, …>, {37: 1})
         """
         return self._forms.newforms
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import NoReturn
 
-from hfield.errors import NotationError
+from hfield.errors import NotationError, shorten
 from hfield.syntax.typed import Letters, Typed
 
 MAX_DEPTH = 100  # of parentheses and prefixes: each costs the parser three frames
@@ -228,8 +228,8 @@ class _Writer:
         """Write a term with a sign in each product."""
         parts: list[Letters] = []
         before = ""  # what came before: an "operand", a "function", "unknown", or a sign
-        divisor: list[_Token | _Group] = []  # what the last "/" divides by, as far as it has come
-        numerator: _Token | _Group | None = None
+        quotient: list[_Token | _Group] = []  # a summand with a "/" and what it divides by, so far
+        start = 0  # of the summand
         last: _Token | _Group | None = None
         for n, item in enumerate(items):
             follows = items[n + 1] if n + 1 < len(items) else None
@@ -238,24 +238,30 @@ class _Writer:
             if kind == "unknown" and last is not None and _is_number(last):
                 multiplies = not item.is_spaced  # 2foo: the error will be about foo
             if before == "operand" and multiplies:
-                if divisor:
-                    self.need_one_reading(numerator, divisor, item)
-                    divisor = []
+                if quotient:
+                    self.need_one_reading(quotient, item)
+                    quotient = []
                 parts.append(Letters.written("*", item.place))
                 parts.append(self.written(item, False).strip())
             else:
                 parts.append(self.written(item, before in ("function", "unknown")))
             if isinstance(item, _Token) and item.kind == "sign":
                 if item.text == "/":
-                    numerator, divisor = last, [item]
-                elif item.text in ("*", "+", "-") and before not in ("**", "^", "/"):
-                    divisor = []
+                    quotient = [*items[start : n + 1]]
+                elif quotient and isinstance(last, _Token) and last.kind == "sign":
+                    quotient.append(item)  # a sign, or the second of an operator
+                elif item.text in ("*", "+", "-"):
+                    quotient = []
+                elif quotient:
+                    quotient.append(item)
+                if item.text in ("+", "-") and before not in ("**", "^", "/", "*"):
+                    start = n + 1
                 before = item.text
             else:
-                if divisor:
-                    divisor.append(item)
-                    if self.is_product(item):
-                        self.need_one_reading(numerator, divisor[:1], item)
+                if quotient:
+                    if self.is_product(item) and before in ("/", "-", "+"):
+                        self.need_one_reading(quotient, item)
+                    quotient.append(item)
                 before = "operand" if kind == "index" else kind
             last = item
         return Letters.join(parts)
@@ -279,20 +285,32 @@ class _Writer:
             and len(self.vocabulary.factors(item.text)) > 1
         )
 
-    def need_one_reading(
-        self, numerator: _Token | _Group | None, divisor: _Items, item: _Token | _Group
-    ) -> None:
-        """Refuse ``1/2x`` and ``1/xy``; ``1/2i``, as it is printed, and ``1/2 x`` divide first."""
-        if len(divisor) > 1 and all(map(_is_number, divisor[1:2])):
+    def need_one_reading(self, quotient: _Items, item: _Token | _Group) -> None:
+        """Refuse ``1/2x``, ``1/xy`` and ``x/2i``; ``1/2i``, as it is printed, and ``1/2 x`` divide first."""
+        slash = max(n for n, part in enumerate(quotient) if _is_sign(part, "/"))
+        signed = quotient[slash + 1 :]
+        divisor = [part for part in signed if not _is_sign(part, "-") and not _is_sign(part, "+")]
+        if divisor and _is_number(divisor[0]):
             if item.is_spaced:
                 return
-            in_basis = isinstance(item, _Token) and _BASIS.issuperset(item.text)
-            if in_basis and numerator is not None and _is_number(numerator):
+            in_basis = isinstance(item, _Token) and item.text in _BASIS
+            if in_basis and len(divisor) == slash == 1 and _is_number(quotient[0]):
                 return
-        self.fail(
-            "a product after / has two readings: write (a/b)*c or a/(b*c) with the signs and parentheses",
-            item.place,
-        )
+        above = self.source[quotient[0].place : quotient[slash].place].strip()
+        if divisor:
+            below = self.source[signed[0].place : item.place].strip()
+            factor = self.source[item.place : self.end(item)]
+        else:  # a word of several letters
+            word = self.source[(signed or [item])[0].place : self.end(item)]
+            below, factor = word[: 1 + len(signed)], "*".join(word[1 + len(signed) :])
+        readings = f"({above}/{below})*{factor} or {above}/({below}*{factor})"
+        self.fail(f"a product after / has two readings: write {shorten(readings)}", item.place)
+
+    def end(self, item: _Token | _Group) -> int:
+        """Return where an item ends in the typed text."""
+        if isinstance(item, _Group):
+            return len(self.source) if item.close is None else item.close.place + 1
+        return item.letters.places[-1] + 1
 
     def written(self, item: _Token | _Group, is_argument: bool) -> Letters:
         """Write one item, a group after a function as its arguments."""
@@ -377,6 +395,10 @@ class _Writer:
                     self.fail(
                         f"a coordinate is a scalar, and {item.text} is a quaternion", item.place
                     )
+
+
+def _is_sign(item: _Token | _Group, sign: str) -> bool:
+    return isinstance(item, _Token) and item.text == sign
 
 
 def _is_number(item: _Token | _Group) -> bool:

@@ -43,14 +43,18 @@ _WORDS = ("and", "or", "not")
 _FUNCTION = re.compile(rf"(?:\b|(?<=\d)|(?<=[a-z])(?=N\())({'|'.join(_FUNCTIONS)})(?=\s*\()")
 _BRACE = re.compile(r"frac\{|\^?\{|\}")
 _COORDINATE_IN_BRACES = re.compile(r"_\{([0-3])\}")
+_NUMBER_BEFORE = re.compile(r"(?<![\w^.])(\d+(?:\.\d*)?)\s*$")
+_WITH_ARGUMENTS = re.compile(r"\\([dt]?frac|sqrt)(?![A-Za-z])")
 _BAR_OF_LETTER = re.compile(r"\\(?:overline|bar)\s*([A-Za-z])")
 _ROMAN = re.compile(r"\\(?:operatorname|math\w+|text)\s*\{([^{}]*)\}")
+_FRACTION = re.compile(r"(\d+\s*|\w?)([½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅐⅛⅜⅝⅞⅑⅒])")
 _SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _POWER = re.compile(f"([{_SUPERSCRIPTS}]+)(?=(\\d)?)")
 _TO_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
 # A bar and a coordinate belong to the last letter, with its digits: qq̄ is q·q̄, and pq²₀ is p·(q²)₀.
 _LETTER = rf"[^\W\d_{_SUPERSCRIPTS}₀-₉][0-9_]*"
-_BAR = re.compile(f"({_LETTER})\u0304")
+_BAR = re.compile(f"({_LETTER})[\u0304\u0305]")
+_BAR_OF_GROUP = re.compile("\\)[\u0304\u0305]")
 _COORDINATE_OF_POWER = re.compile(f"({_LETTER}[{_SUPERSCRIPTS}]+)([₀₁₂₃])")
 _COORDINATE = re.compile("[₀₁₂₃]")
 _TIMES = re.compile(r"[a-z]\s*(?:×|\\times\b)\s*[a-z]")
@@ -102,6 +106,7 @@ def _signs_read(letters: Letters) -> Letters:
     """Return a text with words and operators in the place of mathematical signs."""
     in_latex = "\\" in letters.text or _DOLLARS.match(letters.text) is not None
     if in_latex:
+        letters = _with_braces(letters)
         letters = letters.sub(_BAR_OF_LETTER, lambda found: (_apart(found) + "conj(", 1, ")"))
         letters = letters.sub(_ROMAN, lambda found: (" ", 1, " "))
         letters = letters.sub(_COMMAND, _command)
@@ -110,7 +115,9 @@ def _signs_read(letters: Letters) -> Letters:
         letters = _without_braces(letters, in_latex)
     if not letters.text.isascii():
         letters = _without_signs(letters)
-    letters = letters.sub(_MODULUS, lambda found: ("norm(" if found[2] else "abs(", 1, ")"))
+    letters = letters.sub(
+        _MODULUS, lambda found: (_apart(found) + ("norm(" if found[2] else "abs("), 1, ")")
+    )
     letters = letters.sub(_EQUAL, lambda found: ("==",))
     letters = letters.sub(_FUNCTION, lambda found: (_apart(found) + _FUNCTIONS[found[1]],))
     return _commutators(letters)
@@ -120,13 +127,32 @@ def _without_signs(letters: Letters) -> Letters:
     """Return a text in ASCII, where its signs have a meaning."""
     # Letters with a bar of their own, such as ū, become a letter and a bar.
     letters = letters.sub(_OWN_BAR, lambda found: (_decomposed(found[0]),))
+    letters = letters.sub(_FRACTION, _fraction)
     letters = letters.sub(_BAR, lambda found: (_apart(found) + "conj(", 1, ")"))
+    letters = _bars_of_groups(letters)
     letters = letters.sub(_COORDINATE_OF_POWER, lambda found: ("(", 1, ")", 2))
     letters = letters.sub(_POWER, _power)
     letters = letters.sub(_ROOT, lambda found: ("sqrt(", 1, ")") if found[1] else ("sqrt",))
     letters = letters.sub(_COORDINATE, lambda found: (f"[{'₀₁₂₃'.index(found[0])}]",))
     for sign, words in _SIGNS.items():
         letters = letters.replaced(sign, words)
+    return letters
+
+
+def _bars_of_groups(letters: Letters) -> Letters:
+    """Write ``(p + q)̄`` as ``conj(p + q)``."""
+    while (found := _BAR_OF_GROUP.search(letters.text)) is not None:
+        depth, start = 0, found.start()
+        for start in range(found.start(), -1, -1):
+            depth += (letters.text[start] == ")") - (letters.text[start] == "(")
+            if not depth:
+                break
+        if depth:
+            return letters
+        blank = " " if letters.text[start - 1 : start].isalpha() else ""
+        conj = Letters.written(f"{blank}conj", letters.places[start])
+        group = letters[start : found.start() + 1]
+        letters = Letters.join([letters[:start], conj, group, letters[found.end() :]])
     return letters
 
 
@@ -147,9 +173,68 @@ def _apart(found: re.Match[str]) -> str:
     return " " if found.start() and found.string[found.start() - 1].isalpha() else ""
 
 
+def _fraction(found: re.Match[str]) -> tuple[str | int, ...]:
+    """Return a sign such as ½ as a quotient. Raises :class:`NotationError` for ``3½`` and ``p½``."""
+    quotient = unicodedata.normalize("NFKC", found[2]).replace("⁄", "/")
+    before = found[1].strip()
+    if before.isdigit():
+        raise _mixed(found[0], before, quotient)
+    if before:
+        raise NotationError(f"{found[0]} is not read as a product: write {before}*{quotient}")
+    return (f"({quotient})",)
+
+
+def _mixed(text: str, number: str, fraction: str) -> NotationError:
+    return NotationError(
+        f"{shorten(text)} has two readings: write {number} + {fraction} or {number}*{fraction}"
+    )
+
+
 def _power(found: re.Match[str]) -> tuple[str, ...]:
     """Return a power; a digit behind it does not belong to the exponent."""
     return ("**" + found[1].translate(_TO_DIGITS), " " if found[2] else "")
+
+
+def _with_braces(letters: Letters) -> Letters:
+    r"""Write the arguments of fractions and roots in braces: ``\frac12`` is ``\frac{1}{2}``."""
+    text = letters.text
+    inserted: dict[int, str] = {}
+    for found in _WITH_ARGUMENTS.finditer(text):
+        place, first = found.end(), found.end()
+        for _ in range(2 if found[1].endswith("frac") else 1):
+            while text[place : place + 1].isspace():
+                place += 1
+            if found[1] == "sqrt" and text[place : place + 1] == "[":
+                raise NotationError(r"only square roots are read: \sqrt{2}")
+            if text[place : place + 1].isalnum():
+                inserted[place] = inserted.get(place, "") + "{"
+                place += 1
+                inserted[place] = inserted.get(place, "") + "}"
+            elif text[place : place + 1] == "{":
+                place = _end_of_group(text, place)
+            else:
+                break
+        number = _NUMBER_BEFORE.search(text, 0, found.start())
+        if found[1] != "sqrt" and number and not re.search("[A-Za-z]", text[first:place]):
+            shown = text[number.start() : place]
+            raise _mixed(shown, number[1], text[found.start() : place])
+    parts: list[Letters] = []
+    start = 0
+    for place, braces in sorted(inserted.items()):
+        at = letters.places[min(place, len(text) - 1)]
+        parts += [letters[start:place], Letters.written(braces, at)]
+        start = place
+    return Letters.join([*parts, letters[start:]])
+
+
+def _end_of_group(text: str, place: int) -> int:
+    """Return the offset after a group in braces, or that of the end of the text."""
+    depth = 0
+    for n in range(place, len(text)):
+        depth += (text[n] == "{") - (text[n] == "}")
+        if not depth:
+            return n + 1
+    return len(text)
 
 
 def _without_braces(letters: Letters, in_latex: bool) -> Letters:
@@ -164,7 +249,7 @@ def _without_braces(letters: Letters, in_latex: bool) -> Letters:
     for found in _BRACE.finditer(text):
         if found.start() < start:
             continue
-        place = letters.places[found.start()]
+        place, end = letters.places[found.start()], found.end()
         before = letters[start : found.start()]
         if found[0] == "frac{":
             closing.append(")/(")
@@ -172,16 +257,18 @@ def _without_braces(letters: Letters, in_latex: bool) -> Letters:
         elif found[0] == "}" and closing:
             shown = closing.pop()
             if shown == ")/(":
-                if not text.startswith("{", found.end()):
+                second = text.find("{", found.end())
+                if text[found.end() : second].strip() or second < 0:
                     raise NotationError(r"\frac takes two groups: \frac{1}{2}")
                 closing.append("))")
+                end = second + 1
         elif found[0] == "^{" or (in_latex and found[0] == "{"):
             closing.append(")")
             shown = found[0].replace("{", "(")
         else:
             shown = found[0]
         parts += [before, Letters.written(shown, place)]
-        start = found.end() + (shown == ")/(")
+        start = end
     return Letters.join([*parts, letters[start:]])
 
 

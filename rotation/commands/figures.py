@@ -24,6 +24,7 @@ HELP = (
     "With --points and --angle draw your own points and their images rotated about the origin; "
     "with --angle alone, the letter T. Print the paths of the files."
 )
+DOING = "drawing"
 EXAMPLES = ("hfield figures -o figures", "hfield figures --points corners.csv --angle 30")
 
 

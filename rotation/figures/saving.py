@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from hfield.cli.output import writing
 from hfield.core.files import whole_file
+from hfield.core.progress import track
 from hfield.errors import shorten
 from rotation.figures.drawing import Drawing, figure_style
 
@@ -69,7 +70,8 @@ def save(
     try_folder(directory)
     paths = []
     with _writing(directory):
-        for drawing in drawings:
+        chosen = list(drawings)
+        for drawing in track(chosen, len(chosen), "figures"):
             path = directory / f"figure-{drawing.number}.{suffix}"
             write_whole(path, picture(drawing.draw, drawing.size, suffix, dpi, dark=dark))
             paths.append(path)

@@ -23,7 +23,7 @@ from tests.subcases import subcases
 FIELDS = (
     "QQ(sqrt(-1))", "QQ(sqrt(-21))", "QQ(sqrt(-4027))", "QQ(sqrt(5))", "QQ(sqrt(94))", "QQ(sqrt(82))",
     "QQ(zeta5)", "QQ(root(7,3))", "QQ[s]/(s^3-s^2-2*s-8)", "QQ[s]/(s^3-s^2-2*s+1)", "QQ[s]/(s^4-s^2+4)",
-    "QQ[s]/(s^3-1/2)", "QQ[s]/(s^4-5*s^2+5)",
+    "QQ[s]/(s^3-1/2)", "QQ[s]/(s^4-5*s^2+5)", "QQ[s]/(s^5+4*s^4+2*s^3-3*s^2-3*s-5)",
 )  # fmt: skip
 
 
@@ -43,6 +43,17 @@ def test_the_true_ones_are_accepted(name: str) -> None:
         assert found.theorems
         assert not found.assumptions
         assert found.statement == data["statement"]
+
+
+def test_the_narrowest_theorems_are_cited() -> None:
+    """Bounds that hold for all fields where the evidence reaches so far; those of the field elsewhere."""
+    first, last = (established(both(name)[0]).theorems for name in ("QQ[s]/(s^4-s-1)", FIELDS[-1]))
+    assert [theorem.rpartition("(")[2] for theorem in first] == ["Minkowski)", "Friedman)"]
+    assert [theorem.rpartition("(")[2] for theorem in last] == ["Zimmert)", "Hermite)"]
+    data = both(FIELDS[-1])[0]
+    for prime, _ in data["evidence"]["saturated"]:
+        fewer = [entry for entry in data["evidence"]["saturated"] if entry[0] != prime]
+        rejects({**data, "evidence": {**data["evidence"], "saturated": fewer}}, f"at {prime}")
 
 
 def test_a_narrow_class_group_says_why_there_is_none() -> None:

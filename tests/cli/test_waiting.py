@@ -130,3 +130,25 @@ sys.exit(main(["classes", "163"]))
         r"enumerating classes …( \d s)? \(\d+ % of the classes, some \d+ s left\)", screen.seen
     )
     assert "% of" not in out
+
+
+def test_commands_that_compute_say_so():
+    """All others answer at once, or have a Progress of their own."""
+    from hfield.cli import catalogue
+
+    silent = {
+        name for name in catalogue.names() if not hasattr(catalogue.command(name)[0], "DOING")
+    }
+    at_once = {"claims", "completion", "docs", "init", "repl", "table"}
+    assert silent - at_once <= {"bench", "report", "verify", "render"}
+
+
+def test_newforms_are_said_to_be_computed(monkeypatch, capsys):
+    from hfield.cli import main
+    from hfield.cli.status import Waiting
+
+    said = []
+    monkeypatch.setattr(Waiting, "at", said.append)
+    assert main(["classes", "(-1,-11|QQ)", "--newforms"]) == 0
+    assert said == ["computing newforms"]
+    assert "newform f1     a_2 = -2, a_3 = -1, a_5 = 1" in capsys.readouterr().out

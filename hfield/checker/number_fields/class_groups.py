@@ -17,12 +17,16 @@ from hfield.checker.glossary import (
     CUSICK,
     FIELD,
     FRIEDMAN,
+    HERMITE,
     MINKOWSKI,
     REDUCED_FORMS,
+    ZIMMERT,
 )
+from hfield.checker.number_fields.bounds import ZIMMERT_FACTORS
 from hfield.checker.number_fields.integers import Factors, Integers, coefficients, field_of
 from hfield.checker.number_fields.logarithms import DIGITS, Interval, Places, log, volume
 from hfield.checker.number_fields.modular import echelon
+from hfield.checker.number_fields.regulator import ShortUnits
 from hfield.checker.rejection import a_list, an_integer, an_object, reject
 from hfield.checker.scalars.finite import is_prime
 from hfield.checker.scalars.names import a_rational
@@ -123,24 +127,20 @@ class SUnits:
 
     # --- the primes ----------------------------------------------------------------------------------
 
-    def _bound(self) -> int:
-        """Return a bound of norms below which each class has an ideal."""
-        n, size = self.field.degree, abs(self.integers.discriminant)
+    def _bounds(self) -> list[tuple[int, str]]:
+        """Return bounds of norms of primes that generate the class group, with theorems, the least last."""
+        n, size, complex_ = self.field.degree, abs(self.integers.discriminant), self.places.complex
         if n == 2:
-            self.cites += (REDUCED_FORMS,)
-            return isqrt(size // (3 if self.places.complex else 5))
-        self.cites += (MINKOWSKI,)
-        factor = Fraction(factorial(n), n**n) * (4 / PI) ** self.places.complex
-        square = factor * factor * size
-        return isqrt(square.numerator // square.denominator)
+            return [(isqrt(size // (3 if complex_ else 5)), REDUCED_FORMS)]
+        factor = Fraction(factorial(n), n**n) * (4 / PI) ** complex_
+        found = [(isqrt(int(factor * factor * size)), MINKOWSKI)]
+        if n in ZIMMERT_FACTORS:
+            factor = ZIMMERT_FACTORS[n][complex_]
+            found.append((isqrt(int(factor * factor * size)), ZIMMERT))
+        return found
 
     def _need_generators(self, data: object) -> None:
         """Reject unless the primes in S generate the class group."""
-        bound = self._bound()
-        spend(bound)
-        for p in range(2, bound + 1):
-            if p not in self.factors.above and is_prime(p):
-                reject(f"the prime ideals above {p} are missing")
         known = set(self.S)
         for entry in a_list(data, "reductions"):
             pair_ = a_list(entry, "a reduction", 2)
@@ -154,9 +154,24 @@ class SUnits:
             ):
                 reject("a prime ideal is not reduced to those before")
             known.add(k)
+        for bound, theorem in self._bounds():
+            missing = self._missing(bound, known)
+            if missing is None:
+                self.cites += (theorem,)
+                return
+        assert missing is not None
+        reject(missing)
+
+    def _missing(self, bound: int, known: set[int]) -> str | None:
+        """Say which prime ideals of norm up to a bound are missing, None if they are not."""
+        spend(bound)
+        for p in range(2, bound + 1):
+            if p not in self.factors.above and is_prime(p):
+                return f"the prime ideals above {p} are missing"
         for k, P in enumerate(self.factors.primes):
             if P.norm <= bound and k not in known:
-                reject(f"a prime ideal of norm {P.norm} is neither in S nor reduced")
+                return f"a prime ideal of norm {P.norm} is neither in S nor reduced"
+        return None
 
     def _exponents(self, x: Element) -> list[int]:
         found = self.factors.exponents(x)
@@ -217,38 +232,54 @@ class SUnits:
         return q, r
 
     def _need_saturated(self, value: object) -> None:
-        """Reject unless no prime divides the index of what the generators span in all S-units."""
-        low, high = self.volume
-        if low <= 0:
+        """Reject unless no prime divides the index of what the generators span in all S-units.
+
+        The index is h'/h times that of units, h' the order of ℤ^S modulo the exponents of the generators.
+        """
+        if self.volume[0] <= 0:
             reject("the S-units are not shown to be independent")
-        given: dict[int, object] = {}
+        given: set[int] = set()
         for entry in a_list(value, "saturated"):
             pair_ = a_list(entry, "a prime with residues", 2)
             ell = an_integer(pair_[0], "a prime", 2)
-            if len(pair_) != 2 or ell in given:
-                reject("a prime is given twice, or with more than residues")
-            given[ell] = pair_[1]
-        rank, rest = self.places.rank, prod(self.invariants)
-        # without units the index divides the determinant
-        limit = high // self._least_volume() if rank else high
-        if limit > MAX_SATURATED * (rest if rank else 1):
-            reject(
-                f"the index of the S-units may be {limit}, and at most {MAX_SATURATED} is looked at"
-            )
-        ell = 2
-        while ell <= limit:
-            spend(1)
-            if ell > MAX_SATURATED:
-                reject(f"at most the primes up to {MAX_SATURATED} are looked at")
-            if (rank or limit % ell == 0) and is_prime(ell):
-                if ell not in given:
-                    reject(f"it is not shown that the S-units are saturated at {ell}")
-                self._need_saturated_at(ell, given.pop(ell))
-                while rank and rest % ell == 0:  # the class number has this part, the index none
-                    rest, limit = rest // ell, limit // ell
-            ell += 1
-        if given:
-            reject("residues are given for a prime that cannot divide the index")
+            if len(pair_) != 2 or ell in given or ell > MAX_SATURATED or not is_prime(ell):
+                reject(f"expected primes up to {MAX_SATURATED}, each once and with residues alone")
+            self._need_saturated_at(ell, pair_[1])
+            given.add(ell)
+        rest = prod(self.invariants)
+        for ell in given:
+            while rest % ell == 0:
+                rest //= ell
+        if rest > 1:
+            spend(MAX_SATURATED // 10)
+            ell = next((p for p in range(2, MAX_SATURATED) if rest % p == 0), rest)
+            reject(f"it is not shown that the S-units are saturated at {ell}")
+        if self.places.rank:
+            self._need_units(given)
+
+    def _need_units(self, given: set[int]) -> None:
+        """Reject unless no other prime divides the index of the units, for a bound of the regulator."""
+        least, source = self._least_volume()
+        missing = self._missing_below(least, given)
+        if missing and self.field.degree > 2:
+            powers = [self.field.one]
+            for _ in range(self.torsion_order - 1):
+                powers.append(self.field.mul(powers[-1], self.torsion))
+            least, source = ShortUnits(self.integers, self.places).least_volume(powers), HERMITE
+            missing = self._missing_below(least, given) if least else missing
+        if missing:
+            reject(f"it is not shown that the S-units are saturated at {missing}")
+        if source:
+            self.cites += (source,)
+
+    def _missing_below(self, least: int, given: set[int]) -> int:
+        """Return a prime that may divide the index of the units and is not given, else 0."""
+        limit = self.volume[1] // (prod(self.invariants) * least)
+        spend(min(limit, MAX_SATURATED))
+        for ell in range(2, min(limit, MAX_SATURATED) + 1):
+            if ell not in given and is_prime(ell):
+                return ell
+        return limit if limit > MAX_SATURATED else 0
 
     def _need_saturated_at(self, ell: int, value: object) -> None:
         """Reject unless characters show that only ℓ-th powers in the span are ℓ-th powers in the field."""
@@ -270,14 +301,14 @@ class SUnits:
             reject(f"an S-unit is no unit at the prime above {q}")
         return _at(c, r, q) * pow(den, -1, q) % q
 
-    def _least_volume(self) -> int:
-        """Return a lower bound of the regulator over 2^(DIGITS·rank); by whom, is cited."""
+    def _least_volume(self) -> tuple[int, str]:
+        """Return a lower bound of the regulator over 2^(DIGITS·rank), and by whom."""
         n, size, rank = self.field.degree, abs(self.integers.discriminant), self.places.rank
         if (
             n == 2
         ):  # a unit > 1 is at least (√(D − 4) + √D)/2, with the square (D − 2 + √(D² − 4D))/2
             root = isqrt(size * (size - 4) << 2 * DIGITS)
-            return (log((size - 2 << DIGITS) + root)[0] - log(2 << DIGITS)[1]) // 2
+            return (log((size - 2 << DIGITS) + root)[0] - log(2 << DIGITS)[1]) // 2, ""
         least, source = ONE * 2052 // 10_000, FRIEDMAN
         if n == 3 and rank == 1 and size > 28:
             other = (log(size - 24)[0] - log(4)[1]) // 3
@@ -287,8 +318,7 @@ class SUnits:
             other = (log(size)[0] - log(4)[1]) ** 2 // 16 >> DIGITS
             if other > least:
                 least, source = other, CUSICK
-        self.cites += (source,)
-        return least << DIGITS * (rank - 1)
+        return least << DIGITS * (rank - 1), source
 
 
 def _at(f: Sequence[int], r: int, q: int) -> int:

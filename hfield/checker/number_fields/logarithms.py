@@ -84,6 +84,22 @@ class Places:
             bits *= 2
         reject("an element has conjugates too small to be told from 0 here")
 
+    def values(self, c: Sequence[int], den: int, bits: int) -> list[tuple[int, int]]:
+        """Return real and imaginary parts of Σ cₖθᵏ/den at each place, less than 3 away over 2^bits."""
+        work = 2 * BITS
+        while work <= FINEST:
+            spend(self.n * self.n * (20 + work * work // 50_000))
+            discs = self._at(work)
+            if all(_error(c, disc, work) >> work - bits < den for disc in discs):
+                out = []
+                for x, y, _ in discs:
+                    re, im, power = _value(c, x, y, work)
+                    below = den << power
+                    out.append(((re << bits) // below, (im << bits) // below))
+                return out
+            work *= 2
+        reject("the conjugates of an integral basis are not bounded here")
+
 
 def _value(f: Sequence[int], x: int, y: int, bits: int) -> tuple[int, int, int]:
     """Return f(z), z = (x + iy)/2^bits, exactly: both parts over a power of 2, and its exponent."""
@@ -107,14 +123,18 @@ def _quotient(a: tuple[int, int, int], b: tuple[int, int, int], bits: int) -> tu
 
 def _size(c: Sequence[int], disc: Disc, bits: int) -> Interval:
     """Return bounds of |Σ cₖzᵏ| over 2^bits for z in a disc."""
+    re, im, power = _value(c, disc[0], disc[1], bits)
+    middle, error = isqrt(re * re + im * im) >> power - bits, _error(c, disc, bits)
+    return middle - error, middle + 1 + error
+
+
+def _error(c: Sequence[int], disc: Disc, bits: int) -> int:
+    """Return how far Σ cₖzᵏ may be in a disc from its value at the middle, over 2^bits."""
     x, y, r = disc
-    re, im, power = _value(c, x, y, bits)
-    middle = isqrt(re * re + im * im) >> power - bits
     reach, slope = abs(x) + abs(y) + r, 0
     for k in range(len(c) - 1, 0, -1):
         slope = (slope * reach >> bits) + 1 + (k * abs(c[k]) << bits)
-    error = (slope * r >> bits) + 2
-    return middle - error, middle + 1 + error
+    return (slope * r >> bits) + 2
 
 
 @lru_cache(maxsize=4)

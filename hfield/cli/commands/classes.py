@@ -20,6 +20,7 @@ from hfield.cli.orders import (
 )
 from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import UsageError
+from hfield.cli.status import Waiting
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
@@ -236,6 +237,12 @@ def _indefinite(args: Namespace, O: Any) -> tuple[OutputDocument, Callable[[], C
     return of_parts(data, parts), lambda: claim
 
 
+def _newforms(C: Any) -> list[Any]:
+    Waiting.at("computing newforms")
+    found: list[Any] = C.newforms()
+    return found
+
+
 def _forms_data(C: Any) -> dict[str, object]:
     """Return dimensions and newforms, as JSON data."""
     forms = [
@@ -243,7 +250,7 @@ def _forms_data(C: Any) -> dict[str, object]:
             "eigenvalues": {str(P): a for P, a in f.eigenvalues(PRIMES).items()},
             "signs": {str(P): sign for P, sign in f.signs.items()},
         }
-        for f in C.newforms()
+        for f in _newforms(C)
     ]
     sizes = {"cusp_dimension": C.cusp_dimension(), "new_dimension": C.new_dimension()}
     return {**sizes, "newforms": forms}
@@ -258,10 +265,8 @@ def _forms(C: Any) -> list[Part]:
         "eigenvalues a_p and signs w_p of Atkin and Lehner"
     )
     facts = [("cusp forms", dimensions)]
-    for n, f in enumerate(C.newforms(), 1):
-        values = [f"a_{P} = {a}" for P, a in f.eigenvalues(PRIMES).items()]
-        signs = [f"w_{P} = {w}" for P, w in f.signs.items()]
-        facts.append(
-            (f"newform f{n}", ", ".join([*values, "…"]) + "; " * bool(signs) + ", ".join(signs))
-        )
+    for n, f in enumerate(_newforms(C), 1):
+        signs = ", ".join(f"w_{P} = {w}" for P, w in f.signs.items())
+        values = f.named_eigenvalues(PRIMES)
+        facts.append((f"newform f{n}", f"{values}; {signs}" if signs else values))
     return [Facts(facts, 14)]

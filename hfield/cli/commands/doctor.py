@@ -21,6 +21,7 @@ HELP = (
     "List the libraries that hfield needs, and the optional ones with what each adds. Exit "
     "status: 0; 1 if a required library is missing; 2 bad usage."
 )
+DOING = "looking for libraries"
 EXAMPLES = ("hfield doctor", "hfield doctor --format json")
 # Optional parts: (what to install, what it adds).
 OPTIONAL = {

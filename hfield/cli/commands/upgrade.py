@@ -25,6 +25,7 @@ HELP = (
     "field it is about is printed. Exit status: 0 all were written and are accepted; 1 some "
     "are not; 2 bad usage or an unreadable file."
 )
+DOING = "rewriting certificates"
 EXAMPLES = ("hfield upgrade lemma.json -o lemma-2.json", "hfield upgrade old/*.json --into new")
 
 

@@ -28,10 +28,7 @@ class Embeddings(IsolatedRoots):
         """Return a ball around the value of a polynomial at a root."""
         root = self.at(bits)[index]
         with precision(bits):
-            value = flint.acb(0)
-            for c in reversed(poly.coeffs()):
-                value = value * root + flint.acb(c)
-        return value
+            return flint.acb_poly(poly)(root)
 
     def sign(self, poly: flint.fmpq_poly, index: int) -> int:
         """Return the sign of a polynomial, not divisible by that of the roots, at a real root."""

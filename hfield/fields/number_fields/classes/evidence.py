@@ -10,8 +10,10 @@ from hfield.checker.glossary import (
     BY_S_UNITS,
     CUSICK,
     FRIEDMAN,
+    HERMITE,
     MINKOWSKI,
     REDUCED_FORMS,
+    ZIMMERT,
 )
 from hfield.core.primality import primes
 from hfield.evidence import Claim
@@ -56,9 +58,15 @@ def seconds_above(s: SUnits, p: int) -> list[list[int]]:
 
 def cited(s: SUnits) -> tuple[str, ...]:
     """Return the theorems by which the S-units are all."""
-    bound = REDUCED_FORMS if s.n == 2 else MINKOWSKI
-    regulator = CITED.get(s.least_regulator()[1])
-    return (bound,) if regulator is None or not s.rank else (bound, regulator)
+    if s.n == 2:
+        return (REDUCED_FORMS,)
+    bound = MINKOWSKI if s.has_primes_to(s_units.minkowski(s.frame)) else ZIMMERT
+    if not s.rank:
+        return (bound,)
+    regulator, source = s.known_regulator
+    listed = {*s.possible_divisors()}
+    is_known = all(ell in listed for ell in primes(s.unit_index_bound(regulator) + 1))
+    return (bound, CITED[source] if is_known else HERMITE)
 
 
 def _second(s: SUnits, P: Any) -> list[int]:

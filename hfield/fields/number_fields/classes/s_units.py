@@ -1,14 +1,14 @@
 """The S-units of a number field, for a set S of primes that generates the class group: proved, not guessed.
 
-All primes P of norm up to Minkowski's bound generate the class group. For most of them an element is found
+All primes P of norm up to Zimmert's bound generate the class group. For most of them an element is found
 whose ideal is P times earlier primes; S is the rest. Elements with all their primes in S span a subgroup
-of the S-units, of an index m that is the quotient of two covolumes, at most h'R'/R_min for a proved lower
-bound of regulators. For every prime ℓ up to this quotient, residues at primes of degree one and norm 1 mod ℓ
-show that no further product is an ℓ-th power, or the ℓ-th root is taken into the group: so m = 1 in the end
-(:meth:`SUnits.possible_divisors` says how the quotient shrinks meanwhile). The reduced ideals of a quadratic
-field enumerate the classes, and only certificates need residues there (H. Cohen, *A Course in Computational
-Algebraic Number Theory*, section 6.5; M. Pohst and H. Zassenhaus, *Algorithmic Algebraic Number Theory*,
-chapter 5).
+of the S-units. Its index is that of the units, at most R'/R_min for a proved lower bound of regulators, times
+h'/h in the exponents. For every prime ℓ that divides h', and those up to R'/R_min, residues at primes of
+degree one and norm 1 mod ℓ show that no further product is an ℓ-th power, or the ℓ-th root is taken into the
+group: so the index is 1 in the end. Most elements come from one list of the shortest integers of the field,
+which bounds the regulator too. The reduced ideals of a quadratic field enumerate the classes, and only
+certificates need residues there (H. Cohen, *A Course in Computational Algebraic Number Theory*, section 6.5;
+M. Pohst and H. Zassenhaus, *Algorithmic Algebraic Number Theory*, chapter 5).
 """
 
 from __future__ import annotations
@@ -22,11 +22,15 @@ from random import Random
 from typing import Any
 
 import flint
+import numpy as np
+import numpy.typing as npt
 
-from hfield.core.factorisation import remove
+from hfield.checker.number_fields.bounds import ZIMMERT_FACTORS
 from hfield.core.primality import is_prime, primes
+from hfield.core.progress import track
 from hfield.errors import TooLargeError, UndecidedError, shorten
 from hfield.fields.number_fields.classes.reduced_ideals import ReducedIdeals
+from hfield.fields.number_fields.classes.short_integers import ShortIntegers
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import Ideal, Integers, integers
 from hfield.fields.number_fields.integers import left_kernel
@@ -44,6 +48,7 @@ TRIES = 400
 SHIFT = 40  # binary digits of conjugates in lattices to be reduced
 
 FRIEDMAN = "E. Friedman, Invent. Math. 98 (1989): a regulator is at least 0.2052"
+SHORT_UNITS = "C. Hermite: units of a field with no short ones have a large regulator"
 ARTIN = "E. Artin: a unit ε > 1 of a cubic field with one real place has 4ε³ + 24 > |D|"
 CUSICK = "T. W. Cusick, 1984: the regulator of a totally real cubic field is at least log²(D/4)/16"
 QUADRATIC = "a unit > 1 of a real quadratic field is at least (√(D − 4) + √D)/2"
@@ -57,7 +62,7 @@ class SUnits:
         self.rng = Random(1)
         real, complex_ = self.field.signature
         self.rank = real + complex_ - 1
-        self.bound = max(minkowski(frame), self._least_bound() if self.rank else 1)
+        self.bound = max(norm_bound(frame), self._least_bound() if self.rank else 1)
         if self.bound > MAX_BOUND:
             raise TooLargeError(
                 f"the class group of {shorten(frame.ring.name)} asks for all prime ideals of norm up to "
@@ -71,13 +76,18 @@ class SUnits:
         )
         self.base = [P for P in self.base if P.norm() <= self.bound]
         self.place = {P: k for k, P in enumerate(self.base)}
+        self._places_above: dict[int, list[tuple[PrimeIdeal, int | None]]] = {}
         self.primes: list[int] = []
         self.rows: list[list[int]] = []
         self._saturated: dict[int, list[tuple[int, int]]] = {}
+        self._bounded_units: list[FieldElement] = []
+        self._bound_of_units = 1
         self.reduced_ideals: ReducedIdeals | None = None
         if self.n == 2:
             self.reduced_ideals = self._enumerate()
         else:
+            self.short_integers = ShortIntegers(frame, self._shape)
+            self._exponents_of_listed: dict[int, tuple[FieldElement, dict[int, int] | None]] = {}
             self._reduce_base()
             self.generators = []
             self._collect()
@@ -127,23 +137,42 @@ class SUnits:
     def _exponents_at(
         self, above: int, below: int, valuation: Callable[[PrimeIdeal], int]
     ) -> dict[int, int] | None:
+        """Return exponents at the primes of the base, or None if there are others.
+
+        The norm is ``above`` over a divisor of a power of ``below``: of what is integral but at primes below.
+        """
+        rest_above, rest_below = self._rest(above), self._rest(below)
+        if rest_above != 1:
+            return None
         out: dict[int, int] = {}
-        rests = [abs(above), abs(below)]
-        for p in self._rational:
-            if rests[0] % p and rests[1] % p:
-                continue
-            rests = [remove(n, p)[1] if n % p == 0 else n for n in rests]
-            for _, P in self.frame.primes_above(p):
+        for p, times in _factors(abs(above * below) // rest_below):
+            is_integral = below % p != 0  # so that f times the exponents add up
+            for P, k in self._above(p):
+                if is_integral and P.f > times:
+                    continue
                 v = valuation(P)
                 if v:
-                    if P not in self.place:
+                    if k is None:
                         return None
-                    out[self.place[P]] = v
-        return (
-            out
-            if rests == [1, 1] or (rests[0] == 1 and not self._has(rests[1], valuation))
-            else None
-        )
+                    out[k] = v
+                    times -= P.f * v
+        return out if rest_below == 1 or not self._has(rest_below, valuation) else None
+
+    def _rest(self, n: int) -> int:
+        """Return what is left of an integer without the prime numbers below the base."""
+        n = abs(n)
+        common = math.gcd(n, self._primorial)
+        while common != 1:
+            n //= common
+            common = math.gcd(n, common)
+        return n
+
+    def _above(self, p: int) -> list[tuple[PrimeIdeal, int | None]]:
+        """Return the prime ideals above p with their numbers in the base, None where they are not in it."""
+        if p not in self._places_above:
+            above = [P for _, P in self.frame.primes_above(p)]
+            self._places_above[p] = [(P, self.place.get(P)) for P in above]
+        return self._places_above[p]
 
     def _has(self, rest: int, valuation: Callable[[PrimeIdeal], int]) -> bool:
         """Tell whether a prime that may divide a denominator does."""
@@ -154,19 +183,59 @@ class SUnits:
     def _rational(self) -> list[int]:
         return sorted({P.p for P in self.base})
 
+    @cached_property
+    def _primorial(self) -> int:
+        return math.prod(self._rational)
+
     def _reduce_base(self) -> None:
         """Find for the primes of the base an element with that prime once, and else earlier ones."""
         self.reductions = {}
         small = max(7, abs(self.field.discriminant()).bit_length())
-        for k, P in enumerate(self.base):
+        numbers: dict[int, list[int]] = {}
+        for number, p in enumerate(self._last_primes.tolist()):
+            numbers.setdefault(p, []).append(number)
+        for k, P in enumerate(track(self.base, len(self.base), "prime ideals")):
             if P.is_inert:
                 self.reductions[k] = (self.field(P.p), {k: 1})
                 continue
-            found = self._reduction(k) if P.norm() > small else None
+            found = None
+            if P.norm() > small:
+                found = self._listed_reduction(k, numbers.get(P.p, [])) or self._reduction(k)
             if found is None:
                 self.primes.append(k)
             else:
                 self.reductions[k] = found
+
+    @cached_property
+    def _last_primes(self) -> npt.NDArray[np.int64]:
+        """The largest prime number in the norm of each listed short integer; 0 for one not below the base."""
+        rests = self.short_integers.norms.copy()
+        last = np.ones_like(rests)
+        for p in self._rational:
+            divisible = np.flatnonzero(rests % p == 0)
+            last[divisible] = p
+            while len(divisible):
+                rests[divisible] //= p
+                divisible = divisible[rests[divisible] % p == 0]
+        last[rests != 1] = 0
+        return last
+
+    def _listed_reduction(
+        self, k: int, numbers: list[int]
+    ) -> tuple[FieldElement, dict[int, int]] | None:
+        for number in numbers:
+            x, found = self._listed(number)
+            if found and max(found) == k and found[k] == 1:
+                return x, found
+        return None
+
+    def _listed(self, number: int) -> tuple[FieldElement, dict[int, int] | None]:
+        """Return a listed short integer with its exponents."""
+        found = self._exponents_of_listed.get(number)
+        if found is None:
+            x = self.short_integers.element(number)
+            found = self._exponents_of_listed[number] = x, self.smooth(x)
+        return found
 
     def _reduction(self, k: int) -> tuple[FieldElement, dict[int, int]] | None:
         ideal = self.frame.prime(self.base[k])
@@ -195,22 +264,30 @@ class SUnits:
 
     def _relations(self) -> Iterator[tuple[FieldElement, list[int]]]:
         """Yield elements with all their primes in S."""
-        seen = set()
         for p in sorted({self.base[k].p for k in self.primes}):
             found = self.smooth(self.field(p))
             if found:
                 yield self.reduced(self.field(p), found)
-        size = 1
-        for turn in range(2_000):
+        last = self._last_primes
+        largest = max((self.base[k].p for k in self.primes), default=1)
+        smooth = np.flatnonzero(last)
+        for number in (*smooth[last[smooth] <= largest], *smooth[last[smooth] > largest]):
+            x, found = self._listed(int(number))
+            if found is not None:
+                yield self.reduced(x, found)
+        seen, size = set(), 1
+        pool = self.primes or range(min(len(self.base), FEW))
+        for turn in range(1, 2_000):
             ideal = self.frame.one
-            if turn and self.primes:
+            if pool:
                 for _ in range(1 + self.rng.randrange(1 + min(3, size))):
-                    ideal = ideal * self.frame.prime(self.base[self.rng.choice(self.primes)])
+                    ideal = ideal * self.frame.prime(self.base[self.rng.choice(pool)])
                 size += turn % 50 == 0
-            for x in self.short(ideal, TRIES // 20 if turn else TRIES):
-                if x in seen:
+            for x in self.short(ideal, TRIES // 20 if pool else TRIES):
+                key = (int(x.poly.denom()), *map(int, x.poly.numer().coeffs()))
+                if key in seen:
                     continue
-                seen.add(x)
+                seen.add(key)
                 found = self.smooth(x)
                 if found is not None:
                     yield self.reduced(x, found)
@@ -253,39 +330,42 @@ class SUnits:
                 reductions[k] = x, {k: 1, **others}
         return reductions
 
-    @property
+    @cached_property
     def saturated(self) -> dict[int, list[tuple[int, int]]]:
         """Primes ℓ, with primes of degree one whose residues show that the group is saturated at ℓ."""
-        if not self._saturated:
-            self._saturate()
+        every = range(len(self.generators))
+        for ell in self.possible_divisors():
+            found = self._root_at(ell, every)
+            assert found is None, "the group is known to be all"
         return self._saturated
 
     def _collect(self) -> None:
         """Find elements that span a subgroup of finite, and small, index."""
         wanted = len(self.primes) + self.rank
-        elements: list[FieldElement] = []
-        rows: list[list[int]] = []
         if not wanted:
             return
-        target, same = wanted + 4, 0
+        elements: list[FieldElement] = []
+        rows: list[list[int]] = []
+        span, surplus = _Span(len(self.primes)), 0
+        most, same, before = self.rank + 4, 0, 0
         for turn, (x, row) in enumerate(self._relations()):
-            elements.append(x)
-            rows.append(row)
-            if len(elements) < target:
-                continue
-            target = len(elements) + 4
-            if self.primes and flint.fmpz_mat(rows).rank() < len(self.primes):
+            is_new = span.add(row)
+            if is_new or surplus < most:
+                elements.append(x)
+                rows.append(row)
+                surplus += not is_new
+            if surplus < most or span.rank < len(self.primes):
                 continue
             found = self._independent(elements, rows)
+            elements = [self.product(elements, c) for c in found]
+            products = (flint.fmpz_mat(found) * flint.fmpz_mat(rows)).tolist()
+            rows = [list(map(int, row)) for row in products]
+            surplus, most = 0, 6
             if len(found) != wanted:
                 continue
-            elements = [self.product(elements, c) for c in found]
-            rows = [self._exponents(x) for x in elements]
-            target = wanted + 6
-            before = self._index_bound(self.generators, self.rows) if self.generators else 0
             self.generators, self.rows = list(elements), list(rows)
-            limit = self._index_bound(elements, rows)
-            same = same + 1 if limit == before else 0
+            limit = self._index_bound()
+            same, before = same + 1 if limit == before else 0, limit
             if (
                 limit < 20
                 or same == (2 if limit < MAX_SATURATED else 8)
@@ -309,20 +389,30 @@ class SUnits:
         return out
 
     def _independent(self, elements: list[FieldElement], rows: list[list[int]]) -> list[list[int]]:
-        """Return exponents of products that span, up to roots of unity, what all elements span."""
-        count = len(elements)
-        whole = []
-        for k, (x, row) in enumerate(zip(elements, rows, strict=True)):
-            logs = [_rounded(v, 100) for v in logarithms(self.frame, x, 192)[: self.rank]]
-            # so heavy that errors of logarithms are not worth reducing
-            unit = [int(j == k) << 56 for j in range(count)]
-            whole.append([*unit, *(c << 100 for c in row), *logs])
-        found = flint.fmpz_mat(whole).lll().tolist()
-        out = []
-        for row in found:
-            if any(abs(c) > 1 << 84 for c in row[count:]):
-                out.append([int(c) >> 56 for c in row[:count]])
-        return out
+        """Return exponents of products that span, up to roots of unity, what all elements span.
+
+        Units come first; they have short logarithms.
+        """
+        count, width = len(elements), len(self.primes)
+        unit = [[int(j == k) for j in range(count)] for k in range(count)]
+        # so heavy that exponents are 0 first
+        heavy = [[*u, *(c << 40 for c in row)] for u, row in zip(unit, rows, strict=True)]
+        found = [list(map(int, row)) for row in flint.fmpz_mat(heavy).lll().tolist()]
+        units = [row[:count] for row in found if not any(row[count:])]
+        others = [row[:count] for row in found if any(row[count:])]
+        if not units or not self.rank:
+            return others if width else []
+        logs = [
+            [_rounded(v, 60) for v in logarithms(self.frame, x, 128)[: self.rank]] for x in elements
+        ]
+        sums = (flint.fmpz_mat(units) * flint.fmpz_mat(logs)).tolist()
+        # so heavy that errors of logarithms are not worth reducing
+        heavy = [
+            [*(c << 36 for c in row), *map(int, its)] for row, its in zip(units, sums, strict=True)
+        ]
+        found = flint.fmpz_mat(heavy).lll().tolist()
+        short = [row for row in found if any(abs(c) > 1 << 44 for c in row[count:])]
+        return [[int(c) >> 36 for c in row[:count]] for row in short] + others
 
     def covolume(self, elements: list[FieldElement], rows: list[list[int]]) -> Any:
         """Return a ball around h·R times the index of the group that independent S-units span."""
@@ -337,19 +427,52 @@ class SUnits:
             bits *= 2
         raise UndecidedError("a regulator was not told from zero")
 
-    def _index_bound(self, elements: list[FieldElement], rows: list[list[int]]) -> int:
-        """Return a bound for the index of a group in the S-units: h'R' over the least regulator."""
-        size = self.covolume(elements, rows)
-        with precision(128):
-            return int(
-                (size / self.least_regulator()[0] + flint.arb(2) ** -20)
-                .upper()
-                .floor()
-                .unique_fmpz()
-            )
+    def _index_bound(self) -> int:
+        """Return a bound for the index of the group in the S-units: h'R' over the least regulator."""
+        return self._class_number() * self._unit_index_bound()
 
+    def _unit_index_bound(self) -> int:
+        """Return a bound for the index of the units of the group in all units, 1 for the rank 0."""
+        if self._bounded_units != self.units:
+            self._bounded_units = self.units
+            self._bound_of_units = self.unit_index_bound(self.least_regulator[0])
+        return self._bound_of_units
+
+    def unit_index_bound(self, regulator: flint.arb) -> int:
+        """Return the same for a lower bound of the regulator."""
+        if not self.units:
+            return 1
+        with precision(128):
+            size = self.covolume(self.units, [[] for _ in self.units]) / regulator
+            return int((size + flint.arb(2) ** -20).upper().floor().unique_fmpz())
+
+    @property
+    def units(self) -> list[FieldElement]:
+        """The generators that are units: as many as the rank."""
+        return [x for x, row in zip(self.generators, self.rows, strict=True) if not any(row)]
+
+    def has_primes_to(self, bound: int) -> bool:
+        """Tell whether all prime ideals of norm up to a bound are in the base."""
+        return all(
+            P in self.place
+            for p in primes(bound + 1)
+            for _, P in self.frame.primes_above(p)
+            if p > self.bound or P.norm() <= bound
+        )
+
+    @cached_property
     def least_regulator(self) -> tuple[Any, str]:
-        """Return a proved lower bound for the regulator, and by whom."""
+        """A proved lower bound for the regulator, and by whom."""
+        known = self.known_regulator
+        if self.n > 2 and self.rank:
+            other = self.short_integers.least_regulator(self.order_of_torsion)
+            if other > known[0]:
+                return other, SHORT_UNITS
+        return known
+
+    @property
+    def known_regulator(self) -> tuple[Any, str]:
+        """A lower bound for the regulator that holds for all fields of the kind, and by whom."""
         if not self.rank:
             return flint.arb(1), "the unit rank is 0"
         if self.n == 2:
@@ -366,18 +489,14 @@ class SUnits:
         return least, FRIEDMAN
 
     def _saturate(self) -> None:
-        """Take roots into the group until it is saturated at all primes that its index may have."""
-        if not self.generators:
-            return
-        whole = self._index_bound(self.generators, self.rows)
-        least = whole // self._class_number() if self.rank else 0
+        """Take roots into the group until it is saturated at all primes that its index may have.
+
+        The index is that of the units times h'/h: only units matter at a prime that does not divide h'.
+        """
         for ell in self.possible_divisors():
-            if max(ell, least) > MAX_SATURATED:
-                raise TooLargeError(
-                    f"the units of {shorten(self.frame.ring.name)} are known up to an index "
-                    f"below {whole} only"
-                )
-            while (found := self._root_at(ell)) is not None:
+            whole = self._class_number() % ell == 0
+            positions = [k for k, row in enumerate(self.rows) if whole or not any(row)]
+            while (found := self._root_at(ell, positions)) is not None:
                 position, y = found
                 self.generators[position] = y
                 self.rows[position] = self._exponents(y)
@@ -392,23 +511,31 @@ class SUnits:
     def possible_divisors(self) -> Iterator[int]:
         """Yield the primes that may divide the index; the group is saturated at each before the next.
 
-        Once it is saturated at ℓ, the ℓ-part of the quotient by the exponents is that of the class number.
-        The bound of the index, the quotient of h'R' and the least regulator, is divided by it.
+        These divide the index h'/h in the exponents, or are at most the bound of the index of the units.
+        Raises :class:`TooLargeError`.
         """
-        known, bound, counted = 1, 0, None
-        for ell in primes():
-            if counted != self.generators:
-                bound, counted = self._index_bound(self.generators, self.rows), [*self.generators]
-            if ell > (bound // known if self.rank else bound):
+        ell = 1
+        while True:
+            bound = self._unit_index_bound()
+            if bound > MAX_SATURATED:
+                raise TooLargeError(
+                    f"the units of {shorten(self.frame.ring.name)} are known up to an index "
+                    f"below {bound} only"
+                )
+            after = next(p for p in itertools.count(ell + 1) if is_prime(p))
+            later = [after] if after <= bound else []
+            later += [p for p, _ in _factors(self._class_number()) if p > ell]
+            if not later:
                 return
-            if not self.rank and bound % ell:  # the index divides the determinant of the exponents
-                continue
+            ell = min(later)
             yield ell
-            known *= ell ** remove(self._class_number(), ell)[0]
 
-    def _root_at(self, ell: int) -> tuple[int, FieldElement] | None:
-        """Return an ℓ-th root of a product, and a generator that it replaces; None for a saturated group."""
-        elements = list(self.generators)
+    def _root_at(self, ell: int, positions: Sequence[int]) -> tuple[int, FieldElement] | None:
+        """Return an ℓ-th root of a product of some generators, and one that it replaces.
+
+        None if these generators, with roots of unity, have no such root that is not in their group.
+        """
+        elements = [self.generators[k] for k in positions]
         if self.order_of_torsion % ell == 0:
             elements.append(self.torsion)
         columns: list[list[int]] = []
@@ -434,16 +561,18 @@ class SUnits:
             # at prime ideals above one q elements of a subfield have the same residues
             if len({q for q, _ in used}) > len(elements) + 2:
                 for vector in kernel:
-                    position = next((k for k, c in enumerate(vector) if c), len(elements))
-                    if position >= len(self.generators):
+                    replaced = [k for k, c in enumerate(vector[: len(positions)]) if c]
+                    if not replaced:
                         continue
-                    inverse = pow(vector[position], -1, ell)
+                    # units stay units
+                    number = max(replaced, key=lambda k: any(self.rows[positions[k]]))
+                    inverse = pow(vector[number], -1, ell)
                     balanced = [(c * inverse + ell // 2) % ell - ell // 2 for c in vector]
                     if ell == 2:
                         balanced = list(vector)
                     y = self.root(self.product(elements, balanced), ell)
                     if y is not None:
-                        return position, y
+                        return positions[number], y
             sought += 10
         raise UndecidedError(
             f"units of {shorten(self.frame.ring.name)} were not shown to be saturated at {ell}"
@@ -507,6 +636,16 @@ def residue(x: FieldElement, root: int, q: int) -> int:
     for c in reversed(x.poly.numer().coeffs()):
         total = (total * root + int(c % q)) % q
     return total * pow(int(x.poly.denom()) % q, -1, q) % q
+
+
+def norm_bound(frame: Integers) -> int:
+    """Return a bound for the norms of prime ideals that generate the class group."""
+    n, complex_ = frame.n, frame.field.signature[1]
+    if n not in ZIMMERT_FACTORS:
+        return minkowski(frame)
+    factor = ZIMMERT_FACTORS[n][complex_]
+    square = factor * factor * abs(frame.field.discriminant())
+    return max(1, math.isqrt(int(square)))
 
 
 def minkowski(frame: Integers) -> int:
@@ -665,6 +804,37 @@ def _short_with_residue(frame: Integers, r: int, y: int, modulus: int) -> FieldE
 
 def _factors(n: int) -> list[tuple[int, int]]:
     return [(int(p), int(e)) for p, e in flint.fmpz(n).factor()]
+
+
+class _Span:
+    """The rank of rows of integers, modulo a large prime, row by row."""
+
+    PRIME = (1 << 61) - 1
+
+    def __init__(self, width: int) -> None:
+        self._rows: dict[int, list[int]] = {}
+        self.width = width
+
+    @property
+    def rank(self) -> int:
+        return len(self._rows)
+
+    def add(self, row: Sequence[int]) -> bool:
+        """Take a row into the span; tell whether the rank is larger now."""
+        if self.rank == self.width:
+            return False
+        p, left = self.PRIME, list(row)
+        for k in range(self.width):
+            c = left[k] % p
+            if not c:
+                continue
+            pivot = self._rows.get(k)
+            if pivot is None:
+                inverse = pow(c, -1, p)
+                self._rows[k] = [a * inverse % p for a in left]
+                return True
+            left = [(a - c * b) % p for a, b in zip(left, pivot, strict=True)]
+        return False
 
 
 @lru_cache(maxsize=256)
