@@ -14,7 +14,7 @@ import numpy as np
 from hfield.core.files import whole_file
 from hfield.errors import LatticeError, shorten
 from hfield.fuchsian.tessellation import move, tessellation
-from hfield.plotting import default_settings
+from hfield.plotting import default_settings, save_figure
 
 if TYPE_CHECKING:
     from hfield.fuchsian.group import Domain
@@ -284,8 +284,7 @@ def _save(drawing: Drawing, path: Path) -> None:
                     fontsize=min(14, 700 / len(drawing.title)))  # fmt: skip
         figure.text(0.5, 0.932, drawing.facts, ha="center", va="center", color=look["ink"],
                     fontsize=10, alpha=0.75)  # fmt: skip
-        dateless = {"CreationDate": None} if path.suffix.lower() == ".pdf" else {}
-        figure.savefig(path, facecolor=figure.get_facecolor(), dpi=160, metadata=dateless)
+        save_figure(figure, path)
 
 
 def _curve(sides: list[Side]) -> Any:
