@@ -174,11 +174,10 @@ def _roots(text: str) -> str:
         found = _RADICAND.match(text, at + 1)
         if found is None:
             continue
-        end = found.end()
-        if found[0][-1] in _CLOSING:
-            end = _end_of_group(text, found.end() - 1)
-            if end is None:
-                continue
+        grouped = found[0][-1] in _CLOSING
+        end = _end_of_group(text, found.end() - 1) if grouped else found.end()
+        if end is None:
+            continue
         inside = text[at + 1 : end]
         if inside[0] == "(":
             inside = inside[1:-1]

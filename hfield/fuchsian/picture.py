@@ -176,7 +176,7 @@ def letters_on_sides(drawing: Drawing) -> Iterator[tuple[complex, float, str]]:
     """Yield the place of the middle, the size, and the letter of each side that is long enough."""
     for side, text in zip(drawing.own, drawing.letters, strict=True):
         chord = (side.end - side.start) * RADIUS
-        size = min(LETTER_SIZE, 0.6 * abs(chord))
+        size = min(LETTER_SIZE, 0.28 * abs(chord))
         if size >= MIN_LETTER_SIZE:
             inwards = 1j * chord / abs(chord)  # the corners are in positive order
             yield RADIUS * _summit(side) + inwards * (0.95 * size + 2), size, text

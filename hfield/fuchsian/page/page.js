@@ -381,8 +381,8 @@ function draw() {
 }
 function name(n, ratio) {  // a letter inside the domain, beside the middle of a side that is long enough
   const [before, middle, after] = [0, 1, 2].map((k) => project(side(shape.there, n, 2).concat(side(shape.there, (n + 1) % shape.units.length, 1))[k]));
-  const way = [after[0] - before[0], after[1] - before[1]], long = Math.hypot(...way), size = Math.min(15 * ratio, 0.6 * long);
-  if (size < 5 * ratio) return;
+  const way = [after[0] - before[0], after[1] - before[1]], long = Math.hypot(...way), size = Math.min(15 * ratio, 0.28 * long);
+  if (size < 4 * ratio) return;
   const away = 0.95 * size / long;  // the corners go round the domain, and y goes down
   pen.font = `${size}px "DejaVu Sans", Verdana, sans-serif`;
   pen.fillText(shape.letters[n], middle[0] + way[1] * away, middle[1] - way[0] * away);
