@@ -23,8 +23,11 @@ _SIGNS = {
     "✗": r"\times ", "ℚ": r"\mathbb{Q}", "ℤ": r"\mathbb{Z}", "ℝ": r"\mathbb{R}", "ℂ": r"\mathbb{C}",
     "ℍ": r"\mathbb{H}", "𝔽": r"\mathbb{F}", "ϕ": r"\phi ", "⊗": r"\otimes ", "∑": r"\sum ",
     "∏": r"\prod ", "′": r"^{\prime}", "'": r"^{\prime}", "…": r"\ldots ",
-    "ⁿ": "^{n}", "ᵏ": "^{k}", "ᵗ": "^{t}", "ₙ": "_{n}", "ₖ": "_{k}", "│": "|",
+    "│": "|",
 }  # fmt: skip
+_LETTERS_RAISED, _LETTERS_LOWERED = "ⁿᵏᵗᵐⁱʲᵖˢ", "ₙₖₘᵢⱼₚₛₜₐₓ"
+_SIGNS |= {c: f"^{{{unicodedata.normalize('NFKD', c)}}}" for c in _LETTERS_RAISED}
+_SIGNS |= {c: f"_{{{unicodedata.normalize('NFKD', c)}}}" for c in _LETTERS_LOWERED}
 _GREEK_NAMES = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "varepsilon", "ζ": "zeta", "η": "eta",
     "θ": "theta", "ι": "iota", "κ": "kappa", "λ": "lambda", "μ": "mu", "ν": "nu", "ξ": "xi", "π": "pi",
@@ -35,12 +38,19 @@ _GREEK_NAMES = {
 _GREEK = {letter: rf"\{name} " for letter, name in _GREEK_NAMES.items()}
 _RAISED, _LOWERED = "⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹", "₋₊₀₁₂₃₄₅₆₇₈₉"
 _LEVEL = str.maketrans(_RAISED + _LOWERED, "-+0123456789" * 2)
-_OVER = {"\u0304": "bar", "\u0305": "bar", "\u20d7": "vec", "\u0302": "hat"}
+_OVER = {
+    "\u0304": "overline",
+    "\u0305": "overline",
+    "\u20d7": "vec",
+    "\u0302": "hat",
+    "\u0303": "tilde",
+}
 _SCRIPTS = re.compile(f"([{_RAISED}]+)|([{_LOWERED}]+)")
 _SIMPLE = "A-Za-zα-ω0-9"
 _POWER = re.compile(rf"\^\{{([{_SIMPLE}+ -]+)\}}|\^\((-?[{_SIMPLE}]+)\)|\^(-?[{_SIMPLE}]+)")
 _RUN_OF_SCRIPTS = re.compile(r"(?:[\^_]\{[^{}]*\}\s*){2,}")
-_OVERLINED = re.compile(f"([^\\W_])([{''.join(_OVER)}])")
+_OVERLINED = re.compile(f"([^\\W_](?:[{_LOWERED}]|_{{[^{{}}]*}})*)([{''.join(_OVER)}]+)")
+"""A letter, with its index, and the marks over it."""
 _MATHEMATICAL = frozenset({*_SIGNS, *_GREEK, *_RAISED, *_LOWERED, *_OVER} - {"…", "†", "°", "'"})
 
 _TEXT = {
@@ -75,8 +85,10 @@ _FUNCTIONS = {
 _FUNCTIONS |= {"tr", "Sc", "Vec", "det", "dim", "tan", "exp"}
 _INDEX = re.compile(r"(?<![^\W_])([^\W\d_])_([^\W_])(?![^\W_])")  # e_i
 _INDICES = re.compile(r"(?<=[\w}])_\{([^{}]*)\}")  # a_{n+1}
+_CONJUGATE = re.compile(rf"(?<![^\W_])conj\s+([^\W\d_][\d{_LOWERED}]*(?![^\W_])|conj\([^()]*\))")
+"""The function before what it is taken of, without parentheses: conj q₁, conj conj q."""
 _FIELD = re.compile(r"(QQ|ZZ|RR|CC|RDF|CDF|GF\(|Qp\()")
-_LETTERS = re.compile(rf"[^\W\d_{_RAISED}{_LOWERED}ⁿᵏᵗₙₖ]+")
+_LETTERS = re.compile(rf"[^\W\d_{_RAISED}{_LOWERED}{_LETTERS_RAISED}{_LETTERS_LOWERED}]+")
 _PUNCTUATION = re.compile(r"^(.*?)([,;:.?!]*)$", re.DOTALL)
 _UPRIGHT = {"cos", "sin", "tan", "det", "dim"}
 _ARTICLES = ("−", "…", "...", *"aiouwzAI")  # what may belong to a sentence, in English or Polish
@@ -89,9 +101,10 @@ def words(text: str) -> str:
     r"""Return a text as LaTeX's text: what is mathematical in it in dollars, the rest escaped.
 
     >>> words("p·q̄ ≠ 0 over QQ(sqrt(2)), nie więcej")
-    '$p\\cdot \\bar{q} \\neq 0$ over $\\mathbb{Q}(\\sqrt{2})$, nie wi\\k{e}cej'
+    '$p\\cdot \\overline{q} \\neq 0$ over $\\mathbb{Q}(\\sqrt{2})$, nie wi\\k{e}cej'
     """
-    tokens = unicodedata.normalize("NFC", text).split()
+    text = _inside_out(_CONJUGATE, r"conj(\1)", unicodedata.normalize("NFC", text))
+    tokens = text.split()
     kinds = [_is_mathematical(token) for token in tokens]
     order = [*range(len(tokens)), *reversed(range(len(tokens)))]
     for n in order:  # a number or an article's letter belongs to the mathematics beside it
@@ -138,15 +151,86 @@ def mathematics(text: str) -> str:
     text = "".join(_IN_MATHEMATICS.get(c, c) for c in text)
     text = re.sub("⁽([^⁽⁾]*)⁾", r"^{\1}", text)
     text = _inside_out(re.compile("₍([^₍₎]*)₎"), r"_{\1}", text)
-    text = _OVERLINED.sub(lambda m: rf"\{_OVER[m[2]]}{{{m[1]}}}", text)
+    text = _roots(_conjugates(_overlined_groups(text)))
+    text = _OVERLINED.sub(_marked, text)
     text = _SCRIPTS.sub(lambda m: f"{'^' if m[1] else '_'}{{{m[0].translate(_LEVEL)}}}", text)
-    text = re.sub(r"√(\d+|[^\W\d_])", r"\\sqrt{\1}", text)
     text = re.sub(r"(?<![\\\w])([A-Za-z]{2,})(?=\()", _named, latex_name(text))
     text = re.sub(rf"(?<![\\\w{{])({'|'.join(_UPRIGHT)})(?=\s|$)", r"\\\1", text)
     text = "".join(_SIGNS.get(c) or _GREEK.get(c) or c for c in text)
     text = _RUN_OF_SCRIPTS.sub(_separated, text)
     text = "".join(c if c.isascii() else rf"\text{{{_character(c)}}}" for c in text)
     return " ".join(text.split())
+
+
+_OPENING = {")": "(", "]": "[", "‖": "‖", "|": "|"}
+_CLOSING = {opening: closing for closing, opening in _OPENING.items()}
+_RADICAND = re.compile(rf"[−-]?\d+|\w+\(|\w[{''.join(_OVER)}{_LOWERED}]*|[(\[‖|]")
+
+
+def _roots(text: str) -> str:
+    """Write √ and sqrt( with what they are taken of: a number, a letter, a value f(…), or a group."""
+    text = re.sub(r"(?<![\w\\])sqrt\(", "√(", text)
+    for at in reversed([n for n, c in enumerate(text) if c == "√"]):
+        found = _RADICAND.match(text, at + 1)
+        if found is None:
+            continue
+        grouped = found[0][-1] in _CLOSING
+        end = _end_of_group(text, found.end() - 1) if grouped else found.end()
+        if end is None:
+            continue
+        inside = text[at + 1 : end]
+        if inside[0] == "(":
+            inside = inside[1:-1]
+        text = rf"{text[:at]}\sqrt{{{inside}}}{text[end:]}"
+    return text
+
+
+def _conjugates(text: str) -> str:
+    """Write conj(…) as a line over what is inside."""
+    for at in reversed([found.start() for found in re.finditer(r"(?<![\w\\])conj\(", text)]):
+        end = _end_of_group(text, at + len("conj"))
+        if end is not None:
+            text = rf"{text[:at]}\overline{{{text[at + 5 : end - 1]}}}{text[end:]}"
+    return text
+
+
+def _end_of_group(text: str, start: int) -> int | None:
+    """Return where the group that opens at ``start`` has ended, or None."""
+    opening, closing = text[start], _CLOSING[text[start]]
+    if opening == closing:
+        end = text.find(closing, start + 1)
+        return end + 1 if end > 0 else None
+    depth = 0
+    for n in range(start, len(text)):
+        depth += (text[n] == opening) - (text[n] == closing)
+        if not depth:
+            return n + 1
+    return None
+
+
+def _marked(found: re.Match[str]) -> str:
+    """Write a letter with marks over it, such as the conjugate of a conjugate."""
+    written = found[1]
+    for mark in found[2]:
+        written = rf"\{_OVER[mark]}{{{written}}}"
+    return written
+
+
+def _overlined_groups(text: str) -> str:
+    """Write a mark after a closing parenthesis over all that is inside."""
+    text = text.replace("‾", "\u0304")
+    for mark, name in _OVER.items():
+        while (at := text.find(f"){mark}")) >= 0:
+            depth, start = 0, at
+            while start >= 0:
+                depth += (text[start] == ")") - (text[start] == "(")
+                if not depth:
+                    break
+                start -= 1
+            if start < 0:
+                return text
+            text = rf"{text[:start]}\{name}{{{text[start + 1 : at]}}}{text[at + 2 :]}"
+    return text
 
 
 def _inside_out(pattern: re.Pattern[str], by: str, text: str) -> str:

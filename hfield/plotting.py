@@ -7,8 +7,31 @@ import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 BACKEND = "MPLBACKEND"
+DATELESS: dict[str, dict[str, None]] = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+"""By suffix, what leaves the time of day out of a file."""
+
+
+@dataclass(frozen=True)
+class Theme:
+    """The colours of a page: of the paper, of letters, of lines and small letters, and of zero."""
+
+    page: str
+    ink: str
+    quiet: str
+    zero: str
+    lightness: tuple[float, float]
+
+
+LIGHT = Theme("#ffffff", "#1d2433", "#6d7689", "#10141d", (0.42, 0.86))
+DARK = Theme("#11141b", "#eef1f7", "#8a94ad", "#000000", (0.32, 0.78))
 
 
 def import_matplotlib() -> None:
@@ -47,4 +70,38 @@ def default_settings() -> Iterator[None]:
 
     with mpl.rc_context():
         mpl.rcdefaults()
+        mpl.rcParams["svg.hashsalt"] = "hfield"
         yield
+
+
+def titled_page(
+    colors: Theme, title: str, facts: str, size: tuple[float, float]
+) -> tuple[Figure, Any]:
+    """Return a figure of ``size`` inches with a title and a line below it, and the axes, without frame."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    width, height = size
+    figure = Figure(figsize=size, facecolor=colors.page)
+    FigureCanvasAgg(figure)
+    axes: Any = figure.add_axes((0.04, 0.03, 0.92, 1 - 0.03 - 0.77 / height))
+    axes.axis("off")
+    axes.set_aspect("equal")
+    for text, below, color, size_of_letters in (
+        (title, 0.254, colors.ink, min(14, 118 * width / len(title))),
+        (facts, 0.524, colors.quiet, min(9.5, 128 * width / len(facts))),
+    ):
+        figure.text(
+            *(0.5, 1 - below / height, text),
+            ha="center",
+            va="center",
+            color=color,
+            fontsize=size_of_letters,
+        )
+    return figure, axes
+
+
+def save_figure(figure: Figure, path: Path) -> None:
+    """Write a figure; the file depends on no date. Raises OSError, and ValueError for an unknown suffix."""
+    metadata = DATELESS.get(path.suffix.lower(), {})
+    figure.savefig(path, facecolor=figure.get_facecolor(), dpi=160, metadata=metadata)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from argparse import Namespace
+from argparse import ArgumentParser, Namespace
 from dataclasses import replace
 from math import pi, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from anim.commands.arguments import MODELS
+from anim.commands.arguments import MODELS, declare
+from anim.output.writing import Kind
 from hfield.cli.parser import UsageError
 from hfield.tables import is_number
 
@@ -27,8 +28,51 @@ PHYSICS_ONLY = (
 )
 ENCODING = {"crf": (".mp4", ".webp"), "preset": (".mp4",)}
 """Options of the encoding, and the suffixes of the formats that have them."""
+ALWAYS = ("output", "force", "format")
+DRAWN_ONLY = (
+    *(
+        "size",
+        "style",
+        "quality",
+        "trace",
+        "shadow",
+        "follow",
+        "captions",
+        "motion_blur",
+        "preview",
+    ),
+)
+"""Options of drawn frames: a page draws itself, as its reader likes."""
 FREE_ONLY = ("tip_radius", "friction", "rolling")
 READING = {"spin": "absolute", "order": "spin-first", "angle": "quarter", "euler": "zyx"}
+
+
+def refuse_ignored(args: Namespace, kind: Kind) -> None:
+    """Refuse options that this kind of output does not have. Raises :class:`UsageError`."""
+    alone = next((flag for flag in ("quaternions", "figures") if getattr(args, flag)), None)
+    for name in _given(args):
+        flag = f"--{name.replace('_', '-')}"
+        if alone and name not in (*ALWAYS, alone):
+            raise UsageError(f"--{alone} makes always the same; leave out {flag}")
+        if not alone and kind is Kind.PAGE and name in (*DRAWN_ONLY, "jobs"):
+            raise UsageError(f"{flag} belongs to films and pictures; a page has no such option")
+        if not alone and kind is Kind.PICTURE and name == "jobs":
+            raise UsageError("--jobs belongs to films; one picture is drawn in one process")
+    if kind is Kind.PAGE and not alone:
+        camera = camera_of(args)
+        if replace(camera, azimuth=0, elevation=0, zoom=1) != type(camera)(0, 0):
+            raise UsageError(
+                "a page has a camera of its own: expected --camera with azimuth, elevation and zoom, "
+                "such as -60,20,12,1.5"
+            )
+
+
+def _given(args: Namespace) -> list[str]:
+    """Return the options that differ from their defaults."""
+    parser = ArgumentParser()
+    declare(parser)
+    usual = vars(parser.parse_args(["-o", args.output]))
+    return [name for name, value in usual.items() if getattr(args, name) != value]
 
 
 def model_of(args: Namespace) -> Model:
@@ -97,7 +141,7 @@ def motions_of(
 
     Flags of the thesis's motion, or of the heavy top, choose the model where none is named.
     """
-    from anim.output.writing import Kind, kind_of
+    from anim.output.writing import kind_of
     from anim.pipelines import PIPELINES, kinematic
 
     if recorded is not None:

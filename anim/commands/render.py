@@ -51,14 +51,15 @@ def run(args: Namespace) -> int:
     """Draw, write, and tell what was made."""
     if args.output in ("", "-"):
         raise UsageError("pictures need a file of their own: expected a name such as -o top.mp4")
+    from anim.commands.choices import clip_of, encoding_of, model_of, recorded_of, refuse_ignored
+    from anim.output.writing import Kind, kind_of
+
     path = Path(args.output)
+    refuse_ignored(args, Kind.FOLDER if args.figures else kind_of(path))
     if args.figures:
         return _figures(args, path)
     if args.quaternions:
         return _seeing(args, path)
-    from anim.commands.choices import clip_of, encoding_of, model_of, recorded_of
-    from anim.output.writing import Kind, kind_of
-
     model, recorded = model_of(args), recorded_of(args)
     clip = clip_of(args, recorded)
     kind = kind_of(path)

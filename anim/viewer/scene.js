@@ -1,14 +1,27 @@
+const MOST_SECTORS = 240; // an edge of a top's outline goes around in about so many steps: more cannot be seen
+
+// Neighbouring sectors of one colour, each [from, to, colour] in radians.
+function merged(sectors) {
+  const n = sectors.length, most = Math.ceil(n / MOST_SECTORS), angle = (k) => (2 * Math.PI * k) / n, out = [];
+  for (let start = 0, k = 1; k <= n; k++) {
+    if (k < n && sectors[k] === sectors[start] && k - start < most) continue;
+    out.push([angle(start), angle(k), sectors[start]]);
+    start = k;
+  }
+  return out;
+}
+
 // The surface of revolution: position, normal and colour of each corner of each triangle.
 function surface(profile, sectors, colours) {
-  const out = [], n = sectors.length;
+  const out = [], around = merged(sectors);
   for (let k = 0; k + 1 < profile.length; k++) {
     const [[r0, z0], [r1, z1]] = [profile[k], profile[k + 1]], length = Math.hypot(r1 - r0, z1 - z0);
     const corner = (angle, r, z, colour) => {
       const c = Math.cos(angle), s = Math.sin(angle);
       out.push(r * c, r * s, z, (c * (z1 - z0)) / length, (s * (z1 - z0)) / length, (r0 - r1) / length, ...colour);
     };
-    for (let i = 0; i < n; i++) {
-      const a = (2 * Math.PI * i) / n, b = (2 * Math.PI * (i + 1)) / n, colour = colours[sectors[i]];
+    for (const [a, b, number] of around) {
+      const colour = colours[number];
       if (r0 > 0) for (const [t, r, z] of [[a, r0, z0], [b, r0, z0], [b, r1, z1]]) corner(t, r, z, colour);
       if (r1 > 0) for (const [t, r, z] of [[a, r0, z0], [b, r1, z1], [a, r1, z1]]) corner(t, r, z, colour);
     }
@@ -47,21 +60,36 @@ void main() {
 const FLAT_VERTEX = `
 attribute vec3 position; uniform mat4 matrix; uniform vec2 shift; varying vec3 at;
 void main() { at = position + vec3(shift, 0.); gl_Position = matrix * vec4(at, 1.); }`;
-// The top as slices along its axis, discs or, where it is thin, balls: how much of each a ray to the light meets, softer
-// the farther away it is; and darker near the top, as anim/picture/ground has it. Dark paper is lit by a pool of light.
-const SLICES = 44; // fewer than the 64 uniforms that any phone has
-const groundFragment = () => `${DITHER}
-varying vec3 at; uniform vec3 light, axis, place; uniform vec3 slices[${SLICES}]; uniform vec2 focus; uniform float above;
+// The top as the cones of its outline: how much of each a ray to the light meets, softer the farther away it is; and
+// darker near the top, as anim/picture/ground has it. A cone is discs across its axis or, where it is thin, balls. How
+// far the ray passes outside the one it comes nearest to is the least of |a + t·b| − r(t), t from 0 to 1. Dark paper is
+// lit by a pool of light.
+const groundFragment = (cones) => `${DITHER}
+varying vec3 at; uniform vec3 light, axis, place; uniform vec4 cones[${cones}]; uniform vec2 focus, reach; uniform float above;
+float nearestOf(vec3 a, vec3 b, float grows) {
+  float bb = max(dot(b, b), 1e-9), ab = dot(a, b), rest = bb - grows * grows;
+  float t = rest > 0. ? (grows * sqrt(max(dot(a, a) * bb - ab * ab, 0.) / rest) - ab) / bb : grows > 0. ? 1. : 0.;
+  return clamp(t, 0., 1.);
+}
 void main() {
   float r = length(at.xy - focus), far = length(at.xy), along = dot(light, axis), shade = 0., nearest = 1e9;
+  vec3 from = place - at, height = axis * reach.y;
+  float below = dot(height, light), part = clamp(dot(light * dot(from, light) - from, height - light * below) / max(dot(height, height) - below * below, 1e-6), 0., 1.);
+  vec3 middle = from + part * height;
+  float away = length(middle - light * dot(middle, light)) - reach.x;
+  float close = length(from - axis * clamp(dot(from, axis), -reach.y, 0.)) - reach.x;
   along = along < 0. ? min(along, -.05) : max(along, .05);
-  for (int k = 0; k < ${SLICES}; k++) {
-    float radius = slices[k].y;
-    vec3 v = place + axis * slices[k].x - at;
-    float high = dot(v, axis), s = slices[k].z > 0. ? dot(v, light) : high / along;
-    float out_ = max(sqrt(max(0., dot(v, v) - high * high)) - radius, 0.);
-    nearest = min(nearest, pow(max(abs(high) - .035, 0.), 2.) + out_ * out_);
-    float wide = ${number("shadow", "sharp")} + ${number("shadow", "soft")} * abs(s), d = length(s * light - v);
+  if (away < ${number("shadow", "sharp")} + ${number("shadow", "soft")} * (reach.y + reach.x) || close < 3. * ${number("shadow", "reach")}) for (int k = 0; k < ${cones}; k++) {
+    float z0 = cones[k].x, z1 = cones[k].z, r0 = cones[k].y, grows = cones[k].w - r0, rise = z1 - z0;
+    vec3 v = from + axis * z0, w = axis * rise;
+    float high = dot(v, axis), out_ = sqrt(max(0., dot(v, v) - high * high));
+    float t0 = clamp(-high / max(rise, 1e-6), 0., 1.), gap = max(out_ - r0 - t0 * grows, 0.);
+    nearest = min(nearest, pow(max(abs(high + t0 * rise) - .035, 0.), 2.) + gap * gap);
+    bool thin = rise > 2. * abs(grows);
+    vec3 slant = thin ? light : light / along;
+    vec3 a = v - slant * (thin ? dot(v, light) : high), b = w - slant * (thin ? rise * dot(axis, light) : rise);
+    float t = nearestOf(a, b, grows), radius = r0 + t * grows, s = thin ? dot(v + t * w, light) : (high + t * rise) / along;
+    float wide = ${number("shadow", "sharp")} + ${number("shadow", "soft")} * abs(s), d = length(a + t * b);
     if (s > 0.) shade = max(shade, smoothstep(radius + wide, radius - wide, d) * min(1., radius / wide));
   }
   float near = smoothstep(${number("ground", "far")}, ${number("ground", "near")}, r), dark = 1. - smoothstep(.2, .6, paper.g);
@@ -70,7 +98,9 @@ void main() {
   float contact = ${number("shadow", "contact")} * exp(-nearest / ${(data.room.shadow.reach ** 2).toFixed(5)});
   gl_FragColor = dithered(above > 0. ? lit * (1. - ${number("shadow", "depth")} * shade) * (1. - contact) : lit);
 }`;
-const TRAIL_FRAGMENT = `precision highp float; varying vec3 at; uniform vec3 paper, ink; void main() { gl_FragColor = vec4(ink, 1.); }`;
+const TRAIL_FRAGMENT = `precision highp float; varying vec3 at; uniform vec3 ink; void main() { gl_FragColor = vec4(ink, 1.); }`;
+const FAINTEST = 0.22, FADING = 2; // of the path: the least strength, and the seconds in which the rest falls to 1/e
+const SHAFT = 0.024, HEAD = [0.07, 0.26]; // radii of an arrow's shaft and head, and how long the head is
 const ARROWS = { momentum: [0.2, 0.55, 0.9], velocity: [0, 0.62, 0.45], pull: [0.85, 0.35, 0.6] };
 
 // All that WebGL knows. `draw` paints one top in one part of the canvas.
@@ -85,34 +115,30 @@ class Scene {
     this.model = model;
     this.shape(model.profile);
     this.arrows = Object.entries(ARROWS).map(([name, colour]) => {
-      const outline = [[0, 0], [0.012, 0], [0.012, 0.93], [0.035, 0.93], [0, 1]];
-      return [name, this.buffer(surface(outline, Array(24).fill(0), [colour]))];
+      const around = Array(24).fill(0), mesh = (outline) => this.buffer(surface(outline, around, [colour]));
+      return [name, mesh([[0, 0], [SHAFT, 0], [SHAFT, 1], [0, 1]]), mesh([[0, 0], [HEAD[0], 0], [0, HEAD[1]]])];
     });
     this.ground = this.buffer(new Float32Array([-5, -5, 0, 5, -5, 0, 5, 5, 0, -5, -5, 0, 5, 5, 0, -5, 5, 0]));
     const apex = [0, 0, model.profile[model.profile.length - 1][1]];
     this.trails = shows.map((show) => this.buffer(this.trail(show, apex)));
     this.programs = {
       top: this.program(TOP_VERTEX, topFragment()),
-      ground: this.program(FLAT_VERTEX, groundFragment()),
+      ground: this.program(FLAT_VERTEX, groundFragment(model.profile.length - 1)),
       trail: this.program(FLAT_VERTEX, TRAIL_FRAGMENT),
     };
     gl.enable(gl.CULL_FACE);
     gl.enable(gl.SCISSOR_TEST);
+    gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
   }
 
-  // The top's outline, which may change: its surface, and for the shadow its slices: height, radius, whether a ball.
+  // The top's outline, which may change: its surface, and for the shadow its cones: height and radius where they begin and end.
   shape(profile) {
     if (this.top) this.gl.deleteBuffer(this.top);
     this.top = this.buffer(surface(profile, [...this.model.sectors].map(Number), this.model.colours));
     this.height = profile[profile.length - 1][1];
-    const tall = profile.slice(1).map(([r, z], n) => z - profile[n][1]), parts = profile.length - 1;
-    const counts = tall.map((rise) => 1 + Math.floor(((SLICES - parts) * rise) / this.height));
-    counts[parts - 1] += SLICES - counts.reduce((sum, count) => sum + count, 0);
-    this.slices = counts.flatMap((count, n) => {
-      const [[r0, z0], [r1, z1]] = [profile[n], profile[n + 1]], ball = z1 - z0 > 2 * Math.abs(r1 - r0) ? 1 : 0;
-      return Array.from({ length: count }, (_, k) => (k + 0.5) / count).flatMap((t) => [z0 + t * (z1 - z0), r0 + t * (r1 - r0), ball]);
-    });
+    this.reach = [Math.max(...profile.map(([r]) => r)), this.height];
+    this.cones = profile.slice(1).flatMap(([r, z], n) => [profile[n][1], profile[n][0], z, r]);
   }
 
   trail({ quaternions, places }, apex) {
@@ -155,7 +181,8 @@ class Scene {
     });
     for (const [key, value] of Object.entries({ paper: this.paper, ...uniforms })) {
       const at = gl.getUniformLocation(program, key);
-      if (value.length === 16) gl.uniformMatrix4fv(at, false, value);
+      if (key === "cones") gl.uniform4fv(at, value);
+      else if (value.length === 16) gl.uniformMatrix4fv(at, false, value);
       else gl[`uniform${value.length > 4 ? 3 : value.length}fv`](at, value);
     }
   }
@@ -171,36 +198,53 @@ class Scene {
   draw(n, show, frame, camera, box) {
     const k = Math.floor(frame), t = frame - k, { places } = show;
     const place = places ? [0, 1, 2].map((n) => places[3 * k + n] + t * ((places[3 * k + 3 + n] ?? places[3 * k + n]) - places[3 * k + n])) : [0, 0, 0];
-    this.paint(attitude(show.quaternions, frame), this.trails[n], k + 1, {}, camera, box, place);
+    this.paint(attitude(show.quaternions, frame), this.trails[n], Array.from({ length: k + 1 }, (_, m) => (frame - m) / data.fps), {}, camera, box, place);
   }
 
-  // The top as `q` says at its `place`, the view on its `focus`; the first `seen` points of a trail, and vectors from the tip (or from `from`); returns the matrix of the view.
-  paint(q, trail, seen, vectors, camera, box, place = [0, 0, 0], focus = [0, 0]) {
+  // The top as `q` says at its `place`, the view on its `focus`; the points of a trail by their `ages`, and vectors from the tip (or from `from`); returns the matrix of the view.
+  paint(q, trail, ages, vectors, camera, box, place = [0, 0, 0], focus = [0, 0]) {
     const { gl } = this, [x, y, width, height] = box, aspect = width / height;
     const { view, eye } = lookAt(camera.azimuth, camera.elevation, camera.distance, [...focus, 1.35]);
     const matrix = times(perspective(0.27 / Math.min(1, aspect), aspect, 0.5, 60), view);
-    const fields = ["position", "normal", "colour"], { light, glint, slices } = this, size = [1, 1, 1];
+    const fields = ["position", "normal", "colour"], { light, glint, cones, reach } = this, size = [1, 1, 1];
     gl.viewport(x, y, width, height);
     gl.scissor(x, y, width, height);
-    gl.disable(gl.DEPTH_TEST);
-    gl.disable(gl.CULL_FACE); // the ground is seen from below too
     const axis = rotate(q, [0, 0, 1]);
-    this.use("ground", this.ground, ["position"], { matrix, light, axis, place, slices, focus, shift: focus, above: [eye[2]] });
-    gl.drawArrays(gl.TRIANGLES, 0, 6);
-    gl.enable(gl.DEPTH_TEST);
-    gl.enable(gl.CULL_FACE);
     this.use("top", this.top, fields, { matrix, q, size, place, eye, light, glint });
     gl.drawArrays(gl.TRIANGLES, 0, this.top.count / 9);
-    this.use("trail", trail, ["position"], { matrix, shift: [0, 0], ink: colourOf(data.room.trace[this.paper[1] < 0.4 ? "dark" : "light"]) });
-    gl.drawArrays(gl.LINE_STRIP, 0, seen);
-    gl.clear(gl.DEPTH_BUFFER_BIT); // arrows are seen through the top
-    for (const [name, mesh] of this.arrows) {
+    gl.disable(gl.CULL_FACE); // the ground is seen from below too
+    gl.depthRange(1, 1); // and only where the top is not
+    this.use("ground", this.ground, ["position"], { matrix, light, axis, place, cones, reach, focus, shift: focus, above: [eye[2]] });
+    gl.drawArrays(gl.TRIANGLES, 0, 6);
+    gl.depthRange(0, 1);
+    gl.enable(gl.CULL_FACE);
+    this.path(trail, ages, matrix);
+    for (const [name, shaft, head] of this.arrows) {
       const { vector, from = [0, 0, 0] } = vectors[name] ?? {}, length = vector ? Math.hypot(...vector) : 0;
       if (length < 0.05) continue;
-      const moved = times(matrix, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...from, 1]);
-      this.use("top", mesh, fields, { matrix: moved, q: towards(vector), size: [2, 2, length], place: [0, 0, 0], eye, light, glint });
-      gl.drawArrays(gl.TRIANGLES, 0, mesh.count / 9);
+      const q = towards(vector), tall = Math.min(HEAD[1], 0.6 * length), neck = length - tall;
+      const place = from.map((x, n) => x + (vector[n] * neck) / length);
+      this.use("top", shaft, fields, { matrix, q, size: [1, 1, neck], place: from, eye, light, glint });
+      gl.drawArrays(gl.TRIANGLES, 0, shaft.count / 9);
+      this.use("top", head, fields, { matrix, q, size: scale(tall / HEAD[1], [1, 1, 1]), place, eye, light, glint });
+      gl.drawArrays(gl.TRIANGLES, 0, head.count / 9);
     }
     return matrix;
+  }
+
+  // The first ages.length points of a trail, each passed so many seconds ago; it fades with age as in films.
+  path(trail, ages, matrix) {
+    const { gl } = this, ink = colourOf(data.room.trace[this.paper[1] < 0.4 ? "dark" : "light"]);
+    const strength = (age) => FAINTEST + (1 - FAINTEST) * Math.exp(-age / FADING);
+    this.use("trail", trail, ["position"], { matrix, shift: [0, 0] });
+    const at = gl.getUniformLocation(this.programs.trail, "ink");
+    for (let k = 0; k + 1 < ages.length; ) {
+      const now = strength(ages[k]);
+      let end = k + 1;
+      while (end + 1 < ages.length && Math.abs(strength(ages[end]) - now) < 0.04) end++;
+      gl.uniform3fv(at, ink.map((x, n) => this.paper[n] + (x - this.paper[n]) * now));
+      gl.drawArrays(gl.LINE_STRIP, k, end - k + 1);
+      k = end;
+    }
   }
 }

@@ -1,6 +1,7 @@
 // Unit quaternions seen: S³ from −1 by stereographic projection, x ↦ p·x·q as what it does there, and the units over
 // GF(3) and GF(5), which are the corners of the 24-cell and of the 600-cell taken modulo 3 and √5.
 const $ = (id) => document.getElementById(id), PHI = (1 + Math.sqrt(5)) / 2, ONE = [1, 0, 0, 0];
+const TWICE_AROUND = 16;
 const FAR = -0.97; // what is nearer to −1 than this lies too far away to be drawn
 const hamilton = ([a, b, c, d], [e, f, g, h]) => [
   a * e - b * f - c * g - d * h, a * f + b * e + c * h - d * g, a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e,
@@ -43,6 +44,8 @@ class Seeing {
     for (const name of ["space", "side", "axis", "turn"]) $(name).addEventListener("input", () => this.change(name));
     $("unit").addEventListener("input", () => ($("unit").value ? this.take(Number($("unit").value)) : this.reset()));
     $("back").addEventListener("click", () => this.reset());
+    $("play").addEventListener("click", () => this.play(!this.playing));
+    for (const kind of ["input", "pointerdown"]) document.addEventListener(kind, (e) => e.target.id !== "play" && this.play(false), true);
     const view = $("view");
     view.addEventListener("pointerdown", (e) => { this.held = this.began = [e.clientX, e.clientY]; view.setPointerCapture(e.pointerId); });
     view.addEventListener("pointermove", (e) => this.held && this.drag([e.clientX, e.clientY]));
@@ -55,6 +58,7 @@ class Seeing {
       const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
       if (!way) return;
       e.preventDefault();
+      this.play(false);
       this.held = [0, 0];
       this.drag(way.map((x) => 13 * x)); // p by 5 degrees
       this.held = null;
@@ -63,6 +67,26 @@ class Seeing {
     new ResizeObserver(() => this.draw()).observe(view);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw());
     this.change("space");
+    this.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+  }
+
+  // The slider runs by itself, twice around in as many seconds as TWICE_AROUND, until somebody takes over.
+  play(playing) {
+    const began = playing && !this.playing;
+    [this.playing, this.before] = [playing, null];
+    $("play").textContent = playing ? "pause" : "play";
+    if (began) requestAnimationFrame((now) => this.tick(now));
+  }
+
+  tick(now) {
+    if (!this.playing) return;
+    const seconds = Math.min(0.25, (now - (this.before ?? now)) / 1000);
+    this.before = now;
+    this.angle = (Number(this.shown === $("turn").value ? this.angle : $("turn").value) + (720 * seconds) / TWICE_AROUND) % 720;
+    $("turn").value = Math.round(this.angle);
+    this.shown = $("turn").value; // of its own, not a reader's
+    this.draw();
+    requestAnimationFrame((next) => this.tick(next));
   }
 
   get prime() { return Number($("space").value); }
@@ -81,6 +105,7 @@ class Seeing {
   }
 
   reset() {
+    this.play(false);
     Object.assign(this, { base: ONE, chosen: null });
     $("turn").value = 0;
     $("unit").value = "";

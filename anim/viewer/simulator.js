@@ -9,7 +9,7 @@ const SLIDERS = [
   ["gravity", "gravity", 0, 25, 0.05, "m/s²", false],
   ["width", "width", 0.6, 1.4, 0.01, "×", false],
 ];
-const TRACE = 3000, MOST_STEPS = 4000, DEGREE = Math.PI / 180;
+const TRACE = 3000, MOST_LINKED = 120, MOST_STEPS = 4000, DEGREE = Math.PI / 180;
 
 class Simulator {
   constructor(player, start) {
@@ -19,6 +19,7 @@ class Simulator {
     this.first = { spin: start.spin, tilt: start.tilt / DEGREE, tip: 100 * start.contact.radius, grip: start.contact.friction, friction: slow ? 0 : 1, gravity: start.gravity, width: 1 };
     this.set = { ...this.first };
     this.trace = new Float32Array(3 * TRACE);
+    this.passed = new Float64Array(TRACE); // when the apex was at each point of the trace
     this.pulled = null; // where the hand holds the apex, in space
     this.fields = Object.fromEntries(SLIDERS.map((slider) => [slider[0], this.slider(slider)]));
     this.readings = ["tilt", "spin", "energy", "lost", "L vertical", "time"].map((name) => {
@@ -36,6 +37,7 @@ class Simulator {
     $("share").addEventListener("click", () => this.share());
     $("record").addEventListener("click", () => this.record());
     $("vectors").addEventListener("change", () => (player.stale = true));
+    $("share").hidden = location.protocol === "about:"; // in a notebook's frame, which has no address
     if (!window.MediaRecorder || !$("view").captureStream) $("record").hidden = true;
     this.read();
     addEventListener("hashchange", () => this.read());
@@ -163,8 +165,12 @@ class Simulator {
   mark() {
     const here = this.apex(), k = this.traced;
     if (k && Math.hypot(...here.map((x, n) => x - this.trace[3 * k - 3 + n])) < 0.012) return;
-    if (k === TRACE) this.trace.copyWithin(0, 3);
+    if (k === TRACE) {
+      this.trace.copyWithin(0, 3);
+      this.passed.copyWithin(0, 1);
+    }
     this.trace.set(here, 3 * Math.min(k, TRACE - 1));
+    this.passed[Math.min(k, TRACE - 1)] = this.time;
     this.traced = Math.min(k + 1, TRACE);
   }
 
@@ -177,14 +183,20 @@ class Simulator {
     }
     this.buffer = scene.buffer(this.trace.subarray(0, 3 * this.traced), this.buffer && scene.gl.isBuffer(this.buffer) ? this.buffer : undefined);
     this.focus = this.focus.map((x, n) => x + 0.06 * (tip[n] - x)); // the view follows a top that wanders
-    this.matrix = scene.paint(this.state.q, this.buffer, this.traced, shown, camera, box, tip, this.focus);
+    const ages = Array.from(this.passed.subarray(0, this.traced), (then) => this.time - then);
+    this.matrix = scene.paint(this.state.q, this.buffer, ages, shown, camera, box, tip, this.focus);
+    const places = [];
     for (const [name, label] of this.labels) {
       const vector = shown[name]?.vector;
       label.hidden = !vector || Math.hypot(...vector) < 0.05;
       if (label.hidden) continue;
       const [x, y] = projected(this.matrix, vector.map((part, n) => part + tip[n]));
-      Object.assign(label.style, { left: `${((x + 1) / 2) * (box[2] / ratio) + 8}px`, top: `${((1 - y) / 2) * (box[3] / ratio) - 12}px` });
+      places.push([label, ((x + 1) / 2) * (box[2] / ratio), ((1 - y) / 2) * (box[3] / ratio) - 12]);
     }
+    // The labels stand to the right of the heads; where two would touch, the one of the head on the left stands to its left.
+    const touch = places.length === 2 && Math.abs(places[0][1] - places[1][1]) < 26 && Math.abs(places[0][2] - places[1][2]) < 24;
+    if (touch) places.sort((a, b) => a[1] - b[1]);
+    places.forEach(([label, x, y], n) => Object.assign(label.style, { left: `${touch && !n ? x - 10 - label.offsetWidth : x + 8}px`, top: `${y}px` }));
   }
 
   tell() {
@@ -227,11 +239,30 @@ class Simulator {
     const words = Object.entries(this.set).filter(([name, value]) => value !== this.first[name]).map(([name, value]) => [name, +value.toPrecision(6)]);
     const { azimuth, elevation, distance } = this.player.camera;
     if (exact) words.push(["q", this.state.q.join()], ["w", this.state.w.join()], ["t", this.time], ["view", [azimuth, elevation, distance].map((x) => x.toFixed(4)).join()]);
-    if (exact && this.state.y) words.push(["x", this.state.y.slice(7, 13).join()]);
+    if (exact && this.state.y) words.push(["x", this.state.y.slice(7, 14).join()]); // the place, its speed, and what is lost
+    if (exact && this.landed !== null) words.push(["fell", this.landed]);
+    if (exact && this.traced) words.push(["path", this.pathWords()]);
     if (this.reading || (!exact && !words.length && !location.hash)) return;
     try {
       history.replaceState(null, "", `#${new URLSearchParams(words).toString().replaceAll("%2C", ",")}`);
     } catch {} // a page inside another may not
+  }
+
+  // The path of the apex as the link holds it: at most so many points, each x, y, z and the time.
+  pathWords() {
+    const every = Math.ceil(this.traced / MOST_LINKED), last = this.traced - 1, chosen = [];
+    for (let k = last; k >= 0; k -= every) chosen.unshift(k);
+    return chosen.map((k) => [...this.trace.subarray(3 * k, 3 * k + 3), this.passed[k]].map((x) => +x.toFixed(3)).join()).join();
+  }
+
+  readPath(text) {
+    const numbers = (text ?? "").split(",").map(Number);
+    if (!text || numbers.length % 4 || numbers.length > 4 * TRACE || !numbers.every((x) => Math.abs(x) < 1e6)) return;
+    this.traced = numbers.length / 4;
+    for (let k = 0; k < this.traced; k++) {
+      this.trace.set(numbers.slice(4 * k, 4 * k + 3), 3 * k);
+      this.passed[k] = numbers[4 * k + 3];
+    }
   }
 
   read() {
@@ -248,10 +279,13 @@ class Simulator {
     const q = numbers("q", 4), w = numbers("w", 3), size = q && Math.hypot(...q), view = numbers("view", 3);
     if (q && w && size > 1e-9 && Math.max(...w.map(Math.abs)) < 1e4) {
       this.state = { q: scale(1 / size, q), w };
-      const moved = numbers("x", 6);
+      const moved = numbers("x", 7) ?? numbers("x", 6);
       if (this.ball) this.state = letGo(this.state, this.body, this.ball, this.set.gravity);
       if (this.ball && moved && Math.max(...moved.map(Math.abs)) < 1e4) this.state.y.set(moved, 7);
       this.time = numbers("t", 1)?.[0] ?? 0;
+      this.landed = numbers("fell", 1)?.[0] ?? null;
+      this.readPath(words.get("path"));
+      this.focus = tipOf(this.state, this.body).slice(0, 2);
       if (!this.ball && vertical(this.state.q)[2] < this.rates.floor + 1e-12) this.land();
       this.still = true; // the moment that was sent, until it is played on
       if (this.player.playing) this.player.toggle();
@@ -283,7 +317,7 @@ class Simulator {
       link.click();
       setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
       this.recorder = null;
-      $("record").textContent = "film";
+      $("record").textContent = "record";
     };
     recorder.start();
     $("record").textContent = "stop";

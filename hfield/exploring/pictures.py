@@ -4,15 +4,24 @@ from __future__ import annotations
 
 import colorsys
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import ceil, cos, pi, sin, sqrt
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hfield.algebra.quaternion import Parent
+from hfield.core.files import whole_file
 from hfield.errors import CoercionError, HFieldError, TooLargeError, shorten
 from hfield.exploring.graphs import KINDS, numbered_edges
 from hfield.exploring.ideals import AlgebraIdeal, ideals
 from hfield.exploring.labels import LabelledAlgebra, labelled
+from hfield.plotting import (
+    DARK,
+    LIGHT,
+    Theme,
+    default_settings,
+    save_figure,
+    titled_page,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -31,6 +40,8 @@ MAX_NODES = 200
 """The greatest number of ideals, or of vertices of a graph, that are drawn."""
 MAX_EDGES = 20_000
 """The greatest number of edges that are drawn."""
+PAGE_SIZE = 7, 7.7
+"""In inches."""
 NAMED = 14
 """So many ideals in a row have names."""
 
@@ -39,21 +50,7 @@ class PictureError(HFieldError, OSError):
     """A picture that cannot be written."""
 
 
-@dataclass(frozen=True)
-class Theme:
-    """The colours of a page."""
-
-    page: str
-    ink: str
-    quiet: str
-    zero: str
-    lightness: tuple[float, float]
-
-
-LIGHT = Theme("#ffffff", "#1d2433", "#8a93a6", "#10141d", (0.42, 0.86))
-DARK = Theme("#11141b", "#eef1f7", "#6b7590", "#000000", (0.32, 0.78))
-
-
+@default_settings()
 def draw(algebra: Parent, path: object, what: str, dark: bool) -> None:
     """Draw to a file .svg, .png or .pdf.
 
@@ -62,13 +59,15 @@ def draw(algebra: Parent, path: object, what: str, dark: bool) -> None:
     """
     drawn = figure(algebra, what, dark)
     try:
-        drawn.savefig(str(path), facecolor=drawn.get_facecolor(), dpi=160)
+        with whole_file(Path(str(path))) as part:
+            save_figure(drawn, part)
     except (OSError, ValueError) as error:
         raise PictureError(
             f"cannot draw to {shorten(path)!r}: {error}; try a file .svg, .png or .pdf"
         ) from error
 
 
+@default_settings()
 def figure(algebra: Parent, what: str, dark: bool) -> Any:
     """Return the picture as a figure of matplotlib."""
     if what not in PICTURES:
@@ -87,32 +86,6 @@ def figure(algebra: Parent, what: str, dark: bool) -> Any:
 
 
 # --- squares --------------------------------------------------------------------------------------
-
-
-def _page(
-    theme: Theme, title: str, below: str, size: tuple[float, float] = (7, 7.7)
-) -> tuple[Any, Any]:
-    """Return a figure with a title and a line below it, and the axes."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    page = Figure(figsize=size, facecolor=theme.page)
-    FigureCanvasAgg(page)
-    axes: Any = page.add_axes((0.04, 0.03, 0.92, 0.87))
-    axes.axis("off")
-    axes.set_aspect("equal")
-    page.text(
-        0.5,
-        0.967,
-        title,
-        ha="center",
-        va="center",
-        color=theme.ink,
-        fontsize=min(14, 680 / len(title)),
-    )
-    small = min(9.5, 900 / len(below))
-    page.text(0.5, 0.932, below, ha="center", va="center", color=theme.quiet, fontsize=small)
-    return page, axes
 
 
 def _hues(count: int) -> list[float]:
@@ -154,7 +127,7 @@ def _products(labels: LabelledAlgebra, theme: Theme) -> Any:
     below = (
         "row · column, sorted by norm; hue: norm of the product, shade: which element, darkest: 0"
     )
-    page, axes = _page(theme, title, below)
+    page, axes = titled_page(theme, title, below, PAGE_SIZE)
     axes.imshow(_colors(labels, theme)[table], interpolation="none")
     for end in np.flatnonzero(np.diff(norms[order])):
         for line in (axes.axhline, axes.axvline):
@@ -172,7 +145,7 @@ def _norms(labels: LabelledAlgebra, theme: Theme) -> Any:
     palette[0] = tuple(int(theme.zero[k : k + 2], 16) / 255 for k in (1, 3, 5))  # type: ignore[assignment]
     title = f"Norms in {labels.algebra}"
     below = "down: the coordinates of 1 and i, to the right: those of j and k; darkest: norm 0"
-    page, axes = _page(theme, title, below)
+    page, axes = titled_page(theme, title, below, PAGE_SIZE)
     axes.imshow(np.array(palette)[norms], interpolation="none")
     for step in range(labels.q, size, labels.q):
         for line in (axes.axhline, axes.axvline):
@@ -199,7 +172,7 @@ def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], theme: Theme) -> Any:
     else:
         counts = ", ".join(f"{len(row)} of {row[0].cardinality()}" for row in rows.values())
         counts = f"by numbers of elements: {counts}"
-    page, axes = _page(theme, f"{side} ideals of {algebra}", counts, (7, 6.3))
+    page, axes = titled_page(theme, f"{side} ideals of {algebra}", counts, (7, 6.3))
     axes.set_aspect("auto")
     axes.set_xlim(-0.02, 1.02)
     axes.set_ylim(-0.09, 1.09)
@@ -269,7 +242,7 @@ def _graph(labels: LabelledAlgebra, kind: str, theme: Theme) -> Any:
     )
     rule = "pq = qp" if kind == "commuting" else "pq = 0 or qp = 0"
     below = f"{len(vertices)} elements{left_out}, {len(pairs)} edges: {rule}"
-    page, axes = _page(theme, title, below)
+    page, axes = titled_page(theme, title, below, PAGE_SIZE)
     where = {int(v): points[n] for n, v in enumerate(vertices)}
     lines = [(where[int(x)], where[int(y)]) for x, y in pairs]
     alpha = max(0.1, min(0.7, 60 / sqrt(len(lines) * 40 + 1)))

@@ -140,15 +140,15 @@ class Domain(Certified):
     ) -> None:
         """Draw the domain and its images, those under words of up to ``depth`` sides, to .svg, .png or .pdf.
 
-        Sides of a pair have one colour; elliptic points and the centre are marked. To a file .html, a page on
-        which the centre is dragged. ``replace`` says whether a file of that name may be replaced; None: if
-        it is there before the drawing begins. Raises :class:`hfield.errors.LatticeError` where the file
-        cannot be written.
+        Sides of a pair have one colour and one letter; elliptic points and the centre are marked. To a file
+        .html, a page on which the centre is dragged. ``replace`` says whether a file of that name may be
+        replaced; None: if it is there before the drawing begins. Raises
+        :class:`hfield.errors.LatticeError` where the file cannot be written.
         """
         if str(path).endswith(".html"):
             from hfield.fuchsian.page import write
 
-            return write(self, path, replace)
+            return write(self, path, dark, replace)
         from hfield.fuchsian.picture import draw
 
         draw(self, path, dark=dark, depth=depth, replace=replace)

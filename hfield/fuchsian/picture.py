@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import colorsys
 from collections.abc import Iterator
 from html import escape
 from itertools import groupby
@@ -13,26 +12,13 @@ import numpy as np
 
 from hfield.core.files import whole_file
 from hfield.errors import LatticeError, shorten
+from hfield.fuchsian.pair_colors import DARK, LIGHT, letters, pair_numbers, shade
 from hfield.fuchsian.tessellation import move, tessellation
-from hfield.plotting import default_settings
+from hfield.plotting import default_settings, save_figure
 
 if TYPE_CHECKING:
     from hfield.fuchsian.group import Domain
 
-LIGHT = {
-    "page": "#ffffff",
-    "disc": "#f4f5f8",
-    "ink": "#1d2433",
-    "edge": "#ffffff",
-    "domain": "#ffffff",
-}
-DARK = {
-    "page": "#11141b",
-    "disc": "#1a1f2a",
-    "ink": "#eef1f7",
-    "edge": "#11141b",
-    "domain": "#1f2633",
-}
 RADIUS = 320.0
 """Of the disc in an SVG, in its pixels."""
 FLAT = 0.15
@@ -40,6 +26,13 @@ FLAT = 0.15
 MIN_SIDE_PIXELS = 0.4
 """Sides of far images that are shorter than this, in pixels, are drawn together."""
 DECIMALS = 1
+LETTER_SIZE, MIN_LETTER_SIZE = 14.0, 4.0
+"""The usual size of the letters on sides, in pixels; those of short sides are smaller, or left out."""
+LEGEND_SIZE, LEGEND_STEP, LEGEND_GAP = 12.0, 22.0, 16.0
+"""The letters of the legend, the distance of its rows and of entries in a row, in pixels."""
+ADVANCE = 0.55
+"""About how wide a letter is, in terms of its size."""
+MAX_LEGEND_PAIRS = 14
 WIDE = 0.75
 """No piece of an arc drawn as a cubic curve has a wider angle, in radians."""
 
@@ -74,7 +67,8 @@ class Drawing(NamedTuple):
     areas: list[Area]
     own: list[Side]
     colors: list[str]
-    """Of the domain's own sides."""
+    letters: list[str]
+    """Of the domain's own sides: their colours, and what they are called."""
     points: list[tuple[complex, int]]
     """Elliptic points and their orders."""
 
@@ -103,11 +97,11 @@ def svg(domain: Domain) -> str:
 
 def drawing_of(domain: Domain, dark: bool, depth: int | None) -> Drawing:
     """Return what is drawn of a domain: all that can be seen, or words of up to ``depth`` sides."""
-    hues, corners = _hues(domain), np.array(domain.vertices)
+    numbers, corners = pair_numbers(domain), np.array(domain.vertices)
     colored = sorted(tessellation(domain, depth), key=lambda t: (t.length, t.first))
     areas = [
         Area(
-            _shade(hues[first], length, dark),
+            shade(numbers[first], length, dark),
             [sides_of(move(tile.a, tile.b, corners)) for tile in tiles],
         )
         for (length, first), tiles in groupby(colored, key=lambda t: (t.length, t.first))
@@ -115,9 +109,10 @@ def drawing_of(domain: Domain, dark: bool, depth: int | None) -> Drawing:
     own = sides_of(corners)
     orders = [(complex(corners[n]), order) for n, order in _orders(domain) if order > 1]
     halves = [(_middle(own[n]), 2) for n, p in enumerate(domain.partners) if n == p]
-    colors = [_shade(hue, 0, dark) for hue in hues]
+    colors = [shade(number, 0, dark) for number in numbers]
     look = DARK if dark else LIGHT
-    return Drawing(*_words(domain), look, areas, own, colors, orders + halves)
+    names = letters(domain.partners, numbers)
+    return Drawing(*_words(domain), look, areas, own, colors, names, orders + halves)
 
 
 def _words(domain: Domain) -> tuple[str, str]:
@@ -159,13 +154,81 @@ def _middle(side: Side) -> complex:
     return complex(x / (t + np.sqrt(t * t - abs(x) ** 2)))
 
 
+# --- letters and legend, in pixels from the middle of the disc, y upwards -----------------------------------
+
+
+class Entry(NamedTuple):
+    """An entry of the legend from x on: a stroke of a colour, or the mark of an order, 1 being the centre."""
+
+    x: float
+    y: float
+    color: str | None
+    order: int | None
+    text: str
+
+    @property
+    def text_x(self) -> float:
+        """Where the text begins."""
+        return self.x + (0 if self.color is None and self.order is None else 22)
+
+
+def letters_on_sides(drawing: Drawing) -> Iterator[tuple[complex, float, str]]:
+    """Yield the place of the middle, the size, and the letter of each side that is long enough."""
+    for side, text in zip(drawing.own, drawing.letters, strict=True):
+        chord = (side.end - side.start) * RADIUS
+        size = min(LETTER_SIZE, 0.28 * abs(chord))
+        if size >= MIN_LETTER_SIZE:
+            inwards = 1j * chord / abs(chord)  # the corners are in positive order
+            yield RADIUS * _summit(side) + inwards * (0.95 * size + 2), size, text
+
+
+def _summit(side: Side) -> complex:
+    """Return the point of the arc that is farthest from its chord."""
+    middle = (side.start + side.end) / 2
+    if side.center is None or abs(middle - side.center) < 1e-9:
+        return middle
+    return side.center + (middle - side.center) * side.radius / abs(middle - side.center)
+
+
+def legend(drawing: Drawing) -> list[Entry]:
+    """Return the legend below the disc, each row in the middle."""
+    names = dict(zip(drawing.colors, drawing.letters, strict=True))
+    firsts = [(c, t) for c, t in zip(drawing.colors, drawing.letters, strict=True) if "⁻" not in t]
+    pairs: list[tuple[str | None, int | None, str]] = [(c, None, t) for c, t in firsts]
+    if len(pairs) > MAX_LEGEND_PAIRS:
+        pairs = [*pairs[: MAX_LEGEND_PAIRS - 1], (None, None, f"… {pairs[-1][2]}")]
+    rows = [pairs]
+    if any("⁻" in text for text in names.values()):
+        rows.append(
+            [(None, None, "beyond side a lies the image under a, which maps side a⁻¹ to side a")]
+        )
+    orders = sorted({order for _, order in drawing.points})
+    marks: list[tuple[str | None, int | None, str]] = [
+        (None, order, f"{'' if n else 'fixed by a rotation '}of order {order}")
+        for n, order in enumerate(orders)
+    ]
+    rows.append([*marks, (None, 1, "centre")])
+    return [
+        entry for n, row in enumerate(rows) for entry in _row(row, -RADIUS - 30 - LEGEND_STEP * n)
+    ]
+
+
+def _row(row: list[tuple[str | None, int | None, str]], y: float) -> Iterator[Entry]:
+    entries = [Entry(0, y, *words) for words in row]
+    widths = [e.text_x + ADVANCE * LEGEND_SIZE * len(e.text) for e in entries]
+    x = -(sum(widths) + LEGEND_GAP * (len(row) - 1)) / 2
+    for entry, width in zip(entries, widths, strict=True):
+        yield entry._replace(x=x)
+        x += width + LEGEND_GAP
+
+
 # --- SVG -------------------------------------------------------------------------------------------------
 
 
 def _svg(drawing: Drawing) -> str:
     """Write the picture: numbers are pixels from the middle of the disc, y downwards."""
     look = drawing.look
-    width, above, below = RADIUS + 12, RADIUS + 62, RADIUS + 12
+    width, above, below = RADIUS + 12, RADIUS + 62, RADIUS + 92
     size = min(17, 780 / len(drawing.title))
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{-width:g} {-above:g} {2 * width:g} '
@@ -195,8 +258,23 @@ def _svg(drawing: Drawing) -> str:
     for point, order in drawing.points:
         corners = " ".join(_numbers(RADIUS * point + z) for z in _mark(order))
         parts.append(f'<polygon points="{corners}"/>')
-    parts.append('<circle r="2.5" stroke="none"/></g></svg>')
+    parts.append(f'<circle r="2.5" stroke="none"/></g><g fill="{look["ink"]}">')
+    for place, size, text in letters_on_sides(drawing):
+        x, y = place.real, -place.imag + 0.36 * size
+        parts.append(f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size:.3g}">{text}</text>')
+    parts.append(f'</g><g fill="{look["ink"]}" font-size="{LEGEND_SIZE:g}" text-anchor="start">')
+    parts += [part for entry in legend(drawing) for part in _svg_entry(entry)]
+    parts.append("</g></svg>")
     return "\n".join(parts) + "\n"
+
+
+def _svg_entry(entry: Entry) -> Iterator[str]:
+    if entry.color is not None:
+        yield f'<path stroke="{entry.color}" stroke-width="3" d="M{entry.x:.1f} {-entry.y:.1f}h16"/>'
+    elif entry.order is not None:
+        corners = " ".join(_numbers(complex(entry.x + 8, entry.y) + z) for z in _mark(entry.order))
+        yield f'<polygon points="{corners}"/>'
+    yield f'<text x="{entry.text_x:.1f}" y="{-entry.y + 4:.1f}">{entry.text}</text>'
 
 
 def _way(sides: list[Side], short: float = 0.0) -> str:
@@ -232,10 +310,12 @@ def _numbers(z: complex) -> str:
 
 
 def _mark(order: int) -> Iterator[complex]:
-    """Yield the corners of the mark of an elliptic point: a diamond for order 2, a triangle for 3."""
-    corners = {2: 4, 3: 3}.get(order, 12)
+    """Yield the corners of a mark: a point for the centre, a diamond for order 2, a polygon for more."""
+    corners = {1: 12, 2: 4}.get(order, order if order < 8 else 24)
+    first = np.exp(1j * np.pi / 4) if order == 4 else 1j
     for n in range(corners):
-        yield 6.0 * 1j * np.exp(2j * np.pi * n / corners)
+        corner = complex((2.5 if order == 1 else 6.0) * first * np.exp(2j * np.pi * n / corners))
+        yield complex(0.75 * corner.real, corner.imag) if order == 2 else corner
 
 
 # --- PNG and PDF -----------------------------------------------------------------------------------------
@@ -248,10 +328,10 @@ def _save(drawing: Drawing, path: Path) -> None:
         from matplotlib.patches import Circle, PathPatch, Polygon
 
         look = drawing.look
-        figure = Figure(figsize=(7, 7.7), facecolor=look["page"])
+        figure = Figure(figsize=(7, 8.55), facecolor=look["page"])
         FigureCanvasAgg(figure)
-        axes: Any = figure.add_axes((0.02, 0.005, 0.96, 0.909))
-        axes.set(aspect="equal", xlim=(-1.03, 1.03), ylim=(-1.03, 1.03))
+        axes: Any = figure.add_axes((0, 0, 1, 1))
+        axes.set(aspect="equal", xlim=(-1.04, 1.04), ylim=(-1.305, 1.235))
         axes.axis("off")
         axes.add_patch(Circle((0, 0), 1, facecolor=look["disc"], edgecolor="none"))
         for color, images in drawing.areas:
@@ -278,14 +358,26 @@ def _save(drawing: Drawing, path: Path) -> None:
                 )
             )
         axes.add_patch(Circle((0, 0), 2.5 / RADIUS, facecolor=look["ink"], edgecolor="none"))
+        points = 72 * 7 / (2.08 * RADIUS)  # of type, in a pixel
+        for place, size, text in letters_on_sides(drawing):
+            axes.text(place.real / RADIUS, place.imag / RADIUS, text, ha="center", va="center_baseline",
+                      color=look["ink"], fontsize=size * points)  # fmt: skip
+        for entry in legend(drawing):
+            x, y = entry.x / RADIUS, entry.y / RADIUS
+            if entry.color is not None:
+                axes.plot([x, x + 16 / RADIUS], [y, y], color=entry.color, linewidth=2.2)
+            elif entry.order is not None:
+                ends = [(entry.x + 8 + z.real, entry.y + z.imag) for z in _mark(entry.order)]
+                axes.add_patch(Polygon(np.array(ends) / RADIUS, facecolor=look["ink"], lw=0))
+            axes.text(entry.text_x / RADIUS, y, entry.text, va="center_baseline", color=look["ink"],
+                      fontsize=LEGEND_SIZE * points)  # fmt: skip
         for patch in axes.patches:
             patch.set_zorder(1)  # in this order
-        figure.text(0.5, 0.966, drawing.title, ha="center", va="center", color=look["ink"],
+        figure.text(0.5, 0.97, drawing.title, ha="center", va="center", color=look["ink"],
                     fontsize=min(14, 700 / len(drawing.title)))  # fmt: skip
-        figure.text(0.5, 0.932, drawing.facts, ha="center", va="center", color=look["ink"],
+        figure.text(0.5, 0.94, drawing.facts, ha="center", va="center", color=look["ink"],
                     fontsize=10, alpha=0.75)  # fmt: skip
-        dateless = {"CreationDate": None} if path.suffix.lower() == ".pdf" else {}
-        figure.savefig(path, facecolor=figure.get_facecolor(), dpi=160, metadata=dateless)
+        save_figure(figure, path)
 
 
 def _curve(sides: list[Side]) -> Any:
@@ -308,9 +400,6 @@ def _curve(sides: list[Side]) -> Any:
     return Curve([(z.real, z.imag) for z in points], codes)
 
 
-# --- colours ---------------------------------------------------------------------------------------------
-
-
 def _orders(domain: Domain) -> list[tuple[int, int]]:
     """Return each vertex with the order of its stabiliser."""
     found = []
@@ -320,22 +409,3 @@ def _orders(domain: Domain) -> list[tuple[int, int]]:
             found.append((n, cycle.order))
             n = (domain.partners[side] + 1) % len(domain.partners)
     return found
-
-
-def _hues(domain: Domain) -> list[float]:
-    """Return a hue for each side, one for a pair, neighbours far apart on the circle of colours."""
-    firsts = [min(n, p) for n, p in enumerate(domain.partners)]
-    number = {first: k for k, first in enumerate(sorted(set(firsts)))}
-    return [(0.58 + 0.381966 * number[first]) % 1 for first in firsts]
-
-
-def _shade(hue: float, length: int, dark: bool) -> str:
-    """Return a colour for words of a length that begin with a side; length 0 is the side itself."""
-    if length == 0:
-        lightness, saturation = 0.62 if dark else 0.45, 0.72
-    elif dark:
-        lightness, saturation = max(0.18, 0.44 - 0.07 * length), 0.42
-    else:
-        lightness, saturation = min(0.93, 0.70 + 0.055 * length), 0.55
-    channels = colorsys.hls_to_rgb(hue, lightness, saturation)
-    return "#{:02x}{:02x}{:02x}".format(*(round(255 * channel) for channel in channels))

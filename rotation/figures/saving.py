@@ -13,18 +13,13 @@ from hfield.cli.output import writing
 from hfield.core.files import whole_file
 from hfield.core.progress import track
 from hfield.errors import shorten
+from hfield.plotting import DATELESS
 from rotation.figures.drawing import Drawing, figure_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FORMATS = ("png", "svg", "pdf")
-# What matplotlib would stamp with the time of day.
-_DATELESS: dict[str, dict[str, None]] = {
-    "png": {},
-    "svg": {"Date": None},
-    "pdf": {"CreationDate": None},
-}
 
 
 def picture(
@@ -51,7 +46,7 @@ def picture(
         draw(figure)
         for text in figure.findobj(Text):
             text.set_text((words or {}).get(text.get_text(), text.get_text()))
-        figure.savefig(out, format=suffix, dpi=dpi, metadata=_DATELESS[suffix])
+        figure.savefig(out, format=suffix, dpi=dpi, metadata=DATELESS.get(f".{suffix}", {}))
     return out.getvalue()
 
 

@@ -16,7 +16,8 @@ from anim.picture import STYLES
 from hfield.cli import main
 from tests.subcases import pairs_quick
 
-SMALL = ("--size", "96x72", "--points", "30", "--frames", "6")
+SHORT = ("--points", "30", "--frames", "6")
+SMALL = ("--size", "96x72", *SHORT)
 
 
 def run(capsys, *words):
@@ -142,7 +143,7 @@ def test_the_page_shows_four_models_or_one(capsys, tmp_path: Path) -> None:
         (("--model", "physics"), 1, 2),
     ):
         path = tmp_path / f"t{len(words)}{curves}.html"
-        assert run(capsys, *SMALL, *words, "--background", "navy", "-o", path)[0] == 0
+        assert run(capsys, *SHORT, *words, "--background", "navy", "-o", path)[0] == 0
         text = path.read_text(encoding="utf-8")
         data = json.loads(text.partition('id="data">')[2].partition("</script>")[0])
         assert (len(data["shows"]), len(data["curves"])) == (count, curves)
@@ -159,10 +160,10 @@ def test_misleading_bands_are_told(capsys, tmp_path: Path) -> None:
 def test_a_seed_turns_the_top_to_another_side(capsys, tmp_path: Path) -> None:
     pages = []
     words = ("--seed", "3", "-o", tmp_path / "t.html")  # for the others there is nothing to choose
-    assert run(capsys, *SMALL, *words)[0] == 0
+    assert run(capsys, *SHORT, *words)[0] == 0
     for seed in ("1", "1", "2"):
         path = tmp_path / f"{len(pages)}.html"
-        assert run(capsys, *SMALL, "--model", "physics", "--seed", seed, "-o", path)[0] == 0
+        assert run(capsys, *SHORT, "--model", "physics", "--seed", seed, "-o", path)[0] == 0
         pages.append(path.read_text(encoding="utf-8"))
     assert pages[0] == pages[1] != pages[2]
 

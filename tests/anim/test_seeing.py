@@ -30,6 +30,33 @@ def put(browser: Browser, name: str, value: object) -> None:
     )
 
 
+def test_it_opens_with_a_title_a_sentence_and_motion_about_i(browser: Browser) -> None:
+    header = "document.getElementById('about')"
+    text = browser.evaluate(f"{header}.innerText")
+    assert text.startswith("Seeing quaternions")
+    assert text.count(".") == 1
+    below = browser.evaluate("document.getElementById('view').getBoundingClientRect().top")
+    assert below >= browser.evaluate(f"{header}.getBoundingClientRect().bottom")
+    assert browser.evaluate("document.getElementById('axis').value") == "i"
+    browser.wait("seeing.turn[1] > 0.05")
+    assert browser.evaluate("seeing.playing")
+    put(browser, "side", "left")  # whoever takes over stops it
+    assert browser.evaluate("[seeing.playing, document.getElementById('play').textContent]") == [
+        False,
+        "play",
+    ]
+
+
+def test_nothing_moves_where_reduced_motion_is_asked_for(browser: Browser) -> None:
+    still = {"name": "prefers-reduced-motion", "value": "reduce"}
+    browser.send("Emulation.setEmulatedMedia", features=[still])
+    browser.evaluate("seeing.old = true")
+    browser.send("Page.reload")
+    browser.wait("document.readyState === 'complete' && !seeing.old")
+    assert browser.evaluate("seeing.playing") is False
+    browser.send("Emulation.setEmulatedMedia", features=[])
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("prime", [3, 5])
 def test_the_corners_modulo_a_prime_are_the_units_product_for_product(browser, prime: int) -> None:
@@ -103,7 +130,8 @@ def test_the_hand_turns_and_a_click_chooses(browser: Browser) -> None:
     assert browser.evaluate("seeing.base") == [1, 0, 0, 0]
     put(browser, "space", 3)
     x, y, _ = browser.evaluate("seeing.seen(seeing.points[2])")
-    browser.drag((x, y), (x, y))
+    top = browser.evaluate("document.getElementById('view').getBoundingClientRect().top")
+    browser.drag((x, y + top), (x, y + top))
     chosen = browser.evaluate("seeing.chosen")
     assert chosen is not None
     assert browser.evaluate("document.getElementById('unit').value") == str(chosen)

@@ -148,7 +148,7 @@ def test_the_page_has_the_same_images_in_the_same_colours(tmp_path) -> None:
             for (x, y, first, length), tile in zip(seen, tiles, strict=True):
                 assert complex(x, y) == pytest.approx(move(tile.a, tile.b, 0j), abs=1e-6)
                 assert (first, length) == (tile.first, tile.length)
-            fills = set(browser.evaluate("shape.hues.map((h) => Math.round(h))"))
-            assert len(fills) == len({min(n, p) for n, p in enumerate(D.partners)})
+            numbers = set(browser.evaluate("shape.numbers"))
+            assert len(numbers) == len({min(n, p) for n, p in enumerate(D.partners)})
     finally:
         browser.close()

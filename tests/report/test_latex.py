@@ -3,12 +3,14 @@
 import re
 import shutil
 import subprocess
+from pathlib import Path
 from random import Random
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import hfield
 from hfield.cli import main
 from hfield.latex import document, words
 from hfield.ledger.claim import UNIVERSAL
@@ -27,7 +29,22 @@ SIGNS = "pqλθψ²³⁻¹₀₁·−√≠⇒∈‖°…“”—żółćę{}$&
     [
         ("q = 1 + i over GF(2)", r"$q = 1 + i$ over $\mathbb{F}_{2}$"),
         ("p[0]**2 == h1·q₁", r"$p_{0}^{2} = h_{1}\cdot q_{1}$"),
-        ("q̄ ≠ v⃗", r"$\bar{q} \neq \vec{v}$"),
+        ("q̄ ≠ v⃗", r"$\overline{q} \neq \vec{v}$"),
+        ("q₁̄ = q̄̄₁", r"$\overline{q_{1}} = \overline{\overline{q}}_{1}$"),
+        ("(p·q)̄ = q̄·p̄", r"$\overline{p\cdot q} = \overline{q}\cdot \overline{p}$"),
+        ("√N(q) = √(q·q̄)", r"$\sqrt{N(q)} = \sqrt{q\cdot \overline{q}}$"),
+        ("2√3 + √−1", r"$2\sqrt{3} + \sqrt{-1}$"),
+        ("√(1 + √(2)) = sqrt(norm(q))", r"$\sqrt{1 + \sqrt{2}} = \sqrt{\operatorname{norm}(q)}$"),
+        ("f̃(aₘ) = f(aᵢ)", r"$\tilde{f}(a_{m}) = f(a_{i})$"),
+        (
+            "conj(q1+q2)=conj q1+conj q2",
+            r"$\overline{q_{1}+q_{2}}=\overline{q_{1}}+\overline{q_{2}}$",
+        ),
+        ("conj conj q = q", r"$\overline{\overline{q}} = q$"),
+        (
+            "conj(q1q2)=conj q₂ conj q₁",
+            r"$\overline{q_{1}q_{2}}=\overline{q_{2}} \overline{q_{1}}$",
+        ),
         ("a rule of 4 cases", "a rule of 4 cases"),
         ("100% of #1_a & so", r"100\% of \#1\_a \& so"),
         ("zażółć gęślą", r"za\.{z}\'{o}\l{}\'{c} g\k{e}\'{s}l\k{a}"),
@@ -54,6 +71,17 @@ def test_any_text_is_ascii_and_balanced(text):
     latex = words(text)
     assert latex.isascii()
     assert balanced(latex)
+
+
+def test_every_sign_in_the_ledgers_is_set() -> None:
+    texts = [
+        text
+        for path in Path(hfield.__file__).parents[1].glob("*/ledger/**/*.toml")
+        for text in re.findall(r'"((?:[^"\\]|\\.)*)"', path.read_text(encoding="utf-8"))
+    ]
+    assert len(texts) > 2900
+    written = [words(text) for text in texts]
+    assert [w for w in written if "U+" in w or r"\surd" in w or r"\sqrt{N}" in w] == []
 
 
 def test_a_decision_has_verdict_scope_steps_and_witness():

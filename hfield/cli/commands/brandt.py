@@ -5,7 +5,6 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from math import cos, pi, sin
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,9 +21,10 @@ from hfield.cli.parser import UsageError, add_factors, add_format, add_output, g
 from hfield.cli.status import Waiting
 from hfield.core.files import whole_file
 from hfield.errors import shorten
-from hfield.plotting import default_settings
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion_algebra import QuaternionAlgebra
+    from hfield.cli.commands.brandt_graph import BrandtGraph
     from hfield.ledger.matrix import Style
     from hfield.orders.lattice import ClassSet
 
@@ -39,6 +39,7 @@ EXAMPLES = (
     "hfield brandt 11 --prime 2",
     "hfield brandt '(-1,-1|QQ(sqrt(5)))' '6 + sqrt(5)' --prime 'sqrt(5)'",
 )
+MAX_DRAWN_CLASSES = 600
 MAX_ROWS = 10_000
 """Matrices of more rows are not computed: they take six gigabytes, and their polynomials days."""
 
@@ -54,6 +55,7 @@ def configure(parser: ArgumentParser) -> None:
         help="index of the matrix: a prime or any N ≥ 1; over a number field, an ideal (default: 2)",
     )
     parser.add_argument("--plot", metavar="FILE", help="draw the graph to FILE (.svg, .png, .pdf)")
+    parser.add_argument("--dark", action="store_true", help="draw the graph on a dark page")
     add_factors(parser)
     add_format(parser, "plain", "json", "latex", "edges")
     add_output(parser)
@@ -78,10 +80,15 @@ def _answer(args: Namespace) -> OutputDocument:
     if not over_integers:
         _announce(A.class_number(level), sparse, args.format in ("plain", "json"))
     C = O.class_set()
+    if args.plot and len(C) > MAX_DRAWN_CLASSES:
+        raise UsageError(
+            f"there are {len(C)} classes, and a graph of at most {MAX_DRAWN_CLASSES} vertices is drawn: "
+            "--format edges lists its edges"
+        )
     Waiting.at("computing the matrix")
     matrix = [] if sparse else C.brandt_matrix(n)
     if args.plot:
-        _plot(matrix, args.plot, replace)
+        _plot(_graph(A, C, matrix, n), args, replace)
 
     def characteristic() -> list[int]:
         Waiting.at("computing its characteristic polynomial")
@@ -172,35 +179,29 @@ def polynomial(coefficients: list[int]) -> str:
     return text or "0"
 
 
-@default_settings()
-def _plot(matrix: list[list[int]], path: str, replace: bool) -> None:
-    """Draw the vertices on a circle, edges as wide as they are many, loops as rings."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+def _plot(graph: BrandtGraph, args: Namespace, replace: bool) -> None:
+    """Draw the graph. Raises :class:`OutputError`."""
+    from hfield.cli.commands.brandt_graph import draw
 
-    h = len(matrix)
-    points = [(cos(2 * pi * k / h), sin(2 * pi * k / h)) for k in range(h)]
-    figure = Figure(figsize=(6, 6))
-    FigureCanvasAgg(figure)
-    axes: Any = figure.add_axes((0, 0, 1, 1))
-    for i, (x, y) in enumerate(points):
-        for j in range(i + 1, h):
-            m = max(matrix[i][j], matrix[j][i])
-            if m:
-                u, v = points[j]
-                axes.plot([x, u], [y, v], color="0.6", linewidth=0.6 * m, zorder=1)
-        if matrix[i][i]:
-            axes.scatter([1.08 * x], [1.08 * y], s=120, facecolors="none", edgecolors="0.6",
-                         linewidths=0.6 * matrix[i][i], zorder=1)  # fmt: skip
-        axes.scatter([x], [y], s=60, color="tab:blue", zorder=2)
-        axes.annotate(str(i), (1.2 * x, 1.2 * y), ha="center", va="center", fontsize=8)
-    axes.set_xlim(-1.35, 1.35)
-    axes.set_ylim(-1.35, 1.35)
-    axes.axis("off")
     try:
-        with whole_file(Path(path), replace) as part:
-            figure.savefig(part)
+        with whole_file(Path(args.plot), replace) as part:
+            draw(graph, part, args.dark)
     except (OSError, ValueError) as error:
         raise OutputError(
-            f"cannot draw to {shorten(path)!r}: {error}; try a file .svg, .png or .pdf"
+            f"cannot draw to {shorten(args.plot)!r}: {error}; try a file .svg, .png or .pdf"
         ) from error
+
+
+def _graph(A: QuaternionAlgebra, C: Any, matrix: list[list[int]], n: Any) -> BrandtGraph:
+    """Return what is drawn of a Brandt matrix of class set C in the algebra A."""
+    from hfield.cli.commands.brandt_graph import BrandtGraph
+    from hfield.core.primality import is_prime
+
+    level = C.order.level
+    if A.over_integers:
+        return BrandtGraph(matrix, C.units, f"Brandt graph of {n} in {A}, level {level}")
+    if level == 1 and is_prime(p := A.discriminant()):
+        title = f"Isogenies of degree {n} between supersingular curves in characteristic {p}"
+        return BrandtGraph(matrix, C.unit_counts, title, "isogenies", C.exchanged_at(p))
+    title = f"Brandt graph of {n}, discriminant {A.discriminant()}, level {level}"
+    return BrandtGraph(matrix, C.unit_counts, title)

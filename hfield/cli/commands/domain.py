@@ -39,7 +39,9 @@ def configure(parser: ArgumentParser) -> None:
         metavar="FILE",
         help="draw to FILE: .svg, .png, .pdf, or .html with a movable centre",
     )
-    parser.add_argument("--dark", action="store_true", help="draw on a dark background")
+    parser.add_argument(
+        "--dark", action="store_true", help="draw on a dark background; a page begins dark"
+    )
     parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
     add_factors(parser)
     add_format(parser, "plain", "json")

@@ -15,14 +15,23 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.files import whole_file
 from hfield.errors import LatticeError, shorten
+from hfield.fuchsian.pair_colors import (
+    DARK,
+    DARK_PAIRS,
+    GREATEST_SHARE,
+    LIGHT,
+    LIGHT_PAIRS,
+    NEAREST_SHARE,
+    NEXT_SHARE,
+)
 from hfield.fuchsian.search import Sight
 
 if TYPE_CHECKING:
     from hfield.fuchsian.group import Domain
 
 
-def page(domain: Domain) -> str:
-    """Return the page."""
+def page(domain: Domain, dark: bool = False) -> str:
+    """Return the page; a dark one begins dark, another as the reader's system is."""
     here = files(__name__)
     group, order = domain.group, domain.group.order
     genus, orders, cusps = group.signature
@@ -39,6 +48,7 @@ def page(domain: Domain) -> str:
     parts = {"style": "page.css", "script": "page.js"}
     for name, file in parts.items():
         text = text.replace(f"{{{{{name}}}}}", (here / file).read_text(encoding="utf-8"))
+    text = text.replace("{{look}}", "dark" if dark else "system")
     return text.replace("{{group}}", json.dumps(_data(domain)))
 
 
@@ -50,13 +60,18 @@ def _data(domain: Domain) -> dict[str, Any]:
         "units": [[x.real, x.imag, y.real, y.imag] for x, y in zip(a, b, strict=True)],
         "area": float(domain.group.area),
         "center": [domain.center.real, domain.center.imag],
+        "colors": {
+            "light": {**LIGHT, "pairs": LIGHT_PAIRS},
+            "dark": {**DARK, "pairs": DARK_PAIRS},
+            "shares": [NEAREST_SHARE, NEXT_SHARE, GREATEST_SHARE],
+        },
     }
 
 
-def write(domain: Domain, path: object, replace: bool | None = None) -> None:
+def write(domain: Domain, path: object, dark: bool = False, replace: bool | None = None) -> None:
     """Write the page. Raises :class:`LatticeError` where the file cannot be written."""
     try:
         with whole_file(Path(str(path)), replace) as part:
-            part.write_text(page(domain), encoding="utf-8")
+            part.write_text(page(domain, dark), encoding="utf-8")
     except OSError as error:
         raise LatticeError(f"cannot write {shorten(path)!r}: {error}") from error

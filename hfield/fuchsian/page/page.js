@@ -17,6 +17,7 @@ const klein = (z) => { const n = 1 + abs2(z); return [2 * z[0] / n, 2 * z[1] / n
 const poincare = (k) => { const s = 1 + Math.sqrt(Math.max(0, 1 - abs2(k))); return [k[0] / s, k[1] / s]; };
 const to = (p) => { const s = 1 / Math.sqrt(1 - abs2(p)); return [[s, 0], [p[0] * s, p[1] * s]]; };  // moves 0 to p
 
+const MOST_UNITS = 600;  // where rounding errors make ever more units, the search ends
 const CUSP = 1e-7;  // so near to the circle a vertex is a cusp
 
 // --- domains: the polygon of the points nearer to 0 than to its images ---------------------------------
@@ -89,7 +90,7 @@ function domain(units) {  // after Voight: reduce what bounds nothing, cut off w
       }
     });
     units = shape.units.concat(fresh);
-    if (!fresh.length) break;
+    if (!fresh.length || units.length > MOST_UNITS) break;
   }
   const images = shape.units.map((g) => act(g, [0, 0]));
   shape.partners = shape.units.map((g) => {
@@ -103,15 +104,6 @@ function domain(units) {  // after Voight: reduce what bounds nothing, cut off w
     return (Math.atan2(p[1], p[0]) - Math.atan2(q[1], q[0]) + 4 * Math.PI) % (2 * Math.PI);
   });
   shape.area = (corners.length - 2) / 2 - shape.angles.reduce((s, x) => s + x, 0) / (2 * Math.PI);
-  return shape;
-}
-
-function begun(shape, start) {  // the same domain, its sides counted from another one on
-  const count = shape.units.length;
-  for (const name of ["units", "dual", "corners", "angles", "partners"]) {
-    shape[name] = shape[name].slice(start).concat(shape[name].slice(0, start));
-  }
-  shape.partners = shape.partners.map((p) => (p < 0 ? p : (p - start + count) % count));
   return shape;
 }
 
@@ -130,27 +122,121 @@ function orders(shape) {  // the order of the rotations about each vertex
 
 // --- the picture -----------------------------------------------------------------------------------
 
-const BASE = GROUP.units.map(([p, q, r, s]) => [[p, q], [r, s]]);
+const BASE = GROUP.units.map(([p, q, r, s]) => [[p, q], [r, s]]), IDENTITY = [[1, 0], [0, 0]];
 const canvas = document.getElementById("plane"), pen = canvas.getContext("2d");
-let center = [0, 0], shape, halfPlane = false, dragging = false, dark = matchMedia("(prefers-color-scheme: dark)").matches;
-const SMALL = 0.012, MOST = 5000, MOST_DRAGGED = 6000;
+let center = [0, 0], shape, halfPlane = false, dragging = false;
+let dark = document.documentElement.dataset.look === "dark" || matchMedia("(prefers-color-scheme: dark)").matches;
+const SMALL = 0.012, MOST = 5000, SMALL_DRAGGED = 0.02, MOST_DRAGGED = 6000, DRAGGED_RATIO = 1.5;
+const MOST_PRODUCTS = 300, MOST_MOVED = 0.25;  // from farther away the last domain is no help
+const STEP = 0.15, MAX_STEPS = 40;  // of a walk from the first centre, in the disc around the place reached
+const near = (z, w) => abs2([z[0] - w[0], z[1] - w[1]]) < 1e-9;
 
-function recompute() {
-  const there = to(center), back = inverse(there);
-  const seen = (g) => times(back, times(g, there));
-  const known = (shape ? shape.world : []).concat(BASE);
-  const right = () => Math.abs(shape.area - GROUP.area) < 1e-4;
-  shape = domain(known.map(seen));
-  if (!right()) shape = domain(BASE.flatMap((g) => [g, ...BASE.map((h) => times(g, h))]).map(seen));
-  shape.right = right();
-  // The sides are counted as in the other pictures, so that colours are the same.
-  const [x, y] = act(seen(BASE[0]), [0, 0]);
-  const start = shape.units.findIndex((g) => { const z = act(g, [0, 0]); return abs2([z[0] - x, z[1] - y]) < 1e-10; });
-  if (start > 0) begun(shape, start);
-  shape.world = shape.units.map((g) => times(there, times(g, back)));
-  shape.there = there;
-  shape.orders = orders(shape);
-  shape.hues = hues(shape.partners);
+// The domain around a point, given units among which its sides, or products of two that give them, probably are.
+function around(z, units) {
+  const there = to(z), back = inverse(there), seen = units.map((g) => times(back, times(g, there)));
+  const right = (found) => Math.abs(found.area - GROUP.area) < 1e-4;
+  let found = domain(seen);
+  if (!right(found)) {
+    const products = seen.flatMap((g) => seen.map((h) => times(g, h))).filter(([, b]) => abs2(b) > 1e-8);
+    const nearest = products.sort(([, b], [, d]) => abs2(b) - abs2(d)).slice(0, MOST_PRODUCTS);
+    found = domain(found.units.concat(seen, nearest));
+  }
+  found.there = there;
+  found.right = right(found);
+  found.world = found.units.map((g) => times(there, times(g, back)));
+  return found;
+}
+
+// The domain around a point of the first domain, by steps from the middle: sides change little in each.
+function walked(z) {
+  let found = around([0, 0], BASE), here = [0, 0];
+  for (let step = 0; step < MAX_STEPS; step++) {
+    const way = act(inverse(to(here)), z), size = Math.sqrt(abs2(way)), last = size <= STEP || step === MAX_STEPS - 1;
+    here = last ? z : act(to(here), [way[0] * STEP / size, way[1] * STEP / size]);
+    const next = around(here, found.world);
+    if (next.right || last) found = next;
+    if (last) break;
+  }
+  return found;
+}
+
+// The unit h and the point z' of the first domain with h·z' = z.
+const FIRST = polygon(BASE);
+function reduced(z) {
+  let h = IDENTITY;
+  for (let step = 0; step < 200; step++) {
+    const n = beyond(FIRST, klein(z));
+    if (n < 0) break;
+    z = act(inverse(FIRST.units[n]), z);
+    h = times(h, FIRST.units[n]);
+  }
+  return [h, z];
+}
+
+function recompute(afresh = false) {
+  const [h, z] = reduced(center), back = inverse(h), before = afresh ? undefined : shape;
+  let found;
+  if (before?.right && abs2(act(inverse(to(before.center)), center)) < MOST_MOVED ** 2) {
+    found = around(z, before.world.map((g) => times(back, times(g, h))));
+  }
+  if (!found?.right) found = walked(z);
+  found.world = found.world.map((g) => times(h, times(g, back)));
+  found.there = times(h, found.there);
+  found.center = center;
+  begin(found, times(inverse(found.there), times(BASE[0], found.there)));
+  found.orders = orders(found);
+  number(found, shape);
+  shape = found;
+}
+
+// Count the sides from the first given unit's on, as the other pictures do, where it has one.
+function begin(found, first) {
+  const [x, y] = act(first, [0, 0]), count = found.units.length;
+  const start = Math.max(0, found.units.findIndex((g) => near(act(g, [0, 0]), [x, y])));
+  for (const name of ["units", "dual", "corners", "angles", "partners", "world"]) {
+    found[name] = found[name].slice(start).concat(found[name].slice(0, start));
+  }
+  found.partners = found.partners.map((p) => (p < 0 ? p : (p - start + count) % count));
+}
+
+// Numbers for the pairs of sides, from 0: those that the pairs had before, or in the order of the given units. The
+// first of a pair has the letter, the other its inverse.
+function number(found, before) {
+  const here = inverse(found.there), place = (g) => act(times(here, times(g, found.there)), [0, 0]);
+  const known = before ?? numbered(BASE), places = found.units.map((g) => act(g, [0, 0]));
+  const count = places.length, chosen = new Array(count), first = new Array(count), taken = new Set();
+  const give = (n, k, isFirst) => {
+    const partner = found.partners[n];
+    if (partner >= 0) [chosen[partner], first[partner]] = [k, !isFirst];
+    [chosen[n], first[n]] = [k, isFirst || partner === n];
+    taken.add(k);
+  };
+  known.world.forEach((g, k) => {
+    const z = place(g), n = places.findIndex((w) => near(z, w));
+    if (n >= 0 && chosen[n] === undefined && !taken.has(known.numbers[k])) give(n, known.numbers[k], known.first[k]);
+  });
+  let next = 0;
+  for (let n = 0; n < count; n++) {
+    if (chosen[n] !== undefined) continue;
+    while (taken.has(next)) next++;
+    give(n, next, true);
+  }
+  found.numbers = chosen;
+  found.first = first;
+  found.letters = chosen.map((k, n) => letter(k) + (first[n] ? "" : "⁻¹"));
+}
+function numbered(units) {
+  const places = units.map((g) => act(g, [0, 0]));
+  const partners = units.map((g) => { const z = act(inverse(g), [0, 0]); return places.findIndex((w) => near(w, z)); });
+  return { world: units, numbers: numbersOf(partners), first: partners.map((p, n) => n <= p) };
+}
+function numbersOf(partners) {
+  const firsts = partners.map((p, n) => Math.min(n, p < 0 ? n : p)), ranks = [...new Set(firsts)];
+  return firsts.map((n) => ranks.indexOf(n));
+}
+function letter(number) {
+  const turn = Math.floor(number / 26), index = turn ? [...String(turn)].map((d) => "₀₁₂₃₄₅₆₇₈₉"[d]).join("") : "";
+  return String.fromCharCode(97 + number % 26) + index;
 }
 
 // from the disc around the first centre to the canvas: the disc itself, or the half plane with the first centre at its height
@@ -181,13 +267,16 @@ function path(points, close) {
   points.forEach((z, n) => { const [x, y] = project(z); if (n) pen.lineTo(x, y); else pen.moveTo(x, y); });
   if (close) pen.closePath();
 }
-function hues(partners) {  // one for a pair, neighbours far apart on the circle of colours
-  const firsts = partners.map((p, n) => Math.min(n, p < 0 ? n : p)), ranks = [...new Set(firsts)];
-  return firsts.map((n) => (208.8 + 137.50776 * ranks.indexOf(n)) % 360);
+function sideSteps(size) {  // points on each side of an image; fewer where there are many sides
+  const fewer = dragging ? Math.min(1, 16 / shape.units.length) : 1;
+  return Math.max(1, (size > 0.3 ? 14 : size > 0.08 ? 6 : 3) * fewer);
 }
-function shade(h, length) {
-  if (!length) return `hsl(${h} 72% ${dark ? 62 : 45}%)`;
-  return dark ? `hsl(${h} 42% ${Math.max(18, 44 - 7 * length)}%)` : `hsl(${h} 55% ${Math.min(93, 70 + 5.5 * length)}%)`;
+const look = () => GROUP.colors[dark ? "dark" : "light"];
+function shade(number, length) {  // a pair's colour, mixed with the disc's
+  const { pairs, disc } = look(), [nearest, next, greatest] = GROUP.colors.shares;
+  const share = length ? Math.min(greatest, nearest + next * (length - 1)) : 0, color = pairs[number % pairs.length];
+  const part = (n) => [color, disc].map((text) => parseInt(text.slice(n, n + 2), 16));
+  return "rgb(" + [1, 3, 5].map(part).map(([a, b]) => Math.round(a + (b - a) * share)).join(" ") + ")";
 }
 
 // Where a motion moves 0, on the hyperboloid: images of 0 are nowhere nearer to one another there than at 0.
@@ -199,17 +288,26 @@ function key([a, b]) {
 function tiles() {
   const back = inverse(shape.there), found = [], seen = new Set([key(times(back, shape.there))]);
   const queue = [[shape.there, -1, 0]], outline = shape.corners.map(poincare);
-  const most = dragging ? Math.max(300, MOST_DRAGGED / outline.length) : MOST;
+  const most = dragging ? Math.max(300, MOST_DRAGGED / outline.length) : MOST, small = dragging ? SMALL_DRAGGED : SMALL;
+  // An image lies beyond a side, where not much is seen if the ends of its line are near to one another.
+  const ends = dragging ? shape.dual.map((w) => {
+    const size = abs2(w), t = Math.sqrt(Math.max(0, size - 1));
+    return [[(w[0] - t * w[1]) / size, (w[1] + t * w[0]) / size], [(w[0] + t * w[1]) / size, (w[1] - t * w[0]) / size]];
+  }) : [];
   for (let at = 0; at < queue.length && found.length < most; at++) {
     const [motion, first, length] = queue[at];
     shape.units.forEach((g, n) => {
       if (found.length >= most) return;
+      if (dragging) {
+        const [p, q] = ends[n].map((z) => act(motion, z));
+        if (abs2([p[0] - q[0], p[1] - q[1]]) < small * small) return;
+      }
       const image = times(motion, g), name = key(times(back, image));
       if (seen.has(name)) return;
       seen.add(name);
       const points = outline.map((p) => act(image, p)), xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
       const size = Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
-      if (size < SMALL) return;
+      if (size < small) return;
       const tile = [image, first < 0 ? n : first, length + 1, size];
       found.push(tile);
       queue.push(tile);
@@ -219,11 +317,12 @@ function tiles() {
 }
 
 function draw() {
-  const ratio = devicePixelRatio || 1, box = canvas.getBoundingClientRect();
-  canvas.width = Math.round(box.width * ratio);
-  canvas.height = Math.round(box.height * ratio);
-  const ink = dark ? "#eef1f7" : "#1d2433", page = dark ? "#11141b" : "#ffffff", count = shape.units.length;
-  pen.fillStyle = dark ? "#1a1f2a" : "#f4f5f8";
+  const ratio = Math.min(devicePixelRatio || 1, dragging ? DRAGGED_RATIO : 3), box = canvas.getBoundingClientRect();
+  const width = Math.round(box.width * ratio), height = Math.round(box.height * ratio);
+  if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+  else pen.clearRect(0, 0, width, height);
+  const { ink, page, disc, domain: inside } = look(), count = shape.units.length;
+  pen.fillStyle = disc;
   pen.lineJoin = pen.lineCap = "round";
   if (halfPlane) pen.fillRect(0, 0, canvas.width, canvas.height);
   else { pen.beginPath(); pen.arc(canvas.width / 2, canvas.height / 2, canvas.width * 0.485, 0, 7); pen.fill(); }
@@ -231,17 +330,17 @@ function draw() {
   pen.strokeStyle = page;
   pen.lineWidth = 0.6 * ratio;
   for (const [motion, first, length, size] of tiles()) {
-    path(whole(motion, Math.ceil((size > 0.3 ? 14 : size > 0.08 ? 6 : 3) * (halfPlane ? 2.5 : 1))), true);
-    pen.fillStyle = shade(shape.hues[first], length);
+    path(whole(motion, Math.ceil(sideSteps(size) * (halfPlane ? 2.5 : 1))), true);
+    pen.fillStyle = shade(shape.numbers[first], length);
     pen.fill();
     pen.stroke();
   }
   path(whole(shape.there, 60), true);
-  pen.fillStyle = dark ? "#1f2633" : "#ffffff";
+  pen.fillStyle = inside;
   pen.fill();
   for (let n = 0; n < count; n++) {
     path(side(shape.there, n, 60).concat(side(shape.there, (n + 1) % count, 60).slice(0, 1)), false);
-    pen.strokeStyle = shade(shape.hues[n], 0);
+    pen.strokeStyle = shade(shape.numbers[n], 0);
     pen.lineWidth = 3 * ratio;
     pen.stroke();
   }
@@ -266,23 +365,35 @@ function draw() {
     pen.fillStyle = ink;
     pen.fillRect(0, canvas.height - 2 * ratio, canvas.width, 2 * ratio);
   }
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  for (let n = 0; n < count; n++) name(n, ratio);
   const [x, y] = project(center);
   pen.beginPath();
   pen.arc(x, y, 5 * ratio, 0, 7);
   pen.fill();
-  pen.strokeStyle = dark ? "#1f2633" : "#ffffff";
+  pen.strokeStyle = inside;
   pen.lineWidth = 2 * ratio;
   pen.stroke();
   document.getElementById("reading").textContent = shape.right
     ? `${count} sides · area 2π·${shape.area.toFixed(6)}`
     : "a rotation of the group fixes this point, or comes too near: it has no domain";
 }
+function name(n, ratio) {  // a letter inside the domain, beside the middle of a side that is long enough
+  const [before, middle, after] = [0, 1, 2].map((k) => project(side(shape.there, n, 2).concat(side(shape.there, (n + 1) % shape.units.length, 1))[k]));
+  const way = [after[0] - before[0], after[1] - before[1]], long = Math.hypot(...way), size = Math.min(15 * ratio, 0.28 * long);
+  if (size < 4 * ratio) return;
+  const away = 0.95 * size / long;  // the corners go round the domain, and y goes down
+  pen.font = `${size}px "DejaVu Sans", Verdana, sans-serif`;
+  pen.fillText(shape.letters[n], middle[0] + way[1] * away, middle[1] - way[0] * away);
+}
 function mark(z, order, ratio) {
-  const [x, y] = project(z), r = 5.5 * ratio, corners = order === 2 ? 4 : 3;
+  const [x, y] = project(z), r = 5.5 * ratio, corners = order === 2 ? 4 : order < 8 ? order : 24;
+  const start = order === 4 ? Math.PI / 4 : -Math.PI / 2, narrow = order === 2 ? 0.75 : 1;
   pen.beginPath();
   for (let k = 0; k < corners; k++) {
-    const angle = -Math.PI / 2 + 2 * Math.PI * k / corners;
-    pen.lineTo(x + r * Math.cos(angle), y + r * Math.sin(angle));
+    const angle = start + 2 * Math.PI * k / corners;
+    pen.lineTo(x + narrow * r * Math.cos(angle), y + r * Math.sin(angle));
   }
   pen.closePath();
   pen.fill();
@@ -291,11 +402,15 @@ function mark(z, order, ratio) {
 
 // --- hands -----------------------------------------------------------------------------------------
 
-let waiting = false;
+let waiting = false, afresh = false;
 function refresh() {
   if (waiting) return;
   waiting = true;
-  requestAnimationFrame(() => { waiting = false; recompute(); draw(); });
+  requestAnimationFrame(() => {
+    recompute(afresh);
+    draw();
+    waiting = afresh = false;
+  });
 }
 function move(z) {
   const size = Math.sqrt(abs2(z));
@@ -309,7 +424,7 @@ function pointed(event) {
 canvas.addEventListener("pointerdown", (event) => { dragging = true; canvas.setPointerCapture(event.pointerId); pointed(event); });
 canvas.addEventListener("pointermove", (event) => { if (event.buttons) pointed(event); });
 for (const end of ["pointerup", "pointercancel"]) {
-  canvas.addEventListener(end, () => { dragging = false; shape = undefined; refresh(); });  // from the given units again
+  canvas.addEventListener(end, () => { dragging = false; afresh = true; refresh(); });
 }
 canvas.addEventListener("keydown", (event) => {
   const step = { ArrowLeft: [-0.02, 0], ArrowRight: [0.02, 0], ArrowUp: [0, 0.02], ArrowDown: [0, -0.02] }[event.key];
@@ -322,14 +437,14 @@ document.getElementById("model").addEventListener("click", (event) => {
   refresh();
 });
 document.getElementById("home").addEventListener("click", () => { shape = undefined; move([0, 0]); });
-function look() {
+function showLook() {
   document.documentElement.classList.toggle("dark", dark);
   document.getElementById("look").textContent = dark ? "light" : "dark";
 }
-document.getElementById("look").addEventListener("click", () => { dark = !dark; look(); refresh(); });
+document.getElementById("look").addEventListener("click", () => { dark = !dark; showLook(); refresh(); });
 addEventListener("resize", refresh);
 if (location.hash.includes("dark")) dark = true;  // #dark and #half say how the page begins
-look();
+showLook();
 if (location.hash.includes("half")) document.getElementById("model").click();
 recompute();
 draw();
