@@ -31,7 +31,6 @@ from hfield.orders.lattice_values import product as lattice_product
 from hfield.orders.linear_algebra_mod_p import kernel
 
 Vector = Sequence[int]
-Rows = list[list[fmpq]]
 Line = tuple[int, Vector]
 """A number of a basis element, and coordinates of another element, with 0 there."""
 TRIALS = 1_000

@@ -4,7 +4,7 @@ from random import Random
 
 from flint import fmpz_mat
 
-from hfield.orders import hermite, lattice_values
+from hfield.orders import hermite, lattice_values, maximal_orders, rings
 from hfield.orders.kernels import general, rank4
 from hfield.orders.lattice_values import LatticeValue
 from tests.orders.random_lattices import algebra
@@ -16,6 +16,20 @@ def random_lattice(rng: Random) -> LatticeValue:
         rows = fmpz_mat([[rng.randint(-9, 9) for _ in range(4)] for _ in range(4)])
         if rows.rank() == 4:
             return lattice_values.hermite_form(ambient, rng.randint(1, 12), rows)
+
+
+def test_maximal_orders_without_and_with_a_kernel() -> None:
+    """They differ, and have the discriminant of the algebra."""
+    rng = Random(2)
+    for _ in range(20):
+        ambient = lattice_values.basis_of(algebra(rng))
+        orders = [
+            maximal_orders.overorder(lattice_values.hermite_form(ambient, *kernel(ambient)))
+            for kernel in (rank4.first_order, general.first_order)
+        ]
+        for order in orders:
+            assert rings.checked_ring(order) is order
+            assert lattice_values.discriminant(order) == ambient.discriminant
 
 
 def test_every_kernel_gives_what_the_general_function_gives() -> None:

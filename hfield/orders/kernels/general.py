@@ -17,8 +17,15 @@ if TYPE_CHECKING:
 
 
 def first_order(ambient: AlgebraBasis) -> tuple[int, fmpz_mat]:
-    """Return rows over a denominator that span an order, from which a maximal one is made: 1, I, J, IJ."""
-    return 1, ambient.identity
+    """Return rows over a denominator that span an order, from which a maximal one is made.
+
+    They are 1, r·I, s·J and rs·IJ, with numbers r and s that make constants integral.
+    """
+    a, t, b = ambient.constants
+    r, s = (int(ambient.base.coordinate_rows(x).numer_denom()[1]) for x in ([a, t], [b]))
+    scales = [c for c in (1, r, s, r * s) for _ in range(ambient.degree)]
+    size = range(ambient.size)
+    return 1, fmpz_mat([[c * int(m == k) for m in size] for k, c in enumerate(scales)])
 
 
 def norm(ambient: AlgebraBasis, grams: Sequence[fmpz_mat], content: fmpz, den: int) -> Any:
