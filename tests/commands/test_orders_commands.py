@@ -39,7 +39,7 @@ from tests.commands.running import page, run
         ),
         (
             ["brandt", "(-1,-1|QQ(sqrt(5)))", "6 + sqrt(5)", "--prime", "sqrt(5)"],
-            ["2 classes", "3 3", "5 1", "x^2 - 4*x - 12"],
+            ["2 classes", "1 5", "3 3", "x^2 - 4*x - 12"],
         ),
         (["classes", "11", "--format", "latex"], [r"\begin{tabular}", r"1 & 2 & 6 & $\mathrm{C6}$ & 1 \\"]),
         (["classes", "(3,5|QQ)", "--level", "7"], ["order 105: indefinite", "class number 1, by strong"]),
