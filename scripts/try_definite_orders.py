@@ -31,6 +31,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from hfield import QuaternionAlgebra, ring
 from hfield.core.primality import primes
+from hfield.orders.invariants import good_primes
 
 PUBLISHED = {1: (40, 39), 2: (209, 173), 3: (60, 59), 4: (59, 40), 5: (5, 5), 6: (2, 0)}
 """Hermite orders up to isomorphism over the base, and those with cancellation, by degree.
@@ -205,7 +206,7 @@ class Line(NamedTuple):
 def describe(O: Any, ramified: list[Any]) -> Line:
     """Return the class set of an order in numbers, and which identities fail."""
     C, over_q, wrong = O.class_set(), isinstance(O.discriminant(), int), []
-    units = [u // 2 for u in C.unit_counts] if over_q else C.units
+    units = C.units
     masses: Counter[int] = Counter()
     for kind, u in zip(C.stable_classes(), units, strict=True):
         masses[kind] += Fraction(1, u)  # type: ignore[assignment]
@@ -213,12 +214,9 @@ def describe(O: Any, ramified: list[Any]) -> Line:
         wrong.append("the stable classes do not have one mass each")
     if [C.stable_classes().count(0)] != [1]:
         wrong.append("the stable class of the order has other classes")
-    P = (
-        next(p for p in primes() if O.discriminant() % p)
-        if over_q
-        else C.ambient.base.prime(next(C.good_primes()))
-    )
-    if any(sum(row.values()) != (P if over_q else P.norm()) + 1 for row in C.neighbours(P)):
+    base, P = O.value.ambient.base, next(good_primes(O.value))
+    number = base.absolute_norm(base.prime_ideal(P)) + 1
+    if any(sum(row.values()) != number for row in C.neighbours(P)):
         wrong.append("rows of a Brandt matrix have other sums")
     return Line(
         1 if over_q else int(O.algebra.ring.discriminant()),

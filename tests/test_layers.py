@@ -50,7 +50,6 @@ FLOORS = [
     },
     {"hfield.polynomials"},  # names in texts mean the same as in matrices
     {"hfield.exploring"},  # stands on the element and on maps, and the algebra hands over to it
-    {"hfield.orders.over_integers"},
     {"hfield.orders.elliptic_points"},
     {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
     {"hfield.orders.equivalence"},  # looks for elements in the hyperbolic plane
@@ -112,9 +111,7 @@ FACES = {"hfield", "hfield.rings", "rotation", "anim"}
 # that their places, ideals and integral bases are those of these fields.
 KNOW_KINDS = {
     "hfield.orders",
-    "hfield.orders.over_integers",
     "hfield.orders.elliptic_points",
-    "hfield.orders.lattice",
 }
 # Rooms in which no module looks into what another keeps to itself.
 DISCREET = {"hfield.orders"}

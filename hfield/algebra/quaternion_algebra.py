@@ -1287,10 +1287,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         1
         """
         if self.over_integers:
-            from hfield.orders.over_integers.class_sets import number_by_signs
-
             order: Any = self.eichler_order(level)
-            return len(order.class_set()) if order.is_definite() else number_by_signs(self)
+            return len(order.class_set() if order.is_definite() else order.classes_by_norm())
         from hfield.orders.standard_orders import class_number
 
         return class_number(self, level)

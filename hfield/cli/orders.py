@@ -89,9 +89,9 @@ def algebra_of(text: str) -> QuaternionAlgebra:
 
 def announce(number: int, seconds: float, instead: str) -> None:
     """Say before a long enumeration how many classes there are, how long it takes, and what to do instead."""
-    from hfield.orders.classes import MOST_CLASSES
+    from hfield.orders.classes import MAX_CLASSES
 
-    if seconds < PATIENCE or number > MOST_CLASSES:  # more are refused at once
+    if seconds < PATIENCE or number > MAX_CLASSES:  # more are refused at once
         return
     units = {"days": 86_400, "hours": 3_600, "minutes": 60, "seconds": 1}
     unit = next(unit for unit, size in units.items() if seconds >= 1.5 * size or size == 1)

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
@@ -28,7 +28,7 @@ from hfield.fields.number_fields.quadratic.places import QuadraticPlace
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
-from hfield.fields.number_fields.symbols import candidates, finite_ramified
+from hfield.fields.number_fields.symbols import candidates, finite_ramified, square_class
 from hfield.fields.rationals.places import INFINITE
 from hfield.fields.rationals.residues import PrimePlace
 from hfield.fields.rationals.symbols import ramified_places_q
@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from hfield.orders.lattice_values import LatticeValue
     from hfield.rings.flint_types import Polynomial
 
+NarrowClasses = Any
 Quadruple = tuple[Any, Any, Any, Any]
 
 
@@ -180,6 +181,23 @@ class Base(Protocol):
 
     def are_coprime(self, first: Any, second: Any) -> bool:
         """Tell whether the sum of two integral ideals is 1."""
+
+    @property
+    def narrow_classes(self) -> NarrowClasses:
+        """The ideals modulo totally positive elements."""
+
+    @property
+    def class_generators(self) -> tuple[Any, ...]:
+        """Ideals that generate the class group, none where all ideals are principal."""
+
+    def square_classes(self, prime: Any) -> tuple[int, Callable[[Any], int]]:
+        """Return how many binary digits number the units modulo squares at a prime, and a function.
+
+        It returns the class of the unit part of a number, for a fixed uniformiser.
+        """
+
+    def principal_multiple(self, ideal: Any) -> Any:
+        """Return an ideal where it is principal, else its least multiple that an integer generates."""
 
     def quadratic_symbol(self, trace: Any, norm: Any, prime: Any) -> int:
         """Return 1, 0 or −1 where x² − trace·x + norm has two roots, one or none modulo a prime."""
@@ -332,6 +350,18 @@ class RationalIntegers:
     def are_coprime(self, first: Fraction | int, second: Fraction | int) -> bool:
         return math.gcd(first.numerator, second.numerator) == 1
 
+    @property
+    def narrow_classes(self) -> OneNarrowClass:
+        return OneNarrowClass()
+
+    class_generators = ()
+
+    def square_classes(self, prime: int) -> tuple[int, Callable[[fmpq], int]]:
+        return (2 if prime == 2 else 1), partial(_square_class, prime)
+
+    def principal_multiple(self, ideal: Fraction | int) -> Fraction | int:
+        return ideal
+
     def quadratic_symbol(self, trace: fmpq, norm: fmpq, prime: int) -> int:
         return kronecker(int(trace.p) ** 2 - 4 * int(norm.p), prime)  # both are integers
 
@@ -435,6 +465,24 @@ class OneClass:
     def class_of(self, ideal: object) -> tuple[int, ...]:
         """Return the one class."""
         return ()
+
+
+def _square_class(p: int, x: fmpq) -> int:
+    """Return the class of the unit part of a number at p."""
+    n = remove(int(x.p), p)[1] * remove(int(x.q), p)[1]
+    return (n % 4 == 3) + 2 * (n % 8 in (3, 5)) if p == 2 else int(kronecker(n, p) < 0)
+
+
+class OneNarrowClass:
+    """The ideals of ℤ modulo positive numbers."""
+
+    order = 1
+    group = OneClass()
+    ideals = (Fraction(1),)
+
+    def split(self, ideal: Fraction | int) -> tuple[int, fmpq]:
+        """Return 0, and the ideal as a number."""
+        return 0, fmpq(ideal.numerator, ideal.denominator)
 
 
 def degenerate(algebra: Any) -> RingError:
@@ -542,6 +590,23 @@ class NumberFieldIntegers:
 
     def are_coprime(self, first: ideals.Ideal, second: ideals.Ideal) -> bool:
         return bool(first + second == self.one)
+
+    @property
+    def narrow_classes(self) -> positive_generators.NarrowClasses:
+        return positive_generators.narrow_classes(self.ring)
+
+    @property
+    def class_generators(self) -> tuple[ideals.Ideal, ...]:
+        return tuple(self.ring.class_group().generators)
+
+    def square_classes(self, prime: PrimeIdeal) -> tuple[int, Callable[[Any], int]]:
+        size = prime.e * prime.f + 1 if prime.p == 2 else 1
+        return size, partial(square_class, prime)
+
+    def principal_multiple(self, ideal: ideals.Ideal) -> ideals.Ideal:
+        if ideal.is_principal():
+            return ideal
+        return self.ideal(Fraction(ideal.least_integer, ideal.denominator))
 
     def quadratic_symbol(self, trace: Any, norm: Any, prime: PrimeIdeal) -> int:
         place, t, n = local_place(prime), prime.residue_of(trace), prime.residue_of(norm)

@@ -160,11 +160,11 @@ class AlgebraBasis:
 
     def left_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
         """Return the matrix of ``q ↦ x·q`` for an integer row x, ``scale`` times too large."""
-        return _combined(self.left, row)
+        return combined(self.left, row)
 
     def right_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
         """Return the matrix of ``q ↦ q·x`` for an integer row x, ``scale`` times too large."""
-        return _combined(self.right, row)
+        return combined(self.right, row)
 
     def times(self, x: fmpq_mat | Sequence[fmpq], side: str = "right") -> fmpq_mat:
         """Return the matrix of ``q ↦ q·x`` for an element, one row; of ``q ↦ x·q`` for the side left."""
@@ -179,7 +179,7 @@ class AlgebraBasis:
 
     def scalar_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
         """Return the same for integer coordinates of a number in the integral basis."""
-        return _combined(self.scalars, row)
+        return combined(self.scalars, row)
 
     def times_scalar(self, rows: fmpz_mat, number: Sequence[int | fmpz]) -> fmpz_mat:
         """Return rows times a number, given by its coordinates in the integral basis."""
@@ -205,6 +205,24 @@ class AlgebraBasis:
         omega = self.base.integral_basis
         tables = (self.base.coordinate_rows([v * w for v in omega]) for w in omega)
         return [_integral(table, 1) for table in tables]
+
+    def number_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
+        """Return the multiplication by a number with integer coordinates, on coordinates of numbers."""
+        return combined(self.base_multiplications, row)
+
+    def inverse_number(self, row: Sequence[int | fmpz]) -> tuple[list[fmpz], int]:
+        """Return 1/x for a number x with integer coordinates, as integers over a denominator."""
+        found, den = (self._one * self.number_matrix(row).inv()).numer_denom()
+        return found.entries(), int(den)
+
+    @cached_property
+    def _one(self) -> fmpq_mat:
+        return self.base.coordinate_rows([self.base.field.one])
+
+    def number_norm(self, x: Any) -> fmpq:
+        """Return the norm of a number of the field down to ℚ."""
+        row, den = self.base.coordinate_rows([x]).numer_denom()
+        return fmpq(self.number_matrix(row.entries()).det(), den**self.degree)
 
     @cached_property
     def base_traces(self) -> list[int]:
@@ -317,7 +335,7 @@ def _integral(matrix: fmpq_mat, scale: int) -> fmpz_mat:
     return (matrix * scale).numer_denom()[0]
 
 
-def _combined(matrices: list[fmpz_mat], row: Sequence[int | fmpz]) -> fmpz_mat:
+def combined(matrices: list[fmpz_mat], row: Sequence[int | fmpz]) -> fmpz_mat:
     """Return the sum of matrices times numbers."""
     found = matrices[0] * row[0]
     for n in range(1, len(matrices)):

@@ -1,92 +1,205 @@
-"""Brandt matrices: by ideals of prime power norm, the relations of the Hecke algebra, or theta series."""
+"""Brandt matrices over any base: by neighbours, the relations of the Hecke algebra, or elements."""
 
 from __future__ import annotations
 
 from collections import Counter
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from itertools import product as pairs
+from typing import Any
 
 from flint import fmpz_mat, fmpz_poly, nmod_mat
 
-from hfield.core.factorisation import factorise
-from hfield.core.primality import is_prime, primes
 from hfield.core.progress import track
-from hfield.orders.ideals_of_norm import MAX_LISTED_IDEALS, number_maximal
-from hfield.orders.invariants import eichler_symbol
-
-if TYPE_CHECKING:
-    from hfield.orders.classes import Classes
+from hfield.errors import TooLargeError, shorten
+from hfield.orders.classes import Classes
+from hfield.orders.ideals_of_norm import (
+    MAX_LISTED_IDEALS,
+    is_maximal_or_eichler,
+    local_generator,
+    number_maximal,
+    of_prime_power_norm,
+    two_sided_prime,
+)
+from hfield.orders.invariants import eichler_symbol, good_primes
+from hfield.orders.lattice_values import (
+    add,
+    add_rows,
+    discriminant,
+    inverse,
+    product,
+    times_ideal,
+)
+from hfield.orders.short_elements import rows_of_norm
 
 Matrix = list[list[int]]
+MAX_NORM = 10**5
+"""The largest norm of ideals that are counted by their elements."""
+MODULUS = 2**31 - 1
+"""A prime of half a word, larger than every entry that is computed modulo it."""
+MAX_UNSPLIT = 60
+"""The polynomial of a matrix of so many rows takes less time than to see which classes are exchanged."""
 
 
-def brandt_matrix(classes: Classes, n: int) -> Matrix:
-    """Return the Brandt matrix of n.
+def brandt_matrix(classes: Classes, norm: Any) -> fmpz_mat:
+    """Return the Brandt matrix of an integral ideal: (i, j) counts the ideals of that norm in I_i of class j.
 
-    At a prime it is made by neighbours; ``B(pᵏ⁺¹) = B(p)·B(pᵏ) − p·B(pᵏ⁻¹)`` off the discriminant (Voight,
-    41.2), without the last term where the algebra ramifies. At a prime of the level all ideals of norm pᵉ are
-    listed where they are few, and theta series answer otherwise, and for orders of any other kind.
+    They are the invertible ideals of that relative norm. Raises :class:`TooLargeError`.
     """
-    factors = []
-    for p, e in factorise(n).items():
-        if classes.ring.level % p == 0:
-            if _few(classes, p, e):
-                factors.append(_matrix(classes.power_neighbours(p, e)))
-            else:
-                factors.append(fmpz_mat(by_theta_series(classes, p**e)))
-        else:
-            factors.append(_prime_power(classes, p, e))
-    if not factors:
-        factors.append(_identity(classes))
-    product = factors[0]
-    for factor in factors[1:]:
-        product = product * factor
-    return [[int(x) for x in row] for row in product.tolist()]
+    found = identity(classes)
+    for P, e in classes.ambient.base.factorisation(norm):
+        found = found * prime_power(classes, P, e)
+    return found
 
 
-def _few(classes: Classes, p: int, e: int) -> bool:
-    """Tell whether it is quicker to list the ideals of norm pᵉ than to look between all pairs of classes."""
-    if eichler_symbol(classes.ring, p) != 1:
-        return False
-    h, number = len(classes), number_maximal(p, e)
-    # a theta series takes as long as some five intersections or classes looked up
-    return number**2 <= MAX_LISTED_IDEALS and number**2 + 6 * h * number <= 5 * h * h
+def identity(classes: Classes) -> fmpz_mat:
+    """Return the Brandt matrix of 1."""
+    size = range(len(classes))
+    return fmpz_mat([[int(i == j) for j in size] for i in size])
 
 
-def _identity(classes: Classes) -> fmpz_mat:
-    h = range(len(classes))
-    return fmpz_mat([[int(i == j) for j in h] for i in h])
+def prime_power(classes: Classes, P: Any, e: int) -> fmpz_mat:
+    """Return the Brandt matrix of Pᵉ.
+
+    Off the discriminant it is made by the classes of P·I (Voight, section 41.3). Where the algebra ramifies
+    and the order is maximal it is a power. For other orders that are not of level P the ideals of norm Pᵉ are
+    listed where they are few, or elements counted.
+    """
+    base, ambient = classes.ambient.base, classes.ambient
+    exponent, ramified = base.valuation(discriminant(classes.order), P), P in ambient.ramified
+    if not exponent:
+        central = of_permutation(classes.multiplied(base.prime_ideal(P))) if e > 1 else 1
+        return of_power(of_prime(classes, P), central * base.absolute_norm(base.prime_ideal(P)), e)
+    if e == 1 or (exponent == 1 and ramified):
+        return of_rows(classes.neighbours(P)) ** e
+    if exponent == 1:
+        return _at_level(classes, P, e)
+    if not ramified and _is_short(classes, P, e):
+        return _by_listing(classes, P, e)
+    return by_elements(classes, base.prime_ideal(P) ** e)
 
 
-def _matrix(rows: list[Counter[int]]) -> fmpz_mat:
+def of_prime(classes: Classes, P: Any) -> fmpz_mat:
+    """Return the Brandt matrix of a prime that does not divide the discriminant."""
+    return _by_commuting(classes, P) or of_rows(classes.neighbours(P))
+
+
+def of_rows(rows: Sequence[Counter[int]]) -> fmpz_mat:
+    """Return rows that count classes as a matrix."""
     return fmpz_mat([[row[j] for j in range(len(rows))] for row in rows])
 
 
-MODULUS = 2**31 - 1
-"""A prime of half a word, larger than every entry that is computed modulo it."""
+def of_permutation(moved: Sequence[int]) -> fmpz_mat:
+    """Return the matrix of a permutation of the classes."""
+    return of_rows([Counter([n]) for n in moved])
 
 
-def _by_commuting(classes: Classes, p: int) -> fmpz_mat | None:
+def of_power(step: fmpz_mat, weight: fmpz_mat | int, e: int) -> fmpz_mat:
+    """Return T(Pᵉ) of T(Pᵏ⁺¹) = T(P)·T(Pᵏ) − T(Pᵏ⁻¹)·weight, e at least 1 (Voight, 41.2)."""
+    before, current = step**0, step
+    for _ in range(e - 1):
+        before, current = current, step * current - before * weight
+    return current
+
+
+def _at_level(classes: Classes, P: Any, e: int) -> fmpz_mat:
+    """Return the Brandt matrix of Pᵉ for an order that is Eichler of level P there.
+
+    The ideals K of norm P are the radical W, and those that lie with W in one of the two maximal ideals. With
+    U and V of either kind, Pᵉ has those of diagonal matrices, Dₑ = Uᵉ + Vᵉ + central·Dₑ₋₂, and W·Dₑ₋₁ (the
+    affine Weyl group of GL₂).
+    """
+    radical, ideals = two_sided_prime(classes.order, P), classes.at_prime(P).ideals
+    sums = [add(ideal, radical) for ideal in ideals]
+    first = next(lattice for lattice in sums if lattice != radical)
+    kinds = [0 if radical == M else 1 if first == M else 2 for M in sums]
+    rows: list[list[Counter[int]]] = [[], [], []]
+    for n in track(range(len(classes)), len(classes), "rows"):
+        found = classes.classes_inside(n, P)
+        for kind, some in enumerate(rows):
+            some.append(Counter(c for c, k in zip(found, kinds, strict=True) if k == kind))
+    W, U, V = map(of_rows, rows)
+    central = of_permutation(classes.multiplied(classes.ambient.base.prime_ideal(P)))
+    diagonal = [U * 0, U**0]
+    for k in range(1, e + 1):
+        diagonal.append(U**k + V**k + central * diagonal[-2])
+    return diagonal[-1] + W * diagonal[-2]
+
+
+def _is_short(classes: Classes, P: Any, e: int) -> bool:
+    """Tell whether it is quicker to list the ideals of norm Pᵉ than to look between all pairs of classes."""
+    if eichler_symbol(classes.order, P) != 1:
+        return False
+    base, h = classes.ambient.base, len(classes)
+    number = number_maximal(base.absolute_norm(base.prime_ideal(P)), e)
+    # to count elements takes as long as to look up some five classes
+    return number**2 <= MAX_LISTED_IDEALS and number**2 + 6 * h * number <= 5 * h * h
+
+
+def _by_listing(classes: Classes, P: Any, e: int) -> fmpz_mat:
+    """Return the Brandt matrix of Pᵉ by the ideals of this norm in the order, moved to each ideal."""
+    order, ambient = classes.order, classes.ambient
+    ideal = ambient.base.prime_ideal(P) ** e
+    found, rows = of_prime_power_norm(order, P, e), []
+    for n in track(range(len(classes)), len(classes), "rows"):
+        lattice = classes.lattice(n)
+        moved = ambient.times(local_generator(lattice, P), "left")
+        below = times_ideal(lattice, ideal)
+        inside = (add_rows(below, K.rows * moved) for K in found)
+        rows.append(Counter(map(classes.class_of, inside)))
+    return of_rows(rows)
+
+
+def by_elements(classes: Classes, norm: Any) -> fmpz_mat:
+    """Return the Brandt matrix of an ideal for any order: the x·I_j in I_i, x modulo units.
+
+    N(x) generates norm·N(I_i)/N(I_j), and of all x·u, u a unit of the base, one of ±x has one of the totally
+    positive generators modulo squares of units as its norm. Raises :class:`TooLargeError`.
+    """
+    base, keys = classes.ambient.base, classes.keys
+    if base.absolute_norm(norm) > MAX_NORM:
+        raise TooLargeError(
+            f"there are too many ideals of norm {shorten(norm)} in an order neither maximal nor of "
+            "level P at its primes: there they are counted by their elements"
+        )
+    ideals = enumerate(keys.narrow.ideals)
+    generators = {
+        (m, n): next(iter(base.generators(norm * a / b, base.real_places)), None)
+        for (m, a), (n, b) in pairs(ideals, repeat=2)
+    }
+    size = range(len(classes))
+    lattices = list(map(classes.lattice, size))
+    inverses = list(map(inverse, lattices))
+    table = [[0] * len(classes) for _ in size]
+    for i in track(size, len(classes), "rows"):
+        for j in size:
+            I, J = classes.norms[i], classes.norms[j]
+            generator = generators[I.number, J.number]
+            if generator is not None:
+                between = product(lattices[i], inverses[j])
+                values = (generator * u * I.element / J.element for u in keys.units)
+                found = sum(1 for x in values for _ in rows_of_norm(between, x))
+                table[i][j] = found // classes.units[j]
+    return fmpz_mat(table)
+
+
+def _by_commuting(classes: Classes, P: Any) -> fmpz_mat | None:
     """Return the Brandt matrix of a prime from one row of it, or None where that row is not enough.
 
-    B(p) commutes with T = B(q), q the least prime off the discriminant. So if v, vT, vT², … are the
-    rows of K, those of K·B(p) are w, wT, wT², … for w = v·B(p); with K invertible modulo
-    a prime above p + 1, which bounds the entries, B(p) is known. v stands for one class.
+    B(P) commutes with T = B(Q), Q the least prime off the discriminant. So if v, vT, vT², … are the
+    rows of K, those of K·B(P) are w, wT, wT², … for w = v·B(P); with K invertible modulo
+    a prime above N(P) + 1, which bounds the entries, B(P) is known. v stands for one class.
     """
-    discriminant, h = classes.ring.discriminant, len(classes)
-    if (
-        p in classes.rows
-        or discriminant % p == 0
-        or p + 1 < 12 + h * h // 40_000
-        or p + 1 >= MODULUS
-    ):
+    base, h = classes.ambient.base, len(classes)
+    norm = base.absolute_norm(base.prime_ideal(P))
+    if classes.has_rows(P) or norm + 1 < 12 + h * h // 40_000 or norm + 1 >= MODULUS:
         return None  # where there are few neighbours listing them is quicker
-    q = next(q for q in primes() if discriminant % q)
-    if q == p:
+    Q = next(good_primes(classes.order))
+    if Q == P:
         return None
     import numpy as np
 
     entries = sorted(
-        (j, i, t) for i, row in enumerate(classes.neighbours(q)) for j, t in row.items()
+        (j, i, t) for i, row in enumerate(classes.neighbours(Q)) for j, t in row.items()
     )
     columns, rows, times = np.array(entries).T
     starts = np.flatnonzero(np.diff(columns, prepend=-1))  # each class is a neighbour of some
@@ -99,11 +212,11 @@ def _by_commuting(classes: Classes, p: int) -> fmpz_mat | None:
         return nmod_mat(len(kept), len(kept), np.concatenate(found).tolist(), MODULUS)
 
     # what commutes with the exchange of classes maps even and odd vectors to such
-    swap = np.array(_exchanged(classes))
+    swap = np.array(_involution(classes, base.prime_ideal(P)))
     n = next((n for n in range(h // 2, h) if swap[n] != n), h // 2)
     v, w = np.zeros(h, dtype=np.int64), np.zeros(h, dtype=np.int64)
     v[n] = 1
-    for j, t in classes.neighbours_of(n, p).items():
+    for j, t in classes.neighbours_of(n, P).items():
         w[j] = t
     matrix = np.zeros((h, h), dtype=np.int64)
     for sign in (1, -1):
@@ -127,28 +240,32 @@ def _by_commuting(classes: Classes, p: int) -> fmpz_mat | None:
     return fmpz_mat(h, h, matrix.ravel().tolist())
 
 
-def _exchanged(classes: Classes) -> list[int]:
-    """Return an involution of the classes with which Brandt matrices off the discriminant commute."""
-    h, swap = range(len(classes)), classes.exchanged
-    return swap if all(swap[swap[i]] == i for i in h) else list(h)
+def _involution(classes: Classes, norm: Any) -> list[int]:
+    """Return an involution of the classes with which the Brandt matrix of an ideal commutes.
+
+    It is the exchange by a two-sided prime ideal at a prime that does not divide the norm, or trivial.
+    """
+    base, h = classes.ambient.base, range(len(classes))
+    off = {P for P, _ in base.factorisation(norm)}
+    for Q, e in base.factorisation(discriminant(classes.order)):
+        if Q not in off and is_maximal_or_eichler(classes.order, Q, e):
+            swap = classes.exchanged(Q)
+            if all(swap[swap[i]] == i for i in h):
+                return swap
+    return list(h)
 
 
-def hecke_polynomial(classes: Classes, n: int) -> list[int]:
+def hecke_polynomial(classes: Classes, norm: Any) -> list[int]:
     """Return the characteristic polynomial of the Brandt matrix, low degree first.
 
     Classes that a two-sided prime ideal exchanges make it a product of two (the signs of Atkin and Lehner).
     """
     h = range(len(classes))
-    swap = _exchanged(classes) if len(h) > FEW and classes.ring.discriminant % n else list(h)
+    swap = _involution(classes, norm) if len(h) > MAX_UNSPLIT else list(h)
     if all(swap[i] == i for i in h):
-        found = fmpz_mat(classes.brandt_matrix(n)).charpoly()
+        found = brandt_matrix(classes, norm).charpoly()
         return [int(c) for c in fmpz_poly(found).coeffs()]
-    sparse = is_prime(n)
-    rows = (
-        classes.neighbours(n)
-        if sparse
-        else [Counter(dict(enumerate(row))) for row in classes.brandt_matrix(n)]
-    )
+    rows = brandt_rows(classes, norm)
     found = fmpz_poly([1])
     for sign in (1, -1):
         kept = [i for i in h if (i <= swap[i] if sign > 0 else i < swap[i])]
@@ -163,34 +280,15 @@ def hecke_polynomial(classes: Classes, n: int) -> list[int]:
     return [int(c) for c in found.coeffs()]
 
 
-FEW = 60
-"""The polynomial of a matrix of so many rows takes less time than to see which classes are exchanged."""
+def brandt_rows(classes: Classes, norm: Any) -> list[Counter[int]]:
+    """Return the rows of a Brandt matrix as counters of classes; for a prime they have few entries."""
+    factors = classes.ambient.base.factorisation(norm)
+    if len(factors) == 1 and factors[0][1] == 1:
+        return classes.neighbours(factors[0][0])
+    return counters(brandt_matrix(classes, norm))
 
 
-def _prime_power(classes: Classes, p: int, e: int) -> fmpz_mat:
-    step = _by_commuting(classes, p) or _matrix(classes.neighbours(p))
-    return of_power(step, p if classes.ring.discriminant % p else 0, e)
-
-
-def of_power(step: fmpz_mat, weight: fmpz_mat | int, e: int) -> fmpz_mat:
-    """Return T(pᵉ) of T(pᵏ⁺¹) = T(p)·T(pᵏ) − T(pᵏ⁻¹)·weight, e at least 1 (Voight, 41.2)."""
-    before, current = step**0, step
-    for _ in range(e - 1):
-        before, current = current, step * current - before * weight
-    return current
-
-
-def by_theta_series(classes: Classes, n: int) -> Matrix:
-    """Return the Brandt matrix by counting vectors of norm n between all pairs of classes."""
-    units = classes.unit_counts
-    h = range(len(classes))
-    rows = track(h, len(h), "rows")
-    return [[classes.theta_series(i, j, n)[n] // units[j] for j in h] for i in rows]
-
-
-def number_of_ideals(classes: Classes, n: int) -> int:
-    """Return how many integral right ideals of norm n, prime to the level, an Eichler order has."""
-    found = 1
-    for p, e in factorise(n).items():
-        found *= sum(p**k for k in range(e + 1)) if classes.ring.ambient.discriminant % p else 1
-    return found
+def counters(matrix: fmpz_mat) -> list[Counter[int]]:
+    """Return the entries of each row that are not 0."""
+    rows = matrix.tolist()
+    return [Counter({j: int(c) for j, c in enumerate(row) if c}) for row in rows]

@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.fields.number_fields.ideals import Ideal
     from hfield.orders.basis import AlgebraBasis
+    from hfield.orders.classes import Classes
     from hfield.orders.equivalence_result import EquivalenceResult
 
 REFUSAL = "the checker does not know that strong approximation decides"
@@ -147,30 +148,9 @@ def of_units(
     return Claim(order.algebra, statement, data, BY_AREA, assumes=(*words.area_theorems, *cited))
 
 
-def of_class_set(order: LatticeValue, classes: list[LatticeValue]) -> Claim:
-    """Return how many right ideal classes an order over ℤ has, with one ideal of each."""
-    statement = f"class-set{{{text(order)}; {len(classes)}}}"
-    shown = {
-        "kind": "class-set",
-        "classes": [_basis(I, order.ambient.base.inside(I.norm)) for I in classes],
-    }
-    return Claim(order.algebra, statement, shown, BY_MASS, assumes=(MASS,))
-
-
-def of_ideal_classes(classes: Any) -> Claim:
-    """Return how many right ideal classes an order over ℤ_K has, with one ideal of each."""
-    order, ambient = classes.order.value, classes.ambient
-    ring, algebra = ambient.base.ring, ambient.algebra
-    statement = f"ideal-classes{{{text(order)}; {len(classes)}}}"
-    shown = {
-        "kind": "ideal-classes",
-        **_units(ambient),
-        "narrow": [_product(ring, a) for a in classes.keys.narrow.ideals],
-        "primes": _primes(order),
-        "classes": [_class(classes, n) for n in range(len(classes))],
-    }
-    cited = (*evidence.cited(s_units(ring)), SIEGEL, MASS_OVER_FIELDS)
-    return Claim(algebra, statement, shown, BY_MASS, assumes=cited)
+def of_class_set(classes: Classes) -> Claim:
+    """Return how many right ideal classes an order has, with one ideal of each."""
+    return _words(classes.ambient).class_set(classes)
 
 
 def of_embedding(order: LatticeValue, d: object, element: Quaternion | None) -> Claim:
@@ -261,6 +241,9 @@ class _Words(Protocol):
     ) -> Claim:
         """Return a statement with its evidence."""
 
+    def class_set(self, classes: Classes) -> Claim:
+        """Return how many right ideal classes an order has, with one ideal of each."""
+
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
     ) -> Refutation | None:
@@ -307,6 +290,16 @@ class _Rational:
         name, algebra = self.names.get(word, word), self.ambient.algebra
         data = {"kind": name, **shown}
         return Claim(algebra, f"{name}{{{about}}}", data, method, verdict, refusal=refusal)
+
+    def class_set(self, classes: Classes) -> Claim:
+        order, base = classes.order, self.ambient.base
+        lattices = map(classes.lattice, range(len(classes)))
+        shown = {
+            "kind": "class-set",
+            "classes": [_basis(I, base.inside(I.norm)) for I in lattices],
+        }
+        statement = f"class-set{{{text(order)}; {len(classes)}}}"
+        return Claim(order.algebra, statement, shown, BY_MASS, assumes=(MASS,))
 
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
@@ -391,6 +384,19 @@ class _OverField:
         data = {"kind": name, **shown}
         return Claim(algebra, f"{name}{{{about}}}", data, method, verdict, cited, refusal=refusal)
 
+    def class_set(self, classes: Classes) -> Claim:
+        order, ring = classes.order, self.ambient.base.ring
+        shown = {
+            "kind": "ideal-classes",
+            **_units(self.ambient),
+            "narrow": [_product(ring, a) for a in classes.keys.narrow.ideals],
+            "primes": _primes(order),
+            "classes": [_class(classes, n) for n in range(len(classes))],
+        }
+        cited = (*evidence.cited(s_units(ring)), SIEGEL, MASS_OVER_FIELDS)
+        statement = f"ideal-classes{{{text(order)}; {len(classes)}}}"
+        return Claim(order.algebra, statement, shown, BY_MASS, assumes=cited)
+
     def no_equivalence(
         self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
     ) -> Refutation | None:
@@ -434,11 +440,11 @@ def _units(ambient: AlgebraBasis) -> dict[str, Any]:
     return {"units": shown, "fundamental": [ambient.base.field.coordinates(u) for u in units]}
 
 
-def _class(classes: Any, n: int) -> dict[str, Any]:
+def _class(classes: Classes, n: int) -> dict[str, Any]:
     """Return a basis in which short vectors are found quickly, and what generates the norm."""
     norm = classes.norms[n]
     return {
-        **_basis(classes.lattices[n], norm.element),
+        **_basis(classes.lattice(n), norm.element),
         "norm": classes.ambient.base.field.coordinates(norm.element),
         "narrow": norm.number,
     }

@@ -13,22 +13,18 @@ local units are norms but where the Eichler symbol is 0.
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
-from itertools import product
 from typing import Any
 
 from hfield.core.factorisation import factorise
 from hfield.errors import LatticeError
-from hfield.orders import hermite
 from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.validation import expect_coprime
-from hfield.orders.z_order import ZOrder
 
 
 def eichler_mass(discriminant: int, level: int) -> Fraction:
@@ -145,37 +141,6 @@ class StableClasses:
             vector |= place.square_class(x) << size
             size += place.size
         return self._without(vector)
-
-
-def over_z(order: ZOrder) -> StableClasses:
-    """Return the stable classes of a definite order over ℤ."""
-    places = []
-    for p in factorise(order.discriminant):
-        if eichler_symbol(order, p) == 0:
-            norms = {_square_class(p, n) for n in _norms(order)} if p == 2 else set()
-            size = 2 if p == 2 else 1
-            places.append(LocalNorms(p, size, partial(_square_class, p), tuple(norms)))
-    return StableClasses(places, [], 1)
-
-
-def _square_class(p: int, n: int) -> int:
-    """Return the class of an integer that p does not divide."""
-    return (n % 4 == 3) + 2 * (n % 8 in (3, 5)) if p == 2 else int(kronecker(n, p) < 0)
-
-
-def _norms(order: ZOrder) -> Iterator[int]:
-    """Yield norms that generate those of the units at 2: of units modulo 2, and of 1 + 2x and 1 + 4x."""
-    for x in product((0, 1), repeat=4):
-        t, n = order.trace_and_norm(x)
-        yield from (m for m in (n, 1 + 2 * t + 4 * n, 1 + 4 * t + 16 * n) if m % 2)
-
-
-def local_multiple(ideal: LatticeValue, p: int) -> int:
-    """Return N(x)/N(I) for an x that generates an invertible ideal I at p."""
-    form = hermite.tuples(ideal.even)
-    values = (form[n][n] // 2 for n in range(4))
-    sums = ((form[m][m] + form[n][n]) // 2 + form[m][n] for n in range(4) for m in range(n))
-    return next(int(x) for x in (*values, *sums) if x % p)
 
 
 # --- what a user asks ------------------------------------------------------------------------------

@@ -11,14 +11,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import exp, gamma, isqrt, log, pi
 
+from flint import fmpz_mat
+
 Vector = tuple[int, ...]
 Gram = Sequence[Sequence[int]]
+MIN_FLINT_SIZE = 14
+"""From so many rows on flint eliminates more quickly."""
 
 
 def bareiss(gram: Gram) -> tuple[list[int], list[list[int]]]:
     """Return the leading minors ``[1, d₁, …, dₙ]`` and the rows of the elimination without fractions."""
     rows = [list(row) for row in gram]
     n = len(rows)
+    if n >= MIN_FLINT_SIZE:  # pivots of a definite form are not 0, so that flint moves no row
+        forms = [list(map(int, row)) for row in fmpz_mat(rows).fflu()[3].tolist()]
+        return [1, *(forms[k][k] for k in range(n))], forms
     minors = [1]
     for k in range(n):
         pivot, before = rows[k][k], minors[-1]

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from flint import fmpq_mat, fmpz, fmpz_mat
+from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
 Rows = tuple[tuple[int, ...], ...]
 
@@ -79,7 +79,7 @@ def divided(rows: fmpz_mat, n: int) -> fmpz_mat:
     """Return an integer matrix divided by an integer that divides all entries."""
     if n == 1:
         return rows
-    return fmpz_mat(rows.nrows(), rows.ncols(), [x // n for x in rows.entries()])
+    return (rows * fmpq(1, n)).numer_denom()[0]
 
 
 def in_coordinates(matrix: fmpz_mat, other: fmpz_mat) -> tuple[fmpz_mat, int]:

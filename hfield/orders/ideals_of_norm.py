@@ -14,8 +14,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from functools import lru_cache
-from itertools import combinations, product
-from operator import add as plus
+from itertools import product
 from typing import Any
 
 from flint import fmpq_mat, fmpz_mat
@@ -31,14 +30,10 @@ from hfield.orders.lattice_values import (
     add_rows,
     discriminant,
     dual,
-    hermite_form,
     includes,
     meet,
-    multiple,
-    scaled,
     times_ideal,
 )
-from hfield.orders.linear_algebra_mod_p import echelon, lead
 from hfield.orders.maximal_orders import cyclic_ideal, maximal_at
 from hfield.orders.orders_at_primes import OrderAtPrime, independent, random_lines
 
@@ -308,58 +303,3 @@ def random_ideal(order: LatticeValue, norm: Any, rng: random.Random) -> LatticeV
                 f"random ideals have a norm prime to the discriminant, and {prime} divides both"
             )
     return cyclic_ideal(order, factors, lambda size, modulus: random_lines(rng, modulus, size))
-
-
-# --- quicker over ℤ --------------------------------------------------------------------------------
-
-
-@lru_cache(maxsize=64)
-def _units(order: LatticeValue, p: int) -> tuple[fmpz_mat, fmpz_mat, int]:
-    """Return e and f in an order with e² ≡ e, f ≡ e·f·(1 − e) ≢ 0 modulo p.
-
-    They are matrices from the right, the third number too large.
-    """
-    at, r = OrderAtPrime(order, p), order.ambient
-    e = at.idempotent(1)
-    coordinates = (at.corners(e)[0] * order.inverse_rows).numer_denom()[0].tolist()
-    small = ([int(c) % p for c in row] for row in coordinates)
-    f = at.order_row(next(row for row in small if any(row)))
-    matrices = [r.right_matrix((x * order.den).numer_denom()[0].entries()) for x in (e, f)]
-    return matrices[0], matrices[1], order.den * r.scale
-
-
-def right_subideals(ideal: LatticeValue, order: LatticeValue, p: int) -> Iterator[LatticeValue]:
-    """Yield the p + 1 right ideals of relative norm p in a right ideal; the order is M₂(ℤₚ) at p."""
-    e, f, divisor = _units(order, p)
-    rows = ideal.matrix
-    image = hermite.divided(rows * e, divisor)
-    coordinates, d = hermite.in_coordinates(rows, image)
-    vectors = [[int(x) // d for x in row] for row in coordinates.tolist()]
-    start = next(n for v in vectors if (n := lead(v, p)) < 4)
-    lines = echelon(vectors, p)
-    if not lines[0][start]:  # the row of the first pivot first: that fixes the order of the classes
-        lines.reverse()
-    # an element of the lattice that is ≡ y·e modulo p times it
-    first, second = (hermite.divided(fmpz_mat([y]) * rows * e, divisor) for y in lines)
-    along, across = (hermite.divided(y * f, divisor) for y in (first, second))
-    tail = (rows * p).entries()
-    pairs = ((first + second * c, along + across * c) for c in range(p))
-    for y, z in (*pairs, (second, across)):
-        yield hermite_form(
-            ideal.ambient, ideal.den, fmpz_mat(6, 4, y.entries() + z.entries() + tail)
-        )
-
-
-def _of_least_norm(lattice: LatticeValue, p: int) -> tuple[int, ...]:
-    """Return the row of an element whose norm, over that of the lattice, is prime to p."""
-    rows, _ = lattice.reduced
-    lines = hermite.tuples(rows)
-    sums = (tuple(map(plus, x, y)) for x, y in combinations(lines, 2))
-    # the values of a primitive form have no common divisor
-    return next(x for x in (*lines, *sums) if lattice.multiple(x) % p)
-
-
-def prime_to(ideal: LatticeValue, p: int) -> LatticeValue:
-    """Return a right ideal of integral norm prime to p in the class of a right ideal: ``conj(x)·I/N(I)``."""
-    x = ideal.element(_of_least_norm(ideal, p))
-    return scaled(multiple(ideal, x.conjugate(), "left"), 1 / ideal.norm)

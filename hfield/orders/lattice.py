@@ -6,9 +6,9 @@ classes, an ideal its order. What takes an algorithm is a function on values in 
 
 from __future__ import annotations
 
-import math
 import random
-from collections.abc import Callable, Iterable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -29,6 +29,7 @@ from hfield.fuchsian.group import NormOneGroup
 from hfield.fuchsian.search import split_order
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.orders import (
+    brandt,
     certificates,
     class_number,
     equivalence,
@@ -53,23 +54,20 @@ from hfield.orders.class_number import ByStableClasses, StableClasses, WithStabl
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import WithForms
 from hfield.orders.equivalence_result import EquivalenceResult
-from hfield.orders.hecke_modules import RationalModule
+from hfield.orders.hecke_modules import ClassFunctions
 from hfield.orders.lattice_values import LatticeValue, rows_json
 from hfield.orders.orders_at_primes import OrderAtPrime
-from hfield.orders.over_integers import class_sets, stable_classes
-from hfield.orders.over_integers.hecke_modules import IntegersModule
 from hfield.orders.quadratic_orders import Embeddings
 from hfield.orders.short_elements import expect_definite
+from hfield.orders.stable_classes import stable_classes
 from hfield.orders.ternary_forms import TernaryForm
 from hfield.orders.validation import checked_side, listed, natural
 from hfield.orders.validation import prime as checked_prime
-from hfield.orders.z_order import ZOrder
 from hfield.rings.whole_numbers import fraction
 from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
-    from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-    from hfield.orders.over_integers.indefinite_classes import IndefiniteClassSet
+    from hfield.orders.indefinite_classes import IndefiniteClassSet
     from hfield.orders.pseudo_bases import PseudoBasis
 
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
@@ -798,15 +796,14 @@ class Order(WithStableClasses, Certified, Lattice):
 
     # --- classes -----------------------------------------------------------------------------------
 
-    def class_set(self) -> Any:
+    def class_set(self) -> ClassSet:
         """Return the invertible right ideal classes, complete by the mass formula.
 
         Raises :class:`IndefiniteError` unless the algebra is totally definite; see :meth:`classes_by_norm`.
         """
-        if self.value.ambient.base.is_rational:
-            return ClassSet(self)
         if not self.is_definite():
-            number = class_sets.number_by_signs(self.algebra)
+            ambient = self.value.ambient
+            number = ambient.base.classes_modulo_signs(ambient).order
             raise IndefiniteError(
                 f"{self.algebra} is split at an infinite place: by strong approximation an Eichler order "
                 f"has as many right ideal classes as the ideals of {self.algebra.ring.name} have modulo "
@@ -814,7 +811,7 @@ class Order(WithStableClasses, Certified, Lattice):
                 "norm, and classes_by_norm() has representatives; class_set() enumerates in totally definite "
                 "algebras"
             )
-        return IntegersClassSet(self)
+        return ClassSet(self)
 
     def classes_by_norm(self) -> IndefiniteClassSet:
         """Return the right ideal classes where the algebra splits at an infinite place, with representatives.
@@ -827,15 +824,13 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> len(C), [I.norm() for I in C], [C.index(I) for I in C], C.type_number
         (2, [ideal(1), ideal(2, sqrt(10))], [0, 1], 1)
         """
-        from hfield.orders.over_integers.indefinite_classes import IndefiniteClassSet
+        from hfield.orders.indefinite_classes import IndefiniteClassSet
 
         return IndefiniteClassSet(self)
 
     @cached_property
     def _stable(self) -> StableClasses:
-        if self.value.ambient.base.is_rational:
-            return class_number.over_z(ZOrder.of(self.value))
-        return stable_classes.stable_classes(self)
+        return stable_classes(self.value)
 
     def mass(self) -> Fraction:
         """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ], over ℤ modulo ±1, over the right ideal classes, by a formula.
@@ -847,7 +842,7 @@ class Order(WithStableClasses, Certified, Lattice):
     def _expect_right_ideal(self, ideal: object) -> None:
         """Raise :class:`LatticeError` unless this is an invertible right ideal of the order."""
         if not isinstance(ideal, Ideal) or ideal.side == "left":
-            raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
+            raise LatticeError(f"{shorten(repr(ideal))} is not a right ideal of {shorten(self)}")
         if ideal.order != self or not ideal.is_invertible():
             raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of {self}")
 
@@ -1138,8 +1133,13 @@ class Ideal(Certified, Lattice):
             )
 
 
-class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
-    """The right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
+def _is_scalar(x: object) -> bool:
+    """Tell whether a lattice is multiplied by x as by a number, or an ideal of the field."""
+    return not isinstance(x, (Lattice, Quaternion, tuple, list, str))
+
+
+class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
+    """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
 
     >>> from hfield import QuaternionAlgebra
     >>> C = QuaternionAlgebra("QQ", -1, -11).maximal_order().class_set()
@@ -1147,71 +1147,6 @@ class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
     (2, Fraction(5, 6), 2)
     >>> C.brandt_matrix(2)
     [[1, 2], [3, 0]]
-    """
-
-    foreign_names = CLASSES
-    order: Order
-
-    def __init__(self, order: Order) -> None:
-        super().__init__(order.value)
-        self.order = order
-
-    def __getitem__(self, n: int) -> Ideal:
-        """Return the representative of class n, a primitive integral right ideal; class 0 is that of O."""
-        if not -len(self) <= n < len(self):
-            raise IndexError(f"there are {len(self)} classes, numbered from 0: {n} is none of them")
-        return Ideal(self._representative(n), "right", self.order)
-
-    def __iter__(self) -> Iterator[Ideal]:
-        return (self[n] for n in range(len(self)))
-
-    def left_ideals(self) -> Iterator[Ideal]:
-        """Yield representatives of the left ideal classes, the conjugates of the right ones."""
-        return (I.conjugate() for I in self)
-
-    def index(self, ideal: object) -> int:
-        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        found = ideal
-        if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
-            found = Ideal.like(ideal, self.order, "right")
-        if not isinstance(found, Ideal) or found.side == "left" or found.order != self.order:
-            raise LatticeError(
-                f"{shorten(repr(ideal))} is not a right ideal of {shorten(self.order)}"
-            )
-        if not found.is_invertible():
-            raise LatticeError(f"{shorten(found)} is not invertible, and belongs to no class")
-        return self._index(found.value)
-
-    def left_orders(self) -> list[Order]:
-        """Return the left orders of the representatives, one a class."""
-        return [I.left_order() for I in self]
-
-    def _stable_class(self, n: int) -> int:
-        stable, local = self.order._stable, class_number.local_multiple
-        return stable.reduced(local(self._lattices[n], place.prime) for place in stable.places)
-
-    @cached_property
-    def _forms(self) -> RationalModule:
-        """The functions on the classes as a module of Hecke operators."""
-        return RationalModule(self)
-
-    def _repr_latex_(self) -> str:
-        mass = rf"\frac{{{self.mass.numerator}}}{{{self.mass.denominator}}}"
-        return rf"$h = {len(self)},\quad \text{{mass}} = {mass},\quad {self.order.latex()}$"
-
-    def __repr__(self) -> str:
-        return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
-
-
-def _is_scalar(x: object) -> bool:
-    """Tell whether a lattice is multiplied by x as by a number, or an ideal of the field."""
-    return not isinstance(x, (Lattice, Quaternion, tuple, list, str))
-
-
-class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified, Hinted):
-    """The invertible right ideal classes of an order: ``len(C)``, iteration over representatives, ``C[n]``.
-
-    >>> from hfield import QuaternionAlgebra
     >>> C = QuaternionAlgebra("QQ(sqrt(6))", -1, -1).maximal_order().class_set()
     >>> len(C), C.mass, C.type_number
     (3, Fraction(1, 4), 3)
@@ -1221,17 +1156,26 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
     order: Order
 
     def __init__(self, order: Order) -> None:
-        super().__init__(order)
-        self.order = order
+        self.order, self._classes = order, Classes(order.value)
+        self._base = order.value.ambient.base
 
-    @property
-    def claim(self) -> Claim:
-        """How many classes there are, as a statement with its evidence."""
-        return certificates.of_ideal_classes(self)
+    def __len__(self) -> int:
+        return len(self._classes)
 
     def __getitem__(self, n: int) -> Ideal:
-        """Return the representative of class n, a right ideal that contains 1; class 0 is that of O."""
-        return Ideal(self.lattices[n], "right", self.order)
+        """Return the representative of class n, an integral right ideal; class 0 is that of O.
+
+        It is primitive where the base has class number 1.
+        """
+        lattice = self._classes.lattice(self._checked(n))
+        factor = lattice_values.scalars_into(lattice, self.order.value)
+        found = lattice_values.times_ideal(lattice, self._base.principal_multiple(factor))
+        return Ideal(found, "right", self.order)
+
+    def _checked(self, n: int) -> int:
+        if not -len(self) <= n < len(self):
+            raise IndexError(f"there are {len(self)} classes, numbered from 0: {n} is none of them")
+        return n
 
     def __iter__(self) -> Iterator[Ideal]:
         return (self[n] for n in range(len(self)))
@@ -1240,40 +1184,193 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
         """Yield representatives of the left ideal classes, the conjugates of the right ones."""
         return (I.conjugate() for I in self)
 
-    def index(self, ideal: Ideal) -> int:
-        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        self.order._expect_right_ideal(ideal)
-        return self.class_of(ideal.value)
-
     def left_orders(self) -> list[Order]:
         """Return the left orders of the representatives, one a class."""
         return [I.left_order() for I in self]
 
-    def _stable_class(self, n: int) -> tuple[int, int]:
-        stable, norm, ambient = self.order._stable, self.norms[n], self.ambient
-        local = (
-            ideals_of_norm.local_generator(self.lattices[n], place.prime) for place in stable.places
-        )
-        values = (ambient.norm(x.entries()) / norm.element for x in local)
-        return norm.number, stable.reduced(values)
+    def index(self, ideal: object) -> int:
+        """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
+        found = ideal
+        if isinstance(ideal, Lattice) and not isinstance(ideal, Ideal):
+            found = Ideal.like(ideal, self.order, "right")
+        self.order._expect_right_ideal(found)
+        assert isinstance(found, Ideal)
+        return self._classes.class_of(found.value)
 
-    @cached_property
-    def _forms(self) -> IntegersModule:
-        """The functions on the classes as a module of Hecke operators."""
-        ambient = self.ambient
+    @property
+    def mass(self) -> Fraction:
+        """Σ 1/[O_L(I)ˣ : Rˣ] over the classes, R being the integers of the base; over ℤ modulo ±1."""
+        return self._classes.mass
 
-        def of_level(level: list[tuple[PrimeIdeal, int]]) -> IntegersClassSet:
-            primes = [ambient.base.prime_ideal(P) ** e for P, e in level]
-            ideal = math.prod(primes, start=ambient.base.one)
-            return IntegersClassSet(
-                Order(maximal_orders.eichler_suborder(self._maximal.value, ideal))
+    @property
+    def units(self) -> list[int]:
+        """[O_L(I)ˣ : Rˣ] for each class, R being the integers of the base; over ℤ modulo ±1."""
+        return list(self._classes.units)
+
+    @property
+    def unit_counts(self) -> list[int]:
+        """How many units the left order of each class has.
+
+        Over a field other than ℚ they are infinitely many, and :class:`NotFiniteError` is raised.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra(11).maximal_order().class_set(); C.unit_counts, C.units
+        ([4, 6], [2, 3])
+        """
+        if self._base.degree > 1:
+            raise NotFiniteError(
+                f"orders over {self.order.algebra.ring.name} have infinitely many units; units has their "
+                "numbers modulo those of the field"
             )
+        return [2 * count for count in self._classes.units]
 
-        return IntegersModule(self, of_level)
+    @property
+    def types(self) -> list[int]:
+        """The number of the type of each class: which left orders are isomorphic."""
+        return list(self._classes.types)
+
+    @property
+    def type_number(self) -> int:
+        """How many isomorphism classes of orders there are in the genus."""
+        return len(set(self._classes.types))
+
+    def exchanged(self, prime: object) -> list[int]:
+        """Return which class each becomes by the two-sided prime ideal at a prime.
+
+        Raises :class:`LatticeError` where the order is neither maximal nor Eichler there.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(37).maximal_order().class_set().exchanged(37)
+        [0, 2, 1]
+        """
+        return list(self._classes.exchanged(self._base.prime(prime)))
+
+    # --- Brandt matrices -----------------------------------------------------------------------------
+
+    def neighbours(self, prime: object) -> list[Counter[int]]:
+        """Return for each class how many right ideals of relative norm P in it belong to which class.
+
+        Raises :class:`LatticeError` for what is no prime, :class:`TooLargeError` where there are too many.
+        """
+        return self._classes.neighbours(self._base.prime(prime))
+
+    def neighbours_of(self, n: int, prime: object) -> Counter[int]:
+        """Return the same for class n alone.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(11).maximal_order().class_set().neighbours_of(0, 2)
+        Counter({1: 2, 0: 1})
+        """
+        return self._classes.neighbours_of(self._checked(n), self._base.prime(prime))
+
+    def power_neighbours(self, prime: object, e: int) -> list[Counter[int]]:
+        """Return for each class how many right ideals of relative norm Pᵉ in it belong to which class."""
+        P = self._base.prime(prime)
+        return brandt.counters(brandt.prime_power(self._classes, P, natural(e, "the exponent is")))
+
+    def brandt_matrix(self, norm: object) -> list[list[int]]:
+        """Return the Brandt matrix of a norm: entry (i, j) counts the ideals of class j of that norm in I_i.
+
+        They are the invertible ideals of that relative norm, an ideal of the base or a number that generates
+        it. Over ℤ entry (i, j) times the units of j is entry (j, i) times those of i (Pizer, 1980; Gross,
+        1987). Raises :class:`LatticeError` for what is no integral ideal.
+        """
+        matrix = brandt.brandt_matrix(self._classes, self._base.integral_ideal(norm))
+        return [[int(x) for x in row] for row in matrix.tolist()]
+
+    def hecke_polynomial(self, norm: object) -> list[int]:
+        """Return the characteristic polynomial of the Brandt matrix, low degree first."""
+        return brandt.hecke_polynomial(self._classes, self._base.integral_ideal(norm))
+
+    def hecke_operator(self, norm: object, values: Sequence[Any]) -> list[Any]:
+        """Return the Brandt matrix of a norm times a function on the classes, given by its values.
+
+        Raises :class:`LatticeError` unless there is a value for each class.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra("QQ", -1, -11).maximal_order().class_set()
+        >>> C.hecke_operator(2, [1, 1]), C.hecke_operator(2, [2, -3])
+        ([3, 3], [-4, 6])
+        """
+        if len(values) != len(self):
+            raise LatticeError(f"{len(values)} values were given for {len(self)} classes")
+        rows = brandt.brandt_rows(self._classes, self._base.integral_ideal(norm))
+        return [sum(values[j] * times for j, times in row.items()) for row in rows]
+
+    def theta_series(self, i: int, j: int, n: int) -> Any:
+        """Return the theta series of the lattice I_i·I_j⁻¹, as :meth:`Lattice.theta_series` does.
+
+        Over ℤ its coefficient m, divided by the units of class j, is entry (i, j) of the Brandt matrix of m.
+        Raises :class:`LatticeError` where there are fewer classes.
+        """
+        h = len(self)
+        if not (-h <= i < h and -h <= j < h):
+            raise LatticeError(
+                f"there are {h} classes, numbered from 0: {i} and {j} are not both of them"
+            )
+        inverse = lattice_values.inverse(self._classes.lattice(j))
+        between = lattice_values.product(self._classes.lattice(i), inverse)
+        return short_elements.theta_series(between, n)
+
+    def edges(self, prime: object) -> Iterator[tuple[int, int, dict[str, int]]]:
+        """Yield the edges of the graph of P-neighbours, ``networkx.from_edgelist`` reads them.
+
+        For a maximal order of prime discriminant over ℤ it is the supersingular isogeny graph, up to Galois
+        conjugation of the vertices (Deuring).
+        """
+        for i, row in enumerate(self.neighbours(prime)):
+            for j in sorted(row):
+                yield i, j, {"weight": row[j]}
+
+    # --- evidence ------------------------------------------------------------------------------------
 
     @cached_property
-    def _maximal(self) -> Order:
-        return self.order.maximal_overorder()
+    def claim(self) -> Claim:
+        """How many classes there are, as a statement with its evidence."""
+        return certificates.of_class_set(self._classes)
+
+    @property
+    def evidence(self) -> dict[str, object]:
+        """What a program needs to check the class set: representatives, units, and the mass.
+
+        Units are counted as :attr:`unit_counts` counts them over ℤ, and as :attr:`units` over other bases.
+        """
+        base = self._base
+        counts = self.unit_counts if base.degree == 1 else self.units
+        return {
+            "kind": "class-set",
+            "algebra": str(self.order.algebra),
+            "order": rows_json(self.order.value),
+            "discriminant": base.ideal_text(lattice_values.discriminant(self.order.value)),
+            "mass": str(self.mass),
+            "classes": [
+                {**rows_json(I.value), "units": units}
+                for I, units in zip(self, counts, strict=True)
+            ],
+        }
+
+    # --- stable classes, newforms ----------------------------------------------------------------------
+
+    def _stable_class(self, n: int) -> tuple[int, int]:
+        stable = self.order._stable
+        values = (self._classes.local_norm(n, place.prime) for place in stable.places)
+        return self._classes.norms[n].number, stable.reduced(values)
+
+    @cached_property
+    def _forms(self) -> ClassFunctions:
+        """The functions on the classes as a module of Hecke operators."""
+        algebra: Any = self.order.algebra
+        return ClassFunctions(
+            self._classes, lambda level: Classes(algebra.eichler_order(level).value)
+        )
+
+    def latex(self) -> str:
+        """Write the number of classes and the mass in LaTeX."""
+        mass = rf"\frac{{{self.mass.numerator}}}{{{self.mass.denominator}}}"
+        return rf"h = {len(self)},\quad \text{{mass}} = {mass},\quad {self.order.latex()}"
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex()}$"
 
     def __repr__(self) -> str:
         return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"

@@ -50,7 +50,8 @@ def test_class_numbers_masses_and_units() -> None:
         )
         assert len(C) == len(D) == plain(C.order.algebra).class_number(n)
         assert C.mass == D.mass == class_number.eichler_mass(d, n)
-        assert sorted(2 * u for u in C.units) == sorted(D.unit_counts)
+        assert sorted(C.units) == sorted(D.units)
+        assert C.unit_counts == [2 * u for u in C.units]
         assert C.type_number == D.type_number
         assert C.order.stable_class_number() == D.order.stable_class_number() == 1
 
@@ -241,6 +242,26 @@ def test_ideals_are_one_class_over_both() -> None:
         assert type(one) is type(other)
         assert (one.holds, one.reason) == (other.holds, other.reason)
         assert one.claim.verdict == other.claim.verdict
+
+
+def test_class_sets_are_one_class_over_both() -> None:
+    C, D = (A.eichler_order(9).class_set() for A in (algebra(5), QuaternionAlgebra(5)))
+    assert type(C) is type(D)
+    assert dir(C) == dir(D)
+    for n in (2, 3, 5, 9, 12, 25, 27):
+        assert C.hecke_polynomial(n) == D.hecke_polynomial(n)
+        assert sorted(map(sorted, C.brandt_matrix(n))) == sorted(map(sorted, D.brandt_matrix(n)))
+    assert [sorted(row.values()) for row in D.power_neighbours(3, 2)] == [
+        sorted(x for x in row if x) for row in D.brandt_matrix(9)
+    ]
+    assert len(set(C.exchanged(5))) == len(set(D.exchanged(5))) == len(D)
+    assert sorted(C.stable_classes()) == sorted(D.stable_classes())
+    assert C.evidence["mass"] == D.evidence["mass"]
+    assert sum(1 for _ in C.edges(2)) == sum(1 for _ in D.edges(2))
+    values = [n * n for n in range(len(D))]
+    assert D.hecke_operator(3, values) == [
+        sum(x * y for x, y in zip(row, values, strict=True)) for row in D.brandt_matrix(3)
+    ]
 
 
 def pairs_of_orders() -> Iterator[tuple[Order, Order]]:

@@ -14,7 +14,7 @@ BASES = {
     "OK": QuaternionAlgebra(K, -1, -1).maximal_order(),
     "G": QuaternionAlgebra(6).maximal_order().norm_one_group(),
     "C": QuaternionAlgebra(11).maximal_order().class_set(),
-    "CN": QuaternionAlgebra(11).eichler_order(3).class_set(),
+    "CN": QuaternionAlgebra(11).eichler_order(9).class_set(),
     "CK": QuaternionAlgebra(K, -1, -1).maximal_order().class_set(),
     "E": QuaternionAlgebra(K, -1, -1).eichler_order(10007),
 }
@@ -34,7 +34,7 @@ def test_refused_before_anything_is_enumerated(text: str, monkeypatch: pytest.Mo
     BASES["E"].mass()
     for name in ("C", "CN"):  # neighbours at the least prime serve all others
         assert BASES[name].neighbours(2)
-        assert BASES[name].exchanged
+        assert BASES[name].exchanged(11)
 
     def started(*_: object) -> object:
         raise AssertionError("the enumeration was started")
@@ -42,7 +42,7 @@ def test_refused_before_anything_is_enumerated(text: str, monkeypatch: pytest.Mo
     monkeypatch.setattr(enumeration, "short_vectors", started)
     monkeypatch.setattr(enumeration, "vectors_of_length", started)
     for name in ("C", "CN"):
-        monkeypatch.setattr(BASES[name], "_neighbours", started)
+        monkeypatch.setattr(BASES[name]._classes, "classes_inside", started)
     with pytest.raises(TooLargeError) as error:
         eval(text, dict(BASES))
     assert re.search(r"\d", str(error.value))

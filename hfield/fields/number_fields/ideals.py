@@ -338,7 +338,7 @@ class Ideal:
     @cached_property
     def generators(self) -> tuple[Any, ...]:
         """One or two elements that generate the ideal, the first of them rational."""
-        least = flint.fmpq(self._least_integer, self.denominator)
+        least = flint.fmpq(self.least_integer, self.denominator)
         first = self.frame.field.one * least
         found = [first]
         if self.frame.principal(first) != self:
@@ -346,7 +346,7 @@ class Ideal:
         return tuple(map(self.frame.outside, found))
 
     @property
-    def _least_integer(self) -> int:
+    def least_integer(self) -> int:
         """The least positive integer in ``denominator`` times the ideal."""
         row = coordinate_rows(self.frame.field, [self.frame.field.one])
         inverse = flint.fmpq_mat(self.matrix).inv()

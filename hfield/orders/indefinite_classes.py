@@ -13,10 +13,10 @@ from typing import Any, ClassVar
 
 import flint
 
-from hfield.errors import IndefiniteError, LatticeError
+from hfield.errors import IndefiniteError, LatticeError, shorten
 from hfield.hints import CLASSES, Hinted
 from hfield.orders.invariants import eichler_symbol, good_primes
-from hfield.orders.lattice_values import discriminant
+from hfield.orders.lattice_values import discriminant, is_locally_principal, product
 
 
 class IndefiniteClassSet(Hinted):
@@ -68,7 +68,9 @@ class IndefiniteClassSet(Hinted):
 
     def index(self, ideal: Any) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
-        self.order._expect_right_ideal(ideal)
+        value, order = ideal.value, self.order.value
+        if not is_locally_principal(value, order) or product(value, order) != value:
+            raise LatticeError(f"{shorten(ideal)} is no invertible right ideal of the order")
         return list(self._ideals).index(self.group.class_of(ideal.norm()))
 
     @property

@@ -1,0 +1,235 @@
+"""Keys of right ideal classes: lattices x⁻¹·I for short elements x of a right ideal I.
+
+An ideal I has the norm ν·a, with ν totally positive and a one of the ideals that represent the narrow classes
+of the base. The lattice x⁻¹·I lies in the class of I for every x in I, and contains the order: it is compared
+by its Hermite form in coordinates of the order. A lookup takes the shortest x of a reduced basis, and needs
+no proof that x is short: if x⁻¹·I is a lattice of a known class, I is in that class.
+
+Only for a lattice that is not known the x of least Tr(N(x)/ν) are enumerated, over all ν modulo squares of
+units. They are the same for c·I but for the factor c. Of these take those for which the numbers u·N(x)/ν come
+first. The x⁻¹·I are then all lattices of this kind in the class; as many x as the left order has units modulo
+those of the base give the same one, and the first of these keys represents the class.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
+
+from hfield.orders.basis import combined
+from hfield.orders.enumeration import least_vectors
+from hfield.orders.hermite import divided, inverse, tuples
+from hfield.orders.lattice_values import LatticeValue
+
+if TYPE_CHECKING:
+    from hfield.orders.basis import AlgebraBasis
+
+Key = tuple[Any, ...]
+MAX_QUOTIENTS = 12
+"""From more short elements than this some are chosen by their inner products; over ℤ there are no more."""
+
+
+@dataclass(frozen=True)
+class Norm:
+    """The norm of an ideal, ν·a: the number of the narrow class of a, and ν."""
+
+    number: int
+    element: Any
+
+
+class ClassKeys:
+    """What the keys of right ideals of one order have in common."""
+
+    def __init__(self, order: LatticeValue) -> None:
+        self.order, self.ambient = order, order.ambient
+        base = order.ambient.base
+        self.narrow, self.units = base.narrow_classes, base.positive_units
+        back, den = inverse(order.matrix)
+        self._left = [matrix * back for matrix in self.ambient.left]
+        self._den = den
+        self._step: dict[tuple[Any, int], Norm] = {}
+
+    def norm_of(self, ideal: Any) -> Norm:
+        """Return an ideal of the base as the norm of a lattice."""
+        return Norm(*self.narrow.split(ideal))
+
+    def multiplied(self, norm: Norm, ideal: Any) -> Norm:
+        """Return a norm times an ideal of the base."""
+        known = ideal, norm.number
+        if known not in self._step:
+            self._step[known] = self.norm_of(self.narrow.ideals[norm.number] * ideal)
+        step = self._step[known]
+        return Norm(step.number, step.element * norm.element)
+
+    def quotient(self, rows: fmpz_mat, x: ShortElement) -> Key:
+        """Return x⁻¹·I in Hermite form in coordinates of the order, for rows that span I.
+
+        The key has the denominator d, and the rows whose pivots are not d: the others are d times a unit row.
+        """
+        row, den = x.inverse
+        matrix = combined(self._left, row)
+        scale = den * x.den * self.ambient.scale * self._den
+        whole, den = (rows * matrix * fmpq(self.order.den, scale)).numer_denom()
+        d, entries = int(den), whole.hnf().entries()
+        size = self.ambient.size
+        kept = [k for k in range(size) if entries[k * (size + 1)] != d]
+        return (d, *(int(c) for k in kept for c in entries[k * size : (k + 1) * size]))
+
+    def divided(self, rows: fmpz_mat, x: ShortElement) -> tuple[fmpz_mat, int]:
+        """Return a basis of x⁻¹·I, rows over a denominator, for a basis of I."""
+        ambient = self.ambient
+        row, den = x.inverse
+        below = den * x.den * ambient.scale
+        found, den = (rows * ambient.left_matrix(row) * fmpq(1, below)).numer_denom()
+        return found, int(den)
+
+
+class ShortElement:
+    """An element of a lattice: a row over the denominator of the lattice, and the coordinates of its norm."""
+
+    def __init__(self, ambient: AlgebraBasis, row: list[fmpz], den: int, norm: list[fmpz]) -> None:
+        self._ambient, self.row, self.den = ambient, row, den
+        self.scaled_norm = norm
+        """2·scale·den² times too large."""
+
+    @property
+    def norm(self) -> Any:
+        """The reduced norm, a number of the field."""
+        below = 2 * self._ambient.scale * self.den**2
+        return self._ambient.base.element_of([fmpq(c, below) for c in self.scaled_norm])
+
+    @cached_property
+    def inverse(self) -> tuple[list[fmpz], int]:
+        """The inverse, an integer row over a denominator."""
+        ambient = self._ambient
+        # x⁻¹ = conj(x)/N(x)
+        number, below = ambient.inverse_number(self.scaled_norm)
+        bar = fmpz_mat([self.row]) * ambient.conjugation * ambient.scalar_matrix(number)
+        factor = fmpq(2 * ambient.scale * self.den, ambient.conjugate_scale * below)
+        found, den = (bar * factor).numer_denom()
+        return found.entries(), int(den)
+
+
+class Reduced(NamedTuple):
+    """A reduced basis of a sublattice: its Gram matrix, coordinates, and rows."""
+
+    gram: fmpz_mat
+    coordinates: fmpz_mat
+    rows: fmpz_mat
+
+
+class Representative(NamedTuple):
+    """A reduced basis of the lattice that represents a class, rows over a denominator, and what it has."""
+
+    rows: fmpz_mat
+    den: int
+    norm: Norm
+    units: int
+    """[O_L(I)ˣ : Rˣ], R being the integers of the base."""
+    keys: list[Key]
+    """Those of the shortest elements."""
+
+
+class SublatticeKeys:
+    """Keys of sublattices of one norm in a lattice, which are given by coordinates in its rows."""
+
+    def __init__(self, keys: ClassKeys, rows: fmpz_mat, den: int, norm: Norm) -> None:
+        self.keys, self.rows, self.den, self.norm = keys, rows, den, norm
+        ambient, base = keys.ambient, keys.ambient.base
+        self._ambient = ambient
+        self._grams = ambient.grams(rows)
+        traces = [
+            [base.trace(u * w / norm.element) for w in base.integral_basis] for u in keys.units
+        ]
+        whole = fmpq_mat(traces).numer_denom()[0].tolist()
+        forms = []
+        for line in whole:
+            form = self._grams[0] * line[0]
+            for gram, c in zip(self._grams[1:], line[1:], strict=True):
+                form += gram * c
+            forms.append(form)
+        content = fmpz_poly([c for form in forms for c in form.entries()]).content()
+        self._forms = [divided(form, content) for form in forms]
+        """Multiples of Tr(u·N(x)/ν), one for each unit u modulo squares, by one factor."""
+
+    def reduced(self, coordinates: fmpz_mat, number: int = 0) -> Reduced:
+        """Return a basis of a sublattice that is reduced for one of the forms."""
+        gram = coordinates * self._forms[number] * coordinates.transpose()
+        gram, change = gram.lll(transform=True, rep="gram")
+        found = change * coordinates
+        return Reduced(gram, found, found * self.rows)
+
+    def element(self, coordinates: Sequence[int | fmpz]) -> ShortElement:
+        """Return the element with some coordinates."""
+        row = fmpz_mat([list(coordinates)])
+        column = row.transpose()
+        norm = [(row * gram * column)[0, 0] for gram in self._grams]
+        return ShortElement(self._ambient, (row * self.rows).entries(), self.den, norm)
+
+    @property
+    def norm_scale(self) -> int:
+        """The factor by which coordinates of norms are too large."""
+        return int(2 * self._ambient.scale * self.den**2)
+
+    def norm_of_sum(self, numbers: Sequence[int]) -> list[fmpz]:
+        """Return the scaled coordinates of the norm of a sum of basis elements."""
+        return [sum(gram[m, n] for m in numbers for n in numbers) for gram in self._grams]
+
+    def key(self, basis: Reduced) -> Key:
+        """Return x⁻¹·I for a shortest x of a reduced basis."""
+        gram, size = basis.gram, basis.gram.nrows()
+        k = min(range(size), key=lambda k: gram[k, k])
+        x = self.element([basis.coordinates[k, m] for m in range(size)])
+        return self.keys.quotient(basis.rows, x)
+
+    def representative(self, basis: Reduced) -> Representative:
+        """Return the lattice that represents the class of a sublattice, by all its shortest elements."""
+        least, found = -1, list[tuple[int, list[int]]]()
+        for number, _ in enumerate(self.keys.units):
+            some = self.reduced(basis.coordinates, number) if number else basis
+            value, vectors = least_vectors(tuples(some.gram))
+            if least < 0 or value < least:
+                least, found = value, []
+            if value == least:
+                rows = fmpz_mat([list(v) for v in vectors]) * some.coordinates
+                found += [(number, list(row)) for row in tuples(rows)]
+        elements = self._chosen(found)
+        quotients: dict[Key, tuple[ShortElement, int]] = {}
+        for x in elements:
+            key = self.keys.quotient(basis.rows, x)
+            quotients[key] = x, quotients[key][1] + 1 if key in quotients else 1
+        x, units = quotients[min(quotients)]
+        rest = Norm(self.norm.number, self.norm.element / x.norm)
+        return Representative(*self.keys.divided(basis.rows, x), rest, units, list(quotients))
+
+    def _chosen(self, found: list[tuple[int, list[int]]]) -> list[ShortElement]:
+        """Return those of the elements for which some numbers come first, which are the same for c·I.
+
+        The numbers are u·N(x)/ν, and for many elements the inner products with all the others.
+        """
+        elements = [self.element(vector) for _, vector in found]
+        base, units = self._ambient.base, self.keys.units
+        if len(found) > 1 and base.degree > 1:
+            numbers = [
+                x.norm * units[n] / self.norm.element
+                for x, (n, _) in zip(elements, found, strict=True)
+            ]
+            values = list(map(tuple, base.coordinate_rows(numbers).tolist()))
+            least = min(values)
+            kept = [k for k, value in enumerate(values) if value == least]
+            elements, found = [elements[k] for k in kept], [found[k] for k in kept]
+        if len(found) <= MAX_QUOTIENTS:
+            return elements
+        products: list[list[fmpz]] = []
+        for number, form in enumerate(self._forms):
+            some = [vector for n, vector in found if n == number]
+            if some:
+                rows = fmpz_mat(some)
+                table = (rows * form * rows.transpose()).tolist()
+                products += [sorted(map(abs, row)) for row in table]
+        first = min(products)
+        return [x for x, numbers in zip(elements, products, strict=True) if numbers == first]

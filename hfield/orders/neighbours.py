@@ -1,0 +1,240 @@
+"""Right ideals of prime norm in right ideals, in coordinates of a basis, by linear algebra modulo p.
+
+Let P be a prime of the base above p, K a right ideal of norm P in an order O, and I a right ideal with
+``I = y·O`` at all primes above p. Then ``J = y·K + P·I`` is a right ideal of relative norm P in I, and all of
+them come so. K contains p·O, and is the set of zeros of linear forms on O/p·O; J consists of the z in I for
+which these forms are 0 at y⁻¹·z. So the forms of all K are found once, and moved to each ideal.
+
+Where O is M₂ at P, with an idempotent e modulo P, the right ideals of norm P correspond to the lines of the
+plane (O/P·O)·e over the residue field: z lies in that of a line where z·e and z·g are on it, for an element g
+of (1 − e)·O·e that is not 0 modulo P.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import lru_cache
+from itertools import chain, combinations
+from typing import TYPE_CHECKING, Any
+
+from flint import fmpq, fmpq_mat, fmpz_mat, nmod_mat
+
+from hfield.core.factorisation import remove
+from hfield.errors import LatticeError
+from hfield.orders.ideals_of_norm import subideals
+from hfield.orders.lattice_values import LatticeValue, discriminant
+from hfield.orders.orders_at_primes import OrderAtPrime
+
+if TYPE_CHECKING:
+    from hfield.orders.class_keys import Norm, ShortElement, SublatticeKeys
+
+Matrix = list[list[int]]
+TRIALS = 1_000
+"""The largest number of random elements that are tried at a prime."""
+
+
+class Neighbours:
+    """The right ideals of relative norm P in right ideals of one order.
+
+    Raises :class:`TooLargeError` where they are too many at a prime of the discriminant.
+    """
+
+    def __init__(self, order: LatticeValue, prime: Any) -> None:
+        base = order.ambient.base
+        self.order, self.prime = order, prime
+        norm = base.absolute_norm(base.prime_ideal(prime))
+        self.p = base.place(prime).below
+        self.degree = remove(norm, self.p)[0]
+        self.ideals: list[LatticeValue] = []
+        """Those in the order, where P divides the discriminant."""
+        if base.valuation(discriminant(order), prime):
+            self.ideals = subideals(order, order, prime)
+            self._forms = nmod_mat(order.ambient.identity, self.p)
+            self._lines = list(map(self._zeros, self.ideals))
+        else:
+            self._forms = nmod_mat(_plane(self), self.p)
+            self._lines = list(self._lines_of_the_plane())
+
+    def __len__(self) -> int:
+        return len(self._lines)
+
+    def _zeros(self, ideal: LatticeValue) -> nmod_mat:
+        """Return linear forms on the order, in rows, of which a right ideal of norm P is the set of zeros."""
+        whole = (ideal.rows * self.order.inverse_rows).numer_denom()[0]
+        return _kernel(nmod_mat(whole, self.p))
+
+    def _lines_of_the_plane(self) -> Iterator[nmod_mat]:
+        """Yield, for each line, the combinations of the forms of the plane that are 0 on it.
+
+        The forms are the coordinates of z·e in y₁, β·y₁, … and in y₂, β·y₂, …, and those of z·g. The lines
+        are those of y₁ + c·y₂, and of y₂.
+        """
+        f, base = self.degree, self.order.ambient.base
+        one = [[int(k == m) for m in range(f)] for k in range(f)]
+        none = [[0] * f for _ in one]
+        for c in base.residues(self.prime):
+            table = zip(*_multiplication(base, self.prime, c, f), strict=True)
+            first = [[-x for x in row] for row in table]
+            yield self._twice([x + y for x, y in zip(first, one, strict=True)])
+        yield self._twice([x + y for x, y in zip(one, none, strict=True)])
+
+    def _twice(self, rows: Matrix) -> nmod_mat:
+        zero = [0] * (2 * self.degree)
+        return nmod_mat([*(row + zero for row in rows), *(zero + row for row in rows)], self.p)
+
+    def inside(self, around: SublatticeKeys, norm: Norm) -> Iterator[fmpz_mat]:
+        """Yield bases of the right ideals of relative norm P in one, in coordinates of its basis.
+
+        The right ideal, of a given norm, contains the order, as the lattices that represent classes do.
+        """
+        order, ambient, p = self.order, self.order.ambient, self.p
+        rows, den = around.rows, around.den
+        y = generator_above(around, p, norm)
+        if y is not None:
+            row, below = y.inverse
+            rows, den = rows * ambient.left_matrix(row), den * below * ambient.scale
+        moved, below = (rows * order.inverse_rows * fmpq(1, den)).numer_denom()
+        forms = self._forms * nmod_mat(moved.transpose(), p) * pow(int(below), -1, p)
+        for line in self._lines:
+            yield _solutions(line * forms, p)
+
+
+@lru_cache(maxsize=64)
+def neighbours_at(order: LatticeValue, prime: Any) -> Neighbours:
+    """Return the right ideals of norm P in an order, and with them those in its right ideals."""
+    return Neighbours(order, prime)
+
+
+def generator_above(around: SublatticeKeys, p: int, norm: Norm) -> ShortElement | None:
+    """Return an element y of a right ideal I with I = y·O at all primes above p; None for 1.
+
+    Its norm has the valuations of that of the ideal there; values of a quadratic form that has no common
+    divisor P are not all divisible by P at a basis and its sums.
+    """
+    ambient = around.keys.ambient
+    ideal = ambient.base.narrow_classes.ideals[norm.number]
+    wanted = _valuation(ambient.number_norm(norm.element), p)
+    wanted += _valuation(Fraction(ambient.base.absolute_norm(ideal)), p)
+    if not wanted:
+        return None
+    size, n = ambient.size, ambient.degree
+    wanted += n * remove(around.norm_scale, p)[0]
+    for some in chain(combinations(range(size), 1), combinations(range(size), 2)):
+        found = ambient.number_matrix(around.norm_of_sum(some)).det()
+        if found and remove(int(found), p)[0] == wanted:
+            return around.element([int(k in some) for k in range(size)])
+    rng = random.Random(1)
+    for _ in range(TRIALS):  # where there are several primes above p
+        x = around.element([rng.randrange(p) for _ in range(size)])
+        found = ambient.number_matrix(x.scaled_norm).det()
+        if found and remove(int(found), p)[0] == wanted:
+            return x
+    raise LatticeError(f"no element generates the ideal at the primes above {p}")
+
+
+def _valuation(x: fmpq | Fraction, p: int) -> int:
+    return remove(int(x.numerator), p)[0] - remove(int(x.denominator), p)[0]
+
+
+def _solutions(forms: nmod_mat, p: int) -> fmpz_mat:
+    """Return a basis of the integer vectors at which linear forms are 0 modulo p, with small entries."""
+    reduced, rank = forms.rref()
+    size, half = forms.ncols(), p // 2
+    pivots: list[int] = []
+    for k in range(rank):
+        start = pivots[-1] + 1 if pivots else 0
+        pivots.append(next(m for m in range(start, size) if reduced[k, m]))
+    entries = [0] * (size * size)
+    for m in range(size):
+        entries[m * (size + 1)] = 1
+    for k, pivot in enumerate(pivots):
+        entries[pivot * (size + 1)] = p
+        for m in range(pivot + 1, size):
+            c = int(reduced[k, m])
+            if c and m not in pivots:
+                entries[m * size + pivot] = -c if c <= half else p - c
+    return fmpz_mat(size, size, entries)
+
+
+def _kernel(rows: nmod_mat) -> nmod_mat:
+    """Return a basis of the vectors v with row·v = 0 for every row, as rows."""
+    found, rank = rows.nullspace()
+    table = found.transpose().tolist()[: int(rank)]
+    return nmod_mat([[int(x) for x in row] for row in table], int(rows.modulus()))
+
+
+# --- the plane of an order that is M₂ at P ---------------------------------------------------------
+
+
+def _plane(neighbours: Neighbours) -> Matrix:
+    """Return 4f linear forms on the order modulo p: coordinates of z·e, and of z·g, in bases of lines."""
+    order, prime, p, f = neighbours.order, neighbours.prime, neighbours.p, neighbours.degree
+    ambient, base = order.ambient, order.ambient.base
+    at = OrderAtPrime(order, prime)
+    e = at.idempotent(1)
+    embed = _modulo(order, ambient.scalar(_embedding(base, prime, p)), p)
+    by_e = _modulo(order, ambient.times(e), p)
+    image = _lists(by_e * embed)
+    joined = [x + y for x, y in zip(image, _lists(by_e), strict=True)]
+    reduced = _lists(nmod_mat(joined, p).rref()[0])[: 2 * f]
+    size = ambient.size
+    pivots = [next(k for k, c in enumerate(row) if c) for row in reduced]
+    start = next(k for row in image for k, c in enumerate(row) if c)
+    # the row of the first pivot first: it determines the order of the classes
+    if not reduced[0][start]:
+        reduced.reverse()
+    residues = [
+        base.lift(prime, base.residue(prime, [int(k == m) for m in range(f)])) for k in range(f)
+    ]
+    multiply = [_modulo(order, ambient.scalar(c), p) for c in residues]
+
+    def line(row: list[int]) -> Matrix:
+        """Return the coordinates, at the pivots, of the multiples of an element by residues."""
+        y = nmod_mat([row[size:]], p)
+        return [[int((y * m * embed)[0, k]) for k in pivots] for m in multiply]
+
+    first = line(reduced[0])
+    lines = (first + line(row) for row in reduced[1:])
+    basis = next(m for rows in lines if (m := nmod_mat(rows, p)).rank() == 2 * f)
+    back = basis.inv()
+    for g in at.corners(e)[1].tolist():
+        by_g = _modulo(order, ambient.times(g), p) * embed
+        if any(c for row in _lists(by_g) for c in row):
+            break
+    else:
+        raise AssertionError("(1 − e)·O·e is not 0 modulo P")
+    forms: Matrix = []
+    for matrix in (by_e * embed, by_g):
+        coordinates = nmod_mat([[row[k] for k in pivots] for row in _lists(matrix)], p) * back
+        forms += map(list, zip(*_lists(coordinates), strict=True))
+    return forms
+
+
+def _lists(matrix: nmod_mat) -> Matrix:
+    """Return the rows of a matrix modulo p."""
+    return [[int(x) for x in row] for row in matrix.tolist()]
+
+
+def _modulo(order: LatticeValue, matrix: fmpq_mat, p: int) -> nmod_mat:
+    """Return a linear map that takes the order into itself, modulo p, in coordinates of the order."""
+    return nmod_mat((order.rows * matrix * order.inverse_rows).numer_denom()[0], p)
+
+
+def _embedding(base: Any, prime: Any, p: int) -> Any:
+    """Return an integer t of the field, so that t·x is divisible by p exactly where x is in P."""
+    den, rows = base.ideal_rows(base.inverse(base.prime_ideal(prime)))
+    for row in rows:
+        number = [fmpq(c * p, den) for c in row]
+        if any(int(c.p) % p for c in number):
+            return base.element_of(number)
+    raise AssertionError("p·P⁻¹ is not contained in p·ℤ_K")
+
+
+def _multiplication(base: Any, prime: Any, c: Any, f: int) -> Matrix:
+    """Return the matrix of the multiplication by a residue, on digits as rows."""
+    place = base.place(prime)
+    units = (base.residue(prime, [int(k == m) for m in range(f)]) for k in range(f))
+    residue = place.reduce(c)
+    return [base.digits(prime, place.multiply(residue, x)) for x in units]

@@ -1,1 +1,0 @@
-"""Lattices, orders and ideals over the integers ℤ_K of a number field."""
