@@ -162,8 +162,7 @@ class Rationals(_Ordered):
 
     name = "QQ"
     is_field = True
-    arithmetic = "rationals.arithmetic.RationalArithmetic"
-    completions = "rationals.completions.completion_of_rationals"
+    theory = "rationals"
 
     def in_words(self) -> str:
         """Say what ℚ is."""

@@ -6,7 +6,7 @@ import pytest
 
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
-from hfield.rings import ring
+from hfield.fields.names import ring
 from tests.certificates import ring_data as data
 from tests.subcases import subcases
 

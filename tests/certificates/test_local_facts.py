@@ -14,8 +14,8 @@ from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.quotients import Quotient
 from hfield.certificates.scalars.rationals import has_no_rational_root
 from hfield.certificates.scalars.residues import jacobi
+from hfield.fields.names import ring
 from hfield.product import Constants
-from hfield.rings import ring
 from hfield.structure import norm_evidence, place, ramified_places, zero_norm
 from hfield.structure.norm_forms.zero_norms import evidence_at
 from tests.certificates.ring_data import (

@@ -8,13 +8,13 @@ import pytest
 from hfield.certificates.check import Pin, check
 from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, REAL_ROOTS
 from hfield.certificates.rejection import Rejected
+from hfield.fields.names import ring
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import Proposition
 from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.propositions import Equivalence, Every, Implication, Statement
 from hfield.ledger.real_geometry import Analysis, Angles
 from hfield.ledger.scopes import Negation, Over
-from hfield.rings import ring
 from tests.certificates.cases import with_rings
 from tests.certificates.ring_data import data_of
 

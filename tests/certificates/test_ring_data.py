@@ -12,7 +12,7 @@ from hfield.certificates import glossary
 from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import KINDS, read_ring
-from hfield.rings import ring, ring_of_data
+from hfield.fields.names import ring, ring_of_data
 from tests.certificates import ring_data as made
 from tests.certificates.cases import about_field, certified
 from tests.certificates.ring_data import Data, data_of

@@ -4,8 +4,8 @@ import pytest
 
 from hfield import prove
 from hfield.certificates.check import Rejected, check
+from hfield.fields.names import ring
 from hfield.proving.methods.presentations import decide_presentation, presentation_text
-from hfield.rings import ring
 from tests.certificates.cases import certified
 
 NEVER = [

@@ -3,9 +3,9 @@
 import pytest
 
 from hfield.errors import HFieldError, NotationError
+from hfield.fields.names import ring
 from hfield.proving.statements.language import Sort, read_statement
 from hfield.proving.statements.printing import to_latex, to_text, to_unicode
-from hfield.rings import ring
 from hfield.syntax import parse
 from tests.adversary.statement_generator import plain_statements
 from tests.proving.statements import DEPENDS, FALSE, FIELDS, UNIVERSAL

@@ -3,7 +3,7 @@
 import pytest
 
 from hfield.errors import CoercionError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.rings.base import WithIntegers
 from tests.subcases import subcases
 

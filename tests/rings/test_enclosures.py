@@ -11,7 +11,7 @@ import sympy
 from sympy import I, Pow, Rational, cos, exp, pi, sin, sqrt, tan
 
 from hfield.errors import HFieldError, NotInvertibleError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.rings.balls import fingerprint, precision
 from hfield.rings.closed_fields.evaluate import evaluate, is_known
 from hfield.rings.closed_fields.heights import bounds

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError
-from hfield.rings import GF, Zmod, ring
+from hfield.fields.names import ring
+from hfield.rings import GF, Zmod
 from tests.subcases import subcases
 
 FIELDS = ["GF(2)", "GF(7)", "GF(4)", "GF(9)", "GF(9, x^2+1)", "GF(256)"]

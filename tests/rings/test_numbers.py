@@ -16,7 +16,8 @@ from hfield.errors import (
     TooLargeError,
     UndecidedError,
 )
-from hfield.rings import CC, QQ, RR, ring
+from hfield.fields.names import ring
+from hfield.rings import CC, QQ, RR
 from hfield.rings.squares import three_squares
 from tests.subcases import subcases
 

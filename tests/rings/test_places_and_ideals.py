@@ -10,6 +10,7 @@ import pytest
 
 from hfield.errors import HFieldError
 from hfield.fields.function_fields.places import FunctionPlace, place_of_functions
+from hfield.fields.names import ring
 from hfield.fields.number_fields.integers import LocalOrder, dedekind, integral_generator
 from hfield.fields.number_fields.places import place_of_number_field
 from hfield.fields.number_fields.prime_ideals import by_other_generators
@@ -36,7 +37,6 @@ from hfield.fields.number_fields.sums import (
     sums_of_roots,
 )
 from hfield.fields.rationals.places import place_of_q
-from hfield.rings import ring
 from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
 from hfield.rings.whole_numbers import fraction
 from tests.subcases import share_quick, subcases

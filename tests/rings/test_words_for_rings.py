@@ -7,8 +7,8 @@ import pytest
 
 from hfield import GF, NumberField, Zmod
 from hfield.errors import CoercionError, RingError
+from hfield.fields.names import ring
 from hfield.fields.number_fields.places import place_of_number_field
-from hfield.rings import ring
 from hfield.rings.printing import (
     blackboard,
     from_unicode,

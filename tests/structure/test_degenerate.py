@@ -6,8 +6,8 @@ import pytest
 from structure_cases import constants
 
 from hfield.fields.function_fields.artin_schreier import artin_schreier
+from hfield.fields.names import ring
 from hfield.product import Constants, multiply, norm, trace
-from hfield.rings import ring
 from hfield.structure import is_isomorphic, isomorphism
 from hfield.structure.forms import discriminant
 from hfield.structure.single_elements.square_roots import square_roots

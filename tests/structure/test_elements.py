@@ -5,8 +5,8 @@ import pytest
 from structure_cases import constants
 
 from hfield.errors import NotInvertibleError, UndecidedError
+from hfield.fields.names import ring
 from hfield.product import multiply, norm, trace
-from hfield.rings import ring
 from hfield.structure.single_elements.properties import (
     characteristic_polynomial,
     conjugator,

@@ -6,8 +6,8 @@ import pytest
 from structure_cases import constants
 
 from hfield.errors import UndecidedError
+from hfield.fields.names import ring
 from hfield.product import Constants, multiply, norm
-from hfield.rings import ring
 from hfield.structure.linear_algebra.centre import basis_of, centre
 from hfield.structure.linear_algebra.kernels import apply
 from hfield.structure.linear_algebra.radical import (

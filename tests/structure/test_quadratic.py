@@ -6,13 +6,13 @@ import pytest
 from structure_cases import cases, constants
 
 from hfield.errors import RingError, UndecidedError
+from hfield.fields.names import ring
 from hfield.fields.number_fields.quadratic.arithmetic import (
     hilbert_symbol_quadratic,
     ramified_places_quadratic,
 )
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.product import norm
-from hfield.rings import ring
 from hfield.structure import hilbert_symbol, is_division, zero_norm
 from hfield.structure.ramification import place, places, ramified_places
 from tests.subcases import subcases

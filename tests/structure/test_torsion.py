@@ -8,8 +8,8 @@ from structure_cases import constants
 
 from hfield import H, QuaternionAlgebra
 from hfield.errors import NotInvertibleError, UndecidedError
+from hfield.fields.names import ring
 from hfield.product import multiply
-from hfield.rings import ring
 from hfield.structure.single_elements.torsion import multiplicative_order
 from tests.subcases import subcases
 

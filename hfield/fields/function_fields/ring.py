@@ -62,8 +62,7 @@ class FunctionField(FractionField):
     1/2*x-1/2
     """
 
-    arithmetic = "function_fields.arithmetic.FunctionArithmetic"
-    completions = "function_fields.completions.completion_of_functions"
+    theory = "function field"
 
     def __init__(self, base: Ring, variable: str) -> None:
         self.base, self.gen_name, self.variables = base, variable, (variable,)

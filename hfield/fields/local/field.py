@@ -132,7 +132,7 @@ class LocalField(Completion[LocalElement]):
     (3/10, 17+O(5^2), 79753541295807+O(5^20))
     """
 
-    arithmetic = "local.arithmetic.LocalArithmetic"
+    theory = "local field"
 
     def __init__(
         self, name: str, words: str, global_field: Ring, place: Hashable, residues: Any

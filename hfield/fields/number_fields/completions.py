@@ -63,7 +63,7 @@ class InfiniteCompletion(Completion[EmbeddedElement]):
     RR and CC do not tell where the generator of a field goes; here that is the place.
     """
 
-    arithmetic = "local.arithmetic.InfiniteArithmetic"
+    theory = "infinite completion"
 
     def exact(self, value: Scalar) -> EmbeddedElement:
         """Return an element of the number field."""

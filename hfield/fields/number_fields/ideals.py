@@ -32,7 +32,6 @@ from hfield.fields.number_fields.quadratic.as_number_field import (
 from hfield.fields.number_fields.quadratic.places import QuadraticPlace
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
-from hfield.rings.base import of_fields
 from hfield.syntax.brackets import is_balanced, split
 
 if TYPE_CHECKING:
@@ -372,8 +371,9 @@ class Ideal:
 
         Raises :class:`TooLargeError` where the class group of the field is out of reach.
         """
-        answer: Principality = of_fields("number_fields.classes.class_groups.is_principal")(self)
-        return answer
+        from hfield.fields.number_fields.classes.class_groups import is_principal
+
+        return is_principal(self)
 
     def __str__(self) -> str:
         return f"ideal({', '.join(map(self.ring.text, self.generators))})"

@@ -48,8 +48,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
 
     characteristic = 0
     is_field = True
-    arithmetic = "number_fields.arithmetic.NumberFieldArithmetic"
-    completions = "number_fields.completions.completion_of_number_field"
+    theory = "number field"
 
     def __init__(self, polynomial: flint.fmpq_poly | str, name: str = "s") -> None:
         from hfield.fields.number_fields.texts import irreducible, power_sum

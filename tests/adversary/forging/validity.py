@@ -12,6 +12,7 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.errors import HFieldError
+from hfield.fields.names import ring
 from hfield.ledger.linear_algebra import centre_equations
 from hfield.product import Constants, multiply, norm
 from hfield.proving.evaluation.evaluator import Evaluator
@@ -20,7 +21,6 @@ from hfield.proving.polynomials.free_algebra import multiply_out
 from hfield.proving.prove import prove
 from hfield.proving.statements.language import read_statement
 from hfield.proving.statements.setting import read_setting
-from hfield.rings import ring
 from tests.adversary.forging.validity_of_items import implication
 from tests.adversary.grammar import NotRead
 from tests.adversary.ring_names import name_of

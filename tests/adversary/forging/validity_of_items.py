@@ -9,9 +9,9 @@ from typing import Any
 
 from flint import Ordering, fmpz_mpoly_ctx
 
+from hfield.fields.names import ring
 from hfield.product import Constants, norm
 from hfield.proving.statements.setting import read_setting
-from hfield.rings import ring
 from hfield.syntax import Reader
 
 Certificate = dict[str, Any]

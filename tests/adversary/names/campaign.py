@@ -16,7 +16,7 @@ from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
 from hfield.certificates.work import bounded
 from hfield.errors import HFieldError
-from hfield.rings import ring, ring_of_data
+from hfield.fields.names import ring, ring_of_data
 from tests.adversary.names import composed, some_data
 from tests.adversary.names.expressions import Refused, Unsure
 from tests.adversary.names.facts import facts

@@ -13,8 +13,8 @@ from hfield.certificates.check import check
 from hfield.certificates.rejection import Rejected
 from hfield.certificates.scalars.fields import read_ring
 from hfield.errors import HFieldError
+from hfield.fields.names import ring
 from hfield.proving.prove import prove
-from hfield.rings import ring
 from tests.adversary.names.numbers import Data
 from tests.adversary.names.reader import read
 

@@ -42,8 +42,7 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
 
     characteristic = 0
     is_field = True
-    arithmetic = "number_fields.quadratic.arithmetic.QuadraticArithmetic"
-    completions = "number_fields.completions.completion_of_quadratic"
+    theory = "quadratic field"
 
     def __init__(self, d: int) -> None:
         self.d = d
