@@ -225,6 +225,12 @@ def _prime_above(field: NumberField, p: int, pi: FieldElement) -> PrimeIdeal:
 
 @lru_cache(maxsize=4096)
 def _primes_above(field: NumberField, p: int) -> tuple[PrimeIdeal, ...]:
+    return field.known_primes_above(p) or general_primes_above(field, p)
+
+
+@lru_cache(maxsize=4096)
+def general_primes_above(field: NumberField, p: int) -> tuple[PrimeIdeal, ...]:
+    """Return the prime ideals above a prime number p as they are found in every number field."""
     order = local_order(field, p)
     return _by_kummer(order) if order.plain else _by_idempotents(order)
 

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
     from hfield.fields.number_fields.places import ComplexPlace, Place, RealPlace
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+    from hfield.rings.closed_fields.surds import Surd
 
 
 MAX_DIGITS = 300_000  # of a complex value
@@ -174,6 +175,10 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         from hfield.fields.number_fields.closed_forms import element_of
 
         return element_of(self, x)
+
+    def as_surd(self, x: FieldElement) -> Surd | None:
+        """Return x as a sum of square roots, which RR and CC read, or None where these are not known."""
+        return None
 
     def to_sympy(self, x: FieldElement, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
         """Return the element as a polynomial in the root."""
@@ -322,8 +327,11 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
     def sign(self, x: FieldElement, ordering: int = 0) -> int:
         """Return the sign of x where s is the real root of that number, ascending from 0."""
         self.check_ordering(ordering)
-        x = self(x)
-        return self.embeddings.sign(x.poly, ordering) if x else 0
+        return self.sign_at(self(x), ordering)
+
+    def sign_at(self, x: FieldElement, index: int) -> int:
+        """Return the sign of x at the real place of that number, ascending by the roots from 0."""
+        return self.embeddings.sign(x.poly, index) if x else 0
 
     def check_ordering(self, ordering: int) -> None:
         """Refuse the number of a real place that the field does not have."""
@@ -383,6 +391,10 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         from hfield.fields.number_fields.prime_ideals import primes_above
 
         return primes_above(self, p)
+
+    def known_primes_above(self, p: int) -> tuple[PrimeIdeal, ...]:
+        """Return the prime ideals above a prime number where the field has a formula for them, else ()."""
+        return ()
 
     def real_places(self) -> tuple[RealPlace, ...]:
         """Return the real places, ascending by the root of the polynomial; each has ``index, sign(x)``."""

@@ -257,7 +257,7 @@ def spelled(name: str) -> Ring:
     return adjoined(name, name[name.index("(") + 1 : -1])
 
 
-def adjoined(s: str, inner: str) -> Ring:
+def adjoined(s: str, inner: str) -> NumberField:
     """Return ℚ(α, β, …) for the texts of numbers. Raises :class:`RingError`."""
     texts = split(inner, ",")
     if len(texts) == 1 and not _is_number(inner):
@@ -280,7 +280,7 @@ def _is_number(text: str) -> bool:
     return is_balanced(m[1]) if m else not re.search("[-+*/^]", text)
 
 
-def _generated(s: str, text: str) -> Ring:
+def _generated(s: str, text: str) -> NumberField:
     """Return the field that a text such as ``sqrt(2)+sqrt(3)`` generates, as that of the numbers in it.
 
     Raises :class:`RingError` for what cannot be read, and where these generate more.
@@ -290,13 +290,12 @@ def _generated(s: str, text: str) -> Ring:
         x = whole(text)
     except HFieldError as error:
         raise RingError(f"{shorten(s)}: {error}; {_POLYNOMIAL}") from error
-    if isinstance(whole, NumberField):
-        found = x.minimal_polynomial()
-        if len(found) - 1 < whole.degree:
-            shown = f"QQ[s]/({power_sum(found, 's')})" if len(found) > 2 else "QQ"
-            raise RingError(f"{shorten(s)} is smaller than {whole}: write {shown}")
-    elif set(x.terms) <= {1}:
+    found = x.minimal_polynomial()
+    if len(found) == 2:
         raise RingError(f"{shorten(s)} is QQ itself: write QQ")
+    if len(found) - 1 < whole.degree:
+        shown = f"QQ[s]/({power_sum(found, 's')})"
+        raise RingError(f"{shorten(s)} is smaller than {whole}: write {shown}")
     return whole
 
 

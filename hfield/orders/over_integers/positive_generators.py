@@ -22,7 +22,7 @@ def units_modulo_squares(ring: Any) -> tuple[FieldElement, ...]:
     """Return the totally positive units, one for each coset of the squares of units; 1 comes first."""
     frame = integers(ring)
     found = [frame.field.one]
-    for g in map(frame.inside, ring.totally_positive_units()):
+    for g in ring.totally_positive_units():
         if all((g * u).sqrt() is None for u in found):
             found += [g * u for u in found]
     return tuple(found)
@@ -32,7 +32,7 @@ def units_modulo_squares(ring: Any) -> tuple[FieldElement, ...]:
 def _units_by_signs(ring: Any) -> dict[tuple[int, ...], FieldElement]:
     """Return one unit for each pattern of signs at the real places that units have."""
     frame = integers(ring)
-    units = [-frame.field.one, *map(frame.inside, ring.unit_group().generators)]
+    units = [-frame.field.one, *ring.unit_group().generators]
     found: dict[tuple[int, ...], FieldElement] = {}
     for exponents in product((0, 1), repeat=len(units)):
         u = frame.field.one
@@ -43,7 +43,7 @@ def _units_by_signs(ring: Any) -> dict[tuple[int, ...], FieldElement]:
 
 
 def _signs(x: FieldElement) -> tuple[int, ...]:
-    return tuple(x.field.sign(x, k) for k in range(x.field.degree))
+    return tuple(x.field.sign_at(x, k) for k in range(x.field.degree))
 
 
 def totally_positive_generator(ideal: Ideal) -> FieldElement | None:
@@ -51,7 +51,7 @@ def totally_positive_generator(ideal: Ideal) -> FieldElement | None:
     generator = ideal.is_principal().generator
     if generator is None:
         return None
-    x = ideal.frame.inside(generator)
+    x = ideal.frame.field(generator)
     unit = _units_by_signs(ideal.ring).get(_signs(x))
     return None if unit is None else x * unit
 

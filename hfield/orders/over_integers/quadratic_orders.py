@@ -90,7 +90,7 @@ def embeddings(order: LatticeValue, d: Any) -> IntegersEmbeddings:
     ]
     found = []
     for s in of_norm_among(ambient, ternary, -x):
-        multiples = ([s * ambient.scalar(c) for c in b.elements] for b in inverses)
+        multiples = ([s * ambient.scalar(c) for c in b.basis] for b in inverses)
         if not any(_inside(some, ternary) for some in multiples):
             found += [s, -s]
     shift = ambient.row(1) * ambient.scalar(t)

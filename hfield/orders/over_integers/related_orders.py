@@ -117,7 +117,7 @@ def gorenstein_closure(order: LatticeValue) -> LatticeValue:
         local = Local(ambient, P)
         rows = (flint.fmpq_mat([row]) for row in order.rows.tolist())
         shifted = flint.fmpq_mat([_without_scalar(local, row, m).entries() for row in rows])
-        for c in (ambient.base.prime_ideal(P) ** -m).elements:
+        for c in (ambient.base.prime_ideal(P) ** -m).basis:
             found = add_rows(found, shifted * ambient.scalar(c))
     return found
 
@@ -150,7 +150,7 @@ def _ends(local: Local, order: LatticeValue, k: int) -> Ends:
     """Return the two orders, maximal at P, whose intersection is an order, Eichler of level Pᵏ at P."""
     ambient = local.ambient
     corners = local.corners(order, local.idempotent(order, k))
-    factors = [ambient.scalar(c) for c in (ambient.base.prime_ideal(local.prime) ** -k).elements]
+    factors = [ambient.scalar(c) for c in (ambient.base.prime_ideal(local.prime) ** -k).basis]
     ends = []
     for corner in corners:
         larger = order

@@ -190,7 +190,7 @@ class SplitIntegersOrder(SplitOrder):
         return found
 
     def sign(self, x: FieldElement) -> int:
-        return int(self.order.value.ambient.base.field.sign(x, self.place))
+        return int(self.order.value.ambient.base.field.sign_at(x, self.place))
 
     def real(self, x: FieldElement) -> float:
         return self._near(x, self.place)

@@ -114,7 +114,7 @@ class ReducedIdeals:
             self._place[reduced] = number, place
         if len(self._place) > MAX_REDUCED:
             raise TooLargeError(
-                f"{shorten(self.frame.ring.name)} has over {MAX_REDUCED} reduced ideals, "
+                f"{shorten(self.frame.field.name)} has over {MAX_REDUCED} reduced ideals, "
                 "the most that are enumerated: the discriminant is too large"
             )
 
@@ -159,7 +159,7 @@ class ReducedIdeals:
         half = self._root / 2
         s = half.poly[1]
         rows = []
-        for x in a.elements:
+        for x in a.basis:
             y = x.poly[1] / s
             rows += [y, (x - half * y).poly[0] * 2]
         whole, den = flint.fmpq_mat(2, 2, rows).numer_denom()

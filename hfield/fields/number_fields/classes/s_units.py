@@ -60,13 +60,13 @@ class SUnits:
         self.bound = max(minkowski(frame), self._least_bound() if self.rank else 1)
         if self.bound > MAX_BOUND:
             raise TooLargeError(
-                f"the class group of {shorten(frame.ring.name)} asks for all prime ideals of norm up to "
+                f"the class group of {shorten(frame.field.name)} asks for all prime ideals of norm up to "
                 f"{self.bound}, and {MAX_BOUND} is the most here: the discriminant is too large"
             )
         self.order_of_torsion, self.torsion = roots_of_unity(frame)
         self._shape = _conjugates(frame)
         self.base = sorted(
-            (P for p in primes(self.bound + 1) for _, P in frame.primes_above(p)),
+            (P for p in primes(self.bound + 1) for P in frame.field.primes_above(p)),
             key=lambda P: (P.norm() > self.bound, P.norm()),
         )
         self.base = [P for P in self.base if P.norm() <= self.bound]
@@ -85,7 +85,7 @@ class SUnits:
 
     def _least_bound(self) -> int:
         """Return the norm of the last of a few prime ideals of degree one."""
-        norms = (P.norm() for p in primes() for _, P in self.frame.primes_above(p) if P.f == 1)
+        norms = (P.norm() for p in primes() for P in self.frame.field.primes_above(p) if P.f == 1)
         return list(islice(norms, FEW))[-1]
 
     # --- smooth elements ---------------------------------------------------------------------------
@@ -121,7 +121,7 @@ class SUnits:
     def smooth_ideal(self, a: Ideal) -> dict[int, int] | None:
         """Return the exponents of an ideal at the primes of the base, or None if it has others."""
         return self._exponents_at(
-            int(a.matrix.det()), a.denominator, lambda P: min(map(P.valuation, a.elements))
+            int(a.matrix.det()), a.denominator, lambda P: min(map(P.valuation, a.basis))
         )
 
     def _exponents_at(
@@ -133,7 +133,7 @@ class SUnits:
             if rests[0] % p and rests[1] % p:
                 continue
             rests = [remove(n, p)[1] if n % p == 0 else n for n in rests]
-            for _, P in self.frame.primes_above(p):
+            for P in self.frame.field.primes_above(p):
                 v = valuation(P)
                 if v:
                     if P not in self.place:
@@ -147,7 +147,7 @@ class SUnits:
 
     def _has(self, rest: int, valuation: Callable[[PrimeIdeal], int]) -> bool:
         """Tell whether a prime that may divide a denominator does."""
-        above = (P for p, _ in _factors(rest) for _, P in self.frame.primes_above(p))
+        above = (P for p, _ in _factors(rest) for P in self.frame.field.primes_above(p))
         return any(map(valuation, above))
 
     @cached_property
@@ -294,7 +294,7 @@ class SUnits:
                 return
         if not self.generators:
             raise UndecidedError(
-                f"too few relations were found for the class group of {shorten(self.frame.ring.name)}"
+                f"too few relations were found for the class group of {shorten(self.frame.field.name)}"
             )
 
     def _exponents(self, x: FieldElement) -> list[int]:
@@ -374,7 +374,7 @@ class SUnits:
         for ell in self.possible_divisors():
             if max(ell, least) > MAX_SATURATED:
                 raise TooLargeError(
-                    f"the units of {shorten(self.frame.ring.name)} are known up to an index "
+                    f"the units of {shorten(self.frame.field.name)} are known up to an index "
                     f"below {whole} only"
                 )
             while (found := self._root_at(ell)) is not None:
@@ -446,7 +446,7 @@ class SUnits:
                         return position, y
             sought += 10
         raise UndecidedError(
-            f"units of {shorten(self.frame.ring.name)} were not shown to be saturated at {ell}"
+            f"units of {shorten(self.frame.field.name)} were not shown to be saturated at {ell}"
         )
 
     def _characters(self, ell: int) -> Iterator[Any]:

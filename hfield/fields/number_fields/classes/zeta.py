@@ -101,8 +101,8 @@ class _Sums:
 
     def _different_exponents(self) -> Iterator[tuple[Any, int]]:
         for p in factorise(int(self.different.norm())) if self.different.norm() != 1 else ():
-            for _, prime in self.frame.primes_above(p):
-                e = min(prime.valuation(x) for x in self.different.elements)
+            for prime in self.frame.field.primes_above(p):
+                e = min(prime.valuation(x) for x in self.different.basis)
                 if e:
                     yield prime, e
 
@@ -130,7 +130,7 @@ class _Sums:
             if k == 1:
                 out *= 1 + p
                 continue
-            for _, prime in self.frame.primes_above(p):
+            for prime in self.frame.field.primes_above(p):
                 e = prime.valuation(x) + self.exponents.get(prime, 0)
                 out *= (prime.norm() ** (e + 1) - 1) // (prime.norm() - 1)
         return out
