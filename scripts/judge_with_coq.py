@@ -15,7 +15,7 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from hfield.commands.check import ACCEPTED, NOT_JUDGED, REJECTED
+from hfield.commands.check_with_coq import ACCEPTED, NOT_JUDGED, REJECTED
 from hfield.coq.coqc import Coqc, NotJudgedError
 from hfield.coq.theorem import Theorem, theorem
 from hfield.errors import HFieldError

@@ -18,7 +18,7 @@ from hfield.ledger.wording import over, pretty, witness_text
 from hfield.proving.decision import Decision
 from hfield.proving.statements.printing import to_latex
 from hfield.proving.statements.trees import conjuncts
-from hfield.rings.printing import latex_name
+from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
 
 SCHEMA = "hfield-explain/1"

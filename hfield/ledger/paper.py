@@ -19,7 +19,7 @@ from hfield.ledger.wording import witness_text
 from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
 from hfield.proving.statements.printing import to_latex
 from hfield.proving.statements.trees import conjuncts
-from hfield.rings.printing import latex_name
+from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
 
 MOST_STEPS, MOST_LETTERS = 12, 600  # of one proof; its certificate has it whole

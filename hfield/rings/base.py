@@ -314,7 +314,7 @@ class Named(Core[E]):
     @property
     def latex_name(self) -> str:
         """The name in LaTeX's mathematics."""
-        from hfield.rings.printing import latex_name
+        from hfield.rings.latex_names import latex_name
 
         return latex_name(self.name)
 

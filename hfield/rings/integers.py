@@ -190,7 +190,7 @@ class Rationals(_Ordered):
 
     def array_holding(self, constants: Constants) -> Batch:
         """Hold arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
-        from hfield.rings.array_held.words import FractionArrays
+        from hfield.rings.array_held.fractions import FractionArrays
 
         return FractionArrays(self, constants)
 

@@ -5,7 +5,7 @@ import random
 import pytest
 from structure_cases import constants
 
-from hfield.fields.function_fields.symbols import common_slot_functions
+from hfield.fields.function_fields.common_slots import common_slot_functions
 from hfield.fields.names import ring
 from hfield.product import Constants, multiply, norm, trace
 from hfield.structure import is_division, isomorphism, ramified_places

@@ -7,11 +7,11 @@ from structure_cases import cases, constants
 
 from hfield.errors import CoercionError, RingError, UndecidedError
 from hfield.fields.names import ring
-from hfield.fields.number_fields.quadratic.arithmetic import (
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.quadratic.symbols import (
     hilbert_symbol_quadratic,
     ramified_places_quadratic,
 )
-from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.product import norm
 from hfield.rings import RR
 from hfield.structure import hilbert_symbol, is_division, zero_norm

@@ -10,11 +10,11 @@ from structure_cases import constants
 from hfield.errors import UndecidedError
 from hfield.factorisation import known_primes, remove
 from hfield.fields.names import ring
-from hfield.fields.number_fields.arithmetic import common_slot, is_local_square
 from hfield.fields.number_fields.conics import good_module, solve_conic_number_field
+from hfield.fields.number_fields.given_symbols import common_slot, is_local_square
 from hfield.fields.number_fields.integral_basis import coordinate_rows
-from hfield.fields.number_fields.quadratic.arithmetic import hilbert_symbol_quadratic, pair
 from hfield.fields.number_fields.quadratic.residues import Inert, prime_at
+from hfield.fields.number_fields.quadratic.symbols import hilbert_symbol_quadratic, pair
 from hfield.fields.number_fields.symbols import candidates
 from hfield.primality import is_prime
 from hfield.product import Constants, multiply

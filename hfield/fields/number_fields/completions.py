@@ -10,7 +10,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError, shorten
-from hfield.fields.local.field import Completion, LocalField
+from hfield.fields.local.completion import Completion
+from hfield.fields.local.field import LocalField
 from hfield.fields.number_fields.places import RealPlace, place_of_number_field
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.quadratic.places import QuadraticPrime

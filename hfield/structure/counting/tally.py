@@ -20,7 +20,7 @@ from hfield.structure.counting.formulas_finite import Count, count
 if TYPE_CHECKING:
     import numpy as np
 
-    from hfield.rings.array_held.finite import LabelArrays
+    from hfield.rings.array_held.labels import LabelArrays
 
 Rows = tuple["np.ndarray", ...]
 
@@ -182,7 +182,7 @@ class _ByLoops:
 
 def compiled_loops(ring: Ring, c: Constants) -> LabelArrays | None:
     """Return the compiled loops of an algebra over a ring that lists its elements by labels, if any."""
-    from hfield.rings.array_held.finite import LabelArrays
+    from hfield.rings.array_held.labels import LabelArrays
 
     how = ring.array_holding(c)
     return how if isinstance(how, LabelArrays) and how.compiles else None

@@ -8,8 +8,8 @@ from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.base import Ring
 from hfield.rings.powers import power
 from hfield.structure.linear_algebra.centre import basis_of
+from hfield.structure.linear_algebra.finite_radical import is_nilpotent as is_nilpotent_scalar
 from hfield.structure.linear_algebra.kernels import kernel
-from hfield.structure.linear_algebra.radical import is_nilpotent as is_nilpotent_scalar
 
 
 def characteristic_polynomial(
