@@ -24,6 +24,7 @@ FLOORS = [
         "hfield.atomic",
         "hfield.plotting",
         "hfield.tables",
+        "hfield.verdicts",
         "hfield.primality",
         "hfield.progress",
         "hfield.straight_line",

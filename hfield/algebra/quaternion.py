@@ -25,6 +25,7 @@ from hfield.rings.holding import Batch, Holding
 from hfield.structure.single_elements import analysis
 from hfield.symbols import element_to_sympy, values_given, variable_name
 from hfield.sympy_printing import PrintedBySympy
+from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
     import numpy as np
@@ -739,8 +740,8 @@ class Quaternion(Hinted, PrintedBySympy):
         """
         return SquareRoots(self, structure.square_roots(*self._single()))
 
-    def conjugacy(self, other: object) -> Conjugacy:
-        """Return x with ``x·q·x⁻¹ = other``, or the reason why there is none, as evidence.
+    def conjugacy(self, other: object) -> Verdict[Quaternion]:
+        """Return whether ``x·q·x⁻¹ = other`` has a solution; ``element`` is one, ``reason`` says why not.
 
         Raises :class:`MixedParentsError` for elements of two algebras, and :class:`UndecidedError`
         over a ring that is not a field.
@@ -755,7 +756,7 @@ class Quaternion(Hinted, PrintedBySympy):
             )
         found = structure.conjugator(ring, c, q, other._single()[2])
         x = None if found.element is None else self.algebra(*found.element)
-        return Conjugacy(x, found.reason)
+        return Verdict(found.value, found.reason, x)
 
     def conjugator(self, other: object) -> Quaternion | None:
         """Return a unit x with ``x·q·x⁻¹ = other``, or None; :meth:`conjugacy` tells why.
@@ -914,17 +915,6 @@ class Polar(NamedTuple):
     modulus: Any
     axis: Quaternion
     angle: Any
-
-
-class Conjugacy(NamedTuple):
-    """Whether ``x·p·x⁻¹ = q`` is solvable: ``element`` is such an x or None, ``reason`` says why."""
-
-    element: Quaternion | None
-    reason: str
-
-    def __bool__(self) -> bool:
-        """Tell whether there is one."""
-        return self.element is not None
 
 
 class TooManyError(NotFiniteError, OverflowError):

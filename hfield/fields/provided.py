@@ -41,6 +41,14 @@ def _complete_number_field(field: NumberField, place: object) -> Ring:
     return completion_of_number_field(field, place)
 
 
+def _read_number_field(name: str) -> Ring | None:
+    if not name.startswith(("Q(", "Q[", "QQ(", "QQ[")):
+        return None
+    from hfield.fields.number_fields.names import read_number_field
+
+    return read_number_field(name)
+
+
 def _quadratic_field() -> type[GlobalField]:
     from hfield.fields.number_fields.quadratic.arithmetic import QuadraticArithmetic
 
@@ -109,7 +117,7 @@ class _Functions:
 def provide(registry: Registry) -> None:
     """Hand the theories of all kinds of fields, and the functions that rings need, to a registry."""
     registry.add("rationals", Theory(_rationals, _complete_rationals))
-    registry.add("number field", Theory(_number_field, _complete_number_field))
+    registry.add("number field", Theory(_number_field, _complete_number_field, _read_number_field))
     registry.add("quadratic field", Theory(_quadratic_field, _complete_quadratic))
     registry.add("function field", Theory(_function_field, _complete_function_field))
     registry.add("several variables", Theory(_several_variables))

@@ -21,11 +21,13 @@ class Theory:
     """The theory of one kind of fields with places.
 
     ``arithmetic`` returns the subclass of ``GlobalField`` (hfield.structure.global_field) for these fields;
-    ``completion`` completes a field at a place, and is None where completions are not offered.
+    ``completion`` completes a field at a place, and is None where completions are not offered. ``read``
+    returns the field that a text without spaces names, or None, where :func:`hfield.ring` asks it.
     """
 
     arithmetic: Callable[[], Any]
     completion: Callable[[Any, object], Ring] | None = None
+    read: Callable[[str], Ring | None] | None = None
 
 
 class Functions(Protocol):
@@ -62,6 +64,11 @@ class Registry:
     def theory_of(self, ring: Ring) -> Theory | None:
         """Return the theory of a field with places, None for other rings."""
         return self._theories[ring.theory] if ring.theory else None
+
+    def read(self, name: str) -> Ring | None:
+        """Return the field of some theory that a text without spaces names, or None."""
+        readers = (theory.read for theory in self._theories.values() if theory.read)
+        return next((found for read in readers if (found := read(name)) is not None), None)
 
     def completion(self, ring: Ring, place: object) -> Ring:
         """Return the completion of a field at a place. Raises :class:`UndecidedError` for other rings."""

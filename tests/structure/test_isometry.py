@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import pytest
 
-import hfield.fields.rationals.embedding as lattices
+import hfield.fields.rationals.isometries as lattices
 from hfield import QuaternionAlgebra
 from hfield.errors import RingError, UndecidedError
 from hfield.fields.rationals.embedding import traceless_root_rational

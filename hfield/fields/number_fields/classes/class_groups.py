@@ -22,17 +22,19 @@ from hfield.fields.number_fields.classes.s_units import SUnits, logarithms, s_un
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import Ideal
 from hfield.rings.balls import precision
+from hfield.verdicts import Verdict
 
 
-@dataclass(frozen=True)
-class Principality:
-    """Whether an ideal is principal: ``generator`` if so, else None, and why."""
+@dataclass(frozen=True, eq=False, repr=False)
+class Principality(Verdict[FieldElement]):
+    """Whether an ideal is principal: ``generator`` if so, else None; ``evidence`` as data."""
 
-    generator: Any
-    evidence: dict[str, Any]
+    evidence: dict[str, Any] | None = None
 
-    def __bool__(self) -> bool:
-        return self.generator is not None
+    @property
+    def generator(self) -> FieldElement | None:
+        """A generator of the ideal, or None."""
+        return self.witness
 
 
 class AbelianGroup:
@@ -220,11 +222,10 @@ def is_principal(a: Ideal) -> Principality:
     field = _field(a.ring)
     x = field.principal(a)
     if x is not None:
-        return Principality(x, {"kind": "generator"})
+        return Principality(True, "a generator is known", x, evidence={"kind": "generator"})
     classes = field.classes.coordinates(field.class_of(a)[1])
-    return Principality(
-        None, {"kind": "class", "invariants": field.classes.invariants, "class": classes}
-    )
+    found = {"kind": "class", "invariants": field.classes.invariants, "class": classes}
+    return Principality(False, "its class is not 0 in the class group", evidence=found)
 
 
 class ClassGroup(Certified):
