@@ -1,5 +1,5 @@
 from . import errors as errors
-from .bands import apparent_spin as apparent_spin
+from .aliasing import apparent_spin as apparent_spin
 from .errors import AnimationError as AnimationError
 from .film import Clip as Clip
 from .film import clip as clip

@@ -13,8 +13,8 @@ from anim.errors import AnimationError
 
 SECONDS = 10.0
 FPS = 50.0
-MOST_FRAMES = 1_000_000
-MOST_FPS = 10_000.0
+MAX_FRAMES = 1_000_000
+MAX_FPS = 10_000.0
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ def clip(
     >>> clip(frames=100).time_scale, clip(time_scale=0.5).frames, clip(duration=4).seconds
     (5.0, 1000, 4.0)
     """
-    count = None if frames is None else whole("frames", frames, 1, MOST_FRAMES)
+    count = None if frames is None else whole("frames", frames, 1, MAX_FRAMES)
     rate = None if fps is None else real("fps", fps, above=0)
     length = None if duration is None else real("duration", duration, above=0)
     scale = None if time_scale is None else real("time_scale", time_scale, above=0)
@@ -85,13 +85,13 @@ def clip(
     if count is not None and length is not None:
         rate = count / length
     rate = FPS if rate is None else rate
-    if rate > MOST_FPS:
-        raise AnimationError(f"fps is {rate:g}; expected at most {MOST_FPS:g}")
+    if rate > MAX_FPS:
+        raise AnimationError(f"fps is {rate:g}; expected at most {MAX_FPS:g}")
     if count is None:
         wanted = (SECONDS if length is None else length) * rate
-        if not 0.5 < wanted < MOST_FRAMES + 0.5:
+        if not 0.5 < wanted < MAX_FRAMES + 0.5:
             raise AnimationError(
-                f"these numbers make {wanted:g} frames; expected 1 to {MOST_FRAMES}: "
+                f"these numbers make {wanted:g} frames; expected 1 to {MAX_FRAMES}: "
                 "change duration, fps or time_scale"
             )
         count = round(wanted)

@@ -36,8 +36,8 @@ SHOULDER = (1.0, 1.0)
 """Radius and height of P₁."""
 COLLAR_HEIGHT = 1.1
 APEX_HEIGHT = 3.0
-MOST_POINTS = 1_000_000
-MOST_BANDS = 10_000
+MAX_POINTS = 1_000_000
+MAX_BANDS = 10_000
 
 
 @dataclass(frozen=True, init=False)
@@ -100,14 +100,14 @@ class Model:
         return model
 
     def _fill(self, ring: int, bands: int | None, profile: Profile) -> None:
-        ring = whole("ring", ring, 3, MOST_POINTS)
+        ring = whole("ring", ring, 3, MAX_POINTS)
         wanted = min(10, ring - ring % 2) if bands is None else bands
-        bands = whole("bands", wanted, 1, min(ring, MOST_BANDS))
+        bands = whole("bands", wanted, 1, min(ring, MAX_BANDS))
         circles = len(profile) - 2
-        if ring * circles > 2 * MOST_POINTS:
+        if ring * circles > 2 * MAX_POINTS:
             raise AnimationError(
                 f"{ring} points on each of {circles} circles are too many; expected a ring of at most "
-                f"{2 * MOST_POINTS // circles}"
+                f"{2 * MAX_POINTS // circles}"
             )
         for name, value in (("ring", ring), ("bands", bands), ("profile", profile)):
             object.__setattr__(self, name, value)

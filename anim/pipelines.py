@@ -100,7 +100,7 @@ def kinematic(
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Comparison:
+class PipelineComparison:
     """How far apart the pipelines come; in radians."""
 
     names: tuple[str, ...]
@@ -135,7 +135,7 @@ class Comparison:
         return "\n".join(rows)
 
 
-def compare(clip: Clip | None = None, reading: Timeline | None = None) -> Comparison:
+def compare(clip: Clip | None = None, reading: Timeline | None = None) -> PipelineComparison:
     """Return how far the four pipelines come apart, over the frames of ``clip``.
 
     >>> compare().agree("quaternions", "matrix"), compare().agree("product", "euler")
@@ -147,7 +147,7 @@ def compare(clip: Clip | None = None, reading: Timeline | None = None) -> Compar
         for name in PIPELINES
     ]
     axes = [basis[:, :, 2] for basis in turned]
-    return Comparison(
+    return PipelineComparison(
         tuple(PIPELINES),
         _greatest(attitude.angle_between, turned),
         _greatest(attitude.angle_between_directions, axes),

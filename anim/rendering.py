@@ -22,7 +22,7 @@ from anim.motion import Motion
 from anim.picture import Look, painter
 from anim.picture.captions import WIDEST, WORDS, caption, captioned, strip
 from anim.picture.styles import STYLES
-from hfield.executors import InProcess, ordered
+from hfield.core.executors import InProcess, ordered
 
 if TYPE_CHECKING:
     from anim.output.format import Film, Frame

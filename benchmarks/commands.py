@@ -1,8 +1,8 @@
-"""Cold commands against the floor, an empty Python process.
+"""Cold commands against an empty Python process.
 
     python benchmarks/commands.py
 
-Prints the median wall time of seven runs (three for the long one), its ratio to the floor, and the
+Prints the median wall time of seven runs (three for the long one), its ratio to that, and the
 peak memory. The package must be installed in the Python that runs this.
 """
 

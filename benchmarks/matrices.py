@@ -91,7 +91,7 @@ def eigenvalues() -> None:
     line("eigenvalues of 1000 matrices 8 × 8 over H(RDF), and numpy's of 16 rows", *times)
 
 
-def elsewhere() -> None:
+def other_rings() -> None:
     for text in ("(-1,-1|GF(9))", "(-1,-1|QQ(sqrt(-7)))", "[1,t|GF(2)(t))"):
         A, rng = QuaternionAlgebra.from_text(text), Random(1)
         scalars = [A.ring(0), A.ring(1), A.ring.gen, A.ring.gen + A.ring(1)]
@@ -108,7 +108,7 @@ def main() -> None:
     inverses(args.size)
     products(args.count)
     eigenvalues()
-    elsewhere()
+    other_rings()
 
 
 if __name__ == "__main__":

@@ -114,7 +114,7 @@ def peer(data: dict[str, Any]) -> None:
 def ours(sets: list[int]) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return our times and answers, and the data for the peer."""
     from hfield import Ideal, Order, QuaternionAlgebra
-    from hfield.primality import is_prime
+    from hfield.core.primality import is_prime
 
     def texts(lattice: Any) -> list[list[str]]:
         return [[str(x) for x in q.coordinates] for q in lattice.basis]

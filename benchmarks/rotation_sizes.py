@@ -290,7 +290,7 @@ def least(ways: Ways, seconds: float) -> dict[str, float]:
     return best
 
 
-def floors(seconds: float, n: int = 1_000_000) -> dict[str, float]:
+def memory_bounds(seconds: float, n: int = 1_000_000) -> dict[str, float]:
     """Return the times of conversions of n rotations on one thread over a copy that moves as many bytes."""
     threads(1)
     rng = np.random.default_rng(2)
@@ -355,7 +355,7 @@ def main(arguments: list[str]) -> None:
     for name, row in table.items():
         print(f"| {name} | " + " | ".join(row.get(n, "") for n in sizes) + " |")
     print(", ".join(f"{letter}: {name}" for name, letter in PEERS.items()))
-    found = {"10⁶ on one thread over a copy of as many bytes": floors(seconds)}
+    found = {"10⁶ on one thread over a copy of as many bytes": memory_bounds(seconds)}
     if find_spec("jaxlie"):
         found["traced and compiled by JAX over jaxlie"] = tracing(seconds)
     for what, ratios in found.items():

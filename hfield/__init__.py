@@ -8,7 +8,7 @@
 
 import lazy_loader
 
-import hfield.locking  # noqa: F401  # a fork may come while the names below are imported
+import hfield.core.locks  # noqa: F401  # a fork may come while the names below are imported
 from hfield.fields.provided import provide
 from hfield.rings.registry import REGISTRY
 

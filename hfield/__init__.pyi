@@ -4,8 +4,9 @@ from .algebra import QuaternionAlgebra as QuaternionAlgebra
 from .algebra import ternary_form as ternary_form
 from .algebra.quaternion import Quaternion as Quaternion
 from .algebra.structure_algebra import StructureAlgebra as StructureAlgebra
-from .certificates.check import check as check
-from .certificates.rejection import Rejected as Rejected
+from .checker.check import check as check
+from .checker.rejection import Rejected as Rejected
+from .core.factorisation import UnfactoredError as UnfactoredError
 from .description import Description as Description
 from .description import info as info
 from .errors import CoercionError as CoercionError
@@ -21,7 +22,6 @@ from .errors import RingError as RingError
 from .errors import TableError as TableError
 from .errors import TooLargeError as TooLargeError
 from .errors import UndecidedError as UndecidedError
-from .factorisation import UnfactoredError as UnfactoredError
 from .fields.names import ring as ring
 from .fields.number_fields.ring import NumberField as NumberField
 from .functions import conj as conj
@@ -38,7 +38,7 @@ from .orders.lattice import ClassSet as ClassSet
 from .orders.lattice import Ideal as Ideal
 from .orders.lattice import Lattice as Lattice
 from .orders.lattice import Order as Order
-from .proving.prove import prove as prove
+from .prover.prove import prove as prove
 from .rings import CC as CC
 from .rings import CDF as CDF
 from .rings import GF as GF

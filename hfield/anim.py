@@ -1,5 +1,5 @@
 """The package :mod:`anim` by a name that nothing else has: ``from hfield.anim import …``."""
 
-from hfield.handed_on import handed_on
+from hfield.lazy_alias import lazy_alias
 
-__getattr__, __dir__ = handed_on("anim")
+__getattr__, __dir__ = lazy_alias("anim")

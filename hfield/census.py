@@ -1,4 +1,4 @@
-"""Surveys of class sets over ℚ and number fields and of groups of units: rows computed one by one, anywhere.
+"""Surveys of class sets and of groups of units, computed row by row.
 
 Rows are appended to a file of JSON lines as they come, whole pieces at a time; what a killed run has
 left is read back, a torn last line dropped, and only what is missing is computed.
@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import Any
 
 from hfield.algebra import QuaternionAlgebra
+from hfield.core.executors import unordered
+from hfield.core.factorisation import factorise
 from hfield.errors import HFieldError
-from hfield.executors import unordered
-from hfield.factorisation import factorise
 from hfield.fields.names import ring
 from hfield.orders import class_number
 
@@ -31,7 +31,7 @@ PIECE = 8
 
 @dataclass(frozen=True)
 class Survey:
-    """What is told of a pair: its row, of which ``names`` are the keys that stand for the pair."""
+    """The row of a pair, of which ``names`` are the keys that stand for the pair."""
 
     row: Callable[[Pair, int], Row]
     names: tuple[str, str]

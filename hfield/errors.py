@@ -1,4 +1,4 @@
-"""What can go wrong, as types. Every message says what was wrong, what was expected, how to mend it."""
+"""The errors of hfield. Each message says what was wrong, what was expected and how to mend it."""
 
 MAX_MESSAGE = 1000  # characters of a message that are shown
 

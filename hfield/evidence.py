@@ -1,4 +1,4 @@
-"""What shows a verdict, for a program that checks it: the kinds of evidence, and certificates made of them.
+"""The kinds of evidence, and certificates made of them.
 
 What each kind shows is written in docs/certificates.md. The checker imports none of this: it reads the JSON,
 in its own way.
@@ -11,7 +11,7 @@ from enum import StrEnum
 from functools import cached_property
 from typing import Any
 
-from hfield.certificates.glossary import SCHEMA
+from hfield.checker.glossary import SCHEMA
 
 
 class Kind(StrEnum):
@@ -154,7 +154,7 @@ def certificate(
 
 def why_rejected(data: dict[str, object]) -> str | None:
     """Say why the checker does not follow a certificate; None where it does."""
-    from hfield.certificates.check import Rejected, check
+    from hfield.checker.check import Rejected, check
 
     try:
         check(data)

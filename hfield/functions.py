@@ -1,4 +1,4 @@
-"""What methods of elements do, as functions: the names of the language, and the conjugator."""
+"""Methods of elements as functions, by the names of the language; and the conjugator."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Names that other systems give to what is called otherwise here: asked for, they say what to write."""
+"""Tell what hfield calls the names of other systems."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ class ForeignNameError(AttributeError):
     """A name of another system; the message says what is written here."""
 
 
-class Elsewhere:
+class ForeignName:
     """A name that is called otherwise here: asked for, it raises an AttributeError that says so."""
 
     def __init__(self, name: str, hint: str) -> None:
@@ -38,17 +38,17 @@ class Hinted:
 
     __slots__ = ()
 
-    elsewhere: ClassVar[Mapping[str, str]] = {}
+    foreign_names: ClassVar[Mapping[str, str]] = {}
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
-        for name, hint in cls.elsewhere.items():
+        for name, hint in cls.foreign_names.items():
             own = next((vars(base)[name] for base in cls.__mro__ if name in vars(base)), None)
-            if own is None or isinstance(own, Elsewhere):
-                setattr(cls, name, Elsewhere(name, hint))
+            if own is None or isinstance(own, ForeignName):
+                setattr(cls, name, ForeignName(name, hint))
 
     def __dir__(self) -> list[str]:
-        hidden = {"elsewhere", *self.elsewhere}
+        hidden = {"foreign_names", *self.foreign_names}
         return [name for name in super().__dir__() if name not in hidden]
 
 

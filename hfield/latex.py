@@ -1,7 +1,7 @@
 r"""LaTeX from the product's texts: words with mathematical signs in them, lists, tables, documents.
 
 All that is written is ASCII, so that any LaTeX with amsmath and amssymb sets it. The formulas themselves are
-written from their trees (:mod:`hfield.proving.statements.printing`) and by the rings.
+written from their trees (:mod:`hfield.prover.statements.printing`) and by the rings.
 """
 
 from __future__ import annotations

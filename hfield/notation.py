@@ -1,4 +1,4 @@
-"""Text ↔ algebra, coordinates ↔ text, in three styles: plain (reads back), unicode, LaTeX.
+"""Read algebras from text, and write coordinates as plain text, unicode and LaTeX.
 
 An algebra is one text: ``(a,b|F)`` for ``i² = a, j² = b``; ``[a,b|F)`` for the Artin–Schreier form
 ``i² = a + i``; ``[a,b,t|F)`` for ``i² = a + t·i``; ``H(F)`` for ``(-1,-1|F)``. What other systems write is
@@ -8,9 +8,9 @@ read too (``other_systems``).
 import re
 from collections.abc import Sequence
 
+from hfield.core.product import Constants, Scalar
 from hfield.errors import CoercionError, NotationError, NotInvertibleError, shorten
 from hfield.fields.names import ring
-from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.syntax.brackets import outside, split
 from hfield.syntax.other_systems import read

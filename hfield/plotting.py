@@ -1,4 +1,4 @@
-"""Matplotlib as pictures need it: imported without its log, and with its own settings, not a user's."""
+"""Import matplotlib with its own settings instead of a user's."""
 
 from __future__ import annotations
 

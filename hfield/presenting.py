@@ -1,4 +1,4 @@
-"""What an answer is made of: facts, tables, pieces; laid out for a page of any width and for LaTeX."""
+"""Lay out an answer of facts and tables for a terminal and for LaTeX."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ def latex(parts: Iterable[Part]) -> str:
     """Set parts in LaTeX as paragraphs; a table belongs to the one before it."""
     text = ""
     for part in parts:
-        if told := part.latex():
-            text += ("\n" if isinstance(part, Table) else "\n\n") * bool(text) + told
+        if written := part.latex():
+            text += ("\n" if isinstance(part, Table) else "\n\n") * bool(text) + written
     return text
 
 
 def hanging(head: str, text: str, width: int, whole: bool = False) -> list[str]:
     """Return a text as lines of a width beside its head; what goes on stands below the text.
 
-    A word that is wider than the room for it is broken, or stays ``whole``.
+    A word that is wider than its column is broken, or stays ``whole``.
 
     >>> hanging("basis  ", "1, i, j, 1/2 + i", 15)
     ['basis  1, i, j,', '       1/2 + i']
@@ -100,11 +100,11 @@ class Facts:
         """Return a list of descriptions, as a paragraph where there is a title."""
         pairs: list[tuple[str, str]] = []
         for label, text in self.facts:
-            told = self.formulas.get(label) or words(text)
+            written = self.formulas.get(label) or words(text)
             if not label and pairs:
                 label, before = pairs.pop()
-                told = f"{before} {told}"
-            pairs.append((label, told))
+                written = f"{before} {written}"
+            pairs.append((label, written))
         listed = descriptions(pairs)
         return rf"\paragraph{{{self.title}}}" + f"\n\n{listed}" if self.title else listed
 

@@ -19,7 +19,7 @@ from hfield.notation import BASIS
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
-    from hfield.proving.prove import Answer
+    from hfield.prover.prove import Answer
 
 
 def export_session(answers: Iterable[Answer]) -> str:
@@ -27,7 +27,7 @@ def export_session(answers: Iterable[Answer]) -> str:
 
     ``Path("mine.v").write_text(export_session([prove("trace(p*q) == trace(q*p)")]))``
     """
-    from hfield.coq.export import export_session
+    from hfield.export.coq.export import export_session
 
     return export_session(answers).text
 

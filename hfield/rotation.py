@@ -1,5 +1,5 @@
 """The package :mod:`rotation` by a name that nothing else has: ``from hfield.rotation import …``."""
 
-from hfield.handed_on import handed_on
+from hfield.lazy_alias import lazy_alias
 
-__getattr__, __dir__ = handed_on("rotation")
+__getattr__, __dir__ = lazy_alias("rotation")

@@ -1,4 +1,4 @@
-"""Elements with variables: expressions of sympy made of them, and values put in for variables."""
+"""Elements with variables: convert to and from sympy, and substitute values."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from hfield.algebra.embedding import embedding
+from hfield.core.product import Constants, Scalar
 from hfield.errors import CoercionError, HFieldError, shorten
-from hfield.product import Constants, Scalar
 from hfield.rings.closed_fields.algebraic import CC, RR
 from hfield.rings.coefficients import Coefficients
 from hfield.rings.expressions import is_of_sympy

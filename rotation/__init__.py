@@ -10,7 +10,7 @@ array([3., 1., 2.])
 
 import lazy_loader
 
-import hfield.locking  # noqa: F401  # a fork may come while the names below are imported
+import hfield.core.locks  # noqa: F401  # a fork may come while the names below are imported
 
 # The public names are said once, in the stub beside this file, and imported on first use; numba comes with
 # the first call that needs it.

@@ -43,11 +43,11 @@ from .plane import reflect2 as reflect2
 from .plane import reflection as reflection
 from .plane import rotate2 as rotate2
 from .pool import threads as threads
+from .precompile import warm_up as warm_up
 from .quaternions import T_q as T_q
 from .rigid import RigidTransform as RigidTransform
 from .rigid import sclerp as sclerp
 from .rigid_motions import Screw as Screw
 from .rotation import Rotation as Rotation
-from .swing import swing_twist as swing_twist
+from .swing_twist import swing_twist as swing_twist
 from .uncertain import Uncertain as Uncertain
-from .warming import warm_up as warm_up

@@ -1,6 +1,6 @@
 """Unit quaternions as arrays of shape (…, 4), scalar first: the group that turns space.
 
-The product is the one formula of `hfield.product` with Hamilton's constants, on coordinate tuples;
+The product is the one formula of `hfield.core.product` with Hamilton's constants, on coordinate tuples;
 nothing here multiplies quaternions in its own way. Thesis, section 2.2.5; K. Shoemake, "Animating
 rotation with quaternion curves", SIGGRAPH 1985.
 """
@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from hfield import product as formula
+from hfield.core import product as formula
 from rotation.angles import to_degrees, waves
 from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unit

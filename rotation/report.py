@@ -13,7 +13,7 @@ from hfield.report import Chapter
 from hfield.report.chapters import ChapterError
 from hfield.report.markup import table
 
-MOST_SECONDS = 300.0
+MAX_SECONDS = 300.0
 WIDE = 7.0  # inches, from where a figure takes the whole width
 
 LETTERING = {  # of figures 2.4 and 2.5; the others have formulas alone
@@ -107,7 +107,7 @@ def benchmark(language: str) -> Chapter:
     """
     command = [sys.executable, "-m", "hfield", "bench", "--quick", "--format", "json"]
     try:
-        done = subprocess.run(command, capture_output=True, timeout=MOST_SECONDS, check=False)
+        done = subprocess.run(command, capture_output=True, timeout=MAX_SECONDS, check=False)
         data = json.loads(done.stdout)
     except (OSError, ValueError, subprocess.TimeoutExpired) as error:
         raise ChapterError(

@@ -47,7 +47,7 @@ class RigidTransform(Forms):
     """
 
     __slots__ = ()
-    elsewhere = hints.TRANSFORM
+    foreign_names = hints.TRANSFORM
 
     def __new__(cls, matrix: Any) -> Self:
         """Make transforms from matrices, as `from_matrix` does."""

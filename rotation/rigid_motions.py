@@ -9,7 +9,7 @@ R. M. Murray, Z. Li and S. S. Sastry, "A mathematical introduction to robotic ma
 
 from typing import Any, NamedTuple
 
-from hfield import product as formula
+from hfield.core import product as formula
 from rotation.action import BY_QUATERNION, turned_by
 from rotation.angles import to_degrees
 from rotation.arrays import common_batch

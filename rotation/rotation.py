@@ -44,7 +44,7 @@ class Rotation(Conversions):
     """
 
     __slots__ = ()
-    elsewhere = hints.ROTATION
+    foreign_names = hints.ROTATION
 
     def __new__(cls, quat: Any, *, scalar_first: bool = True, dtype: Any = None) -> Self:
         """Make rotations from quaternions, as `from_quat` does."""

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from hfield.compiling import machine_code
-from hfield.compiling.memory import LARGE, block, in_one_piece
+from hfield.compiling.memory import POOLED_BYTES, block, in_one_piece
 from hfield.compiling.threads import in_pieces
 from rotation.immutable_arrays import ImmutableArray
 from rotation.namespaces import Array, quiet
@@ -56,8 +56,8 @@ class Formula:
     Attributes
     ----------
     function : callable
-        ``function(where, *arrays)``, the machine code as `builtins.assembled` tells, once there is some: for
-        what it can do nothing is quicker. It answers None for all else, which calling the formula does.
+        ``function(where, *arrays)``: the machine code (see `builtins.compile_builtin`), once it is compiled.
+        It returns None for arguments that it cannot take; then the formula is called.
     """
 
     __slots__ = (
@@ -117,7 +117,7 @@ class Formula:
         out = np.empty(batch + self._row, self._kind)
         straight = self._straightened(arrays, batch)
         if out.size > MUCH:
-            if out.nbytes >= LARGE:
+            if out.nbytes >= POOLED_BYTES:
                 out = block(out.shape, self._kind.str)[0]
             told = self._shared(function, straight, out)
         else:
@@ -130,7 +130,7 @@ class Formula:
             return unmade
         with machine_code.lock:
             if self.function is unmade:
-                function, self._row, steps = builtins.assembled(
+                function, self._row, steps = builtins.compile_builtin(
                     self._formula,
                     self._shapes,
                     self._parameters,

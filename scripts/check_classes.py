@@ -13,7 +13,7 @@ from concurrent.futures import ProcessPoolExecutor
 from math import gcd
 
 from hfield import QuaternionAlgebra
-from hfield.factorisation import factorise
+from hfield.core.factorisation import factorise
 from hfield.orders.brandt import number_of_ideals
 
 

@@ -19,7 +19,7 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from hfield import QuaternionAlgebra, ring
-from hfield.certificates.check import Rejected, Work, check
+from hfield.checker.check import Budget, Rejected, check
 
 FIELDS = (
     "QQ(sqrt(-21))", "QQ(sqrt(5))", "QQ(sqrt(82))", "QQ(zeta5)", "QQ(root(7,3))", "QQ(sqrt(-5))",
@@ -126,7 +126,7 @@ def main() -> int:
         lie = statement != data["statement"]
         kind = f"{data['statement'].partition('{')[0]}, {'a lie' if lie else 'the truth'}"
         try:
-            check(forged, None, Work(5))
+            check(forged, None, Budget(5))
         except Rejected:
             tally[f"{kind}: rejected"] += 1
             continue

@@ -53,12 +53,12 @@ def judge(work: float) -> None:
     """Check the certificate on standard input, and print what that took."""
     resource.setrlimit(resource.RLIMIT_CPU, (STOP_SECONDS, STOP_SECONDS))
     resource.setrlimit(resource.RLIMIT_AS, (STOP_BYTES, STOP_BYTES))
-    from hfield.certificates.check import Rejected, Work, check_text
+    from hfield.checker.check import Budget, Rejected, check_text
 
-    text, spent = sys.stdin.read(), Work(work)
+    text, spent = sys.stdin.read(), Budget(work)
     begun = time.process_time()
     try:
-        verdict = f"accepted: {check_text(text, work=spent).verdict}"
+        verdict = f"accepted: {check_text(text, budget=spent).verdict}"
     except Rejected as error:
         verdict = f"rejected: {error}"
     except Exception as error:

@@ -15,10 +15,10 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from hfield.commands.check_with_coq import ACCEPTED, NOT_JUDGED, REJECTED
-from hfield.coq.coqc import Coqc, NotJudgedError
-from hfield.coq.theorem import Theorem, theorem
+from hfield.cli.commands.check_with_coq import ACCEPTED, NOT_JUDGED, REJECTED
 from hfield.errors import HFieldError
+from hfield.export.coq.coqc import Coqc, NotJudgedError
+from hfield.export.coq.theorem import Theorem, theorem
 
 
 def main() -> int:
@@ -40,22 +40,22 @@ def main() -> int:
     print(f"{len(files)} certificates, {len(theorems)} translated, {left.total()} not covered")
     for reason, count in left.most_common():
         print(f"{count:6} {reason}")
-    told: Counter[str] = Counter()
+    answers: Counter[str] = Counter()
     with Coqc() as coq:
         for start in range(0, len(theorems), args.batch):
             batch = theorems[start : start + args.batch]
             said = judged(coq, [t for _, t in batch])
             if said == ACCEPTED:
-                told[ACCEPTED] += len(batch)
+                answers[ACCEPTED] += len(batch)
             else:  # each by itself
                 for file, one in batch:
                     said = judged(coq, [one])
-                    told[said.partition(":")[0]] += 1
+                    answers[said.partition(":")[0]] += 1
                     if said != ACCEPTED:
                         print(f"{file.name}: {said}")
-            print(f"{start + len(batch)} judged: {dict(told)}", file=sys.stderr, flush=True)
-    print(", ".join(f"{told[word]} {word}" for word in (ACCEPTED, REJECTED, NOT_JUDGED)))
-    return int(told[ACCEPTED] < len(theorems))
+            print(f"{start + len(batch)} judged: {dict(answers)}", file=sys.stderr, flush=True)
+    print(", ".join(f"{answers[word]} {word}" for word in (ACCEPTED, REJECTED, NOT_JUDGED)))
+    return int(answers[ACCEPTED] < len(theorems))
 
 
 def judged(coq: Coqc, theorems: Sequence[Theorem]) -> str:

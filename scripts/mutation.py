@@ -23,62 +23,62 @@ ROOT = Path(__file__).parents[1]
 CORE = ("core_cases", "core_implications", "core_reading", "core_rules")
 ALL_CORE = (*CORE, "forged", "messages", "polynomials", "rejected")
 CHECKER = (
-    *(f"tests/certificates/test_{name}.py" for name in ALL_CORE),
+    *(f"tests/checker/test_{name}.py" for name in ALL_CORE),
     "tests/adversary/test_breaks.py",
 )
 # Tests that take seconds each and are not about the part: they compile, import, or draw any text.
 LEFT_OUT = {"rings": "not galois and not any_text and not of_all_candidates"}
 # What is mutated, and the tests that are to notice.
 PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
-    "product": (("hfield/product.py",), ("tests/adversary/test_product.py",)),
+    "product": (("hfield/core/product.py",), ("tests/adversary/test_product.py",)),
     "polynomials": (
-        ("hfield/certificates/polynomials.py",),
-        ("tests/certificates/test_polynomials.py", "tests/certificates/test_core_reading.py"),
+        ("hfield/checker/polynomials.py",),
+        ("tests/checker/test_polynomials.py", "tests/checker/test_core_reading.py"),
     ),
     "checker": (
         (
-            "hfield/certificates/evidence/*.py",
+            "hfield/checker/evidence/*.py",
             *(
-                f"hfield/certificates/{name}.py"
+                f"hfield/checker/{name}.py"
                 for name in (
-                    *("check", "clauses", "evaluate", "finding"),
-                    *("json_text", "kinds", "over_field", "statement", "values"),
+                    *("check", "clauses", "evaluate", "check_result"),
+                    *("json_text", "evidence_registry", "over_field", "statement", "values"),
                 )
             ),
         ),
         CHECKER,
     ),
     "places": (
-        ("hfield/certificates/anisotropy.py", "hfield/certificates/scalars/residues.py"),
-        ("tests/adversary/test_places.py", "tests/certificates/test_local_facts.py"),
+        ("hfield/checker/anisotropy.py", "hfield/checker/scalars/residues.py"),
+        ("tests/adversary/test_places.py", "tests/checker/test_local_facts.py"),
     ),
     "vocabulary": (
-        ("hfield/certificates/vocabulary/*.py", "hfield/certificates/rules.py"),
+        ("hfield/checker/vocabulary/*.py", "hfield/checker/rules.py"),
         (
             *CHECKER,
             *(
-                f"tests/certificates/test_{name}.py"
+                f"tests/checker/test_{name}.py"
                 for name in ("norm_forms", "presentation", "real_words", "vocabulary")
             ),
         ),
     ),
     "scalars": (
-        ("hfield/certificates/scalars/*.py",),
+        ("hfield/checker/scalars/*.py",),
         (
             *("tests/adversary/test_primitives.py", "tests/adversary/test_places.py"),
             *(
-                f"tests/certificates/test_{name}.py"
+                f"tests/checker/test_{name}.py"
                 for name in ("arithmetic", *CORE, "local_facts", "reading", "scalars")
             ),
         ),
     ),
     "implication": (
-        ("hfield/proving/methods/implications.py",),
+        ("hfield/prover/methods/implications.py",),
         (
             "tests/adversary/test_breaks.py",
-            "tests/proving/test_evidence.py",
-            "tests/proving/test_verdicts.py",
-            "tests/proving/test_scopes.py",
+            "tests/prover/test_evidence.py",
+            "tests/prover/test_verdicts.py",
+            "tests/prover/test_scopes.py",
         ),
     ),
     "rings": (

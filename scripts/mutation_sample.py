@@ -57,7 +57,9 @@ PRELOADED = (
     "matplotlib.figure",
     "scipy.spatial",
 )
-COMPILED = b"from anim.compiling import"  # in files that numba compiles, as hfield/product.py is
+COMPILED = (
+    b"from anim.compiling import"  # in files that numba compiles, as hfield/core/product.py is
+)
 PROBE = """
 import builtins, os
 
@@ -92,7 +94,7 @@ class Mutant(NamedTuple):
     @property
     def compiled(self) -> bool:
         """Whether numba compiles functions of this file."""
-        return COMPILED in self.source or self.file == "hfield/product.py"
+        return COMPILED in self.source or self.file == "hfield/core/product.py"
 
 
 def is_typing(node: ast.AST) -> bool:
@@ -199,7 +201,7 @@ class TimedTest(NamedTuple):
         return self.name.partition("::")[0]
 
 
-class Only:
+class OnlyFiles:
     """A plugin of pytest that runs the tests named, file by file in this order, and notes which fail."""
 
     def __init__(self, tests: Sequence[TimedTest]) -> None:
@@ -299,7 +301,7 @@ def failures(copy: Path, tests: Sequence[TimedTest], *options: str) -> list[str]
     note.write_text('["no end"]')
 
     def work() -> None:
-        plugin = Only(tests)
+        plugin = OnlyFiles(tests)
         status = pytest_here(copy, [*options, *sorted({test.file for test in tests})], plugin)
         failed = plugin.failed or ([] if status in (0, 5) else [f"status {status}"])  # 5: no tests
         note.write_text(json.dumps(failed), encoding="utf-8")

@@ -12,7 +12,7 @@ from random import Random
 from time import monotonic
 
 from hfield import QuaternionAlgebra, ring
-from tests.modules.test_roots_by_brute_force import Everything
+from tests.polynomials.test_roots_by_brute_force import Everything
 
 
 def compare(A: QuaternionAlgebra, seconds: float, seed: int) -> tuple[int, bool]:

@@ -174,7 +174,7 @@ GALOIS = ("p.coordinates", "p.norm()", "p.trace()", "p.norm() * q.norm()", "p.sc
 
 
 def calls() -> dict[str, list[str]]:
-    """Return what is called, by rooms: ``RING: OPERATION`` over rings."""
+    """Return the calls by area: ``RING: OPERATION`` over rings."""
     return {
         "rotation": list(ROTATION),
         "hfield": [
@@ -289,12 +289,12 @@ def kind(number: int) -> str:
 def sample(number: int) -> tuple[list[str], bool]:
     """Return what the threads of a process call, and whether they wait before each call."""
     rng = random.Random(number)
-    room = rng.choices(tuple(SAMPLE), (10, 10, 1 if find_spec("numba") else 0))[0]
-    every = calls()[room]
-    if room != "rotation":  # of a few rings
-        rings = rng.sample(RINGS, 1 if room == "galois" else 3)
+    area = rng.choices(tuple(SAMPLE), (10, 10, 1 if find_spec("numba") else 0))[0]
+    every = calls()[area]
+    if area != "rotation":  # of a few rings
+        rings = rng.sample(RINGS, 1 if area == "galois" else 3)
         every = [call for call in every if call.partition(": ")[0] in rings]
-    count = SAMPLE[room] * (2 if kind(number) == "warm" else 1)
+    count = SAMPLE[area] * (2 if kind(number) == "warm" else 1)
     return rng.sample(every, min(count, len(every))), rng.random() < 0.6
 
 
@@ -370,8 +370,8 @@ def _import_all(chosen: list[str]) -> None:
     import hfield.structure
     import rotation
 
-    rooms = (hfield.compiling, hfield.rings, hfield.structure, hfield.fields)
-    for package in (*rooms, rotation):
+    packages = (hfield.compiling, hfield.rings, hfield.structure, hfield.fields)
+    for package in (*packages, rotation):
         for found in walk_packages(package.__path__, f"{package.__name__}."):
             if found.name.split(".")[1] not in APART and (
                 "galois" not in found.name or set(chosen) & set(calls()["galois"])
@@ -402,8 +402,8 @@ def run(number: int, folder: Path) -> str:
         with open(folder / f"{number}", "w+b") as said:
             done = subprocess.run(command, env=env, stderr=said, check=False)
             said.seek(0)
-            told = said.read()[-3000:].decode(errors="replace")
-    return "" if done.returncode == 0 else f"exit {done.returncode}\n{told}"
+            output = said.read()[-3000:].decode(errors="replace")
+    return "" if done.returncode == 0 else f"exit {done.returncode}\n{output}"
 
 
 def campaign(numbers: list[int], jobs: int, seconds: float) -> int:

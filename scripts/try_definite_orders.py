@@ -30,7 +30,7 @@ from typing import Any, NamedTuple
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from hfield import QuaternionAlgebra, ring
-from hfield.primality import primes
+from hfield.core.primality import primes
 
 PUBLISHED = {1: (40, 39), 2: (209, 173), 3: (60, 59), 4: (59, 40), 5: (5, 5), 6: (2, 0)}
 """Hermite orders up to isomorphism over the base, and those with cancellation, by degree.

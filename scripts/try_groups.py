@@ -16,7 +16,7 @@ from itertools import chain, islice
 from typing import Any
 
 from hfield import QuaternionAlgebra, ring
-from hfield.factorisation import factorise
+from hfield.core.factorisation import factorise
 from hfield.fuchsian.presentation import abelian_invariants
 
 FIELDS = [f"QQ[s]/(s^2-{d})" for d in (2, 3, 6, 7)] + [

@@ -1,4 +1,4 @@
-"""Random matrices of up to 12 rows over seventeen algebras, held against flint's over the prime field.
+"""Random matrices of up to 12 rows over seventeen algebras, compared with flint's over the prime field.
 
     python scripts/try_matrices.py [--size 12] [--count 3] [--seconds 600] [--seed 0] [--only TEXT]
 
@@ -14,7 +14,7 @@ from random import Random
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from tests.modules.matrix_checks import ALGEBRAS, Case
+from tests.matrices.matrix_checks import ALGEBRAS, Case
 
 
 def main() -> int:
@@ -36,7 +36,7 @@ def main() -> int:
                     break
                 try:
                     case.check(size)
-                except Exception as error:  # each failure is told
+                except Exception as error:  # each failure is printed
                     failed.append(f"size {size}: {type(error).__name__} {error}"[:300])
                 done += 1
         seconds = time.monotonic() - begun

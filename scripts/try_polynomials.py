@@ -1,4 +1,4 @@
-"""Roots and linear factors of random polynomials over nine fields, held against the definitions.
+"""Roots and linear factors of random polynomials over nine fields, compared with the definitions.
 
     python scripts/try_polynomials.py [--count 10000] [--seconds 600] [--seed 0] [--only TEXT]
 
@@ -16,7 +16,7 @@ from random import Random
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from tests.modules.polynomial_checks import ALGEBRAS, Case
+from tests.polynomials.polynomial_checks import ALGEBRAS, Case
 
 EACH = 20
 """Seconds for one polynomial."""
@@ -44,7 +44,7 @@ def main() -> int:
             signal.alarm(EACH)
             try:
                 open_ += not case.check(*drawn)
-            except Exception as error:  # each failure is told
+            except Exception as error:  # each failure is printed
                 failed.append(f"{type(error).__name__} {error}: {drawn[0]}")
             signal.alarm(0)
             done += 1

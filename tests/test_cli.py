@@ -8,12 +8,11 @@ import sys
 import pytest
 
 from hfield import __version__, cli
-from hfield.cli import main
-from hfield.commands import catalogue
-from hfield.commands.catalogue import COMMANDS
-from hfield.commands.parser import Parser, UsageError
+from hfield.cli import catalogue, main
+from hfield.cli.catalogue import COMMANDS
+from hfield.cli.parser import Parser, UsageError
 from hfield.errors import HFieldError
-from tests.commands.running import run
+from tests.cli.running import run
 
 
 def refused(capsys, *words):

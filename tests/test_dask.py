@@ -10,7 +10,7 @@ import pytest
 
 from hfield import census
 from hfield.cli import main
-from hfield.executors import InProcess
+from hfield.core.executors import InProcess
 from hfield.ledger.registry import claims
 from hfield.ledger.run import decide_rows
 from hfield.ledger.selection import rows_to_decide
@@ -94,6 +94,6 @@ def test_a_survey_outlives_a_worker(cluster, tmp_path):
 
 def test_a_cluster_that_is_not_there(capsys, monkeypatch):
     pytest.importorskip("distributed")
-    monkeypatch.setattr("hfield.executors.SCHEDULER_ANSWERS_WITHIN", "1s")
+    monkeypatch.setattr("hfield.core.executors.SCHEDULER_ANSWERS_WITHIN", "1s")
     assert main(["survey", "2..9", "--dask", "tcp://127.0.0.1:1"]) == 2
     assert "no Dask scheduler answers" in capsys.readouterr().err

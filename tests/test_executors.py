@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from hfield.executors import ExecutorError, InProcess, open_executor, unordered
+from hfield.core.executors import ExecutorError, InProcess, open_executor, unordered
 
 
 def test_in_process_goes_on_only_as_results_are_taken():
@@ -56,7 +56,7 @@ def test_processes():
 
 ONE_THREAD_OR_TWO = """
 import sys, threading
-from hfield.executors import open_executor
+from hfield.core.executors import open_executor
 
 if __name__ == "__main__":
     import colorsys
@@ -118,7 +118,7 @@ def test_a_missing_dask_is_told():
 
 SPAWNED = """
 import multiprocessing, os, signal, sys, threading, time
-from hfield.executors import open_executor
+from hfield.core.executors import open_executor
 
 if __name__ == "__main__":
     threading.Thread(target=time.sleep, args=(60,), daemon=True).start()
@@ -144,7 +144,7 @@ def test_workers_leave_an_interrupt_to_their_parent_from_the_start(tmp_path, sec
 
 ORPHANS = """
 import os, sys, time
-from hfield.executors import open_executor
+from hfield.core.executors import open_executor
 
 if __name__ == "__main__":
     with open_executor(2) as executor:

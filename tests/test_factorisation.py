@@ -9,8 +9,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from hfield.errors import RingError, TooLargeError, UndecidedError
-from hfield.factorisation import (
+from hfield.core.factorisation import (
     SIEVED_BITS,
     Unfactored,
     UnfactoredError,
@@ -20,7 +19,8 @@ from hfield.factorisation import (
     known_primes,
     remove,
 )
-from hfield.primality import PROVED_BITS, is_prime, power_root, prime_power
+from hfield.core.primality import PROVED_BITS, is_prime, power_root, prime_power
+from hfield.errors import RingError, TooLargeError, UndecidedError
 from tests.subcases import subcases
 
 # Composite: Carmichael numbers, strong pseudoprimes to the first 12 and 13 primes (Sorenson and Webster),

@@ -124,7 +124,7 @@ def test_every_package_begins_with_the_module_that_knows_of_forks() -> None:
         names = [
             alias.name for node in body if isinstance(node, ast.Import) for alias in node.names
         ]
-        assert "hfield.locking" in names
+        assert "hfield.core.locks" in names
 
 
 def unlocked(tree: ast.AST) -> Iterator[tuple[str, ast.AST]]:

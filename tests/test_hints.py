@@ -14,7 +14,7 @@ from hfield.hints import (
     IDEAL,
     LATTICE,
     ORDER,
-    Elsewhere,
+    ForeignName,
 )
 
 A = QuaternionAlgebra("QQ", -1, -11)
@@ -85,7 +85,7 @@ BUILT_IN = {"len", "list", "hilbert_symbol"}
 
 
 def is_hint(x):
-    return isinstance(x, Elsewhere)
+    return isinstance(x, ForeignName)
 
 
 def test_what_is_to_be_written_for_functions_of_magma_and_pari_runs():

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import hfield
-from hfield.commands import catalogue
+from hfield.cli import catalogue
 
 ROOT = Path(__file__).parent.parent
 LINK = re.compile(r"\]\(([^)\s]*)\)")

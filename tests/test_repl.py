@@ -208,7 +208,7 @@ def test_an_error_without_ipython_is_shown_alone(monkeypatch, capsys, line):
 
 INTERRUPTED = """
 import os, time
-import hfield.proving.prove as proving
+import hfield.prover.prove as proving
 proving.prove = lambda *words: (os.kill(os.getpid(), 2), time.sleep(30))
 """
 

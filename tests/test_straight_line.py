@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hfield.product import Constants
-from hfield.straight_line import (
+from hfield.core.product import Constants
+from hfield.core.straight_line import (
     BINARY,
     FIRST,
     FORMULAS,

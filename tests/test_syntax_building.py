@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hfield import syntax
-from hfield.proving.statements.printing import to_text
+from hfield.prover.statements.printing import to_text
 from hfield.syntax import Node, names, number, parse
 from tests.subcases import subcases
 

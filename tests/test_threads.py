@@ -45,7 +45,8 @@ def methods(kind: Any) -> set[str]:
     return {
         name
         for name in dir(kind)
-        if not name.startswith("_") and name not in {"elsewhere", *getattr(kind, "elsewhere", ())}
+        if not name.startswith("_")
+        and name not in {"foreign_names", *getattr(kind, "foreign_names", ())}
     }
 
 

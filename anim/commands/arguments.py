@@ -6,7 +6,7 @@ import re
 from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _ArgumentGroup
 
 from anim.picture.styles import STYLES
-from hfield.commands.parser import add_format, processes
+from hfield.cli.parser import add_format, processes
 
 MODELS = ("free", "physics", "quaternions", "product", "euler", "matrix")
 PRESETS = (

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from anim.commands.arguments import MODELS
-from hfield.commands.parser import UsageError
+from hfield.cli.parser import UsageError
 from hfield.tables import is_number
 
 if TYPE_CHECKING:

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from anim.commands.arguments import declare
 from anim.output.formats import FORMATS
-from hfield.commands.output import note, open_output
-from hfield.commands.parser import UsageError
-from hfield.commands.status import Progress
+from hfield.cli.output import note, open_output
+from hfield.cli.parser import UsageError
+from hfield.cli.status import Progress
 
 if TYPE_CHECKING:
     from anim.film import Clip
@@ -37,8 +37,8 @@ EXAMPLES = (
     "hfield render --sheet -o sheet.png",
 )
 SHEET_SIZE, FILM_SIZE = (320, 240), (640, 480)
-MOST_FRAMES_OF_A_PAGE = 100_000
-MOST_POINTS_OF_A_PAGE = 10_000
+MAX_FRAMES_OF_A_PAGE = 100_000
+MAX_POINTS_OF_A_PAGE = 10_000
 BAR_EVERY = 0.1  # seconds
 
 
@@ -71,7 +71,7 @@ def run(args: Namespace) -> int:
 
 
 def _film(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recorded | None) -> int:
-    from anim.bands import apparent_spin
+    from anim.aliasing import apparent_spin
     from anim.commands.choices import encoding_of, look_of, motions_of
     from anim.output import Film, check
 
@@ -97,7 +97,7 @@ def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
 
 def _render(args: Namespace, scene: Scene, path: Path, film: Film) -> None:
     from anim.rendering import render
-    from hfield.executors import open_executor
+    from hfield.core.executors import open_executor
 
     shown = monotonic()
     with Progress("frames") as bar:
@@ -157,8 +157,8 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recor
     from anim.viewer import Show, curves_of, page
 
     for name, number, most in (
-        ("frames", clip.frames, MOST_FRAMES_OF_A_PAGE),
-        ("points a ring", model.ring, MOST_POINTS_OF_A_PAGE),
+        ("frames", clip.frames, MAX_FRAMES_OF_A_PAGE),
+        ("points a ring", model.ring, MAX_POINTS_OF_A_PAGE),
     ):
         if number > most:
             raise UsageError(f"a page holds at most {most} {name}, not {number}")

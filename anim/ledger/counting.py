@@ -6,7 +6,7 @@ Everything is counted by running or inspecting the package; what loads numpy doe
 from collections.abc import Sequence
 from inspect import signature
 
-from hfield.ledger.claim import Computed, Finding
+from hfield.ledger.claim import CheckResult, Computed
 from rotation import thesis
 
 RING = 1000
@@ -21,13 +21,13 @@ def model_has(count: int, what: str, ring: int = RING) -> Computed:
     ``what`` is a key of :meth:`anim.model.Model.counts`.
     """
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         from anim.model import Model
 
         found = Model(ring=ring).counts()
         others = [f"{n} {kind}" for kind, n in found.items() if kind != what]
         steps = (*others, f"{found[what]} {what}")
-        return Finding(found[what] == count, steps, {what: [str(found[what])]})
+        return CheckResult(found[what] == count, steps, {what: [str(found[what])]})
 
     return Computed(f"with {ring} points on each circle the model has {count} {what}", look)
 
@@ -35,9 +35,9 @@ def model_has(count: int, what: str, ring: int = RING) -> Computed:
 def listed(names: Sequence[str], count: int, of: str) -> Computed:
     """Say that a list printed in the thesis has so many entries; ``of`` says what it lists."""
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         step = f"{len(names)} listed: {', '.join(names)}"
-        return Finding(len(names) == count, (step,), {"listed": [str(len(names))]})
+        return CheckResult(len(names) == count, (step,), {"listed": [str(len(names))]})
 
     return Computed(f"{of} has {count} entries", look)
 
@@ -45,10 +45,10 @@ def listed(names: Sequence[str], count: int, of: str) -> Computed:
 def takes(name: str, count: int) -> Computed:
     """Say that a function of :mod:`rotation.thesis` takes so many arguments."""
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         names = list(signature(getattr(thesis, name)).parameters)
         step = f"{name}({', '.join(names)}) takes {len(names)}"
-        return Finding(len(names) == count, (step,), {"arguments": [str(len(names))]})
+        return CheckResult(len(names) == count, (step,), {"arguments": [str(len(names))]})
 
     return Computed(f"{name} takes {count} arguments", look)
 
@@ -60,12 +60,12 @@ def film_shows(numbers: Sequence[int], frames: int = 500) -> Computed:
     and the last one of each tenth of the film but the last.
     """
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         from anim.output.sheet import shown
 
         sheet = shown(frames)
         holds = list(numbers) == sheet and len(sheet) == 10 and max(sheet) < frames
-        return Finding(holds, (f"the sheet shows {', '.join(map(str, sheet))}",))
+        return CheckResult(holds, (f"the sheet shows {', '.join(map(str, sheet))}",))
 
     text = f"the 10 frames of {frames} are {', '.join(map(str, numbers))}"
     return Computed(text, look)
@@ -74,12 +74,14 @@ def film_shows(numbers: Sequence[int], frames: int = 500) -> Computed:
 def loop(last: int) -> Computed:
     """Say that the loop ``while time < 500`` makes the frames 0 to ``last``, 500 in all."""
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         made, time = [], 0
         while time < 500:
             made.append(time)
             time += 1
         step = f"{len(made)} frames, from {made[0]} to {made[-1]}"
-        return Finding(len(made) == 500 and made[-1] == last, (step,), {"last": [str(made[-1])]})
+        return CheckResult(
+            len(made) == 500 and made[-1] == last, (step,), {"last": [str(made[-1])]}
+        )
 
     return Computed(f"`while time < 500` makes 500 frames, 0 to {last}", look)

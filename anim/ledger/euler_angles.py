@@ -5,7 +5,7 @@ from anim.ledger.turning import UP, axis, rotation, turned
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
 from hfield.ledger.real_geometry import Angles
-from hfield.ledger.scopes import Over
+from hfield.ledger.scopes import InField
 from hfield.syntax import Node, both, names, negation, number
 from hfield.syntax import equal as same
 from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal, product, times
@@ -48,7 +48,7 @@ def by_quaternions(cosine: Node, sine: Node) -> Vector:
     return turned(axis(ONE, ZERO), UP, cosine, sine)
 
 
-ALIKE = Over(
+ALIKE = InField(
     "RR",
     Statement.of(
         same(by_quaternions(ZERO, ONE)[0], BY_EULER[0]),
@@ -56,7 +56,7 @@ ALIKE = Over(
         "in the last frame both ways turn the top's axis to a place with the same x",
     ),
 )
-APART = Over(
+APART = InField(
     "RR",
     Statement.of(
         negation(equal(by_quaternions(P[0], P[1]), BY_EULER)),

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from anim.ledger.counting import RING, takes
-from hfield.ledger.claim import Computed, Finding
+from hfield.ledger.claim import CheckResult, Computed
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
 from hfield.syntax import Node, both, conj, equal, inv, names, norm, unequal
@@ -105,7 +105,7 @@ def work(points: int) -> tuple[int, int]:
 def saves(factor: int) -> Computed:
     """Say that spin3dOptimized turns the points of the model by so many times fewer multiplications."""
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         from anim.model import Model
 
         points = len(Model(ring=RING).points)
@@ -114,7 +114,7 @@ def saves(factor: int) -> Computed:
             f"{points} points: {2 * points} rotations, {before} multiplications by spin3d",
             f"{points} rotations, {after} multiplications by spin3dOptimized",
         )
-        return Finding(before >= factor * after, steps, {"multiplications": [str(after)]})
+        return CheckResult(before >= factor * after, steps, {"multiplications": [str(after)]})
 
     return Computed(f"spin3dOptimized takes {factor} times fewer multiplications than spin3d", look)
 

@@ -7,11 +7,11 @@ commutative ring. A rotation is met through the cosine and the sine of its angle
 
 from anim.ledger.counting import SHOWN, film_shows, listed, loop
 from anim.ledger.turning import UP, axis, rotation, turned
-from hfield.ledger.claim import Computed, Finding
+from hfield.ledger.claim import CheckResult, Computed
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement, written
 from hfield.ledger.real_geometry import Angles
-from hfield.ledger.scopes import Over
+from hfield.ledger.scopes import InField
 from hfield.syntax import Node, both, conj, names, norm, number
 from hfield.syntax import equal as same
 from rotation.ledger.entries import ONE, ZERO, Vector, apply, equal
@@ -97,7 +97,7 @@ def drawn(falling: bool) -> Computed:
     500 of each set, equally spaced up to rounding, from one end of the printed interval to the other.
     """
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         import numpy as np
 
         from anim.timeline import Timeline
@@ -113,7 +113,7 @@ def drawn(falling: bool) -> Computed:
         }
         off = {name: float(abs(a - b).max()) for name, (a, b) in wanted.items()}
         steps = tuple(f"{name}: at most {most:.1e} from its place" for name, most in off.items())
-        return Finding(max(off.values()) < 1e-12, steps, {"off": [f"{max(off.values()):.3g}"]})
+        return CheckResult(max(off.values()) < 1e-12, steps, {"off": [f"{max(off.values()):.3g}"]})
 
     order = "decreasing" if falling else "increasing"
     return Computed(
@@ -142,11 +142,11 @@ CONSTANT = Statement.of(
 )
 
 
-def azimuth_steps(parts: int) -> Over:
+def azimuth_steps(parts: int) -> InField:
     """Say that 32π in so many steps makes 11.54° a step, and 16 turns in all."""
     whole = Statement(f"{parts}*(32/{parts}) == 2*16")
     degrees = between("11.535", f"180*32/{parts}", "11.545", "the step in degrees")
-    return Over("QQ", Every((whole, degrees)))
+    return InField("QQ", Every((whole, degrees)))
 
 
 def unit(vector: Vector) -> Angles:
@@ -170,14 +170,14 @@ COMPUTED = {
     ),
     "C3.4.1-f": Propositions(as_printed=spin_about("z"), spoilt=spin_about("y")),
     "C3.4.1-h": Propositions(
-        as_printed=Over("QQ", Statement(FILM)),
-        spoilt=Over("QQ", Statement(FILM.replace("20", "25"))),
+        as_printed=InField("QQ", Statement(FILM)),
+        spoilt=InField("QQ", Statement(FILM.replace("20", "25"))),
     ),
     "C3.4.1-i": Propositions(as_printed=drawn(falling=True), spoilt=drawn(falling=False)),
     "C3.4.1-j": Propositions(
-        as_printed=Over("QQ", Every((LARGER, SLOWER))),
-        spoilt=Over("QQ", Every((LARGER, CONSTANT))),
-        corrected=Over("QQ", Every((LARGER, CONSTANT))),
+        as_printed=InField("QQ", Every((LARGER, SLOWER))),
+        spoilt=InField("QQ", Every((LARGER, CONSTANT))),
+        corrected=InField("QQ", Every((LARGER, CONSTANT))),
     ),
     "C3.4.1-k": Propositions(as_printed=azimuth_steps(499), spoilt=azimuth_steps(500)),
     "C3.4.1-l": Propositions(as_printed=loop(499), spoilt=loop(500)),

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from anim.ledger.counting import model_has
-from hfield.certificates.glossary import CIRCLE, NO_MEANING
-from hfield.ledger.claim import Computed, Finding, Proposition
+from hfield.checker.glossary import CIRCLE, NO_MEANING
+from hfield.ledger.claim import CheckResult, Computed, Proposition
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real_geometry import REAL
-from hfield.ledger.scopes import Only
-from hfield.proving.decision import NOT_APPLICABLE, Decision
+from hfield.ledger.scopes import OnlyOver
+from hfield.prover.decision import NOT_APPLICABLE, Decision
 from hfield.rings.base import Ring
 
 
@@ -76,13 +76,13 @@ GAP = "(q[1]**2 + 2*(q[0]*q[1])**2)"
 POLYGONS = "Inscribed polygons of the real circle are meant."
 
 
-def nearer(sign: str) -> Only:
+def nearer(sign: str) -> OnlyOver:
     """Say that z² − y² is GAP/2, and that GAP, or −GAP, is positive: no norm is its negative."""
     parts = (
         Statement(f"2*(z**2 - y**2) == {GAP}", HALVED),
         Statement(f"norm(p) != {sign}{GAP}", ("q[1] != 0",)),
     )
-    return Only(Every(parts), (REAL,), POLYGONS, (CIRCLE,))
+    return OnlyOver(Every(parts), (REAL,), POLYGONS, (CIRCLE,))
 
 
 def closed(band: bool) -> Computed:
@@ -91,7 +91,7 @@ def closed(band: bool) -> Computed:
     A surface is closed if each side of a polygon is the side of one other, met the other way round.
     """
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         from anim.model import Model
 
         model = Model()
@@ -104,7 +104,7 @@ def closed(band: bool) -> Computed:
             f"{len(polygons)} polygons, {len(alone)} of their sides without a partner",
             f"corners − edges + polygons = {bulge}",
         )
-        return Finding(not alone and bulge == 2, steps, {"sides": [str(len(alone))]})
+        return CheckResult(not alone and bulge == 2, steps, {"sides": [str(len(alone))]})
 
     joined = "with their bases joined point by point" if band else "not joined"
     return Computed(f"the two cones, {joined}, make one closed surface", look)
@@ -113,12 +113,14 @@ def closed(band: bool) -> Computed:
 def corners(allowed: tuple[int, ...]) -> Computed:
     """Say that every polygon has one of these numbers of corners, and each number occurs."""
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         from anim.model import Model
 
         found = Counter(map(len, Model(ring=10).polygons))
         steps = tuple(f"{n} polygons with {size} corners" for size, n in sorted(found.items()))
-        return Finding(set(found) == set(allowed), steps, {"corners": [*map(str, sorted(found))]})
+        return CheckResult(
+            set(found) == set(allowed), steps, {"corners": [*map(str, sorted(found))]}
+        )
 
     return Computed(f"the polygons have {' and '.join(map(str, allowed))} corners", look)
 

@@ -8,7 +8,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from anim.errors import AnimationError
-from hfield.atomic import sweep, whole_file, whole_folder
+from hfield.core.files import sweep, whole_file, whole_folder
 from hfield.errors import shorten
 
 

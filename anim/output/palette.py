@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from anim.output.format import Frame
 
 SAMPLES = 8
-MOST_COLUMNS = 2_000_000  # pixels looked at
+MAX_COLUMNS = 2_000_000  # pixels looked at
 
 
 def sampled(frames: int) -> list[int]:
@@ -28,7 +28,7 @@ def write_palette(path: Path, frames: Sequence[Frame]) -> None:
     from PIL import Image
 
     pixels = np.concatenate([frame.reshape(-1, 3) for frame in frames])
-    pixels = pixels[:: 1 + len(pixels) // MOST_COLUMNS].astype(np.uint32)
+    pixels = pixels[:: 1 + len(pixels) // MAX_COLUMNS].astype(np.uint32)
     packed = pixels[:, 0] << 16 | pixels[:, 1] << 8 | pixels[:, 2]
     colours, counts = np.unique(packed, return_counts=True)
     common = colours[np.argsort(-counts, kind="stable")][:128]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from anim.checks import real
 from anim.errors import AnimationError
 from anim.physics.inertia import Body
-from anim.physics.launch import EVERY, MOST_STEPS, Launch, Stepped, attitude_of
+from anim.physics.launch import EVERY, MAX_STEPS, Launch, Stepped, attitude_of
 from rotation.matrices import to_matrix
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ STEP, SINK, CREEP = 8e-4, 1 / 400, 0.025
 """A step over √(l/g), how deep the weight presses the tip in over l, the creep over √(gl)."""
 TURN = 0.02
 """The step times the spin, at most."""
-MOST_FRICTION = 5.0
+MAX_FRICTION = 5.0
 RESTING = 1.0
 """c·√(gl), by which an impact of √(gl) loses most of its energy."""
 
@@ -49,9 +49,9 @@ class Contact:
 
     def __post_init__(self) -> None:
         real("the tip's radius", self.radius, above=0)
-        if real("friction", self.friction, least=0) > MOST_FRICTION:
+        if real("friction", self.friction, least=0) > MAX_FRICTION:
             raise AnimationError(
-                f"friction is {self.friction:g}; expected at most {MOST_FRICTION:g}"
+                f"friction is {self.friction:g}; expected at most {MAX_FRICTION:g}"
             )
         real("rolling", self.rolling, least=0)
 
@@ -88,10 +88,10 @@ class FreeTop(Stepped):
                 f"a tip of {ball:g} m with a rolling arm of {self.contact.rolling:g} m is out of all "
                 f"proportion to a top whose centre is at {self.body.height:.3g} m"
             )
-        if not self.steps * self.longest_step * self.friction_rate <= STIFF * MOST_STEPS:
+        if not self.steps * self.longest_step * self.friction_rate <= STIFF * MAX_STEPS:
             raise AnimationError(
                 f"friction of {self.contact.friction:g} is too stiff for a body this thin: "
-                f"{self.seconds:g} s would take more than {MOST_STEPS:.0e} steps; choose less friction, "
+                f"{self.seconds:g} s would take more than {MAX_STEPS:.0e} steps; choose less friction, "
                 "a thicker body or a shorter film"
             )
 

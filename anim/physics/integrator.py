@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.compiling import called, kernel
-from hfield.product import Constants, conjugate, multiply
+from hfield.core.product import Constants, conjugate, multiply
 
 Floats = NDArray[np.float64]
 Four = tuple[float, float, float, float]

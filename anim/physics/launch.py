@@ -13,7 +13,7 @@ from rotation.quaternions import product
 
 Floats = NDArray[np.float64]
 
-MOST_STEPS = 20_000_000
+MAX_STEPS = 20_000_000
 EVERY = 32  # steps from one kept state to the next
 
 
@@ -40,9 +40,9 @@ class Stepped:
     def refuse_long(self) -> None:
         """Raise an error for a motion of more than 20 million steps."""
         steps = self.seconds / self.longest_step
-        if not steps <= MOST_STEPS:
+        if not steps <= MAX_STEPS:
             raise AnimationError(
-                f"{self.seconds:g} s of this motion take {steps:.3g} steps, expected {MOST_STEPS:.0e} "
+                f"{self.seconds:g} s of this motion take {steps:.3g} steps, expected {MAX_STEPS:.0e} "
                 "at most: choose less spin, a larger top or a shorter film"
             )
 

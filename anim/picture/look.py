@@ -18,7 +18,7 @@ NEAREST = 6.0
 LARGEST_SIDE = 16_384
 CLOSEST = 100.0
 """The greatest zoom: a pixel is then a ten-thousandth of the top."""
-MOST_PIXELS = 7680 * 4320
+MAX_PIXELS = 7680 * 4320
 
 
 @dataclass(frozen=True)
@@ -161,9 +161,9 @@ def _size(size: Any) -> tuple[int, int]:
         raise AnimationError(f"size is {size!r}; expected (width, height) in pixels")
     width = whole("the width", sides[0], 1, LARGEST_SIDE)
     height = whole("the height", sides[1], 1, LARGEST_SIDE)
-    if width * height > MOST_PIXELS:
+    if width * height > MAX_PIXELS:
         raise AnimationError(
-            f"a picture of {width} x {height} has too many pixels; expected at most {MOST_PIXELS:,}"
+            f"a picture of {width} x {height} has too many pixels; expected at most {MAX_PIXELS:,}"
         )
     return width, height
 

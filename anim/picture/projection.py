@@ -23,7 +23,7 @@ MARGIN = 0.03
 """The share of the picture left free at each edge."""
 DIRECTIONS = 400
 """The number of directions in which the farthest points are found, to fit the view."""
-LEAST_MARGIN = 2.0
+MIN_MARGIN = 2.0
 """How many pixels are left free in a small picture, where the lines are wide for it."""
 
 
@@ -97,7 +97,7 @@ def fitting(
     """
     low, high = seen.min(axis=0), seen.max(axis=0)
     whole = np.array(size)
-    free = np.minimum(np.maximum(margin * whole, LEAST_MARGIN), whole / 4)
+    free = np.minimum(np.maximum(margin * whole, MIN_MARGIN), whole / 4)
     scale = float(np.min((whole - 2 * free) / (high - low))) * zoom
     return scale, whole / 2 - scale * (low + high) / 2
 

@@ -45,7 +45,7 @@ def figures(directory: str | Path, force: bool = True) -> list[Path]:
     points and skeleton (P₁ green, P₂ red; 10 points a ring), coloured, the same turned about z and then
     also about a second axis, figure-3.1 (1000 points a ring) and figure-3.2 (four turns by π/2 about axes
     leaning by 30°, in one picture of twice the size). ``force`` replaces files of these names. Raises
-    :class:`~hfield.commands.output.OutputError` where the directory cannot be written, and
+    :class:`~hfield.cli.output.OutputError` where the directory cannot be written, and
     :class:`~anim.errors.AnimationError` where the disk is full.
     """
     folder = Path(directory)

@@ -18,7 +18,7 @@ from anim.picture.projection import View
 Floats = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
 
-LEAST_STRENGTH = 0.22
+MIN_STRENGTH = 0.22
 """The opacity of the oldest part of the path."""
 FADING_SECONDS = 2.0
 """The seconds of the film in which the opacity above that falls to 1/e of it."""
@@ -30,7 +30,7 @@ MIN_RAY_LENGTH = 1e-6
 
 def strengths(ages: Floats) -> Floats:
     """Return the opacity (k,) of a path at points that the apex passed ``ages`` (k,) seconds ago."""
-    return np.asarray(LEAST_STRENGTH + (1 - LEAST_STRENGTH) * np.exp(-ages / FADING_SECONDS))
+    return np.asarray(MIN_STRENGTH + (1 - MIN_STRENGTH) * np.exp(-ages / FADING_SECONDS))
 
 
 def on_near_side(trail: Floats, eye: Floats, tip: Floats) -> Booleans:

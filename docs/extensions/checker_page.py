@@ -33,7 +33,7 @@ def write(app: Any, exception: Exception | None) -> None:
     folder.mkdir(exist_ok=True)
     with zipfile.ZipFile(folder / "checker.zip", "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("hfield/__init__.py", "")  # the checker imports nothing of the rest
-        for path in sorted((ROOT / "hfield" / "certificates").rglob("*.py")):
+        for path in sorted((ROOT / "hfield" / "checker").rglob("*.py")):
             archive.write(path, path.relative_to(ROOT).as_posix())
     for name, (statement, field) in STATEMENTS.items():
         text = json.dumps(prove(statement, field).certificate, ensure_ascii=False, indent=1)

@@ -6,10 +6,10 @@ const WORKER = `
     const answer = await fetch("BASE/checker.zip");
     python.unpackArchive(await answer.arrayBuffer(), "zip");
     python.runPython(\`
-from hfield.certificates.check import check
-from hfield.certificates.json_text import read_json
-from hfield.certificates.rejection import Rejected
-from hfield.certificates.work import Work, bounded
+from hfield.checker.check import check
+from hfield.checker.json_text import read_json
+from hfield.checker.rejection import Rejected
+from hfield.checker.budget import Work, bounded
 
 def judged(text):
     most = Work()

@@ -11,8 +11,8 @@ from typing import Any
 
 from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.product import Constants
 from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError
-from hfield.product import Constants
 from hfield.rings.base import WithIntegers
 from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
 from hfield.structure.global_field import GlobalField, global_field

@@ -10,8 +10,8 @@ from typing import Any
 import flint
 
 from hfield import syntax
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, HFieldError, shorten
-from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import ExtensionField
 

@@ -7,8 +7,8 @@ from itertools import permutations
 from typing import TYPE_CHECKING, Any
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.product import Coordinates, Scalar
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
-from hfield.product import Coordinates, Scalar
 from hfield.structure.isomorphisms import splitting
 
 if TYPE_CHECKING:

@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol
 
-from hfield import product, structure
+from hfield import structure
 from hfield.algebra.embedding import embedding
+from hfield.core import product
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import (
     CoercionError,
     MixedParentsError,
@@ -18,7 +20,6 @@ from hfield.errors import (
 )
 from hfield.hints import ELEMENT, Hinted
 from hfield.notation import element_text
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.coefficients import Coefficients
 from hfield.rings.holding import Batch, Holding
@@ -97,7 +98,7 @@ class Quaternion(Hinted, PrintedBySympy):
     # What is kept is _held, which only the holding _how reads; coordinates are made when asked for.
     # No __setattr__ or __delattr__ of its own: they would make every new element slower.
     __slots__ = ("_algebra", "_held", "_how")
-    elsewhere = ELEMENT
+    foreign_names = ELEMENT
     _op_priority = 20.0  # for x * q with an x of sympy, to which q is no quaternion of its own
 
     _algebra: Parent

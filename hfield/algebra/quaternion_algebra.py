@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from hfield import notation, structure, syntax
 from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion, check_axis, held_by, is_many
+from hfield.core.factorisation import Factors, factorise, known_primes
+from hfield.core.product import Constants, Scalar
 from hfield.errors import (
     CoercionError,
     HFieldError,
@@ -20,13 +22,11 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.factorisation import Factors, factorise, known_primes
 from hfield.fields.adjoining import adjoin_variables
 from hfield.fields.names import RingName
 from hfield.fields.names import ring as read_ring
 from hfield.hints import ALGEBRA, Hinted
 from hfield.notation import BASIS
-from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring, WithIntegers
 from hfield.rings.expressions import check_symbols, is_of_sympy
 from hfield.rings.floats import CDF
@@ -51,20 +51,20 @@ if TYPE_CHECKING:
     from hfield.algebra.quadratic_fields import Embedding
     from hfield.algebra.quotients import Quotient
     from hfield.exploring.automorphisms import AutomorphismGroup
-    from hfield.exploring.classes import ConjugacyClass
+    from hfield.exploring.conjugacy_classes import ConjugacyClass
     from hfield.exploring.elements import Elements
     from hfield.exploring.ideals import AlgebraIdeal
     from hfield.exploring.subalgebras import Subalgebra
     from hfield.exploring.unit_groups import UnitGroup
-    from hfield.modules.equations import LinearSolutions, SystemSolutions
-    from hfield.modules.matrix import Matrix
-    from hfield.modules.polynomials import Polynomials
+    from hfield.matrices.equations import LinearSolutions, SystemSolutions
+    from hfield.matrices.matrix import Matrix
     from hfield.orders.hurwitz_order import HurwitzOrder
     from hfield.orders.lattice import Lattice, Order
     from hfield.orders.ternary_forms import TernaryForm
+    from hfield.polynomials.polynomial import Polynomials
 
 LISTED = 10_000  # elements of a ring that are kept, to be gone through again
-MOST = 10**8  # elements of an array that lists all
+MAX_LISTED_ELEMENTS = 10**8  # elements of an array that lists all
 
 # What may be counted, in singular and plural.
 _KINDS = {word: kind for kind in ("elements", "units") for word in (kind, kind[:-1])}
@@ -99,7 +99,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     ((-1,-11|QQ), (-1,-11|QQ), (-1,-11|QQ))
     """
 
-    elsewhere = ALGEBRA
+    foreign_names = ALGEBRA
 
     def __init__(
         self, ring: RingName | object, a: object = None, b: object = None, t: object = 0
@@ -390,7 +390,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> int(p.units().sum()), int((p * p == -1).sum())
         (48, 6)
         """
-        if self._order_of_ring() ** 4 > MOST:
+        if self._order_of_ring() ** 4 > MAX_LISTED_ELEMENTS:
             raise TooLargeError(
                 f"{self} has more than 10^8 elements; A.elements() runs through them"
             )
@@ -487,16 +487,16 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> (p*q).norm() == p.norm()*q.norm(), i*p*i - j*q == i*(p*i) - j*q, p*q == q*p
         (True, True, False)
         """
-        asked = tuple(names.replace(",", " ").split()) if isinstance(names, str) else ()
-        if not asked or len({*asked}) < len(asked):
+        wanted = tuple(names.replace(",", " ").split()) if isinstance(names, str) else ()
+        if not wanted or len({*wanted}) < len(wanted):
             raise RingError(
                 f"{shorten(repr(names))}: expected different names of unknowns, as in unknowns('p q')"
             )
         base = self._base or self
-        fresh = [name for name in asked if name not in base._unknowns]
+        fresh = [name for name in wanted if name not in base._unknowns]
         if fresh:
             base._join_unknowns(fresh)
-        found = tuple(base._unknowns[name] for name in asked)
+        found = tuple(base._unknowns[name] for name in wanted)
         return found if len(found) > 1 else found[0]
 
     def _join_unknowns(self, fresh: Iterable[str]) -> None:
@@ -919,7 +919,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> [len(c) for c in H("GF(3)").conjugacy_classes()]
         [1, 1, 1, 8, 6, 12, 12, 8, 6, 12, 8, 6]
         """
-        from hfield.exploring.classes import conjugacy_classes, split_classes
+        from hfield.exploring.conjugacy_classes import conjugacy_classes, split_classes
 
         if self.ring.order is not None and self.is_central_simple():
             return split_classes(self)
@@ -1097,7 +1097,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         return embed(self, extension)
 
-    # --- matrices and equations: their room is imported on use ---------------------------------
+    # --- matrices and equations, imported on first use ---------------------------------
 
     def matrix(self, rows: Iterable[Iterable[object]] | Quaternion | str) -> Matrix:
         """Return the matrix with these rows of elements, or that a text means. Raises :class:`CoercionError`.
@@ -1110,10 +1110,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         ([[1/2, -1/2*j], [-1/2*i, -1/2*k]], [[2 - 2*j], [-2 + 2*j]])
         """
         if isinstance(rows, str):
-            from hfield.modules.texts import read_matrix
+            from hfield.matrices.texts import read_matrix
 
             return read_matrix(self, rows)
-        from hfield.modules.matrix import Matrix
+        from hfield.matrices.matrix import Matrix
 
         return Matrix(self, rows)
 
@@ -1127,7 +1127,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         Raises :class:`RingError` for what is no name.
         """
-        from hfield.modules.polynomials import Polynomials
+        from hfield.polynomials.polynomial import Polynomials
 
         if not (isinstance(variable, str) and variable.isidentifier()):
             raise RingError(f"{shorten(variable)!r} is not the name of a variable such as x")
@@ -1143,7 +1143,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> A.sylvester(i, j, k).reason
         '(-1, 0, 0, 1) times the coordinates of the left side is 0 for every x, and 1 for c = k'
         """
-        from hfield.modules.equations import solve_linear
+        from hfield.matrices.equations import solve_linear
 
         return solve_linear(self, [(a, 1), (-self(1), b)], c)
 
@@ -1155,7 +1155,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> bool(found), len(found.kernel)
         (False, 2)
         """
-        from hfield.modules.equations import solve_linear
+        from hfield.matrices.equations import solve_linear
 
         return solve_linear(self, list(terms), c)
 
@@ -1170,12 +1170,12 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> found.particular, found.kernel[0], bool(H("QQ").solve("i*x + y = j", "x - y*i = 1"))
         ({'x': −1/2k, 'y': 1/2j}, {'x': i, 'y': 1}, False)
         """
-        from hfield.modules.equations import read_system, unknowns_in
+        from hfield.matrices.equations import read_system, unknowns_in
 
         names = unknowns_in(self, equations) if unknowns is None else unknowns.split(",")
         return read_system(self, equations, [x.strip() for x in names])
 
-    # --- lattices and orders: their room is imported on use ------------------------------------
+    # --- lattices and orders, imported on first use ------------------------------------
 
     @property
     def over_integers(self) -> bool:

@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.algebra.structure_algebra import AlgebraElement, StructureAlgebra
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, RingError
 from hfield.exploring.submodules import Submodule, products
-from hfield.product import Scalar
 from hfield.structure.linear_algebra.echelon import echelon
 
 

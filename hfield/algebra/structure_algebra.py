@@ -12,6 +12,7 @@ from math import gcd
 from typing import Any
 
 from hfield import notation
+from hfield.core.product import Scalar
 from hfield.errors import (
     CoercionError,
     MixedParentsError,
@@ -22,7 +23,6 @@ from hfield.errors import (
 )
 from hfield.fields.names import RingName
 from hfield.fields.names import ring as read_ring
-from hfield.product import Scalar
 from hfield.rings.modular import Modular
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.linear_algebra.syzygies import Row

@@ -1,4 +1,4 @@
-"""One way from formulas to machine code, and to threads that share the work.
+"""Compile formulas to machine code, and run it on several threads.
 
 `instructions` writes programs in LLVM's notation; `machine_code` compiles them in milliseconds, once on
 this machine (`disk_cache`), for as long as the process lives. `loops` puts a straight-line program in an

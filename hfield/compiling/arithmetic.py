@@ -1,4 +1,4 @@
-"""What a loop asks of an arithmetic: how a number is read, computed with, and written."""
+"""The protocol of an arithmetic in loops: read a number, compute with it, write it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Loops run over numpy arrays: of any shape and stride, by as many threads as the length pays for."""
+"""Run loops over numpy arrays of any shape and stride, on several threads."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ import numpy as np
 from hfield.compiling import machine_code, memory
 from hfield.compiling.arithmetic import Arithmetic
 from hfield.compiling.arithmetics.doubles import Formula
-from hfield.compiling.loops import Operand, looped
+from hfield.compiling.loops import Operand, emit_loop
 from hfield.compiling.memory import Array, Rows, address, in_one_piece, rows_of
 from hfield.compiling.threads import in_pieces, threads
-from hfield.straight_line import Program
+from hfield.core.straight_line import Program
 
 PIECE = 1 << 20  # elements that a thread takes at a time: for each it waits for the interpreter
-MANY = 500_000  # from so many elements on a second thread is woken
-SHORTEST = 1 << 16  # elements for which one more thread is woken
+THREADED_ELEMENTS = 500_000  # from so many elements on a second thread is woken
+ELEMENTS_PER_THREAD = 1 << 16  # elements for which one more thread is woken
 # The compiled loops of each program in each arithmetic, by which operands are single elements, and by
 # whether they write past the caches.
 _loops: dict[Any, dict[tuple[tuple[bool, ...], bool], machine_code.Function]] = {}
 _announce = machine_code.Announcer(
-    "hfield: compiling a loop over arrays, once on this machine (`hfield warm` does it beforehand)"
+    "hfield: compiling a loop over arrays, once on this machine (`hfield precompile` does it beforehand)"
 )
 
 
@@ -99,7 +99,7 @@ class Kernel:
         with machine_code.lock:
             if (singles, streamed) not in self._loops:
                 operands = tuple(map(Operand, self.sides, singles))
-                text = looped(self.program, self.arithmetic, operands, self.literals, streamed)
+                text = emit_loop(self.program, self.arithmetic, operands, self.literals, streamed)
                 address = machine_code.compiled(text, "entry", True, _announce)
                 self._loops[singles, streamed] = machine_code.function(address)
         return self._loops[singles, streamed]
@@ -112,7 +112,7 @@ def run(loop: machine_code.Function, n: int, rows: Rows, steps: Sequence[int]) -
     """
     places = [address(row) for row in rows]
     table = c_int64 * len(places)
-    if n < MANY or threads() == 1:
+    if n < THREADED_ELEMENTS or threads() == 1:
         whole = table(*places)
         return loop(n, addressof(whole))
 
@@ -120,4 +120,4 @@ def run(loop: machine_code.Function, n: int, rows: Rows, steps: Sequence[int]) -
         here = table(*(place + start * step for place, step in zip(places, steps, strict=True)))
         return loop(end - start, addressof(here))
 
-    return in_pieces(work, n, PIECE, SHORTEST, rows)
+    return in_pieces(work, n, PIECE, ELEMENTS_PER_THREAD, rows)

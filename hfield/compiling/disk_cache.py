@@ -1,4 +1,4 @@
-"""Machine code kept on disk, so that a process need not compile what another one has.
+"""Keep machine code on disk for later processes.
 
 It lies in ``NUMBA_CACHE_DIR``, else in the user's cache directory; where nothing can be written nothing is
 kept. A file that another user owns or may write is not read. It begins with a stamp: the checksum of its name

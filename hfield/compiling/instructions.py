@@ -1,4 +1,4 @@
-"""Functions in LLVM's notation: values, vectors, memory, calls, branches and loops, each written in one way.
+"""Write functions in LLVM's notation: values, memory, calls, branches and loops.
 
 A value is a name such as ``%v3``, or the text of a constant; its type is said where it is used.
 """
@@ -82,7 +82,7 @@ class Code:
         """Read the first entries of an array."""
         return [self.load(kind, self.at(kind, table, n)) for n in range(count)]
 
-    def room(self, kind: str) -> str:
+    def allocate(self, kind: str) -> str:
         """Return the address of memory of the function's own."""
         return self.once(f"alloca {kind}, align 64")
 
@@ -170,15 +170,15 @@ class Code:
         self.do(f"br label %turn{n}")
         self._begin(f"turn{n}")
         top = len(self.lines)
-        again, following = turn(*names)
+        again, later_values = turn(*names)
         after = self._label
         self.lines[top:top] = [
             f"{name} = phi {kind} [ {value}, %{before} ], [ {later}, %{after} ]"
-            for name, (kind, value), later in zip(names, first, following, strict=True)
+            for name, (kind, value), later in zip(names, first, later_values, strict=True)
         ]
         self.do(f"br i1 {again}, label %turn{n}, label %over{n}{marks}")
         self._begin(f"over{n}")
-        return following
+        return later_values
 
     def loop(
         self,
@@ -196,9 +196,9 @@ class Code:
         """
 
         def turned(i: str, *values: str) -> tuple[str, Sequence[str]]:
-            following = turn(i, *values) or ()
+            later_values = turn(i, *values) or ()
             beyond = self.value(f"add nuw nsw i64 {i}, {step}")
-            return self.value(f"icmp slt i64 {beyond}, {end}"), (beyond, *following)
+            return self.value(f"icmp slt i64 {beyond}, {end}"), (beyond, *later_values)
 
         def turns() -> list[tuple[str, str, str]]:
             _, *found = self.repeat([("i64", start), *first], turned, marks)

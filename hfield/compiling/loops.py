@@ -1,4 +1,4 @@
-"""Loops over the rows of arrays, in LLVM's notation: a straight-line program in an arithmetic.
+"""Write loops over rows of arrays in LLVM's notation: a straight-line program in an arithmetic.
 
 A turn reads the next numbers of each row, one or as many as the arithmetic computes with at once, and
 writes as many. Large results may be written past the caches: an ordinary store reads the line of 64 bytes
@@ -16,7 +16,7 @@ from typing import NamedTuple
 from hfield.compiling.arithmetic import Arithmetic, Symbol
 from hfield.compiling.arithmetics.doubles import Formula
 from hfield.compiling.instructions import Code, module, raw_type, vector
-from hfield.straight_line import ONE, Program
+from hfield.core.straight_line import ONE, Program
 
 BLOCK = 512  # elements that are written past the caches together
 LINE = "<8 x i64>"
@@ -35,7 +35,7 @@ class Operand(NamedTuple):
     single: bool
 
 
-def written(
+def emit_body(
     code: Code,
     program: Program | Formula,
     arithmetic: Arithmetic,
@@ -62,7 +62,7 @@ def written(
     return [arithmetic.store(code, x.payload) for x in results]
 
 
-def looped(
+def emit_loop(
     program: Program | Formula,
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
@@ -82,17 +82,17 @@ def looped(
     signature = ", ".join(f"ptr noalias %{name}" for name in pointers)
     code = Code(f"internal i64 @loop(i64 %n, {signature}) noinline")
 
-    def turn(i: str, told: str) -> list[str]:
-        results = written(code, program, arithmetic, operands, literals, i)
+    def turn(i: str, flags: str) -> list[str]:
+        results = emit_body(code, program, arithmetic, operands, literals, i)
         for name, result in zip(outputs, results, strict=True):
             _write(code, arithmetic, name, i, result)
         for condition in code.conditions:
-            told = code.value(f"or i64 {told}, {condition}")
-        return [told]
+            flags = code.value(f"or i64 {flags}, {condition}")
+        return [flags]
 
     marks = "" if arithmetic.vectorise else NOT_VECTORISED
-    (told,) = code.loop("0", "%n", turn, arithmetic.lanes, [("i64", "0")], marks)
-    code.end(f"i64 {told}")
+    (flags,) = code.loop("0", "%n", turn, arithmetic.lanes, [("i64", "0")], marks)
+    code.end(f"i64 {flags}")
     entry = Code("i64 @entry(i64 %n, ptr %addresses)")
     places = dict(zip(pointers, entry.entries("ptr", "%addresses", len(pointers)), strict=True))
     if not streamed:
@@ -162,22 +162,22 @@ def _stream(
     Of the rows the ``moving`` have an element for each turn; the others stay where they are.
     """
     read, kind = raw_type(arithmetic.dtype), raw_type(arithmetic.result)
-    near = {name: entry.room(f"[{BLOCK} x {kind}]") for name in outputs}
+    near = {name: entry.allocate(f"[{BLOCK} x {kind}]") for name in outputs}
 
-    def block(i: str, told: str) -> list[str]:
+    def block(i: str, flags: str) -> list[str]:
         left = entry.value(f"sub i64 %n, {i}")
         length = entry.call("i64", "llvm.umin.i64", ("i64", left), ("i64", str(BLOCK)))
         here = {name: entry.at(read, places[name], i) for name in moving}
-        told = entry.value(f"or i64 {told}, {_call(entry, length, {**places, **here, **near})}")
+        flags = entry.value(f"or i64 {flags}, {_call(entry, length, {**places, **here, **near})}")
         size = entry.value(f"mul i64 {length}, {int(kind[1:]) // 8}")
         for name in outputs:
             to = entry.at(kind, places[name], i)
             entry.do(f"call void @copy(ptr {to}, ptr {near[name]}, i64 {size})")
-        return [told]
+        return [flags]
 
-    (told,) = entry.loop("0", "%n", block, BLOCK, [("i64", "0")])
+    (flags,) = entry.loop("0", "%n", block, BLOCK, [("i64", "0")])
     entry.do("fence seq_cst")  # another thread sees such stores after it only
-    entry.end(f"i64 {told}")
+    entry.end(f"i64 {flags}")
 
 
 def _copy() -> Code:

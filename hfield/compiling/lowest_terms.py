@@ -1,4 +1,4 @@
-"""Rows of numerators over one row of denominators, put in lowest terms by a loop of its own."""
+"""A loop that puts rows of numerators over one row of denominators in lowest terms."""
 
 from __future__ import annotations
 
@@ -62,12 +62,12 @@ def _entry() -> Code:
     code = Code("i64 @entry(i64 %n, ptr %addresses)")
     rows = code.entries("ptr", "%addresses", _ROWS)
 
-    def turn(i: str, told: str) -> list[str]:
+    def turn(i: str, flags: str) -> list[str]:
         places = [code.at("i64", row, i) for row in rows]
         numbers = [code.load("i64", place) for place in places]
         for x in numbers:
             least = code.value(f"icmp eq i64 {x}, {-(2**63)}")
-            told = code.value(f"or i64 {told}, {code.value(f'zext i1 {least} to i64')}")
+            flags = code.value(f"or i64 {flags}, {code.value(f'zext i1 {least} to i64')}")
 
         def divide() -> None:
             *sizes, g = (
@@ -85,8 +85,8 @@ def _entry() -> Code:
             code.when(code.value(f"icmp ne i64 {by}, 1"), write)
 
         code.when(code.value(f"icmp ne i64 {numbers[-1]}, 1"), divide)
-        return [told]
+        return [flags]
 
-    (told,) = code.loop("0", "%n", turn, first=[("i64", "0")])
-    code.end(f"i64 {told}")
+    (flags,) = code.loop("0", "%n", turn, first=[("i64", "0")])
+    code.end(f"i64 {flags}")
     return code

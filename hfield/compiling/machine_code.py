@@ -1,4 +1,4 @@
-"""From a text in LLVM's notation to machine code for this processor, compiled once on this machine.
+"""Compile LLVM's notation to machine code for this processor.
 
 Machine code is never freed: an address that was handed out is good as long as the process, in every thread.
 All that asks LLVM for something does so under the one `lock`, and publishes what it made; who calls it reads
@@ -14,11 +14,11 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from hfield import locking
 from hfield.compiling.disk_cache import keep, kept
+from hfield.core import locks
 
 Function = Callable[[int, int], int]
-lock = locking.lock()
+lock = locks.lock()
 _addresses: dict[str, int] = {}  # of what is linked
 _symbols: dict[str, int] = {}  # what programs call by name, and where it lies
 _numbers = itertools.count()
@@ -90,7 +90,7 @@ def processor_has(feature: str) -> bool:
         return bool(_features().get(feature))
 
 
-def introduce(name: str, address: int) -> None:
+def register_symbols(name: str, address: int) -> None:
     """Make a function of the system known to programs compiled from now on."""
     _symbols[name] = address
 
@@ -100,14 +100,14 @@ def compiled(
     name: str,
     vectorise: bool = False,
     announce: Callable[[], None] | None = None,
-    written: Callable[[], str] | None = None,
+    write_program: Callable[[], str] | None = None,
 ) -> int:
     """Return the address of the function ``name`` of a program, good as long as the process.
 
     Parameters
     ----------
     text : str
-        The program; with ``written``, which returns the program where it is not kept on disk, whatever
+        The program; with ``write_program``, which returns the program where it is not kept on disk, whatever
         decides what that is.
     vectorise : bool
         Whether LLVM is to make its scalar loops run over several numbers at a time; else the text is
@@ -119,7 +119,7 @@ def compiled(
         key = hashlib.sha256(f"{_made_by()} {vectorise} {name} {text}".encode()).hexdigest()
         if key not in _addresses:
             _addresses[key] = _kept(key, name) or _compiled(
-                key, written or (lambda: text), name, vectorise, announce
+                key, write_program or (lambda: text), name, vectorise, announce
             )
         return _addresses[key]
 
@@ -137,7 +137,7 @@ def _kept(key: str, name: str) -> int | None:
 
 def _compiled(
     key: str,
-    written: Callable[[], str],
+    write_program: Callable[[], str],
     name: str,
     vectorise: bool,
     announce: Callable[[], None] | None,
@@ -146,7 +146,7 @@ def _compiled(
 
     if announce is not None:
         announce()
-    target, module = machine(), llvm.parse_assembly(written())
+    target, module = machine(), llvm.parse_assembly(write_program())
     options = llvm.create_pipeline_tuning_options(speed_level=3 if vectorise else 0)
     if vectorise:
         options.loop_vectorization = options.loop_interleaving = options.loop_unrolling = True

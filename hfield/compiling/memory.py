@@ -1,4 +1,4 @@
-"""Where arrays lie, and memory for large results, handed on from one that nobody holds to the next.
+"""Array addresses, and a pool that reuses the buffers of collected results.
 
 What is large comes from the system page by page, each cleared when it is first touched: that takes about as
 long again as many a product. So the memory of results that are gone is kept for the next ones of their size,
@@ -19,13 +19,13 @@ import numpy as np
 Array = np.ndarray[Any, np.dtype[Any]]
 Rows = tuple[Array, ...]
 
-LARGE = 1_000_000  # bytes; several pieces given back go to the system again
+POOLED_BYTES = 1_000_000  # bytes; several pieces given back go to the system again
 KEPT = 5 << 24
 _kept: deque[Array] = deque()  # the last given back at the end
 
 
 class _Lent:
-    """What an array in memory that will be handed on has for its base: it is gone when all views are."""
+    """The base of an array in a pooled buffer: it is collected when the last view is."""
 
     def __init__(self, memory: Array) -> None:
         self.__array_interface__ = memory.__array_interface__
@@ -35,7 +35,7 @@ class _Lent:
 def block(shape: Sequence[int], dtype: str) -> tuple[Array, bool]:
     """Return an array whose entries are not set yet, and whether its memory has been used before."""
     size = prod(shape) * np.dtype(dtype).itemsize
-    if not LARGE <= size <= KEPT:
+    if not POOLED_BYTES <= size <= KEPT:
         return np.empty(shape, dtype), False
     used = _taken(size)
     memory = np.empty(size, np.uint8) if used is None else used

@@ -1,4 +1,4 @@
-"""Threads that help with one call: they take blocks from its counter until none is left.
+"""Threads that share the blocks of one call.
 
 The calling thread always works too, so a call never waits for help that did not come: helpers that
 have not started when the work is done are called off. There is no state in a call that other Python
@@ -138,17 +138,17 @@ def in_pieces(
     cuts = [*range(0, n, length), n]
     stretches = [(deque(range(start, end, piece)), end) for start, end in pairwise(cuts)]
     turns = deque(range(len(stretches)))
-    told: list[int] = []
+    results: list[int] = []
 
     def one(_: int) -> bool:
         own = turns.popleft()
         for starts, end in stretches[own:] + stretches[:own]:
             for start in _taken(starts):
-                told.append(work(start, min(start + piece, end)))
+                results.append(work(start, min(start + piece, end)))
         return False
 
     share(one, len(stretches), alive)
-    return reduce(or_, told)
+    return reduce(or_, results)
 
 
 def _taken(starts: deque[int]) -> Iterator[int]:

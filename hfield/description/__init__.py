@@ -1,4 +1,4 @@
-"""All that is known of an algebra at once, and the page about it."""
+"""Describe an algebra: all that is known of it."""
 
 from hfield.description.summary import SCHEMA, Description, info
 

@@ -1,4 +1,4 @@
-"""The page about an algebra: what is known of it, laid out in lines."""
+"""Lay out the page about an algebra."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""All that is known of an algebra, asked once: what ``hfield info`` shows and writes as JSON."""
+"""Collect all that is known of an algebra, for ``hfield info``."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from hfield import structure
 from hfield.algebra import H, QuaternionAlgebra
 from hfield.algebra.maps import Division, Splitting
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.factorisation import Factors, known_primes
 from hfield.errors import RingError, TooLargeError, UndecidedError
-from hfield.factorisation import Factors, known_primes
 from hfield.fields.names import RingName
 from hfield.notation import element_text
 from hfield.orders.lattice import Order

@@ -1,1 +1,1 @@
-"""Exploring an algebra: collections of its elements, its groups, ideals, subalgebras, graphs and pictures."""
+"""Explore an algebra: collections of elements, groups, ideals, subalgebras, graphs, pictures."""

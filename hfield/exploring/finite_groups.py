@@ -7,7 +7,7 @@ from functools import cached_property
 from math import lcm
 from typing import TYPE_CHECKING
 
-from hfield.factorisation import factorise
+from hfield.core.factorisation import factorise
 
 if TYPE_CHECKING:
     import numpy as np

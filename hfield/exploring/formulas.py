@@ -8,7 +8,7 @@ from typing import Any
 import flint
 
 from hfield import syntax
-from hfield.product import Constants
+from hfield.core.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.modular import Modular
 

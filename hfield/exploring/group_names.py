@@ -16,9 +16,9 @@ from itertools import islice, pairwise, product
 from math import gcd, lcm, prod
 from typing import TYPE_CHECKING, Protocol
 
+from hfield.core.factorisation import factorise
 from hfield.errors import TooLargeError, UndecidedError
 from hfield.exploring.finite_groups import FiniteGroup
-from hfield.factorisation import factorise
 
 if TYPE_CHECKING:
     import numpy as np

@@ -14,14 +14,14 @@ from typing import Any
 
 from hfield import structure
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.factorisation import factorise
 from hfield.errors import TooLargeError
-from hfield.exploring.classes import splitting
+from hfield.exploring.conjugacy_classes import splitting
 from hfield.exploring.elements import Elements
 from hfield.exploring.labels import labelled, order_of_ring
 from hfield.exploring.properties import Condition
 from hfield.exploring.submodules import Submodule, check_listed, products
 from hfield.exploring.unit_groups import prime_power_parts
-from hfield.factorisation import factorise
 from hfield.rings.modular import Modular
 
 MAX_GENERATORS = 100_000

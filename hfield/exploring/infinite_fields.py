@@ -1,4 +1,4 @@
-"""Random elements with a property over a field that cannot be gone through.
+"""Draw random elements with a property over an infinite field.
 
 From one zero divisor come all kinds of them: ``z·q`` has norm 0; of two such elements u, v of the left ideal
 A·z the combination ``tr(u)·v − tr(v)·u`` is nilpotent, and ``u/tr(u)`` is idempotent. From one element of

@@ -1,4 +1,4 @@
-"""The elements of an algebra over a finite ring as labels: numbers that numpy computes with.
+"""Number the elements of an algebra over a finite ring, for numpy.
 
 A scalar is its place in ``ring.elements()``, and an element is the four labels of its coordinates, or one
 number below q⁴ whose digits in base q they are. The order by numbers is the order of ``A.elements()``.
@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
-from hfield import product
 from hfield.algebra.quaternion import Parent, Quaternion, held_by
+from hfield.core import product
+from hfield.core.product import Constants
 from hfield.errors import NotFiniteError, TooLargeError, shorten
-from hfield.product import Constants
 from hfield.structure.counting.tally import MIN_COMPILED, Indices, Tables, compiled_loops
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""Elements with a property over a finite ring that is too large for tables: solved one after the other."""
+"""List elements with a property over a finite ring too large for tables."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from hfield import structure
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.product import Coordinates, norm
 from hfield.errors import TooLargeError
 from hfield.exploring.infinite_fields import sample
 from hfield.exploring.properties import Condition, has_property
-from hfield.product import Coordinates, norm
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:

@@ -40,7 +40,7 @@ class PictureError(HFieldError, OSError):
 
 
 @dataclass(frozen=True)
-class Look:
+class Theme:
     """The colours of a page."""
 
     page: str
@@ -50,8 +50,8 @@ class Look:
     lightness: tuple[float, float]
 
 
-LIGHT = Look("#ffffff", "#1d2433", "#8a93a6", "#10141d", (0.42, 0.86))
-DARK = Look("#11141b", "#eef1f7", "#6b7590", "#000000", (0.32, 0.78))
+LIGHT = Theme("#ffffff", "#1d2433", "#8a93a6", "#10141d", (0.42, 0.86))
+DARK = Theme("#11141b", "#eef1f7", "#6b7590", "#000000", (0.32, 0.78))
 
 
 def draw(algebra: Parent, path: object, what: str, dark: bool) -> None:
@@ -75,28 +75,28 @@ def figure(algebra: Parent, what: str, dark: bool) -> Any:
         raise CoercionError(
             f"there is no picture {what!r}: expected one of {', '.join(map(repr, PICTURES))}"
         )
-    look = DARK if dark else LIGHT
+    theme = DARK if dark else LIGHT
     if what in SIDES:
-        return _hasse(algebra, ideals(algebra, SIDES[what]), look)
+        return _hasse(algebra, ideals(algebra, SIDES[what]), theme)
     labels = labelled(algebra)
     if what == "product":
-        return _products(labels, look)
+        return _products(labels, theme)
     if what == "norm":
-        return _norms(labels, look)
-    return _graph(labels, what, look)
+        return _norms(labels, theme)
+    return _graph(labels, what, theme)
 
 
 # --- squares --------------------------------------------------------------------------------------
 
 
 def _page(
-    look: Look, title: str, below: str, size: tuple[float, float] = (7, 7.7)
+    theme: Theme, title: str, below: str, size: tuple[float, float] = (7, 7.7)
 ) -> tuple[Any, Any]:
     """Return a figure with a title and a line below it, and the axes."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    page = Figure(figsize=size, facecolor=look.page)
+    page = Figure(figsize=size, facecolor=theme.page)
     FigureCanvasAgg(page)
     axes: Any = page.add_axes((0.04, 0.03, 0.92, 0.87))
     axes.axis("off")
@@ -107,11 +107,11 @@ def _page(
         title,
         ha="center",
         va="center",
-        color=look.ink,
+        color=theme.ink,
         fontsize=min(14, 680 / len(title)),
     )
     small = min(9.5, 900 / len(below))
-    page.text(0.5, 0.932, below, ha="center", va="center", color=look.quiet, fontsize=small)
+    page.text(0.5, 0.932, below, ha="center", va="center", color=theme.quiet, fontsize=small)
     return page, axes
 
 
@@ -120,25 +120,25 @@ def _hues(count: int) -> list[float]:
     return [(0.58 + 0.381966 * n) % 1 for n in range(count)]
 
 
-def _colors(labels: LabelledAlgebra, look: Look) -> np.ndarray:
+def _colors(labels: LabelledAlgebra, theme: Theme) -> np.ndarray:
     """Return a colour for each element: hue by its norm, lightness by its place among those; 0 is dark."""
     import numpy as np
 
     everything = np.arange(labels.size)
     norms = labels.norm(labels.rows(everything))
     hues = _hues(labels.q)
-    low, high = look.lightness
+    low, high = theme.lightness
     colors = np.zeros((labels.size, 3))
     for n in range(labels.q):
         members = np.flatnonzero(norms == n)
         for place, member in enumerate(members):
             light = low + (high - low) * (place + 0.5) / len(members)
             colors[member] = colorsys.hls_to_rgb(hues[n], light, 0.55 if n else 0.12)
-    colors[0] = [int(look.zero[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    colors[0] = [int(theme.zero[k : k + 2], 16) / 255 for k in (1, 3, 5)]
     return colors
 
 
-def _products(labels: LabelledAlgebra, look: Look) -> Any:
+def _products(labels: LabelledAlgebra, theme: Theme) -> Any:
     import numpy as np
 
     if labels.size > MAX_ROWS:
@@ -154,36 +154,36 @@ def _products(labels: LabelledAlgebra, look: Look) -> Any:
     below = (
         "row · column, sorted by norm; hue: norm of the product, shade: which element, darkest: 0"
     )
-    page, axes = _page(look, title, below)
-    axes.imshow(_colors(labels, look)[table], interpolation="none")
+    page, axes = _page(theme, title, below)
+    axes.imshow(_colors(labels, theme)[table], interpolation="none")
     for end in np.flatnonzero(np.diff(norms[order])):
         for line in (axes.axhline, axes.axvline):
-            line(end + 0.5, color=look.page, linewidth=0.8)
+            line(end + 0.5, color=theme.page, linewidth=0.8)
     return page
 
 
-def _norms(labels: LabelledAlgebra, look: Look) -> Any:
+def _norms(labels: LabelledAlgebra, theme: Theme) -> Any:
     import numpy as np
 
     size = labels.q**2
     norms = labels.norm(labels.rows(np.arange(labels.size))).reshape(size, size)
-    low, high = look.lightness
+    low, high = theme.lightness
     palette = [colorsys.hls_to_rgb(hue, (low + high) / 2, 0.6) for hue in _hues(labels.q)]
-    palette[0] = tuple(int(look.zero[k : k + 2], 16) / 255 for k in (1, 3, 5))  # type: ignore[assignment]
+    palette[0] = tuple(int(theme.zero[k : k + 2], 16) / 255 for k in (1, 3, 5))  # type: ignore[assignment]
     title = f"Norms in {labels.algebra}"
     below = "down: the coordinates of 1 and i, to the right: those of j and k; darkest: norm 0"
-    page, axes = _page(look, title, below)
+    page, axes = _page(theme, title, below)
     axes.imshow(np.array(palette)[norms], interpolation="none")
     for step in range(labels.q, size, labels.q):
         for line in (axes.axhline, axes.axvline):
-            line(step - 0.5, color=look.page, linewidth=0.8)
+            line(step - 0.5, color=theme.page, linewidth=0.8)
     return page
 
 
 # --- ideals ---------------------------------------------------------------------------------------
 
 
-def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], look: Look) -> Any:
+def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], theme: Theme) -> Any:
     if len(found) > MAX_NODES:
         raise TooLargeError(f"{algebra} has {len(found)} ideals, and at most {MAX_NODES} are drawn")
     levels = sorted({ideal.length for ideal in found})
@@ -199,26 +199,26 @@ def _hasse(algebra: Parent, found: Sequence[AlgebraIdeal], look: Look) -> Any:
     else:
         counts = ", ".join(f"{len(row)} of {row[0].cardinality()}" for row in rows.values())
         counts = f"by numbers of elements: {counts}"
-    page, axes = _page(look, f"{side} ideals of {algebra}", counts, (7, 6.3))
+    page, axes = _page(theme, f"{side} ideals of {algebra}", counts, (7, 6.3))
     axes.set_aspect("auto")
     axes.set_xlim(-0.02, 1.02)
     axes.set_ylim(-0.09, 1.09)
     for low, high in _covers(found):
         (x, y), (u, v) = places[low], places[high]
-        axes.plot([x, u], [y, v], color=look.quiet, linewidth=1.1, zorder=1)
+        axes.plot([x, u], [y, v], color=theme.quiet, linewidth=1.1, zorder=1)
     hues = _hues(len(levels))
     for ideal, (x, y) in places.items():
         color = colorsys.hls_to_rgb(hues[levels.index(ideal.length)], 0.5, 0.6)
         axes.plot(
-            [x], [y], marker="o", markersize=9, color=color, markeredgecolor=look.page, zorder=3
+            [x], [y], marker="o", markersize=9, color=color, markeredgecolor=theme.page, zorder=3
         )
         row = rows[ideal.length]
         if len(row) <= NAMED:
             upright = len(row) > 4
             axes.annotate(_name(ideal), (x, y), xytext=(0, 10 if y else -10), textcoords="offset points",
                           ha="center", va="bottom" if y else "top", rotation=90 if upright else 0,
-                          color=look.ink, fontsize=9, zorder=4,
-                          bbox={"facecolor": look.page, "edgecolor": "none", "pad": 1.5})  # fmt: skip
+                          color=theme.ink, fontsize=9, zorder=4,
+                          bbox={"facecolor": theme.page, "edgecolor": "none", "pad": 1.5})  # fmt: skip
     return page
 
 
@@ -247,7 +247,7 @@ def _covers(found: Sequence[AlgebraIdeal]) -> list[tuple[AlgebraIdeal, AlgebraId
 # --- graphs ---------------------------------------------------------------------------------------
 
 
-def _graph(labels: LabelledAlgebra, kind: str, look: Look) -> Any:
+def _graph(labels: LabelledAlgebra, kind: str, theme: Theme) -> Any:
     import numpy as np
     from matplotlib.collections import LineCollection
 
@@ -269,21 +269,21 @@ def _graph(labels: LabelledAlgebra, kind: str, look: Look) -> Any:
     )
     rule = "pq = qp" if kind == "commuting" else "pq = 0 or qp = 0"
     below = f"{len(vertices)} elements{left_out}, {len(pairs)} edges: {rule}"
-    page, axes = _page(look, title, below)
+    page, axes = _page(theme, title, below)
     where = {int(v): points[n] for n, v in enumerate(vertices)}
     lines = [(where[int(x)], where[int(y)]) for x, y in pairs]
     alpha = max(0.1, min(0.7, 60 / sqrt(len(lines) * 40 + 1)))
     axes.add_collection(
-        LineCollection(lines, colors=look.quiet, linewidths=0.7, alpha=alpha, zorder=1)
+        LineCollection(lines, colors=theme.quiet, linewidths=0.7, alpha=alpha, zorder=1)
     )
     axes.scatter(points[:, 0], points[:, 1], s=46 if len(vertices) < 90 else 22, c=colors,
-                 edgecolors=look.page, linewidths=0.8, zorder=3)  # fmt: skip
+                 edgecolors=theme.page, linewidths=0.8, zorder=3)  # fmt: skip
     axes.set_xlim(-1.1, 1.1)
     axes.set_ylim(-1.1, 1.1)
     if len(vertices) <= 40:
         for n, v in enumerate(vertices):
             x, y = points[n] * 1.06
-            axes.text(x, y, labels.element(int(v)).text("unicode"), color=look.ink, fontsize=7,
+            axes.text(x, y, labels.element(int(v)).text("unicode"), color=theme.ink, fontsize=7,
                       ha="left" if x > 0 else "right", va="center", rotation_mode="anchor",
                       rotation=_reading_angle(x, y), zorder=4)  # fmt: skip
         axes.set_xlim(-1.45, 1.45)

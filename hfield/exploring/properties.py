@@ -1,4 +1,4 @@
-"""The properties by which collections of elements are made: as a test, and as a statement."""
+"""The properties of collections of elements, as tests and as statements."""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple

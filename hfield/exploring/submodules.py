@@ -14,9 +14,9 @@ from typing import Any
 import flint
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.factorisation import factorise
 from hfield.errors import HFieldError, NotFiniteError, RingError
 from hfield.exploring.labels import order_of_ring
-from hfield.factorisation import factorise
 from hfield.rings.modular import Modular
 from hfield.structure.linear_algebra.echelon import echelon
 

@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, Any
 
 from hfield import structure
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.factorisation import factorise
 from hfield.errors import RingError, TooLargeError, UndecidedError
 from hfield.exploring import group_names
-from hfield.exploring.classes import (
+from hfield.exploring.conjugacy_classes import (
     ConjugacyClass,
     ListedClass,
     special_classes,
@@ -28,7 +29,6 @@ from hfield.exploring.finite_groups import FiniteGroup
 from hfield.exploring.group_names import GroupInvariants, ListedGroup
 from hfield.exploring.labels import LabelledAlgebra, labelled, order_of_ring
 from hfield.exploring.properties import Condition
-from hfield.factorisation import factorise
 from hfield.rings.modular import Modular
 from hfield.structure.forms import discriminant
 

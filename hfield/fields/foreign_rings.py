@@ -39,7 +39,7 @@ def _of_galois(field: Any) -> str:
 
 def _of_residues(domain: Any) -> str:
     n = int(domain.mod)
-    from hfield.primality import is_prime
+    from hfield.core.primality import is_prime
 
     if is_prime(n):
         return f"GF({n})"

@@ -11,7 +11,7 @@ from functools import lru_cache
 from importlib import import_module
 from typing import TypeAlias
 
-from hfield.certificates.glossary import GREEK
+from hfield.checker.glossary import GREEK
 from hfield.errors import NotationError, RingError, shorten
 from hfield.fields.foreign_rings import name_of_foreign_ring
 from hfield.fields.number_fields.texts import NUMBER
@@ -73,7 +73,7 @@ def ring(spec: RingName, factors: Iterable[int] | None = None) -> Ring:
     (QQ(a,b), QQ(sqrt(2)))
     """
     if factors is not None:
-        from hfield.factorisation import known_primes
+        from hfield.core.factorisation import known_primes
 
         with known_primes(factors, "factors"):
             return ring(spec)
@@ -94,9 +94,9 @@ def ring(spec: RingName, factors: Iterable[int] | None = None) -> Ring:
 def ring_of_data(data: object) -> Ring:
     """Return the ring of the data of a certificate, as ``ring.data`` gives them.
 
-    Raises :class:`hfield.certificates.rejection.Rejected` for data of none that the checker knows.
+    Raises :class:`hfield.checker.rejection.Rejected` for data of none that the checker knows.
     """
-    from hfield.certificates.scalars.fields import read_ring
+    from hfield.checker.scalars.fields import read_ring
 
     return ring(read_ring(data).name)
 

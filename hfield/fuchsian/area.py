@@ -8,7 +8,7 @@ from math import prod
 
 from flint import fmpz
 
-from hfield.factorisation import factorise
+from hfield.core.factorisation import factorise
 from hfield.orders.invariants import eichler_symbol, is_eichler
 from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.orders.z_order import ZOrder

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.certificates.glossary import POINCARE
+from hfield.checker.glossary import POINCARE
 from hfield.evidence import Claim
 
 if TYPE_CHECKING:

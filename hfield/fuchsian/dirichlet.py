@@ -17,25 +17,25 @@ import numpy as np
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.progress import report
 from hfield.errors import TooLargeError
-from hfield.fuchsian.growing import Shape, grown
 from hfield.fuchsian.plane import Plane, apply, same_point
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, distinct, free_centers
+from hfield.fuchsian.side_search import Shape, grown
 from hfield.fuchsian.split_order import RationalOrder, SplitOrder
 from hfield.orders import maximal_orders
 from hfield.orders.invariants import is_eichler
-from hfield.progress import tell
 
 ROUNDS = 50
 """So often at most units are looked for from more points."""
 IDLE = 12
 """So many searches in a row that find no new side are the last ones."""
-FEW_COSETS = 30
+MAX_SEARCHED_INDEX = 30
 """Up to this index units are found quicker by the search."""
-MOST_AREA = 1_000
+MAX_AREA = 1_000
 """In units of 2π: larger domains are not searched, which would take minutes and find too little."""
-MOST_COSETS = 3_000
+MAX_COSETS = 3_000
 """Cosets, at most."""
 DEEPEST = 1e6
 """Points are this far from the centre at most, by the hyperbolic cosine: floats do not go farther."""
@@ -74,16 +74,16 @@ def domain(order: SplitOrder, center: Quaternion, area: Fraction, given: Any = N
         if idle == IDLE:
             break
         known = max(known, len(shape.rows))
-        tell(min(known / (5.5 * total + 10), 0.99), 1, "the domain")
+        report(min(known / (5.5 * total + 10), 0.99), 1, "the domain")
         shape = grown(sight, shape.rows, sight.carrying(places(shape, float(area), rng)))
         # at cusps rounding may add a side that only touches, and its angles to the area
         if shape.closed and (order.cusps() != 0 or abs(shape.area() - float(area)) < 0.02):
             sides = Polygon(plane, [order.element(row) for row in shape.rows.tolist()])
             proved = proof(sides.without_points(), area)
             if proved is not None and all(g.norm() == 1 for g in sides.units):
-                tell(1, 1, "the domain")
+                report(1, 1, "the domain")
                 return proved
-    tell(1, 1, "the domain")
+    report(1, 1, "the domain")
     raise TooLargeError(
         f"the domain, of area 2π·{area}, has more sides than the {known} that were found; groups of an area "
         "up to 2π·200 are within reach, and perhaps another center= helps"
@@ -99,17 +99,17 @@ def order_above(order: SplitOrder) -> RationalOrder | None:
     if isinstance(order, RationalOrder) and not is_eichler(order.order):
         found = RationalOrder(maximal_orders.overorder(order.order))
         index = order.area() / found.area()
-    if index > MOST_COSETS:
+    if index > MAX_COSETS:
         raise TooLargeError(
             f"the group is of index {index} in that of a maximal order: domains are found up to "
-            f"{MOST_COSETS}"
+            f"{MAX_COSETS}"
         )
-    if index > FEW_COSETS:
+    if index > MAX_SEARCHED_INDEX:
         return found
-    if order.area() > MOST_AREA:
+    if order.area() > MAX_AREA:
         raise TooLargeError(
             f"the domain, of area 2π·{order.area()}, is too large: groups of an area up to 2π·200 are within "
-            f"reach, and none above 2π·{MOST_AREA} is tried"
+            f"reach, and none above 2π·{MAX_AREA} is tried"
         )
     return None  # the search finds what is needed
 
@@ -128,7 +128,7 @@ def generators_by_cosets(order: SplitOrder, above: RationalOrder) -> Rows:
     whole, denominator = fmpz_mat(above.rows(list(order.basis))).inv().numer_denom()
     entries = [[int(c) for c in row] for row in whole.tolist()]
     inside, modulus = np.array(entries, dtype=np.int64), int(denominator)
-    tests = np.empty((4, MOST_COSETS, 4), dtype=np.int64)
+    tests = np.empty((4, MAX_COSETS, 4), dtype=np.int64)
     cosets: list[Rows] = []
     backs: list[Rows] = []  # for each representative h, x ↦ x·conj(h)
     found: list[Rows] = []

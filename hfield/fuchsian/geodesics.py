@@ -26,7 +26,7 @@ from hfield.fuchsian.search import Rows, Sight, distinct
 if TYPE_CHECKING:
     from hfield.fuchsian.group import Domain
 
-MOST = 20_000
+MAX_CONJUGATES = 20_000
 """Conjugates of one element that meet the domain, at most."""
 TILES = 1_000_000
 """Images of the domain, at most, among which closed geodesics are looked for."""
@@ -83,8 +83,10 @@ def orbit(polygon: Polygon, x: Quaternion) -> Orbit:
                 waiting.append(image)
             else:
                 around.append(units[image].conjugate() * unit)
-        if len(units) > MOST:
-            raise TooLargeError(f"more than {MOST} conjugates of {shorten(x)} meet the domain")
+        if len(units) > MAX_CONJUGATES:
+            raise TooLargeError(
+                f"more than {MAX_CONJUGATES} conjugates of {shorten(x)} meet the domain"
+            )
     return Orbit(units, [u for u in around if u != u.conjugate()])
 
 

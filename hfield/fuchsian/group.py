@@ -34,7 +34,7 @@ class Signature(NamedTuple):
 
 CENTERS = 4
 """So many centres are tried for a domain."""
-MOST_FAR = 1e9
+MAX_FAR = 1e9
 """No centre is farther from 0."""
 LARGE = 200
 """For groups with more area, in units of 2π, only one is tried."""
@@ -169,7 +169,7 @@ class NormOneGroup(Certified, Hinted):
     (Fraction(1, 3), Signature(genus=0, orders=(2, 2, 3, 3), cusps=0))
     """
 
-    elsewhere = GROUP
+    foreign_names = GROUP
 
     def __init__(self, order: SplitOrder) -> None:
         self.order = order
@@ -226,7 +226,7 @@ class NormOneGroup(Certified, Hinted):
             z = complex(center)
         except (TypeError, ValueError, OverflowError):
             z = complex("nan")
-        if not (z.imag > 0 and abs(z) < MOST_FAR):
+        if not (z.imag > 0 and abs(z) < MAX_FAR):
             raise LatticeError(
                 f"a centre is a complex number of the upper half plane, such as 0.5+1j, and "
                 f"{shorten(center)} is none"

@@ -20,17 +20,17 @@ import numpy as np
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import TooLargeError
 from hfield.fuchsian import dirichlet
-from hfield.fuchsian.growing import grown
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, element_of_norm, free_centers
+from hfield.fuchsian.side_search import grown
 from hfield.fuchsian.split_order import SplitOrder
 
 CENTERS = 20
 """Centres that are tried at most."""
-FEW = 3
+CENTERS_BEFORE_TEST = 3
 """So many may see too little of the plane for a domain of the units."""
-MOST = 128
+MAX_COORDINATES = 128
 """Coordinates of an element of the larger group, over all cosets, at most."""
 
 
@@ -66,10 +66,10 @@ class Cosets:
                         x = polygon.units[n].conjugate() * x
                     self.elements.append(x)
         self.size = len(order.basis)
-        if self.size * len(self.elements) > MOST:
+        if self.size * len(self.elements) > MAX_COORDINATES:
             raise TooLargeError(
                 f"the group is of index {len(self.elements)} in the larger one: up to "
-                f"{MOST // self.size} are within reach in this field, and quotient() takes norms"
+                f"{MAX_COORDINATES // self.size} are within reach in this field, and quotient() takes norms"
             )
 
     def _same(self, x: Quaternion, y: Quaternion) -> bool:
@@ -148,7 +148,7 @@ def domain(cosets: Cosets, area: Fraction) -> dirichlet.Found:
         try:
             units, partners, cycles = dirichlet.domain(order, center, area)
         except TooLargeError:  # some centres see the plane worse than others
-            if n >= FEW:
+            if n >= CENTERS_BEFORE_TEST:
                 raise
             continue
         if count == 1:

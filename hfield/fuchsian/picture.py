@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from hfield.atomic import whole_file
+from hfield.core.files import whole_file
 from hfield.errors import LatticeError, shorten
 from hfield.fuchsian.tessellation import move, tessellation
 from hfield.plotting import default_settings

@@ -25,9 +25,9 @@ from hfield.fuchsian.split_order import SplitOrder
 
 Rows = Any
 """An array of integers: coordinates with respect to the basis of the order, one element a row."""
-MANY = 200
+VECTORS_PER_POINT = 200
 """About so many vectors are looked at for each point."""
-NEAR = 1e-6
+EQUAL_WITHIN = 1e-6
 TRIES, LEVELS = 300, 10
 """So often elements of a norm are looked for from eight points, which come as near as 2⁻¹⁰ to the circle."""
 MANIFOLD = 7.0
@@ -71,7 +71,7 @@ class Sight:
         covolume = abs(np.linalg.det(self.forms(np.zeros(1), 1.0)[0]))
         size = len(self.elsewhere) + 1
         ball = math.pi ** (2 * size) / math.gamma(2 * size + 1) * size ** (2 * size)
-        self.cosh = max(2.0, math.sqrt(MANY * covolume / ball))
+        self.cosh = max(2.0, math.sqrt(VECTORS_PER_POINT * covolume / ball))
         """Units within this distance of a point are found, by the hyperbolic cosine."""
 
     @cached_property
@@ -133,7 +133,9 @@ class Sight:
         """Return those of norm 1 that are not ±1 and do not go too far."""
         a, b = self.motions(rows)
         far = abs(a) ** 2 > FAR
-        return rows[self.of_norm(rows, 1) & ~far & ((abs(b) > NEAR) | (abs(a.imag) > NEAR))]
+        return rows[
+            self.of_norm(rows, 1) & ~far & ((abs(b) > EQUAL_WITHIN) | (abs(a.imag) > EQUAL_WITHIN))
+        ]
 
 
 def element_of_norm(order: SplitOrder, basis: Sequence[Quaternion], norm: Any) -> Quaternion | None:
@@ -158,7 +160,7 @@ def is_fixed(order: SplitOrder, center: Quaternion) -> bool:
     """Tell whether some unit other than ±1 seems to fix the centre."""
     sight = Sight(Plane(order, center))
     found = sight.motions(sight.carrying(np.zeros(1), 1.01))[1]
-    return bool((abs(found) < NEAR).any())
+    return bool((abs(found) < EQUAL_WITHIN).any())
 
 
 def first_plane(order: SplitOrder) -> Plane:
@@ -192,7 +194,7 @@ def _small(order: SplitOrder, sight: Sight) -> Iterator[Quaternion]:
         some = cube[np.gcd.reduce(cube, axis=1) == 1] @ rows
         a, b = sight.motions(some)
         norms, first = np.unique((abs(a) ** 2 - abs(b) ** 2).round(6), return_index=True)
-        for c in map(order.element, some[first[norms > NEAR]].tolist()):
+        for c in map(order.element, some[first[norms > EQUAL_WITHIN]].tolist()):
             if order.sign(order.scalar(c.norm())) > 0:  # floats may be wrong where numbers are long
                 yield c
 

@@ -12,10 +12,10 @@ from typing import Any
 from flint import arb, fmpq, fmpq_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.certificates.glossary import BY_AREA, SHIMIZU
+from hfield.checker.glossary import BY_AREA, SHIMIZU
+from hfield.core.factorisation import factorise
 from hfield.errors import IndefiniteError, LatticeError
 from hfield.evidence import Claim
-from hfield.factorisation import factorise
 from hfield.fuchsian import area
 from hfield.orders import lattice_values
 from hfield.orders.certificates import element_json, text

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 SMALLEST = 0.012
 """Images of a smaller diameter in the unit disc are left out."""
-MOST_TILES = 5000
+MAX_TILES = 5000
 """So many images are drawn at most; a few hundred are larger than the smallest."""
 
 
@@ -58,7 +58,7 @@ def tessellation(domain: Domain, depth: int | None = None) -> list[Tile]:
     seen = {_up_to_sign(one)}
     found: list[Tile] = []
     queue = deque([Tile(_up_to_sign(one), 1, 0, -1, 0, 2.0)])
-    while queue and len(found) < MOST_TILES:
+    while queue and len(found) < MAX_TILES:
         tile = queue.popleft()
         if depth is not None and tile.length >= depth:
             break
@@ -71,7 +71,7 @@ def tessellation(domain: Domain, depth: int | None = None) -> list[Tile]:
             a, b = _times((tile.a, tile.b), steps[n])
             points = move(a, b, corners)
             size = float(max(np.ptp(points.real), np.ptp(points.imag)))
-            if size >= SMALLEST and len(found) < MOST_TILES:
+            if size >= SMALLEST and len(found) < MAX_TILES:
                 first = n if tile.length == 0 else tile.first
                 found.append(Tile(key, a, b, first, tile.length + 1, size))
                 queue.append(found[-1])

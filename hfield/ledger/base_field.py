@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import Any
 
 from hfield import structure
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     ANISOTROPIC_NORM,
     LEVEL,
     NO_MEANING,
@@ -21,13 +21,13 @@ from hfield.certificates.glossary import (
     WITNESS,
     ZERO_NORM,
 )
+from hfield.core.product import Constants, Coordinates, norm
 from hfield.errors import UndecidedError
 from hfield.evidence import Evidence, Kind
 from hfield.ledger.scopes import search_panel
 from hfield.notation import element_text
-from hfield.product import Constants, Coordinates, norm
-from hfield.proving.decision import Decision
-from hfield.proving.steps import say
+from hfield.prover.decision import Decision
+from hfield.prover.steps import say
 from hfield.rings.base import INFINITY, Ring
 
 COUNTED_BELOW = 16  # the largest field over which all elements are gone through

@@ -7,11 +7,11 @@ import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from hfield.atomic import whole_file
+from hfield.core.files import whole_file
 from hfield.evidence import why_rejected
 from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
-from hfield.proving.decision import Decision
+from hfield.prover.decision import Decision
 
 
 def certificate(

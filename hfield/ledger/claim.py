@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar, Protocol
 
-from hfield.certificates.glossary import NOT_APPLICABLE, NOT_CHECKABLE
-from hfield.proving.decision import PROVED, REFUTED, Decision
+from hfield.checker.glossary import NOT_APPLICABLE, NOT_CHECKABLE
+from hfield.prover.decision import PROVED, REFUTED, Decision
 from hfield.rings.base import Ring
 
 UNIVERSAL = "universal"
@@ -33,7 +33,7 @@ class Proposition(Protocol):
         """Decide it over ``field``; None is every commutative ring (or field, where it needs one)."""
 
 
-class Worded:
+class TemplateProposition:
     """A proposition that is written by forms, which name its parts in braces."""
 
     in_words: ClassVar[str] = "{proposition.text}"
@@ -162,7 +162,7 @@ def decide(claim: Claim, field: str) -> Row:
 
 
 @dataclass(frozen=True)
-class Finding:
+class CheckResult:
     """What a computation found: whether the proposition holds, and lines that show it.
 
     ``witness`` holds the values at which it fails, where there are any to name.
@@ -175,13 +175,13 @@ class Finding:
 
 @dataclass(frozen=True)
 class Computed:
-    """A proposition about no field, decided by ``compute``, which runs each time it is asked.
+    """A proposition about no field, decided by ``compute``, which runs on each call.
 
     There is no certificate for it: who doubts it runs it again.
     """
 
     text: str
-    compute: Callable[[], Finding]
+    compute: Callable[[], CheckResult]
     method: str = "computation"
 
     @property

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from hfield.certificates.glossary import ALGEBRA, PRESENTATION
+from hfield.checker.glossary import ALGEBRA, PRESENTATION
 from hfield.errors import HFieldError, shorten
 from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
@@ -14,21 +14,21 @@ from hfield.ledger.matrix import Style
 from hfield.ledger.wording import STATED_FIELD, over, pretty, witness_text
 from hfield.notation import element_text
 from hfield.presenting import hanging
-from hfield.proving.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
-from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.ordered import OrderedEvaluator
-from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.evaluation.searcher import read_back
-from hfield.proving.problem import Problem
-from hfield.proving.statements.language import Statement, read_statement
-from hfield.proving.statements.printing import to_unicode
-from hfield.proving.statements.setting import Setting, read_setting
-from hfield.proving.statements.trees import taken_apart, walk
-from hfield.proving.statements.words import is_about_order
+from hfield.prover.decision import FIELD, NOT_APPLICABLE, REFUTED, Decision
+from hfield.prover.evaluation.evaluator import Evaluator
+from hfield.prover.evaluation.ordered import OrderedEvaluator
+from hfield.prover.evaluation.scalars import RingScalars
+from hfield.prover.evaluation.searcher import read_back
+from hfield.prover.problem import Problem
+from hfield.prover.statements.language import Statement, read_statement
+from hfield.prover.statements.printing import to_unicode
+from hfield.prover.statements.setting import Setting, read_setting
+from hfield.prover.statements.trees import taken_apart, walk
+from hfield.prover.statements.words import is_about_order
 from hfield.rings.base import Ring
 from hfield.syntax import Compare, Node, weight
 
-_MOST = (
+_MAX_STEP_LENGTH = (
     600  # characters of a step; cofactors can fill pages, and JSON and certificates have them whole
 )
 _LABEL = 12
@@ -48,8 +48,8 @@ def decision_text(
         said = f"in the algebra {algebra}, {where}"
     place = textwrap.wrap(said, style.width, subsequent_indent="  ")
     lines = [style.bold(pretty(statement)), *place, ""]
-    told = decision_lines(statement, decision, field or UNIVERSAL, style, algebra)
-    return "\n".join([*lines, *told])
+    shown = decision_lines(statement, decision, field or UNIVERSAL, style, algebra)
+    return "\n".join([*lines, *shown])
 
 
 def decision_lines(
@@ -64,8 +64,8 @@ def decision_lines(
     yield from (first.replace(mark, style.mark(decision.verdict), 1), *rest)
     for n, step in enumerate(decision.steps, 1):
         indent = len(step) - len(step.lstrip())
-        told = shorten(step.strip(), _MOST)
-        yield from wrapped(f"{n}. ".rjust(_LABEL), told, style, indent=indent)
+        shown = shorten(step.strip(), _MAX_STEP_LENGTH)
+        yield from wrapped(f"{n}. ".rjust(_LABEL), shown, style, indent=indent)
     witness = witness_text(decision.witness, field)
     if witness:
         yield from wrapped("witness", witness, style)
@@ -94,8 +94,8 @@ def wrapped(label: str, text: str, style: Style, indent: int = 0) -> list[str]:
     return hanging(f"  {label:<{_LABEL}}" + " " * indent, text, style.width)
 
 
-MOST_LINES = 3
-MOST_WEIGHT = 2_000
+MAX_LINES = 3
+MAX_WEIGHT = 2_000
 
 
 def worked_out(
@@ -116,9 +116,9 @@ def worked_out(
         F = ring(name)
         setting = read_setting(F, algebra)
         read = read_statement(text, F, (), setting.letters, setting.constants, setting.table)
-        if read.exists or weight(read.node) > MOST_WEIGHT:
+        if read.exists or weight(read.node) > MAX_WEIGHT:
             return []
-        return list(_failures(_world(read, setting, F, witness), read, F))[:MOST_LINES]
+        return list(_failures(_world(read, setting, F, witness), read, F))[:MAX_LINES]
     except (HFieldError, KeyError):  # in words, or with other unknowns than the witness has
         return []
 

@@ -15,7 +15,7 @@ from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Proposition
 from hfield.ledger.columns import split_columns
 from hfield.ledger.propositions import Every, Statement
-from hfield.proving.statements.setting import read_setting
+from hfield.prover.statements.setting import read_setting
 from hfield.syntax import plain
 
 SCHEMA = "hfield-ledger/1"
@@ -260,7 +260,7 @@ class _Document:
 
     def _verify(self, claim: Claim, data: Mapping[str, Any]) -> None:
         """See that each statement can be read in one of the claim's columns at least."""
-        from hfield.proving.statements.language import read_statement
+        from hfield.prover.statements.language import read_statement
 
         if claim.as_printed is None and ("corrected" in data or "spoilt" in data):
             self.fail(

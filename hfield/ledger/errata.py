@@ -10,7 +10,7 @@ from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, by_claim
 from hfield.ledger.columns import panel_order
 from hfield.ledger.decision_lines import worked_out
 from hfield.ledger.wording import STATED_FIELD, name_fields, pretty, witness_text
-from hfield.proving.decision import REFUTED
+from hfield.prover.decision import REFUTED
 
 
 @dataclass(frozen=True)

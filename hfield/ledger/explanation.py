@@ -15,9 +15,9 @@ from hfield.ledger.registry import find_all
 from hfield.ledger.run import decide_row
 from hfield.ledger.selection import SelectionError, rows_to_decide
 from hfield.ledger.wording import over, pretty, witness_text
-from hfield.proving.decision import Decision
-from hfield.proving.statements.printing import to_latex
-from hfield.proving.statements.trees import conjuncts
+from hfield.prover.decision import Decision
+from hfield.prover.statements.printing import to_latex
+from hfield.prover.statements.trees import conjuncts
 from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
 
@@ -26,7 +26,7 @@ SCHEMA = "hfield-explain/1"
 
 @dataclass(frozen=True)
 class Explanation:
-    """Rows of the ledger, told in full: one of a claim, or one of each claim of a section.
+    """Rows of the ledger in full: one of a claim, or one of each claim of a section.
 
     It prints itself, and shows as LaTeX in a notebook. ``row`` is the first row, the only one of a claim.
     """

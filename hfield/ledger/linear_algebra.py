@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from hfield import structure
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     COUNT,
     DETERMINANT,
     LINEAR_ALGEBRA,
@@ -14,19 +14,19 @@ from hfield.certificates.glossary import (
     REFUTED,
     SMITH_FORM,
 )
+from hfield.core.factorisation import factorise
+from hfield.core.product import Constants, Coordinates, multiply
 from hfield.evidence import Evidence, Kind
-from hfield.factorisation import factorise
 from hfield.ledger.base_field import hamilton, texts
-from hfield.ledger.claim import Worded
+from hfield.ledger.claim import TemplateProposition
 from hfield.notation import element_text
-from hfield.product import Constants, Coordinates, multiply
-from hfield.proving.decision import FIELDS, Decision
-from hfield.proving.steps import say
+from hfield.prover.decision import FIELDS, Decision
+from hfield.prover.steps import say
 from hfield.rings.base import Ring
 
 
 @dataclass(frozen=True)
-class Centre(Worded):
+class Centre(TemplateProposition):
     """The centre of H(F) is H(F) in characteristic ``special``, and F·e in every other."""
 
     special: int = 2
@@ -60,10 +60,14 @@ class Centre(Worded):
         divisors = [int(smith[n, n]) for n in range(4) if smith[n, n] != 0]
         special = sorted({p for d in divisors for p in factorise(abs(d))})
         dimension = {p: 4 - sum(1 for d in divisors if d % p) for p in special}
-        told = [say("centre-dimension", p=p, n=n) for p, n in dimension.items()]
+        dimensions = [say("centre-dimension", p=p, n=n) for p, n in dimension.items()]
         steps = (
             say("centre-divisors", list=", ".join(map(str, divisors))),
-            say("centre-is", list=special, rest=told[0] if len(told) == 1 else ", ".join(told)),
+            say(
+                "centre-is",
+                list=special,
+                rest=dimensions[0] if len(dimensions) == 1 else ", ".join(dimensions),
+            ),
         )
         right = len(divisors) == 3 and special == [self.special] and dimension[self.special] == 4
         witness = None if right else {"F": [f"GF({special[0] if special else 2})"]}

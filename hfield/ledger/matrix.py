@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from hfield.ledger.claim import Claim, Row
 from hfield.ledger.columns import head, panel_order
-from hfield.proving.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERDICTS
+from hfield.prover.decision import NOT_APPLICABLE, PROVED, REFUTED, UNDECIDED, VACUOUS, VERDICTS
 
 MARKS = {PROVED: "✓", REFUTED: "✗", VACUOUS: "∅", UNDECIDED: "?", NOT_APPLICABLE: "·"}
 ASCII_MARKS = {PROVED: "+", REFUTED: "x", VACUOUS: "o", UNDECIDED: "?", NOT_APPLICABLE: "."}
@@ -53,10 +53,10 @@ class Style:
         """Return the meaning of the marks, in lines as wide as the terminal."""
         lines, used = "", 0
         for v in verdicts:
-            word, room = v.replace("-", " "), len(v) + 2
-            gap = "" if not lines else "   " if used + 3 + room <= self.width else "\n"
+            word, needed = v.replace("-", " "), len(v) + 2
+            gap = "" if not lines else "   " if used + 3 + needed <= self.width else "\n"
             lines += f"{gap}{self.mark(v)} {word}"
-            used = room + (used + 3 if gap == "   " else 0)
+            used = needed + (used + 3 if gap == "   " else 0)
         return lines
 
 
@@ -85,22 +85,22 @@ def matrix(rows: Sequence[Row], style: Style) -> str:
     fields, lines = marked(rows, {v: style.mark(v) for v in VERDICTS})
     ids = max(len(claim.id) for claim, _ in lines)
     names = max(len(claim.name) for claim, _ in lines)
-    room = style.width - ids - 3
+    width = style.width - ids - 3
     short = [head(field, style.ascii_only) for field in fields]
     for heads, gap, label in ((fields, 2, names), (short, 2, names), (short, 1, names)):
-        if label + sum(len(h) + gap for h in heads) <= room:
+        if label + sum(len(h) + gap for h in heads) <= width:
             break
     else:
-        left = room - sum(len(h) + 1 for h in short)
+        left = width - sum(len(h) + 1 for h in short)
         heads, gap, label = short, 1, min(names, max(left, _LEAST_NAME))
-    blocks = _blocks(heads, room - label, gap)
+    blocks = _blocks(heads, width - label, gap)
     return "\n\n".join(_block(lines, heads, b, (ids, label, gap), style.rule) for b in blocks)
 
 
-def _blocks(heads: Sequence[str], room: int, gap: int) -> list[range]:
+def _blocks(heads: Sequence[str], width: int, gap: int) -> list[range]:
     blocks, start, used = [], 0, 0
     for n, text in enumerate(heads):
-        if n > start and used + len(text) + gap > room:
+        if n > start and used + len(text) + gap > width:
             blocks.append(range(start, n))
             start, used = n, 0
         used += len(text) + gap

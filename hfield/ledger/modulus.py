@@ -8,7 +8,7 @@ from itertools import chain
 from itertools import product as tuples
 from typing import Any
 
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     ALL_CHOICES_OF_ROOTS,
     CHOICE_OF_ROOTS,
     CLOSED_FIELD,
@@ -25,14 +25,14 @@ from hfield.certificates.glossary import (
     UNIQUE_ROOTS,
     WITNESS,
 )
+from hfield.core.product import Coordinates, Scalar, multiply, norm
 from hfield.errors import UndecidedError
 from hfield.evidence import Evidence, Kind
 from hfield.ledger.base_field import hamilton, texts
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import search_panel
-from hfield.product import Coordinates, Scalar, multiply, norm
-from hfield.proving.decision import Decision
-from hfield.proving.steps import say
+from hfield.prover.decision import Decision
+from hfield.prover.steps import say
 from hfield.rings.base import INFINITY, Ring
 
 CHECKED_BELOW = 256  # the largest field whose pairs of roots are all multiplied out

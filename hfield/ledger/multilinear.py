@@ -12,7 +12,7 @@ from functools import lru_cache
 from itertools import product as tuples
 from typing import TYPE_CHECKING, Any
 
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     BASIS_TUPLES,
     EXHAUSTION,
     IDENTITY,
@@ -22,8 +22,8 @@ from hfield.certificates.glossary import (
 )
 from hfield.evidence import Evidence, Kind
 from hfield.notation import BASIS
-from hfield.proving.decision import COMMUTATIVE_RINGS, Decision
-from hfield.proving.steps import say
+from hfield.prover.decision import COMMUTATIVE_RINGS, Decision
+from hfield.prover.steps import say
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
@@ -242,7 +242,7 @@ def _expanded(step: str) -> Decision:
 
 
 def _over_all(field: Ring | None, decision: Decision) -> Decision:
-    """A difference s² − s vanishes on GF(2), where a map is told by its values, not by its formula."""
+    """A difference s² − s vanishes on GF(2), where a map is given by its values, not by its formula."""
     if field is not None and field.order == 2:
         return Decision(PROVED, EXHAUSTION, steps=(say("two-elements"),))
     return decision

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from hfield.executors import InProcess
+from hfield.core.executors import InProcess
 from hfield.fields.names import RingName
 from hfield.latex import words
 from hfield.ledger.claim import Row
@@ -55,8 +55,8 @@ def verify(*names: str | Iterable[str], field: RingName | Iterable[RingName] = (
 
     Raises :class:`hfield.errors.HFieldError` for claims or fields that do not exist.
     """
-    told = [name for one in names for name in ([one] if isinstance(one, str | Ring) else one)]
-    chosen = [claim for name in told for claim in find_all(name)]
+    selected = [name for one in names for name in ([one] if isinstance(one, str | Ring) else one)]
+    chosen = [claim for name in selected for claim in find_all(name)]
     fields = split_columns(field)
     pieces = rows_to_decide(chosen or claims(), fields, strict=bool(chosen))
     return Report(tuple(decide_rows(pieces, InProcess())), bool(chosen))

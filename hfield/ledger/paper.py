@@ -16,14 +16,14 @@ from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import LATEX_MARKS, marked
 from hfield.ledger.report import totals
 from hfield.ledger.wording import witness_text
-from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
-from hfield.proving.statements.printing import to_latex
-from hfield.proving.statements.trees import conjuncts
+from hfield.prover.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
+from hfield.prover.statements.printing import to_latex
+from hfield.prover.statements.trees import conjuncts
 from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
 
-MOST_STEPS, MOST_LETTERS = 12, 600  # of one proof; its certificate has it whole
-SHORT = 60  # letters of a statement that stands on a line of its own
+MAX_STEPS, MAX_LETTERS = 12, 600  # of one proof; its certificate has it whole
+MAX_INLINE_LENGTH = 60  # letters of a statement that stands on a line of its own
 
 
 def statement(text: str) -> str:
@@ -32,7 +32,7 @@ def statement(text: str) -> str:
         parts = [to_latex(part) for part in conjuncts(parse(text))]
     except NotationError:
         return rf"\begin{{quote}}{words(text)}\end{{quote}}"
-    if len(parts) == 1 and len(text) <= SHORT:
+    if len(parts) == 1 and len(text) <= MAX_INLINE_LENGTH:
         return rf"\[ {parts[0]} \]"
     # TeX breaks no line between \left and \right.
     flat = (part.replace(r"\left", "").replace(r"\right", "") for part in parts)
@@ -51,11 +51,11 @@ def decision(text: str, decided: Decision, field: str, algebra: str | None = Non
         there = (
             worked_out(text, decided.witness, field, algebra) if decided.verdict == REFUTED else []
         )
-        told = f"{words(witness)}" + (f"; there {words('; '.join(there))}" if there else "")
-        parts.append(rf"\noindent\emph{{Witness.}} {told}.")
-    steps = [words(shorten(step.strip(), MOST_LETTERS)) for step in decided.steps]
-    if len(steps) > MOST_STEPS:
-        steps = [*steps[: MOST_STEPS - 1], rf"\ldots{{}} and {len(steps) - MOST_STEPS + 1} more"]
+        shown = f"{words(witness)}" + (f"; there {words('; '.join(there))}" if there else "")
+        parts.append(rf"\noindent\emph{{Witness.}} {shown}.")
+    steps = [words(shorten(step.strip(), MAX_LETTERS)) for step in decided.steps]
+    if len(steps) > MAX_STEPS:
+        steps = [*steps[: MAX_STEPS - 1], rf"\ldots{{}} and {len(steps) - MAX_STEPS + 1} more"]
     parts.append(enumeration(steps))
     parts += [rf"\noindent\emph{{Cited.}} {words(theorem)}." for theorem in decided.assumes]
     parts += [rf"\noindent\emph{{Tried.}} {words(attempt)}." for attempt in decided.tried]
@@ -125,9 +125,9 @@ def _erratum(erratum: Erratum) -> str:
 def report(rows: Sequence[Row], everything: bool = False) -> str:
     """Set what ``hfield verify`` reports: marks, totals, errata; with ``everything`` each row."""
     parts = [r"\section*{Claims, as printed}", marks(rows), words(totals(rows))]
-    told = slips(rows)
-    if told:
-        parts += [r"\section*{Errata}", told]
+    shown = slips(rows)
+    if shown:
+        parts += [r"\section*{Errata}", shown]
     if everything:
         parts += [r"\section*{Every decision}", *map(explanation, rows)]
     return "\n\n".join(parts)

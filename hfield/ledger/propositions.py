@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from hfield.certificates.glossary import NO_MEANING, NOT_APPLICABLE, PROVED, VACUOUS
+from hfield.checker.glossary import NO_MEANING, NOT_APPLICABLE, PROVED, VACUOUS
 from hfield.errors import NotationError
 from hfield.evidence import Evidence, Kind
-from hfield.ledger.claim import Proposition, Worded
+from hfield.ledger.claim import Proposition, TemplateProposition
 from hfield.ledger.scopes import TRUE, by_lemmas, search_panel
-from hfield.ledger.transfer import carried
-from hfield.proving.decide import decide
-from hfield.proving.decision import Decision
-from hfield.proving.methods.presentations import decide_presentation, presentation_text
-from hfield.proving.statements.printing import to_text
-from hfield.proving.steps import indented, say
+from hfield.ledger.transfer import from_general_proof
+from hfield.prover.decide import decide
+from hfield.prover.decision import Decision
+from hfield.prover.methods.presentations import decide_presentation, presentation_text
+from hfield.prover.statements.printing import to_text
+from hfield.prover.steps import indented, say
 from hfield.rings.base import Ring
 from hfield.syntax import Node
 
@@ -61,7 +61,7 @@ class Statement:
         Where the field has no such constants as the statement names, it means nothing there.
         """
         if field is not None and self.algebra is None:
-            general = carried(self.formula, self.given, field)
+            general = from_general_proof(self.formula, self.given, field)
             if general is not None:
                 return general
         try:
@@ -123,7 +123,7 @@ def cited(*decisions: Decision) -> tuple[str, ...]:
 
 
 @dataclass(frozen=True)
-class Implication(Worded):
+class Implication(TemplateProposition):
     """``hypothesis ⇒ conclusion`` between propositions about the field alone.
 
     Over all fields at once it is proved by ``everywhere``; without that, a field of the panel is
@@ -157,7 +157,7 @@ class Implication(Worded):
 
 
 @dataclass(frozen=True)
-class Equivalence(Worded):
+class Equivalence(TemplateProposition):
     """``left ⇔ right`` between propositions about the field alone; as :class:`Implication`."""
 
     left: Proposition

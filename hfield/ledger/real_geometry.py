@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from hfield.certificates.glossary import CIRCLE, CITED_BY_NAME, NO_MEANING, REFUTED
+from hfield.checker.glossary import CIRCLE, CITED_BY_NAME, NO_MEANING, REFUTED
 from hfield.ledger.claim import Proposition
 from hfield.ledger.propositions import Every
-from hfield.ledger.scopes import Over
-from hfield.proving.decision import NOT_APPLICABLE, Decision
-from hfield.proving.steps import say
+from hfield.ledger.scopes import InField
+from hfield.prover.decision import NOT_APPLICABLE, Decision
+from hfield.prover.steps import say
 from hfield.rings.base import Ring
 
 REAL = "RR"
@@ -45,7 +45,7 @@ class Angles:
         """Decide the core over ``field``, and what it takes over RR if ``field`` is that, or None."""
         if field is not None and field.name != REAL:
             return self.core.decide(field)
-        whole = Every((self.core, Over(REAL, self.real))) if self.real else self.core
+        whole = Every((self.core, InField(REAL, self.real))) if self.real else self.core
         decision = whole.decide(field)
         refuted = field is None and decision.verdict == REFUTED
         return decision if refuted else _citing(decision, CIRCLE)

@@ -13,7 +13,7 @@ from hfield.ledger.matrix import Style, matrix, tally
 from hfield.ledger.run import as_expected, contradictions
 from hfield.ledger.wording import witness_text
 from hfield.presenting import aligned, hanging
-from hfield.proving.decision import NOT_APPLICABLE, UNDECIDED, VERDICTS
+from hfield.prover.decision import NOT_APPLICABLE, UNDECIDED, VERDICTS
 
 _LABEL = 11  # width of the labels in the errata
 _WIDTH = 100

@@ -1,22 +1,22 @@
-"""Deciding claims × fields, through any executor, and what contradicts itself in the outcome."""
+"""Decide claims × fields through an executor, and find contradictions in the outcome."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 
-from hfield.certificates.glossary import GAVE_UP
+from hfield.checker.glossary import GAVE_UP
+from hfield.core.executors import collecting_rarely, unordered
 from hfield.errors import HFieldError
-from hfield.executors import collecting_rarely, unordered
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row, decide
 from hfield.ledger.registry import claims, find
-from hfield.proving.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
+from hfield.prover.decision import PROVED, REFUTED, UNDECIDED, VACUOUS, Decision
 
 Piece = tuple[Claim, str]
 Verdicts = tuple[Decision, Decision | None]
 Progress = Callable[[int, int, str], None]
 TASKS = 48  # enough for progress and even shares
-LEAST = 6  # rows a task, which have to outweigh its journey
+MIN_ROWS_PER_TASK = 6  # rows a task, which have to outweigh its journey
 
 
 def decide_rows(
@@ -25,7 +25,7 @@ def decide_rows(
     """Decide every piece (a claim and the name of a field), in the order given.
 
     The work goes to ``executor`` claim by claim, so that what is proved of a claim in general is proved once
-    and carried over to the fields by the same worker. ``progress`` is told how many rows are done, of
+    and carried over to the fields by the same worker. ``progress`` is called with how many rows are done, of
     how many, and the claim in work.
     """
     chunks = _chunks(pieces)
@@ -47,7 +47,7 @@ def _chunks(pieces: Sequence[Piece]) -> list[range]:
     They take longest, and what is long must not come last, when the other workers have nothing. A run ends
     where a claim does, unless it has twice its length by then.
     """
-    size = max(LEAST, -(-len(pieces) // TASKS))
+    size = max(MIN_ROWS_PER_TASK, -(-len(pieces) // TASKS))
     runs, start = [], 0
     for m in range(1, len(pieces) + 1):
         ends = m == len(pieces) or pieces[m][0] is not pieces[m - 1][0]

@@ -1,4 +1,4 @@
-"""Propositions about rings of their own choice: one that is named, some, all of the panel, or all at once."""
+"""Propositions about rings of their own choice: one ring, some, the panel, or all."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     NO_MEANING,
     NOT_APPLICABLE,
     PROVED,
@@ -17,16 +17,16 @@ from hfield.certificates.glossary import (
 )
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
-from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition, Worded
-from hfield.proving.decision import Decision
-from hfield.proving.steps import Step, say
+from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition, TemplateProposition
+from hfield.prover.decision import Decision
+from hfield.prover.steps import Step, say
 from hfield.rings.base import Ring
 
 TRUE = ("proved", "vacuous")
 
 
 @dataclass(frozen=True)
-class Negation(Worded):
+class Negation(TemplateProposition):
     """``proposition`` does not hold in every field: proved by the fields of the panel in which it fails."""
 
     proposition: Proposition
@@ -52,7 +52,7 @@ class Negation(Worded):
 
 
 @dataclass(frozen=True)
-class Over(Worded):
+class InField(TemplateProposition):
     """A proposition about one ring, the one named, whatever the column: what claims of no field are.
 
     A witness names that ring under the key ``F``.
@@ -72,7 +72,7 @@ class Over(Worded):
 
 
 @dataclass(frozen=True)
-class Only(Worded):
+class OnlyOver(TemplateProposition):
     """A proposition that has a meaning over some fields only; ``fits`` are their names."""
 
     proposition: Proposition

@@ -1,4 +1,4 @@
-"""From every commutative ring to one field: what is proved for all of them need not be proved again."""
+"""Carry what is proved for every commutative ring over to one field."""
 
 from __future__ import annotations
 
@@ -6,23 +6,23 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 from hfield.errors import HFieldError
-from hfield.proving.clock import Clock
-from hfield.proving.counterexamples.candidates import true_place
-from hfield.proving.decide import decide
-from hfield.proving.decision import COMMUTATIVE_RINGS, PROVED, Decision
-from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.scalars import PrimeScalars
-from hfield.proving.evaluation.searcher import Assignment
-from hfield.proving.problem import Problem
-from hfield.proving.statements.language import generators, read_statement
-from hfield.proving.statements.setting import read_setting
-from hfield.proving.statements.trees import conjunction
+from hfield.prover.clock import Clock
+from hfield.prover.counterexamples.candidates import true_place
+from hfield.prover.decide import decide
+from hfield.prover.decision import COMMUTATIVE_RINGS, PROVED, Decision
+from hfield.prover.evaluation.evaluator import Evaluator
+from hfield.prover.evaluation.scalars import PrimeScalars
+from hfield.prover.evaluation.searcher import Assignment
+from hfield.prover.problem import Problem
+from hfield.prover.statements.language import generators, read_statement
+from hfield.prover.statements.setting import read_setting
+from hfield.prover.statements.trees import conjunction
 from hfield.rings.base import Ring
 
 PLACES, SECONDS = 400, 5.0
 
 
-def carried(formula: str, given: tuple[str, ...], field: Ring) -> Decision | None:
+def from_general_proof(formula: str, given: tuple[str, ...], field: Ring) -> Decision | None:
     """Decide over a field by a proof over every commutative ring; None where there is none.
 
     The hypotheses are seen to be satisfiable there, or else the verdict could be "vacuous".
@@ -49,7 +49,7 @@ class _General:
         if not hypotheses:
             return {}
         problem = replace(self.problem, clock=Clock.of(SECONDS))
-        return true_place(problem.about(conjunction(hypotheses)), PLACES)
+        return true_place(problem.for_formula(conjunction(hypotheses)), PLACES)
 
     def is_satisfiable(self, characteristic: int) -> bool:
         """Tell whether those integers satisfy the hypotheses modulo a characteristic as well."""

@@ -1,4 +1,4 @@
-"""Texts of a ledger in another language: what its claims say, and patterns for what decisions say.
+"""The texts of a ledger in another language.
 
 Beside a ledger ``sheet.toml`` lies ``sheet.pl.toml`` with a table for each claim and a table of phrases,
 ``"over {F} it is false" = "nad {F} jest to fałsz"``. What stands in braces is a formula, which stays, or is
@@ -20,8 +20,8 @@ from typing import Any
 from hfield.errors import NotationError
 from hfield.ledger.claim import Claim
 from hfield.ledger.document import LedgerError
-from hfield.proving.statements.printing import to_unicode
-from hfield.proving.steps import Step
+from hfield.prover.statements.printing import to_unicode
+from hfield.prover.steps import Step
 from hfield.syntax import parse
 
 Source = tuple[str, str]
@@ -40,7 +40,7 @@ _DEEPEST = 6  # phrases within phrases
 
 
 @dataclass(frozen=True)
-class Told:
+class TranslatedClaim:
     """What a claim says; ``holds`` and ``corrected`` are what is decided, where that is said in words."""
 
     name: str
@@ -61,8 +61,10 @@ class Translation:
         sources = dict.fromkeys((*(claim.source for claim in listed), *more))
         documents = [_document(source, language) for source in sources]
         self._names = SIGNS.union(*(d.get("names", ()) for d in documents))
-        self._told = {
-            key: Told(**data) for d in documents for key, data in d.get("claims", {}).items()
+        self._by_claim = {
+            key: TranslatedClaim(**data)
+            for d in documents
+            for key, data in d.get("claims", {}).items()
         }
         self._whole = dict(pair for claim in listed for pair in self._pairs(claim))
         self._phrases: list[tuple[re.Pattern[str], str]] = []
@@ -74,23 +76,23 @@ class Translation:
                     self._whole[text] = said
         self._said: dict[str, str | None] = {}
 
-    def told(self, claim: Claim) -> Told | None:
+    def for_claim(self, claim: Claim) -> TranslatedClaim | None:
         """Return what a claim says, or None."""
-        return self._told.get(claim.id)
+        return self._by_claim.get(claim.id)
 
     def printed(self, claim: Claim) -> str:
         """Return what is printed, in the ledger's words where it is not quoted."""
         return self._whole.get(claim.printed, claim.printed)
 
     def _pairs(self, claim: Claim) -> Iterator[tuple[str, str]]:
-        told = self.told(claim)
-        if told is None:
+        translated_claim = self.for_claim(claim)
+        if translated_claim is None:
             return
-        yield claim.statement, told.statement
-        pairs = [(claim.note, told.note)]
+        yield claim.statement, translated_claim.statement
+        pairs = [(claim.note, translated_claim.note)]
         for proposition, said in (
-            (claim.as_printed, told.holds),
-            (claim.corrected, told.corrected),
+            (claim.as_printed, translated_claim.holds),
+            (claim.corrected, translated_claim.corrected),
         ):
             pairs += [] if proposition is None else [(proposition.text, said)]
         yield from ((text, said) for text, said in pairs if text and said)
@@ -185,8 +187,8 @@ def _check(document: Mapping[str, Any], name: str) -> None:
             )
     for key, texts in document.get("claims", {}).items():
         keys = set(texts) if isinstance(texts, dict) else {"?"}
-        if not {"name", "statement"} <= keys <= set(Told.__dataclass_fields__):
-            known = ", ".join(Told.__dataclass_fields__)
+        if not {"name", "statement"} <= keys <= set(TranslatedClaim.__dataclass_fields__):
+            known = ", ".join(TranslatedClaim.__dataclass_fields__)
             raise LedgerError(
                 f"{name}, claim {key!r}: expected name and statement; there are {known}"
             )

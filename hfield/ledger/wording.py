@@ -1,4 +1,4 @@
-"""Statements, witnesses and sets of fields, written for people."""
+"""Write statements, witnesses and sets of fields for people."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from hfield.errors import HFieldError, NotationError
 from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 from hfield.notation import element_text
-from hfield.proving.statements.printing import to_unicode
+from hfield.prover.statements.printing import to_unicode
 from hfield.syntax import parse
 
 STATED_FIELD = "F"  # the key of a witness that names the field it lives in

@@ -15,8 +15,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_poly
 
+from hfield.core.factorisation import factorise, remove
+from hfield.core.primality import WORD
+from hfield.core.product import Constants
 from hfield.errors import LatticeError, RingError, TooLargeError, shorten
-from hfield.factorisation import factorise, remove
 from hfield.fields.number_fields import ideals
 from hfield.fields.number_fields.classes.class_groups import class_group
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
@@ -28,8 +30,6 @@ from hfield.fields.rationals.places import INFINITE
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.orders import validation
 from hfield.orders.linear_algebra_mod_p import kronecker
-from hfield.primality import WORD
-from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
 from hfield.rings.whole_numbers import fraction

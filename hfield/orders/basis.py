@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
+from hfield.core.product import conjugate, multiply, norm, trace
 from hfield.errors import IndefiniteError, LatticeError
 from hfield.orders.base import Base, base_of
 from hfield.orders.kernels import Kernels
-from hfield.product import conjugate, multiply, norm, trace
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Parent, Quaternion

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_mat, fmpz_poly, nmod_mat
 
-from hfield.factorisation import factorise
+from hfield.core.factorisation import factorise
+from hfield.core.primality import is_prime, primes
+from hfield.core.progress import track
 from hfield.orders.ideals_of_norm import MOST, number_maximal
 from hfield.orders.invariants import eichler_symbol
-from hfield.primality import is_prime, primes
-from hfield.progress import along
 
 if TYPE_CHECKING:
     from hfield.orders.classes import Classes
@@ -184,7 +184,7 @@ def by_theta_series(classes: Classes, n: int) -> Matrix:
     """Return the Brandt matrix by counting vectors of norm n between all pairs of classes."""
     units = classes.unit_counts
     h = range(len(classes))
-    rows = along(h, len(h), "rows")
+    rows = track(h, len(h), "rows")
     return [[classes.theta_series(i, j, n)[n] // units[j] for j in h] for i in rows]
 
 

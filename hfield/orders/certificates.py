@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.certificates.glossary import MASS
+from hfield.checker.glossary import MASS
 from hfield.evidence import Claim
 from hfield.orders import enumeration
 from hfield.orders.hermite import tuples

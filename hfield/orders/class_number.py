@@ -20,8 +20,8 @@ from functools import partial
 from itertools import product
 from typing import Any
 
+from hfield.core.factorisation import factorise
 from hfield.errors import LatticeError
-from hfield.factorisation import factorise
 from hfield.orders import hermite
 from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import LatticeValue, discriminant

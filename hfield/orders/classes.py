@@ -19,9 +19,11 @@ from typing import Any
 
 from flint import fmpz_mat
 
+from hfield.core.factorisation import factorise
+from hfield.core.primality import is_prime, primes
+from hfield.core.progress import report, track
 from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.evidence import Certified, Claim
-from hfield.factorisation import factorise
 from hfield.orders import brandt, certificates, enumeration, hermite
 from hfield.orders.class_number import mass
 from hfield.orders.ideals_of_norm import (
@@ -45,8 +47,6 @@ from hfield.orders.lattice_values import (
 from hfield.orders.short_elements import theta_series
 from hfield.orders.validation import positive, prime
 from hfield.orders.z_order import ZOrder
-from hfield.primality import is_prime, primes
-from hfield.progress import along, tell
 
 Key = tuple[int, ...]
 Row = tuple[int, ...]
@@ -144,7 +144,7 @@ class Classes(Certified):
                 rows.append(row)
                 # the classes known stand for the mass that is used up: so many rows there will be
                 share = Fraction(len(rows), len(self._lattices)) * (self.mass - left)
-                tell(share, self.mass, "the classes")
+                report(share, self.mass, "the classes")
             self.rows[p] = rows
             if left < 0:
                 raise AssertionError("the classes found exceed the mass")
@@ -235,7 +235,7 @@ class Classes(Certified):
         if p in self._exchanged:
             return self._exchanged[p]
         ideal, moved = two_sided_prime(self.ring, p), [-1] * len(self)
-        for n, lattice in enumerate(along(self._lattices, len(self), "types")):
+        for n, lattice in enumerate(track(self._lattices, len(self), "types")):
             if moved[n] < 0:  # the square of the ideal is a number, so this is an involution
                 m = self._index(product(lattice, ideal))
                 moved[n], moved[m] = m, n
@@ -259,7 +259,7 @@ class Classes(Certified):
             if self.ring.discriminant % p:
                 _expect_few_neighbours(len(self) * (p + 1), p)
                 self.rows[p] = [
-                    self.neighbours_of(n, p) for n in along(range(len(self)), len(self), "rows")
+                    self.neighbours_of(n, p) for n in track(range(len(self)), len(self), "rows")
                 ]
             else:
                 self.rows[p] = self.power_neighbours(p, 1)
@@ -284,7 +284,7 @@ class Classes(Certified):
         around = (prime_to(lattice, p) for lattice in self._lattices)
         return [
             Counter(self._index(meet(J, K)) for K in local)
-            for J in along(around, len(self), "rows")
+            for J in track(around, len(self), "rows")
         ]
 
     def brandt_matrix(self, n: int) -> list[list[int]]:

@@ -17,8 +17,8 @@ from functools import partial
 from itertools import islice
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.factorisation import factorise
 from hfield.errors import UndecidedError
-from hfield.factorisation import factorise
 from hfield.orders import enumeration, hermite, ideal_products
 from hfield.orders.certificates import STRONG_APPROXIMATION, Answer, element_json
 from hfield.orders.invariants import eichler_symbol

@@ -7,13 +7,13 @@ from typing import Any
 
 import flint
 
-from hfield.factorisation import factorise
+from hfield.core.factorisation import factorise
+from hfield.core.primality import primes
 from hfield.orders import validation
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Module, expect_eichler
 from hfield.orders.invariants import is_eichler
 from hfield.orders.standard_orders import eichler_order
-from hfield.primality import primes
 
 
 class RationalModule(Module):

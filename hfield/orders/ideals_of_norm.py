@@ -20,8 +20,8 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.factorisation import factorise, remove
 from hfield.errors import LatticeError, TooLargeError
-from hfield.factorisation import factorise, remove
 from hfield.orders import hermite, lattice_values
 from hfield.orders.class_number import local_factor
 from hfield.orders.invariants import eichler_symbol

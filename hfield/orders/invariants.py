@@ -7,9 +7,9 @@ from heapq import heappop, heappush
 from itertools import count
 from typing import Any
 
+from hfield.core.primality import primes
+from hfield.core.product import trace
 from hfield.orders.lattice_values import LatticeValue, discriminant, dual
-from hfield.primality import primes
-from hfield.product import trace
 
 
 def level(order: LatticeValue) -> Any:

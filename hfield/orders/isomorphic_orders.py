@@ -20,8 +20,8 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.factorisation import factorise
 from hfield.errors import LatticeError, UndecidedError
-from hfield.factorisation import factorise
 from hfield.orders import enumeration, hermite
 from hfield.orders.certificates import STRONG_APPROXIMATION, Answer, element_json
 from hfield.orders.enumeration import Gram, Vector

@@ -16,6 +16,7 @@ from itertools import chain, count
 from flint import fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.primality import is_prime, is_probable_prime
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders import hermite
 from hfield.orders.lattice_values import LatticeValue, includes, multiple, spanning_rows
@@ -23,7 +24,6 @@ from hfield.orders.linear_algebra_mod_p import kernel
 from hfield.orders.quadratic_orders import Frame, extremal_frame, in_frame, represent
 from hfield.orders.short_elements import expect_definite, least_norm, up_to
 from hfield.orders.z_order import ZOrder
-from hfield.primality import is_prime, is_probable_prime
 from hfield.rings.whole_numbers import sqrt_mod
 
 DOUBLINGS = 12

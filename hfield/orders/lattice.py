@@ -94,7 +94,7 @@ class Lattice(Hinted, PrintedBySympy):
     (True, ideal(324), True, True)
     """
 
-    elsewhere = LATTICE
+    foreign_names = LATTICE
     multiplied_by_elements = True  # so that ``q * L`` is asked of L
     value: LatticeValue
 
@@ -393,7 +393,7 @@ class Order(WithStableClasses, Certified, Lattice):
     (True, 5)
     """
 
-    elsewhere = ORDER
+    foreign_names = ORDER
 
     def __init__(self, value: LatticeValue) -> None:
         super().__init__(ZOrder.of(value) if value.ambient.base.is_rational else value)
@@ -865,7 +865,7 @@ class Ideal(Certified, Lattice):
     True
     """
 
-    elsewhere = IDEAL
+    foreign_names = IDEAL
 
     def __init__(self, value: LatticeValue, side: str = "left", order: Order | None = None) -> None:
         super().__init__(value)
@@ -1091,7 +1091,7 @@ class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
     [[1, 2], [3, 0]]
     """
 
-    elsewhere = CLASSES
+    foreign_names = CLASSES
     order: Order
 
     def __init__(self, order: Order) -> None:
@@ -1159,7 +1159,7 @@ class IntegersIdeal(Lattice, Certified):
     (ideal(3), True, True, 'left')
     """
 
-    elsewhere = IDEAL
+    foreign_names = IDEAL
 
     def __init__(self, value: LatticeValue, side: str, order: Order | None = None) -> None:
         super().__init__(value)
@@ -1321,7 +1321,7 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
     (3, Fraction(1, 4), 3)
     """
 
-    elsewhere = CLASSES
+    foreign_names = CLASSES
     order: Order
 
     def __init__(self, order: Order) -> None:

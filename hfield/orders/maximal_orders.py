@@ -16,8 +16,8 @@ from typing import TypeVar
 
 from flint import fmpz_mat
 
+from hfield.core.factorisation import factorise
 from hfield.errors import LatticeError, TooLargeError
-from hfield.factorisation import factorise
 from hfield.orders import hermite
 from hfield.orders.lattice_values import LatticeValue, hermite_form, order_of
 from hfield.orders.linear_algebra_mod_p import kernel, lifted, roots, simple_root

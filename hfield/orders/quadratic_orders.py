@@ -25,14 +25,14 @@ from typing import Any
 from flint import fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.factorisation import factorise, remove
+from hfield.core.primality import is_probable_prime, primes
 from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.evidence import Certified, Claim
-from hfield.factorisation import factorise, remove
 from hfield.orders import certificates, enumeration, hermite
 from hfield.orders.invariants import is_eichler
 from hfield.orders.short_elements import expect_affordable, expect_definite, of_norm
 from hfield.orders.z_order import ZOrder
-from hfield.primality import is_probable_prime, primes
 from hfield.rings.whole_numbers import sqrt_mod
 
 

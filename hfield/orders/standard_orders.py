@@ -19,8 +19,10 @@ import flint
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Parent
+from hfield.core.factorisation import factorise
+from hfield.core.primality import is_prime
+from hfield.core.product import Constants, Coordinates, multiply
 from hfield.errors import CoercionError, LatticeError
-from hfield.factorisation import factorise
 from hfield.fields.rationals.residues import PrimePlace
 from hfield.orders import class_number as class_numbers
 from hfield.orders import hermite
@@ -31,8 +33,6 @@ from hfield.orders.maximal_orders import eichler_suborder, overorder
 from hfield.orders.rings import generated
 from hfield.orders.validation import expect_coprime, positive
 from hfield.orders.z_order import ZOrder
-from hfield.primality import is_prime
-from hfield.product import Constants, Coordinates, multiply
 from hfield.rings.rational import fmpq
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.minimal_conics import Conic, Lattice, half_discriminant, minimise

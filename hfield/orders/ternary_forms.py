@@ -56,7 +56,7 @@ class TernaryForm(Hinted):
     (x²+y²+z²+x·z+x·y, 48, True)
     """
 
-    elsewhere = FORM
+    foreign_names = FORM
 
     def __init__(
         self, ring: Ring, coefficients: Iterable[object], algebras: Callable[..., Any]

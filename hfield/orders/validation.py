@@ -8,8 +8,8 @@ from collections.abc import Iterable
 import flint
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.primality import is_prime
 from hfield.errors import LatticeError, shorten
-from hfield.primality import is_prime
 from hfield.rings.rational import rational
 
 

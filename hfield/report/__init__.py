@@ -1,4 +1,4 @@
-"""A ledger, decided, as one page to read and print: claims, decisions, certificates, errata, chapters."""
+"""Write a decided ledger as a page or a paper."""
 
 from hfield.report.chapters import Chapter
 

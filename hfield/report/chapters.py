@@ -1,4 +1,4 @@
-"""Chapters that packages above bring to the report, by entry points ``hfield.report_sections``."""
+"""Chapters of other packages, found by the entry points ``hfield.report_sections``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Small pieces of the page: formulas, names of fields, verdicts with their marks."""
+"""Small parts of the page: formulas, names of fields, verdicts with their marks."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from html import escape
 from hfield.errors import NotationError
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 from hfield.ledger.matrix import MARKS
-from hfield.proving.statements.mathml import to_mathml
-from hfield.proving.statements.trees import conjuncts
+from hfield.prover.statements.mathml import to_mathml
+from hfield.prover.statements.trees import conjuncts
 from hfield.syntax import parse
 
 _LETTERS = {"QQ": "ℚ", "ZZ": "ℤ", "RR": "ℝ", "CC": "ℂ"}

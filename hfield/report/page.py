@@ -1,4 +1,4 @@
-"""The page as text: template, style and script of our own put into one file that asks for nothing else.
+"""Write the page of a report as one file with its style and script.
 
 At its head the summary by section, and the claims × fields matrix that the page filters.
 
@@ -25,7 +25,7 @@ from hfield.ledger.errata import Erratum, errata
 from hfield.ledger.matrix import MARKS, columns_of, marked, tally
 from hfield.ledger.run import contradictions
 from hfield.ledger.wording import witness_text
-from hfield.proving.decision import NOT_APPLICABLE, REFUTED, UNDECIDED, VERDICTS, Decision
+from hfield.prover.decision import NOT_APPLICABLE, REFUTED, UNDECIDED, VERDICTS, Decision
 from hfield.report.chapters import Chapter
 from hfield.report.markup import Words, anchor, field_html, field_text, table, verdict_html
 from hfield.report.words import Language, term
@@ -200,7 +200,7 @@ def _cell(verdict: str, words: Words) -> str:
     return f'<td class="{verdict}"><i>{MARKS[verdict]}</i><b>{words[verdict]}</b></td>'
 
 
-MOST_STEPS, MOST_LETTERS = 8, 300  # of a proof on the page; certificates have it whole
+MAX_STEPS, MAX_LETTERS = 8, 300  # of a proof on the page; certificates have it whole
 Alike = tuple[str, str, str, str]
 
 
@@ -286,7 +286,7 @@ def _row_of_claim(
     cells = [
         fields,
         term(method, words),
-        words.html(witness, most=MOST_LETTERS),
+        words.html(witness, most=MAX_LETTERS),
     ]
     if width > 4:
         after = first.as_corrected
@@ -298,8 +298,10 @@ def _row_of_claim(
         )
     line = f'<tr><th scope="row">{verdict_html(verdict, words)}</th>'
     line += "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
-    told = _reasons(first.as_printed, words)
-    return line + (f'<tr class="steps"><td colspan="{width}">{told}</td></tr>' if told else "")
+    reasons = _reasons(first.as_printed, words)
+    return line + (
+        f'<tr class="steps"><td colspan="{width}">{reasons}</td></tr>' if reasons else ""
+    )
 
 
 def _field(row: Row, number: int | None, which: str = "") -> str:
@@ -312,10 +314,10 @@ def _field(row: Row, number: int | None, which: str = "") -> str:
 
 def _reasons(decision: Decision, words: Language) -> str:
     """Set the steps of a decision, what it cites and what was tried, as lines."""
-    steps = [words.html(step.strip(), "li", MOST_LETTERS) for step in decision.steps]
-    if len(steps) > MOST_STEPS:
-        more = words["more_steps"].format(n=len(steps) - MOST_STEPS + 1)
-        steps = [*steps[: MOST_STEPS - 1], f"<li>{more}</li>"]
+    steps = [words.html(step.strip(), "li", MAX_LETTERS) for step in decision.steps]
+    if len(steps) > MAX_STEPS:
+        more = words["more_steps"].format(n=len(steps) - MAX_STEPS + 1)
+        steps = [*steps[: MAX_STEPS - 1], f"<li>{more}</li>"]
     out = f"<ol>{''.join(steps)}</ol>" if steps else ""
     for key, texts in (("assumes", decision.assumes), ("tried", decision.tried)):
         out += "".join(f"<p><i>{words[key]}</i> {words.html(text)}</p>" for text in texts)
@@ -341,11 +343,11 @@ def _erratum(erratum: Erratum, words: Language) -> str:
     rest = [row for row in erratum.rows if row.as_printed.verdict != REFUTED]
     if rest:
         verdicts = dict.fromkeys(row.as_printed.verdict for row in rest)
-        told = (
+        reasons = (
             f"{verdict_html(v, words)} {_all_fields([r for r in rest if r.as_printed.verdict == v])}"
             for v in verdicts
         )
-        facts.append((words["elsewhere"], "; ".join(told)))
+        facts.append((words["elsewhere"], "; ".join(reasons)))
     if claim.note:
         facts.append((words["note"], words.html(claim.note, "p")))
     if erratum.witness:

@@ -1,4 +1,4 @@
-"""The report as a paper for LaTeX: the table, each claim as it was decided, and the errata."""
+"""Write the report as a LaTeX paper: the table, the claims, the errata."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from hfield.latex import document, words
 from hfield.ledger.claim import Row, by_claim
 from hfield.ledger.paper import explanation, marks, slips
 from hfield.ledger.report import totals
-from hfield.proving.decision import NOT_APPLICABLE, REFUTED, VERDICTS
+from hfield.prover.decision import NOT_APPLICABLE, REFUTED, VERDICTS
 from hfield.report.words import LANGUAGES
 
 
 def paper(rows: Sequence[Row], language: str = "en", ledger: str | None = None) -> str:
     """Return the report as a document that pdflatex compiles; the page has every field, this the telling one.
 
-    Each claim is told over one field: where it is refuted, else the first in which it is decided.
+    Each claim is shown over one field: where it is refuted, else the first in which it is decided.
     """
     from hfield import __version__
 

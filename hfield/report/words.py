@@ -1,4 +1,4 @@
-"""What the page says in a language: its own words, kinds of claims, ways of proof, claims and decisions."""
+"""The texts of the page in each language."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pkgutil import get_data
 
 from hfield.errors import shorten
 from hfield.ledger.claim import Claim, Row
-from hfield.ledger.translated import Told, Translation
+from hfield.ledger.translated import TranslatedClaim, Translation
 from hfield.report.markup import Words, formula, prose
 
 _TABLE = json.loads(get_data("hfield.report", "words.json") or "{}")
@@ -57,11 +57,11 @@ class Language(dict[str, str]):
         claims = dict.fromkeys(row.claim for row in rows)
         self._translation = None if name == "en" else Translation(claims, name, OURS)
 
-    def told(self, claim: Claim) -> Told | None:
+    def for_claim(self, claim: Claim) -> TranslatedClaim | None:
         """Return what a claim says in this language, or None where it is known in English only."""
         if self._translation is None:
-            return Told(claim.name, claim.statement, claim.note)
-        return self._translation.told(claim)
+            return TranslatedClaim(claim.name, claim.statement, claim.note)
+        return self._translation.for_claim(claim)
 
     def printed(self, claim: Claim) -> str:
         """Set what the thesis prints, in Polish, which is its language."""
@@ -87,5 +87,7 @@ class Language(dict[str, str]):
 
     def name(self, claim: Claim) -> str:
         """Set the name of a claim."""
-        told = self.told(claim)
-        return prose(told.name) if told else f'<span lang="en">{prose(claim.name)}</span>'
+        translated = self.for_claim(claim)
+        return (
+            prose(translated.name) if translated else f'<span lang="en">{prose(claim.name)}</span>'
+        )

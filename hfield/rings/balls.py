@@ -6,13 +6,13 @@ from typing import Any
 
 import flint
 
-from hfield import locking
+from hfield.core import locks
 from hfield.errors import UndecidedError
 
 MAX_BITS = 100_000
 
 Enclosure = Callable[[int], Any]  # bits of working precision ↦ a complex ball around the number
-_lock = locking.lock()
+_lock = locks.lock()
 
 
 @contextmanager

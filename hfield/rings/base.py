@@ -17,6 +17,7 @@ from random import Random
 from typing import TYPE_CHECKING, Any, Generic, Protocol, runtime_checkable
 
 from hfield import syntax
+from hfield.core.product import Constants, Scalar
 from hfield.errors import (
     CoercionError,
     NotFiniteError,
@@ -25,7 +26,6 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.product import Constants, Scalar
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.owners import describe
 from hfield.rings.powers import power

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield import syntax
+from hfield.core.factorisation import factorise
+from hfield.core.primality import prime_power
 from hfield.errors import HFieldError, NotationError, RingError, TooLargeError, shorten
-from hfield.factorisation import factorise
-from hfield.primality import prime_power
 from hfield.rings.base import shared
 from hfield.rings.finite import NAME, ExtensionField, FiniteField, PrimeField, modulus_text
 from hfield.rings.printing import from_unicode

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.product import Constants
 from hfield.errors import NotInvertibleError, shorten
-from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring, shared
 from hfield.rings.held import tables
 from hfield.rings.held.quotients import Polynomials
@@ -141,7 +141,7 @@ class ExtensionField(FiniteField):
     @property
     def data(self) -> dict[str, Any]:
         """The field by its modulus; a default one that the checker has no table of is not written."""
-        from hfield.certificates.scalars.conway import CONWAY
+        from hfield.checker.scalars.conway import CONWAY
 
         known = not self.is_default or self.order in CONWAY
         modulus = self.coefficients if known else None

@@ -9,8 +9,8 @@ from collections.abc import Callable, Mapping
 from random import Random
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
+from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
-from hfield.product import Constants
 from hfield.rings.base import Known
 from hfield.rings.expressions import is_of_sympy
 from hfield.rings.holding import Batch

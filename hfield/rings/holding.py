@@ -11,9 +11,9 @@ import math
 from collections.abc import Callable, Hashable
 from typing import TYPE_CHECKING, Any, Generic
 
-from hfield import product
+from hfield.core import product
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import CoercionError
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.powers import FEW, bits, check_growth
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ class Holding(Generic[H]):
 
     def explain(self, operation: str) -> str:
         """Return the text of what computes an operation, such as ``product``."""
-        return f"# the formula of hfield.product, on the coordinates: {operation}"
+        return f"# the formula of hfield.core.product, on the coordinates: {operation}"
 
     # --- elements to elements ------------------------------------------------------------------
 

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.primality import is_prime, primes
+from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
-from hfield.primality import is_prime, primes
-from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular

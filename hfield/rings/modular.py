@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.primality import WORD
+from hfield.core.product import Constants
 from hfield.errors import (
     NotInvertibleError,
     UndecidedError,
     shorten,
 )
-from hfield.primality import WORD
-from hfield.product import Constants
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
 from hfield.rings.holding import Holding
 from hfield.rings.rational import rational, unwrap

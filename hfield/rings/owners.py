@@ -5,7 +5,7 @@ from typing import Any
 
 import flint
 
-from hfield.primality import is_prime
+from hfield.core.primality import is_prime
 
 
 def owner(x: Any) -> str | None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield import syntax
+from hfield.core.primality import WORD
 from hfield.errors import (
     CoercionError,
     NotInvertibleError,
@@ -18,7 +19,6 @@ from hfield.errors import (
     TooLargeError,
     shorten,
 )
-from hfield.primality import WORD
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.expressions import is_of_sympy
 from hfield.rings.finite import PrimeField

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from hfield.core.product import Arithmetic
 from hfield.errors import TooLargeError
-from hfield.product import Arithmetic
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import AnyPolynomial
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 M = TypeVar("M", bound=Arithmetic)
 
 FEW = 16  # a power up to this is computed whatever comes of it
-MOST_BITS = 1 << 20
+MAX_BITS = 1 << 20
 QUICK = 1 << 16
 TIMES = 8  # as much as this a value may grow in any case
 COEFFICIENT = 4  # bits that one counts for at least, even a 0
@@ -89,10 +89,10 @@ def is_quick(x: object, n: int) -> bool:
 def check_growth(start: int, power: object) -> None:
     """Refuse to go on squaring. Raises :class:`TooLargeError`; ``start`` is how many bits there were."""
     reached = bits(power)
-    if reached > MOST_BITS and reached > TIMES * start:
+    if reached > MAX_BITS and reached > TIMES * start:
         raise TooLargeError(
             f"the power is too large: a square on the way to it has {reached} bits, and none with more "
-            f"than {MOST_BITS} is squared again; use a smaller exponent, or a finite ring such as ZZ/n"
+            f"than {MAX_BITS} is squared again; use a smaller exponent, or a finite ring such as ZZ/n"
         )
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.primality import WORD
+from hfield.core.primality import WORD
 
 if TYPE_CHECKING:
     from hfield.rings.flint_types import Coefficient, Polynomial

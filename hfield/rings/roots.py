@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import factor, remove
+from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
-from hfield.factorisation import factor, remove
-from hfield.product import Scalar
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring

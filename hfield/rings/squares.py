@@ -6,8 +6,8 @@ from typing import TypeVar
 
 import flint
 
-from hfield.primality import is_probable_prime
-from hfield.product import Scalar
+from hfield.core.primality import is_probable_prime
+from hfield.core.product import Scalar
 
 S = TypeVar("S", bound=Scalar)
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Hashable
 
-from hfield.product import Scalar
+from hfield.core.product import Scalar
 from hfield.rings.base import E, Ring
 
 

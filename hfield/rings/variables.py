@@ -2,7 +2,7 @@
 
 import re
 
-from hfield.certificates.glossary import BASIS, WORDS, reads_like_a_constant
+from hfield.checker.glossary import BASIS, WORDS, reads_like_a_constant
 from hfield.errors import RingError, shorten
 from hfield.rings.base import Ring
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import flint
 
+from hfield.core.factorisation import factorise
 from hfield.errors import CoercionError, RingError, shorten
-from hfield.factorisation import factorise
 from hfield.rings.rational import rational
 
 if TYPE_CHECKING:

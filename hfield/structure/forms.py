@@ -3,8 +3,8 @@
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import UndecidedError
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring, WithSquares
 
 

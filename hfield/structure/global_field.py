@@ -11,10 +11,10 @@ from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.factorisation import Factors, known_primes, shared_primes
+from hfield.core.primality import WORD
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import RingError, UndecidedError, shorten
-from hfield.factorisation import Factors, known_primes, shared_primes
-from hfield.primality import WORD
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.registry import REGISTRY
 from hfield.structure.forms import NormalForm
@@ -247,7 +247,7 @@ class GlobalField(ABC):
         return next((v for v in self.ramified(form) if self.has_root_at(v, t, n)), None)
 
     def has_root_at(self, place: Any, t: Any, n: Any) -> bool:
-        """Tell whether x² − t·x + n has a root in the completion; in characteristic 2 t = 0 is asked, too."""
+        """Tell whether x² − t·x + n has a root in the completion; in characteristic 2 for t = 0, too."""
         local = self.ring.completion(place)
         return bool(local.is_square(local(t * t - n * self.ring(4))))
 

@@ -10,8 +10,8 @@ import itertools
 from collections.abc import Sequence
 from fractions import Fraction
 
+from hfield.core.product import Constants, conjugate, multiply, norm
 from hfield.errors import CoercionError, NotInvertibleError
-from hfield.product import Constants, conjugate, multiply, norm
 from hfield.rings.squares import two_squares
 from hfield.rings.whole_numbers import fraction
 

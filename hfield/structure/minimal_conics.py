@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from hfield.product import Constants, Scalar
+from hfield.core.product import Constants, Scalar
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring

@@ -3,9 +3,9 @@
 from collections.abc import Hashable, Iterator
 from typing import Any
 
+from hfield.core.factorisation import Factors, known_primes
+from hfield.core.product import Constants, Scalar
 from hfield.errors import RingError, UndecidedError
-from hfield.factorisation import Factors, known_primes
-from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring, WithPlaces
 from hfield.rings.integers import QQ
 from hfield.structure.forms import discriminant, normal_form

@@ -1,4 +1,4 @@
-"""The one grammar: text to syntax tree, for ring elements, quaternions and statements alike.
+"""The grammar of ring elements, quaternions and statements: from text to syntax tree.
 
 Python's expression syntax, read by a parser of our own and never by ``eval``::
 

@@ -1,4 +1,4 @@
-"""What stands outside all brackets of a text: where it is parted, and whether it is a sum."""
+"""Split a text outside all brackets."""
 
 from __future__ import annotations
 

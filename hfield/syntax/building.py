@@ -1,4 +1,4 @@
-"""Statements made of trees: the functions and connectives of the language, for Python to call.
+"""Build statements from trees with Python functions.
 
 >>> p, q = names("p q")
 >>> equal(conj(p * q), conj(q) * conj(p)) == parse("conj(p*q) == conj(q)*conj(p)")

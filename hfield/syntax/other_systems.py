@@ -1,4 +1,4 @@
-"""Algebras as Magma, Sage and PARI write them: over ℚ, finite fields, number fields of one generator."""
+"""Read algebras as Magma, Sage and PARI write them."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import re
 from math import lcm
 from typing import Any
 
+from hfield.core.product import Constants
 from hfield.errors import RingError, shorten
-from hfield.product import Constants
 
 RATIONALS = ("Rationals()", "RationalField()", "QQ", "y")
 WRITTEN = {  # over ℚ or GF(q); over ℚ[s]/(f), with the letter that stands for s

@@ -1,4 +1,4 @@
-"""Text to syntax tree, by precedence climbing; bounded in length, depth, height and digits."""
+"""Parse text to a syntax tree by precedence climbing, bounded in length, depth, height and digits."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tree to value: what numbers, names and functions mean is given by whoever reads."""
+"""Evaluate a syntax tree; the caller says what numbers, names and functions mean."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from hfield.errors import NotationError, TooLargeError, shorten
 from hfield.syntax.parser import parse
 from hfield.syntax.products import Vocabulary
-from hfield.syntax.spelling import elsewhere, spell
+from hfield.syntax.spelling import foreign_function_hint, spell
 from hfield.syntax.tree import (
     Binary,
     Call,
@@ -115,7 +115,7 @@ class Reader:
                 if function not in self.functions or not function.isidentifier():
                     known = ", ".join(sorted(f for f in self.functions if f.isidentifier()))
                     raise NotationError(
-                        f"there is no function {function!r} in {self.what}{elsewhere(function)}; "
+                        f"there is no function {function!r} in {self.what}{foreign_function_hint(function)}; "
                         f"known functions: {known or 'none'}",
                         text,
                         node.position,

@@ -1,4 +1,4 @@
-"""Mathematical signs, as answers are printed in them, back to the plain letters of the language."""
+"""Rewrite mathematical signs as the plain letters of the language."""
 
 import re
 import unicodedata
@@ -262,7 +262,7 @@ def _may_be_a_matrix(text: str) -> NotationError:
     )
 
 
-ELSEWHERE = {
+FOREIGN_FUNCTIONS = {
     "reduced_norm": "norm",
     "reduced_trace": "trace",
     **dict.fromkeys(("conjugate", "bar"), "conj"),
@@ -273,14 +273,14 @@ ELSEWHERE = {
 }
 
 
-def elsewhere(function: str) -> str:
+def foreign_function_hint(function: str) -> str:
     """Return how a function of the library, or of another system, is called in the language.
 
-    >>> elsewhere("reduced_norm"), elsewhere("det")
+    >>> foreign_function_hint("reduced_norm"), foreign_function_hint("det")
     (', write norm', '')
     """
     if function == "abs":
         return ", the norm of q is norm(q)"
     if function == "sqrt":
         return ", but over a field that has the root, such as QQ(sqrt(2)), it is an element"
-    return f", write {ELSEWHERE[function]}" if function in ELSEWHERE else ""
+    return f", write {FOREIGN_FUNCTIONS[function]}" if function in FOREIGN_FUNCTIONS else ""

@@ -1,4 +1,4 @@
-"""The syntax tree: what the parser makes and what rings, algebras and the prover read."""
+"""The syntax tree that the parser makes."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hfield.commands.output import OutputError, writing
+from hfield.cli.output import OutputError, writing
 from hfield.errors import shorten
 from rotation.bench.measure import Result, Settings
 from rotation.bench.results import counted
@@ -30,7 +30,7 @@ LOOKS: dict[str, dict[str, Any]] = {
 def try_chart(path: str) -> Path:
     """Return the path of a chart after trying whether it can be written there.
 
-    Raises :class:`~hfield.commands.output.OutputError`.
+    Raises :class:`~hfield.cli.output.OutputError`.
     """
     target = Path(path)
     if not path or target.suffix[1:].lower() not in FORMATS:

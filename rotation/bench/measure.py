@@ -32,7 +32,7 @@ TOLERANCE = (
     1e-13  # largest error of a coordinate, relative to the largest coordinate if that is over 1
 )
 SLOW_POINTS = 5_000  # points that a slow way is timed on
-LEAST_REPEATS = 2
+MIN_REPEATS = 2
 SHORT_FRAME_SECONDS = (
     0.02  # frames shorter than this are timed again before the number of frames is chosen
 )
@@ -162,7 +162,7 @@ def _prepare(
     if way.rotates:
         result.error = float(np.abs(turned - expected[: len(turned)]).max())
     repeats = int(
-        np.clip(settings.seconds / seconds, min(LEAST_REPEATS, settings.repeats), settings.repeats)
+        np.clip(settings.seconds / seconds, min(MIN_REPEATS, settings.repeats), settings.repeats)
     )
     result.frames = int(np.clip(settings.seconds / (repeats * seconds), 1, settings.frames))
     chosen = np.linspace(0, settings.frames - 1, result.frames).astype(int).tolist()

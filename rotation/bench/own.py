@@ -67,8 +67,8 @@ def benchmark(
 ) -> Benchmark:
     """Time functions of your own beside hfield, scipy, other libraries and the thesis's (3.2).
 
-    Every function is checked before anything is timed, against the products of :mod:`hfield.product`, and
-    all ways are timed in turns in the same run.
+    Before the timing each function is compared with the products of :mod:`hfield.core.product`. All ways are
+    timed in turns in the same run.
 
     Parameters
     ----------

@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from hfield.product import Constants, Coordinates, conjugate, multiply
+from hfield.core.product import Constants, Coordinates, conjugate, multiply
 
 Array = NDArray[np.float64]
 Kind = Literal["one axis", "own axis", "euler"]
@@ -51,7 +51,7 @@ class Task:
         return Task(self.kind, self.frames, self.points[rows], angles, self.axes[rows])
 
     def expected(self, frame: int) -> Array:
-        """Return the points after ``frame``, as the products q·v·q̄ of :mod:`hfield.product`."""
+        """Return the points after ``frame``, as the products q·v·q̄ of :mod:`hfield.core.product`."""
         if self.kind == "one axis":
             q = half_turn(np.array([0.0, 0.0, 1.0]), self.angles[frame])
         elif self.kind == "own axis":

@@ -9,9 +9,9 @@ from contextlib import ExitStack, redirect_stdout
 from functools import partial
 from pathlib import Path
 
-from hfield.commands.output import note, open_output, say
-from hfield.commands.parser import add_format, add_output, whole
-from hfield.commands.status import Progress
+from hfield.cli.output import note, open_output, say
+from hfield.cli.parser import add_format, add_output, whole
+from hfield.cli.status import Progress
 
 SUMMARY = "time rotations beside scipy and other libraries"
 HEADING = "Rotation and film"
@@ -32,7 +32,7 @@ EXAMPLES = (
     "hfield bench --test 1 --plot chart.svg",
     "hfield bench --test 1 --quick --own mine.py",
 )
-MOST_POINTS = 10_000_000  # about 6 GB with the libraries that need most
+MAX_POINTS = 10_000_000  # about 6 GB with the libraries that need most
 FULL, QUICK = (300, 10, 1.5), (30, 3, 0.12)  # frames, repeats, seconds for one way in one test
 BLAS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
@@ -41,9 +41,7 @@ def configure(parser: ArgumentParser) -> None:
     """Declare the arguments."""
     add = parser.add_argument
     add("--test", choices=("1", "2"), metavar="1|2", help="only this test (default: both)")
-    points, frames, repeats, threads = (
-        whole(1, most) for most in (MOST_POINTS, 100_000, 1000, 256)
-    )
+    points, frames, repeats, threads = (whole(1, most) for most in (MAX_POINTS, 100_000, 1000, 256))
     add("--points", type=points, default=550_000, metavar="N", help="points (default: 550000)")
     add("--frames", type=frames, metavar="N", help="frames of a run (default: 300; quick: 30)")
     add("--repeats", type=repeats, metavar="N", help="runs of each way (default: 10; quick: 3)")

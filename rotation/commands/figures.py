@@ -7,8 +7,8 @@ from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from hfield.commands.output import open_output
-from hfield.commands.parser import UsageError, suggest, whole
+from hfield.cli.output import open_output
+from hfield.cli.parser import UsageError, suggest, whole
 from hfield.errors import shorten
 
 if TYPE_CHECKING:

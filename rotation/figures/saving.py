@@ -9,8 +9,8 @@ from pathlib import Path
 from tempfile import TemporaryFile
 from typing import TYPE_CHECKING
 
-from hfield.atomic import whole_file
-from hfield.commands.output import writing
+from hfield.cli.output import writing
+from hfield.core.files import whole_file
 from hfield.errors import shorten
 from rotation.figures.drawing import Drawing, figure_style
 
@@ -64,7 +64,7 @@ def save(
     """Write each drawing to ``directory/figure-NUMBER.suffix`` and return the paths.
 
     The directory is made where it is missing, and tried before anything is drawn. Raises
-    :class:`~hfield.commands.output.OutputError` where it cannot be written.
+    :class:`~hfield.cli.output.OutputError` where it cannot be written.
     """
     try_folder(directory)
     paths = []
@@ -79,7 +79,7 @@ def save(
 def try_folder(directory: Path) -> None:
     """Make a directory where it is missing and try to write there.
 
-    Raises :class:`~hfield.commands.output.OutputError`.
+    Raises :class:`~hfield.cli.output.OutputError`.
     """
     with _writing(directory):
         directory.mkdir(parents=True, exist_ok=True)

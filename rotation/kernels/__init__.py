@@ -19,7 +19,7 @@ from rotation.arrays import Array
 from rotation.kernels import twins
 from rotation.kernels.strides import parameters, plan
 from rotation.native import builtins
-from rotation.native.sweeping import Operand, Way, swept
+from rotation.native.strided_loop import Operand, Way, swept
 from rotation.pool import threads
 
 __all__ = ["axis_angle", "contains_zero", "cumulative", "euler", "one", "quaternions", "threads"]
@@ -133,7 +133,7 @@ def _loop(
     with machine_code.lock:
         from rotation.kernels import formulas
 
-        builtins.introduce()
+        builtins.register_symbols()
         found = formulas.kernel(*name)
         number = operands[0].number if name[0] == "one" else "double"
         text = swept(found.fast, found.careful, operands, int(writes), number)

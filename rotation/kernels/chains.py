@@ -38,7 +38,7 @@ def _loop() -> machine_code.Function | None:
     if not machine_code.available():
         return None
     with machine_code.lock:
-        builtins.introduce()
+        builtins.register_symbols()
         return machine_code.function(machine_code.compiled(module(_entry()), "entry"))
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from hfield.product import Constants, multiply
+from hfield.core.product import Constants, multiply
 from rotation.angles import waves
 from rotation.arrays import Array
 

@@ -4,11 +4,11 @@ The complex numbers are the elements a + b·i of H(F), as in section 1.4.3; so `
 thesis, and everything has its core over every commutative ring.
 """
 
-from hfield.certificates.glossary import CIRCLE
+from hfield.checker.glossary import CIRCLE
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
 from hfield.ledger.real_geometry import REAL, Angles
-from hfield.ledger.scopes import Only
+from hfield.ledger.scopes import OnlyOver
 from rotation.ledger.plane import ARCTG, ON_CIRCLE
 
 Z = "(p[0] + p[1]*i)"
@@ -28,13 +28,13 @@ POLAR_FORM = Angles(
 
 COMPUTED = {
     "C2.1.3-a": Propositions(
-        as_printed=Only(
+        as_printed=OnlyOver(
             Statement(ARCTG_FORM, words="θ = arctg b/a makes a + bi = |z|(cos θ + i sin θ)"),
             (REAL,),
             "arctg is a real function.",
             (CIRCLE,),
         ),
-        spoilt=Only(
+        spoilt=OnlyOver(
             Statement(f"{ARCTG} => norm({Z}) == norm(z*{FORM})"),
             (REAL,),
             "arctg is a real function.",

@@ -3,13 +3,13 @@
 The angles φ, θ, ψ are the points (p₀, p₁), (p₂, p₃), (q₀, q₁) of the circle, and v is a point of space.
 """
 
-from hfield.certificates.glossary import CIRCLE
+from hfield.checker.glossary import CIRCLE
 from hfield.ledger.claim import Proposition
 from hfield.ledger.document import Propositions
 from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real_geometry import REAL, Angles
-from hfield.ledger.scopes import Only
+from hfield.ledger.scopes import OnlyOver
 from hfield.syntax import Node, both, implies, names, parse
 from hfield.syntax import equal as same
 from rotation.ledger.entries import (
@@ -77,7 +77,7 @@ def locked(sine: Node) -> Node:
 REAL_ANGLES = "Angles of rotations of the real space are meant."
 
 
-def every_rotation(sine: Node) -> Only:
+def every_rotation(sine: Node) -> OnlyOver:
     """Say that every rotation has Euler angles; ``sine`` is that about x where r11 = r21 = 0."""
     parts: tuple[Proposition, ...] = (
         SO3_IS_COFACTORS,
@@ -89,7 +89,7 @@ def every_rotation(sine: Node) -> Only:
         Statement.of(locked(sine), words="where r11 = r21 = 0, R is R_y(θ)R_x(γ)"),
     )
     words = "every R in SO(3) is R_z(ψ)R_y(θ)R_x(γ) for some angles ψ, θ, γ"
-    return Only(Every(parts, words), (REAL,), REAL_ANGLES, (CIRCLE,))
+    return OnlyOver(Every(parts, words), (REAL,), REAL_ANGLES, (CIRCLE,))
 
 
 PRODUCT_IS_I = Statement.of(implies(ANGLES, orthogonal(PRINTED_ZYX)), words="R_zyx·R_zyxᵗ = I")

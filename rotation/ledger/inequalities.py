@@ -10,11 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from hfield.certificates.glossary import WITNESS
+from hfield.checker.glossary import WITNESS
 from hfield.evidence import Evidence, Kind
 from hfield.fields.names import ring
 from hfield.ledger.propositions import Every, Statement
-from hfield.proving.decision import REFUTED, Decision
+from hfield.prover.decision import REFUTED, Decision
 from hfield.rings.base import Ring
 from hfield.rings.whole_numbers import fraction
 from hfield.structure import four_squares

@@ -2,7 +2,7 @@
 
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
-from hfield.ledger.scopes import Over
+from hfield.ledger.scopes import InField
 from hfield.syntax import Node, both, either, equal, implies, names, number
 
 LETTER = ((10, 1), (11, 1), (11, 6), (13, 6), (13, 7), (8, 7), (8, 6), (10, 6))
@@ -30,21 +30,21 @@ def letter_t(points: tuple[tuple[int, int], ...]) -> Node:
     return both(*parallel, *mirror, equal(twice_area(points), bars))
 
 
-def joined(last: int) -> Over:
+def joined(last: int) -> InField:
     """Say that for every i from 1 to ``last`` there is a point x_{i+1} among the eight."""
     (s,) = names("s")
     some = either(*(equal(s, n) for n in range(1, last + 1)))
     points = either(*(equal(s + 1, n) for n in range(1, len(LETTER) + 1)))
     words = f"for every i from 1 to {last} there is a point x_(i+1)"
-    return Over("QQ", Statement.of(implies(some, points), words=words))
+    return InField("QQ", Statement.of(implies(some, points), words=words))
 
 
 COMPUTED = {
     "C2.1.1-h": Propositions(
-        as_printed=Over(
+        as_printed=InField(
             "QQ", Statement.of(letter_t(LETTER), words="the eight points are those of a letter T")
         ),
-        spoilt=Over("QQ", Statement.of(letter_t((*LETTER[:5], (9, 7), *LETTER[6:])))),
+        spoilt=InField("QQ", Statement.of(letter_t((*LETTER[:5], (9, 7), *LETTER[6:])))),
     ),
     "C2.1.1-i": Propositions(as_printed=joined(8), spoilt=joined(7), corrected=joined(7)),
 }

@@ -4,11 +4,12 @@ Numbers are recomputed from the printed times over ℚ. Of the second test, what
 a point is found by running them on symbols.
 """
 
-from hfield.ledger.claim import Computed, Finding
+from hfield.ledger.claim import CheckResult, Computed
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
-from hfield.ledger.scopes import Over
-from rotation.ledger import generator, printed_times, second_test
+from hfield.ledger.scopes import InField
+from rotation.ledger import generator, printed_times
+from rotation.ledger import second_benchmark as second_test
 from rotation.ledger.inequalities import Less, between
 from rotation.ledger.printed_times import MATRICES_1, MATRICES_2, QUATERNIONS_1, QUATERNIONS_2
 
@@ -17,18 +18,18 @@ RATIO = "the matrices' mean of test 2 over the quaternions'"
 GAP = "the quaternions' mean of test 2 less that of test 1"
 
 
-def mean_is(times: printed_times.Times, printed: str) -> Over:
+def mean_is(times: printed_times.Times, printed: str) -> InField:
     """Say that the mean of the times is the number printed."""
-    return Over("QQ", Statement(f"{printed_times.mean(times)} == {printed}"))
+    return InField("QQ", Statement(f"{printed_times.mean(times)} == {printed}"))
 
 
 def repeated(count: int) -> Computed:
     """Say that each of the four rows of the tables has so many times, in whole seconds."""
 
-    def look() -> Finding:
+    def look() -> CheckResult:
         lengths = [len(row) for row in printed_times.ALL]
         whole = all(isinstance(time, int) for row in printed_times.ALL for time in row)
-        return Finding(
+        return CheckResult(
             whole and set(lengths) == {count},
             (
                 f"rows of {', '.join(map(str, lengths))} times, {'all' if whole else 'not all'} whole",
@@ -44,8 +45,8 @@ COMPUTED = {
         spoilt=generator.within("(0, 1]", lambda low, high: low > 0 and high <= 1),
     ),
     "C3.2.1-c": Propositions(
-        as_printed=Over("QQ", Statement("10*30 == 300")),
-        spoilt=Over("QQ", Statement("10*25 == 300")),
+        as_printed=InField("QQ", Statement("10*30 == 300")),
+        spoilt=InField("QQ", Statement("10*25 == 300")),
     ),
     "C3.2.1-d": Propositions(as_printed=repeated(10), spoilt=repeated(11)),
     "C3.2.1-e": Propositions(
@@ -76,15 +77,15 @@ COMPUTED = {
         corrected=second_test.MOVES_ABOUT_ANOTHER,
     ),
     "C3.2.1-n": Propositions(
-        as_printed=Over(
+        as_printed=InField(
             "QQ", between("11.45", printed_times.saving(QUATERNIONS_1, MATRICES_1), "11.55", SAVING)
         ),
-        spoilt=Over(
+        spoilt=InField(
             "QQ", between("11.45", printed_times.saving(MATRICES_1, QUATERNIONS_1), "11.55", SAVING)
         ),
     ),
     "C3.2.1-n2": Propositions(
-        as_printed=Over(
+        as_printed=InField(
             "QQ",
             Less(
                 printed_times.mean(MATRICES_1),
@@ -92,21 +93,23 @@ COMPUTED = {
                 "the matrices' mean of test 1 < the quaternions'",
             ),
         ),
-        spoilt=Over("QQ", Less(printed_times.mean(QUATERNIONS_1), printed_times.mean(MATRICES_1))),
+        spoilt=InField(
+            "QQ", Less(printed_times.mean(QUATERNIONS_1), printed_times.mean(MATRICES_1))
+        ),
     ),
     "C3.2.1-o": Propositions(
-        as_printed=Over(
+        as_printed=InField(
             "QQ", between("2.5", printed_times.ratio(MATRICES_2, QUATERNIONS_2), "3", RATIO)
         ),
-        spoilt=Over(
+        spoilt=InField(
             "QQ", between("3.5", printed_times.ratio(MATRICES_2, QUATERNIONS_2), "4", RATIO)
         ),
-        corrected=Over(
+        corrected=InField(
             "QQ", between("3.5", printed_times.ratio(MATRICES_2, QUATERNIONS_2), "4", RATIO)
         ),
     ),
     "C3.2.1-p": Propositions(
-        as_printed=Over(
+        as_printed=InField(
             "QQ",
             between(
                 "9.5",
@@ -115,7 +118,7 @@ COMPUTED = {
                 GAP,
             ),
         ),
-        spoilt=Over(
+        spoilt=InField(
             "QQ",
             between(
                 "9.5",

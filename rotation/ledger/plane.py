@@ -5,11 +5,11 @@ core over every commutative ring. The sum of two angles is the product (c + s·i
 points: the addition formulas. ``y`` and ``s`` are the cosine and the sine where one angle is enough.
 """
 
-from hfield.certificates.glossary import CIRCLE
+from hfield.checker.glossary import CIRCLE
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real_geometry import REAL, Angles
-from hfield.ledger.scopes import Only
+from hfield.ledger.scopes import OnlyOver
 from hfield.syntax import Node, both, implies
 from hfield.syntax import equal as same
 from rotation.ledger import theorem5
@@ -66,7 +66,7 @@ REAL_SPACE = "Rotations of the real space are meant."
 
 COMPUTED = {
     "C2.1-a": Propositions(
-        as_printed=Only(
+        as_printed=OnlyOver(
             Statement(
                 f"{ARCTG} => {POLAR}",
                 words="r = √(x² + y²) and θ = arctg y/x make x = r cos θ and y = r sin θ",
@@ -75,7 +75,7 @@ COMPUTED = {
             "arctg is a real function.",
             (CIRCLE,),
         ),
-        spoilt=Only(
+        spoilt=OnlyOver(
             Statement(f"{ARCTG} => z**2*y**2 == p[0]**2"), (REAL,), "arctg is a real function."
         ),
         corrected=Angles(
@@ -87,9 +87,9 @@ COMPUTED = {
         ),
     ),
     "C2.1.1-d": Propositions(
-        as_printed=Only(Every((*TWO_AND_THREE, FOUR), EVERY_N), (REAL,), REAL_SPACE, (CIRCLE,)),
-        spoilt=Only(Every(TWO_AND_THREE, UP_TO_3), (REAL,), REAL_SPACE, (CIRCLE,)),
-        corrected=Only(Every(TWO_AND_THREE, UP_TO_3), (REAL,), REAL_SPACE, (CIRCLE,)),
+        as_printed=OnlyOver(Every((*TWO_AND_THREE, FOUR), EVERY_N), (REAL,), REAL_SPACE, (CIRCLE,)),
+        spoilt=OnlyOver(Every(TWO_AND_THREE, UP_TO_3), (REAL,), REAL_SPACE, (CIRCLE,)),
+        corrected=OnlyOver(Every(TWO_AND_THREE, UP_TO_3), (REAL,), REAL_SPACE, (CIRCLE,)),
     ),
     "C2.1.1-e": Propositions(
         as_printed=Angles(

@@ -7,7 +7,7 @@ coordinates over i, j, k of the unknowns p and q; s and t stand for a cosine and
 
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
-from hfield.ledger.scopes import Over
+from hfield.ledger.scopes import InField
 from hfield.syntax import Node, both, conj, equal, iff, inv, names, norm, scalar, unequal, vector
 from rotation.ledger.listed_functions import listed
 from rotation.ledger.symbolic_runs import code, coordinates, point, quaternion, read_as
@@ -61,9 +61,9 @@ def same(left: Node, right: Node, *given: Node, words: str = "") -> Statement:
 
 COMPUTED = {
     "C3.1.1-a": Propositions(
-        as_printed=Over("RR", Statement("(q != 0 => q*inv(q) == e) and p*q == q*p")),
-        spoilt=Over("RR", Statement("q != 0 => q*inv(q) == e")),
-        corrected=Over("RR", Statement("q != 0 => q*inv(q) == e")),
+        as_printed=InField("RR", Statement("(q != 0 => q*inv(q) == e) and p*q == q*p")),
+        spoilt=InField("RR", Statement("q != 0 => q*inv(q) == e")),
+        corrected=InField("RR", Statement("q != 0 => q*inv(q) == e")),
     ),
     "C3.1.1-b": Propositions(as_printed=listed(HELPERS, 4), spoilt=listed(HELPERS, 5)),
     "C3.1.1-d": Propositions(

@@ -5,7 +5,7 @@ from itertools import pairwise
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
 from hfield.ledger.real_geometry import Angles
-from hfield.ledger.scopes import Over
+from hfield.ledger.scopes import InField
 from hfield.syntax import Node, both, either, implies, parse, unequal
 from hfield.syntax import equal as same
 from rotation.ledger.entries import (
@@ -86,14 +86,14 @@ COMPUTED = {
         ),
     ),
     "C2.1.2-f": Propositions(
-        as_printed=Over(
+        as_printed=InField(
             "QQ(sqrt(5))",
             Statement.of(turns(10), words="10 steps of 2π/10 make a full turn, and fewer do not"),
         ),
-        spoilt=Over("QQ(sqrt(5))", Statement.of(turns(9))),
+        spoilt=InField("QQ(sqrt(5))", Statement.of(turns(9))),
     ),
     "C2.1.2-g": Propositions(
-        as_printed=Over(
+        as_printed=InField(
             "QQ(sqrt(5))",
             Statement.of(
                 area_kept((0, 5)),
@@ -101,6 +101,6 @@ COMPUTED = {
                 "area, and no others",
             ),
         ),
-        spoilt=Over("QQ(sqrt(5))", Statement.of(area_kept((0, 2, 5)))),
+        spoilt=InField("QQ(sqrt(5))", Statement.of(area_kept((0, 2, 5)))),
     ),
 }

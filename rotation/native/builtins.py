@@ -93,20 +93,20 @@ def _place(slot: Any) -> int:
 
 
 @cache
-def introduce() -> None:
+def register_symbols() -> None:
     """Make the functions of the system and of Python known to programs; the caller holds the lock."""
     system = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("ucrtbase")
     for name in LIBRARY:
-        machine_code.introduce(f"rotation_{name}", _address(getattr(system, name)))
+        machine_code.register_symbols(f"rotation_{name}", _address(getattr(system, name)))
     python = ("PyBool_FromLong", "PyType_GenericAlloc", "Py_IncRef", "Py_DecRef")
     for name in (*python, "PyEval_SaveThread", "PyEval_RestoreThread"):
-        machine_code.introduce(name, _address(getattr(ctypes.pythonapi, name)))
+        machine_code.register_symbols(name, _address(getattr(ctypes.pythonapi, name)))
     opened = ctypes.pythonapi.PyCapsule_GetPointer
     opened.restype, opened.argtypes = ctypes.c_void_p, (ctypes.py_object, ctypes.c_char_p)
     table = opened(np._core._multiarray_umath._ARRAY_API, None)  # type: ignore[attr-defined]
     for name, number in NUMPY.items():
         address = ctypes.c_void_p.from_address(table + 8 * number).value
-        machine_code.introduce(name, address or 0)
+        machine_code.register_symbols(name, address or 0)
     if not machine_code.processor_has("fma") and "fma" in vars(tracing):
         del tracing.fma
 
@@ -115,7 +115,7 @@ def _address(function: Any) -> int:
     return ctypes.cast(function, ctypes.c_void_p).value or 0
 
 
-def assembled(
+def compile_builtin(
     formula: Callable[..., Any],
     shapes: tuple[Shape, ...],
     parameters: tuple[Any, ...],
@@ -146,7 +146,7 @@ def assembled(
         What holds the array in an object of a class.
     """
     with machine_code.lock:
-        introduce()
+        register_symbols()
         block, row = _block(formula, shapes, parameters, single, words)
         whole = (*shapes, row)
         moving = [n for n in range(len(shapes)) if n not in single]
@@ -299,7 +299,7 @@ def _rows(shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...]) 
     given = "".join(f", ptr %in{n}, i1 %one{n}" for n in range(len(sizes) - 1))
     code = Code(f"internal i1 @rows(i64 %count{given}, ptr %out)")
     v = code.value
-    buffers = [code.room(vector(w, n * WIDTH)) for n, w in zip(sizes, words, strict=True)]
+    buffers = [code.allocate(vector(w, n * WIDTH)) for n, w in zip(sizes, words, strict=True)]
 
     def spread(n: int, start: str) -> None:
         for row in range(WIDTH):

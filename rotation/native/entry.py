@@ -1,6 +1,6 @@
 """The builtin around a formula's loop: it looks at its arguments and makes its result, as one in C does.
 
-What it takes and answers `rotation.native.builtins.assembled` says.
+What it takes and answers `rotation.native.builtins.compile_builtin` says.
 """
 
 from collections.abc import Callable
@@ -31,7 +31,7 @@ class Entry(Code):
     ) -> None:
         super().__init__("ptr @entry(ptr %self, ptr %args, i64 %nargs)")
         (*shapes_in, self.row), self.word = shapes, words[-1]
-        self.lengths = self.room(f"[{MOST} x i64]")
+        self.lengths = self.allocate(f"[{MOST} x i64]")
         method = self.load("ptr", self.at("i8", "%self", DATA))
         known = self.entries("ptr", self.at("i8", method, METHOD), 6)
         self.ndarray, self.number, self.none, self.one = known[:4]

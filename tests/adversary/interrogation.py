@@ -4,7 +4,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 from hfield.errors import HFieldError
-from hfield.proving.prove import prove
+from hfield.prover.prove import prove
 from tests.adversary.judgement import judge, judge_certificate
 from tests.adversary.statement_generator import Case, cases
 

@@ -11,8 +11,8 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from hfield.certificates.check import Pin, check_text
-from hfield.certificates.rejection import Rejected
+from hfield.checker.check import ExpectedClaim, check_text
+from hfield.checker.rejection import Rejected
 from tests.adversary.falsify import (
     counterexample,
     is_defined,
@@ -202,8 +202,8 @@ def judge_certificate(
     if verdict in ("undecided", "not-applicable"):
         return [f"{verdict}, and yet there is a certificate"], None
     try:
-        pin = Pin((statement,), field, algebra)
-        established = check_text(json.dumps(found), pin)
+        expected = ExpectedClaim((statement,), field, algebra)
+        established = check_text(json.dumps(found), expected)
     except Rejected as error:
         return [f"its certificate is rejected: {error}"], None
     if established.verdict != verdict:

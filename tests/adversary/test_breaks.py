@@ -5,11 +5,11 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.check import Rejected, check, check_text
-from hfield.proving.prove import prove
+from hfield.checker.check import Rejected, check, check_text
+from hfield.prover.prove import prove
 from tests.adversary.forging.targets import Target
 from tests.adversary.judgement import judge
-from tests.certificates.ring_data import data_of
+from tests.checker.ring_data import data_of
 from tests.subcases import subcases
 
 IDENTITY = {"kind": "identity"}

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import pytest
 
-from hfield.certificates.check import check
+from hfield.checker.check import check
 from tests.adversary.forging.campaign import run
 from tests.adversary.forging.kinds import KINDS
 from tests.adversary.forging.mutants import QUICK, genuine

@@ -11,14 +11,14 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.anisotropy import KEYS
-from hfield.certificates.check import check_text
-from hfield.certificates.kinds import checks
-from hfield.certificates.orders.words import OVER_Q
-from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import KINDS, read_ring
-from hfield.certificates.vocabulary.logic import LOGIC, SPECIAL
-from hfield.certificates.work import Work, bounded
+from hfield.checker.anisotropy import KEYS
+from hfield.checker.budget import Budget, bounded
+from hfield.checker.check import check_text
+from hfield.checker.evidence_registry import checks
+from hfield.checker.orders.words import OVER_Q
+from hfield.checker.rejection import Rejected
+from hfield.checker.scalars.fields import KINDS, read_ring
+from hfield.checker.vocabulary.logic import LOGIC, SPECIAL
 from tests.adversary.hostile.files import HOSTILE
 from tests.adversary.hostile.reasons import is_meant
 from tests.adversary.hostile.rings import long_modulus
@@ -56,7 +56,7 @@ def rejection(name: str) -> str:
     """Return why a small file is rejected, '' if it is not."""
     make, small, _ = HOSTILE[name]
     try:
-        check_text(make(small), work=Work(LITTLE))
+        check_text(make(small), budget=Budget(LITTLE))
     except Rejected as error:
         return str(error)
     return ""
@@ -104,7 +104,7 @@ def test_every_step_and_fact_is_there() -> None:
 
 
 def test_work_that_ends_where_a_prime_is_tried_is_said_to_end() -> None:
-    with pytest.raises(Rejected, match="takes more work"), bounded(Work(0.001)):
+    with pytest.raises(Rejected, match="takes more work"), bounded(Budget(0.001)):
         read_ring(long_modulus(1))
 
 

@@ -7,8 +7,8 @@ import json
 
 import pytest
 
-from hfield.certificates.check import Established, check
-from hfield.proving.prove import prove
+from hfield.checker.check import Established, check
+from hfield.prover.prove import prove
 from tests.adversary.forging.campaign import Forgery, _judged, false_claim
 from tests.adversary.forging.targets import NO_FIELDS, NO_RINGS, TARGETS, Certificate, Target
 from tests.adversary.forging.validity import why_valid
@@ -16,7 +16,7 @@ from tests.adversary.grammar import NotRead
 from tests.adversary.ring_names import name_of
 from tests.adversary.test_breaks import FILES
 from tests.adversary.test_forgeries import pool
-from tests.certificates.ring_data import Data, data_of
+from tests.checker.ring_data import Data, data_of
 from tests.subcases import subcases
 
 WORDS = (

@@ -4,7 +4,7 @@ from collections import Counter
 
 import pytest
 
-from hfield.certificates.check import check
+from hfield.checker.check import check
 from tests.adversary.names.facts import ASKED, facts
 from tests.adversary.names.lookalikes import (
     ALWAYS,

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.scalars.fields import read_ring
+from hfield.checker.scalars.fields import read_ring
 from hfield.errors import HFieldError
 from hfield.fields.names import ring
 from tests.adversary.names import pari, some_data

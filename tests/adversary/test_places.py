@@ -12,8 +12,8 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.anisotropy import is_certified as certifies
-from tests.certificates.ring_data import (
+from hfield.checker.anisotropy import is_certified as certifies
+from tests.checker.ring_data import (
     INFINITY,
     Data,
     data_of,

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hfield.certificates.polynomials import (
+from hfield.checker.polynomials import (
     MAX_EXPONENT,
     MAX_TEXT,
     Names,
@@ -23,10 +23,10 @@ from hfield.certificates.polynomials import (
     modulo,
     multiply,
 )
-from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_ring
-from hfield.certificates.scalars.finite import is_prime
-from tests.certificates.ring_data import finite, read_field
+from hfield.checker.rejection import Rejected
+from hfield.checker.scalars.fields import read_ring
+from hfield.checker.scalars.finite import is_prime
+from tests.checker.ring_data import finite, read_field
 from tests.subcases import subcases
 
 SETTINGS = settings(max_examples=40, derandomize=True, deadline=None, database=None)

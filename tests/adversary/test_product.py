@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from hfield.product import Constants, conjugate, multiply, norm, trace
+from hfield.core.product import Constants, conjugate, multiply, norm, trace
 from tests.adversary.meaning import World
 from tests.adversary.scalars import Integers, Residues
 

@@ -8,7 +8,7 @@ import random
 import pytest
 
 from hfield.errors import HFieldError
-from hfield.proving.prove import prove
+from hfield.prover.prove import prove
 from tests.adversary.interrogation import interrogate
 from tests.adversary.statement_generator import plain_statements
 from tests.subcases import first_quick

@@ -9,14 +9,14 @@ from typing import Any
 
 import pytest
 
-from hfield.certificates.finding import Finding
-from hfield.certificates.rejection import Rejected
-from hfield.certificates.vocabulary.logic import establish_any, meaning
-from hfield.certificates.work import bounded
+from hfield.checker.budget import bounded
+from hfield.checker.check_result import CheckResult
+from hfield.checker.rejection import Rejected
+from hfield.checker.vocabulary.logic import establish_any, meaning
 from tests.adversary.words import split, truth_everywhere, truth_over
-from tests.certificates.cases import with_rings
-from tests.certificates.hand_made import setting
-from tests.certificates.ring_data import data_of
+from tests.checker.cases import with_rings
+from tests.checker.hand_made import setting
+from tests.checker.ring_data import data_of
 from tests.subcases import subcases
 from tests.thorough import pairwise
 
@@ -56,7 +56,7 @@ def shapes() -> list[dict[str, Any]]:
     return [*alone, *part, *both, *parts, *side, *deeper, *over]
 
 
-def established(text: str, field: str | None, verdict: str, evidence: object) -> Finding | None:
+def established(text: str, field: str | None, verdict: str, evidence: object) -> CheckResult | None:
     try:
         with bounded():
             return establish_any(text, SETTINGS[field], verdict, with_rings(text, evidence))
@@ -64,9 +64,9 @@ def established(text: str, field: str | None, verdict: str, evidence: object) ->
         return None
 
 
-def accepted(word: str) -> dict[tuple[str, str | None], dict[str, list[Finding]]]:
+def accepted(word: str) -> dict[tuple[str, str | None], dict[str, list[CheckResult]]]:
     """Return what passes, of all parts, fields, verdicts and evidence."""
-    out: dict[tuple[str, str | None], dict[str, list[Finding]]] = {}
+    out: dict[tuple[str, str | None], dict[str, list[CheckResult]]] = {}
     evidence = shapes()
     pairs = pairwise(PARTS, PARTS[1:] + PARTS[:1])  # each on either side
     texts = dict.fromkeys(word.format(p=p, q=q) for p, q in pairs)

@@ -151,7 +151,7 @@ def test_sheet(scene: Scene, raw: np.ndarray) -> None:
 
 @pytest.mark.slow
 def test_frames_are_the_same_in_other_processes(scene: Scene, raw: np.ndarray) -> None:
-    from hfield.executors import open_executor
+    from hfield.core.executors import open_executor
 
     with open_executor(2) as executor:
         for number, frame in enumerate(frames(scene, executor, 2)):
@@ -159,7 +159,7 @@ def test_frames_are_the_same_in_other_processes(scene: Scene, raw: np.ndarray) -
 
 
 def test_at_most_two_frames_a_process_are_in_flight(scene: Scene) -> None:
-    from hfield.executors import InProcess
+    from hfield.core.executors import InProcess
 
     class Counting(InProcess):
         submitted = 0

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from anim.bands import apparent_spin
+from anim.aliasing import apparent_spin
 from anim.errors import AnimationError
 from anim.film import Clip, clip
 from anim.motion import Motion

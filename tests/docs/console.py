@@ -30,7 +30,7 @@ NOT_RUN = {
     "render",
     "figures",
     "docs",
-    "warm",
+    "precompile",
     "survey",
     "export",
     "doctor",

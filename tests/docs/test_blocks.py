@@ -7,13 +7,13 @@ from collections.abc import Iterator
 import pytest
 
 from hfield import prove
-from hfield.commands.catalogue import command
-from tests.commands.running import run
+from hfield.cli.catalogue import command
+from tests.cli.running import run
 from tests.docs.console import PAGES, ROOT
 from tests.subcases import subcases
 
 BLOCK = re.compile(r"^```([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-# Sessions are run by doctest and test_console_blocks; json by tests/certificates; lean by tests/coq.
+# Sessions are run by doctest and test_console_blocks; json by tests/certificates; lean by tests/export.
 KINDS = {
     "python",
     "pycon",

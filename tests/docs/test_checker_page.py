@@ -13,7 +13,7 @@ from threading import Thread
 
 import pytest
 
-from hfield.certificates.check import check
+from hfield.checker.check import check
 from tests.anim.chromium import CHROMIUM, Browser
 
 SITE = Path(__file__).parents[2] / "hfield" / "site"

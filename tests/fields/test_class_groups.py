@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from hfield import ring
-from hfield.certificates.number_fields.classes import _characters
+from hfield.checker.number_fields.class_groups import _characters
 from hfield.errors import HFieldError, RingError
 from hfield.fields.number_fields.classes.s_units import (
     PowerResidues,

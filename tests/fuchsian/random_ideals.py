@@ -4,7 +4,7 @@ import random
 from contextlib import suppress
 from typing import Any
 
-from hfield.factorisation import factorise
+from hfield.core.factorisation import factorise
 
 MOST = 10**4
 

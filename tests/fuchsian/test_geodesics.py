@@ -7,8 +7,8 @@ from itertools import pairwise
 import pytest
 
 from hfield import QuaternionAlgebra, ring
+from hfield.core.factorisation import factorise
 from hfield.errors import LatticeError, TooLargeError
-from hfield.factorisation import factorise
 from hfield.orders.linear_algebra_mod_p import kronecker
 
 

@@ -10,8 +10,8 @@ from itertools import product
 import pytest
 
 from hfield import QuaternionAlgebra, ring
+from hfield.core.factorisation import factorise
 from hfield.errors import IndefiniteError, LatticeError, TooLargeError
-from hfield.factorisation import factorise
 from hfield.fuchsian import area, dirichlet, group, normaliser, presentation
 from hfield.fuchsian.polygon import Polygon
 from hfield.orders.lattice import Order

@@ -6,7 +6,7 @@ from importlib import import_module
 from typing import Any
 
 import hfield
-from hfield import product
+from hfield.core import product
 from hfield.errors import HFieldError
 from hfield.ledger.claim import Claim, decide
 from hfield.ledger.registry import claims

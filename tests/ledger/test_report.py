@@ -11,7 +11,7 @@ from hfield.ledger.notebook import Report
 from hfield.ledger.report import report, summary, totals
 from hfield.ledger.selection import SelectionError, rows_to_decide
 from hfield.ledger.wording import name_fields, pretty, witness_text
-from hfield.proving.decision import VERDICTS, Decision
+from hfield.prover.decision import VERDICTS, Decision
 
 
 class Words:

@@ -5,12 +5,12 @@ from dataclasses import dataclass, field
 
 import pytest
 
+from hfield.core.executors import InProcess
 from hfield.errors import TooLargeError
-from hfield.executors import InProcess
 from hfield.ledger import run
 from hfield.ledger.claim import NO_FIELD, Claim, Row
-from hfield.ledger.run import LEAST, contradictions, decide_row, decide_rows
-from hfield.proving.decision import Decision
+from hfield.ledger.run import MIN_ROWS_PER_TASK, contradictions, decide_row, decide_rows
+from hfield.prover.decision import Decision
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ def test_progress_runs_up_to_the_end(ledger):
     done = [n for n, _, _ in seen]
     assert done == sorted(set(done))
     assert seen[-1] == (60, 60, "C1-t")
-    assert len(seen) == 60 // LEAST
+    assert len(seen) == 60 // MIN_ROWS_PER_TASK
 
 
 def test_no_rows():

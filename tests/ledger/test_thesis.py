@@ -6,8 +6,8 @@ from collections import Counter
 
 import pytest
 
-from hfield.certificates.check import Pin, check_text
-from hfield.certificates.glossary import METHODS, THEOREMS, UNCERTIFIED
+from hfield.checker.check import ExpectedClaim, check_text
+from hfield.checker.glossary import METHODS, THEOREMS, UNCERTIFIED
 from hfield.fields.names import ring
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Computed, decide
@@ -106,7 +106,7 @@ def test_certificates(n: int, claim: Claim, part: int) -> None:
                 continue
             assert data is not None, f"no certificate over {field}"
             assert (data["method"], data["assumes"]) == (decision.method, list(decision.assumes))
-            pin = Pin((proposition.statement,), data["field"])
+            pin = ExpectedClaim((proposition.statement,), data["field"])
             assert check_text(json.dumps(data), pin).verdict == decision.verdict
         if field not in (UNIVERSAL, NO_FIELD):
             for name, values in (row.as_printed.witness or {}).items():

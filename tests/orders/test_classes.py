@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 from hfield import H, QuaternionAlgebra
+from hfield.core.factorisation import factorise
+from hfield.core.primality import is_prime
 from hfield.errors import IndefiniteError, LatticeError, TooLargeError
-from hfield.factorisation import factorise
 from hfield.orders import class_number
 from hfield.orders.brandt import by_theta_series, number_of_ideals
 from hfield.orders.classes import types_by_isomorphism
 from hfield.orders.lattice import ClassSet
-from hfield.primality import is_prime
 
 VECTORS = Path(__file__).parent.parent / "vectors"
 

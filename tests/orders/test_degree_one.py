@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from hfield import Lattice, Order, QuaternionAlgebra, ring
+from hfield.core.factorisation import factorise
+from hfield.core.primality import is_prime
 from hfield.errors import IndefiniteError, LatticeError, NotFiniteError, TooLargeError
-from hfield.factorisation import factorise
 from hfield.orders import class_number
-from hfield.primality import is_prime
 
 VECTORS = Path(__file__).parent.parent / "vectors"
 K = ring("QQ[s]/(s-1)")

@@ -6,10 +6,10 @@ from random import Random
 import pytest
 
 from hfield import H, QuaternionAlgebra
+from hfield.core.primality import is_prime
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError
 from hfield.orders.quadratic_orders import frame, is_obstructed, represent
 from hfield.orders.standard_orders import quadratic_part
-from hfield.primality import is_prime
 from tests.orders.random_lattices import algebra
 from tests.subcases import subcases
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from hfield.executors import InProcess
+from hfield.core.executors import InProcess
 from hfield.ledger.document import read_ledger
 from hfield.ledger.run import decide_rows
 from hfield.ledger.selection import rows_to_decide

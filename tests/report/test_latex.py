@@ -14,7 +14,7 @@ from hfield.latex import document, words
 from hfield.ledger.claim import UNIVERSAL
 from hfield.ledger.paper import decision
 from hfield.ledger.registry import claims
-from hfield.proving.prove import prove
+from hfield.prover.prove import prove
 from hfield.report.paper import paper
 from tests.subcases import subcases
 

@@ -6,8 +6,8 @@ import pytest
 
 from hfield.errors import NotationError
 from hfield.ledger.registry import claims
-from hfield.proving.statements.mathml import to_mathml
-from hfield.proving.statements.printing import to_unicode
+from hfield.prover.statements.mathml import to_mathml
+from hfield.prover.statements.printing import to_unicode
 from hfield.syntax import parse
 
 TWO = {"mfrac", "msup", "msub", "mover"}

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from hfield.certificates.check import check
+from hfield.checker.check import check
 from hfield.cli import main
-from hfield.proving.decision import REFUTED
+from hfield.prover.decision import REFUTED
 from hfield.report import chapters as chapters_module
 from hfield.report.chapters import Chapter, ChapterError, chapters
 from hfield.report.markup import anchor

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from hfield.cli import main
-from hfield.executors import InProcess
+from hfield.core.executors import InProcess
 from hfield.ledger.document import LedgerError, read_ledger
 from hfield.ledger.errata import errata
 from hfield.ledger.registry import claims
@@ -53,7 +53,7 @@ def decided(rows):
 @pytest.mark.slow
 def test_every_text_of_claims_and_decisions_has_a_polish_one(whole):
     language = Language("pl", whole)
-    assert [claim.id for claim in claims() if language.told(claim) is None] == []
+    assert [claim.id for claim in claims() if language.for_claim(claim) is None] == []
     texts = dict.fromkeys(filter(None, (*said_in_words(), *decided(whole))))
     assert len(texts) > 900
     assert [text for text in texts if language.say(text) is None] == []
@@ -75,8 +75,8 @@ def test_no_text_is_marked_as_english(whole):
 def test_texts_name_claims_that_there_are():
     translation = Translation(claims(), "pl")
     known = {claim.id: claim for claim in claims()}
-    assert translation._told.keys() == known.keys()
-    for key, told in translation._told.items():
+    assert translation._by_claim.keys() == known.keys()
+    for key, told in translation._by_claim.items():
         assert bool(told.note) == bool(known[key].note)
 
 

@@ -20,8 +20,8 @@ from hfield.compiling.arithmetics.extension_fields import ExtensionField
 from hfield.compiling.arithmetics.logarithms import LogarithmicField
 from hfield.compiling.arithmetics.register_tables import RegisterField
 from hfield.compiling.threads import threads
+from hfield.core.product import conjugate, multiply, norm, trace
 from hfield.errors import CoercionError, NotInvertibleError
-from hfield.product import conjugate, multiply, norm, trace
 from hfield.rings.array_held.labels import LabelArrays
 from hfield.rings.array_held.rows import RowArrays
 from tests.subcases import first_quick, share_quick, subcases

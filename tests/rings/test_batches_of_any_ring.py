@@ -10,8 +10,8 @@ import pytest
 
 from hfield import H, Quaternion, QuaternionAlgebra, ring
 from hfield.compiling import memory
+from hfield.core.product import Constants
 from hfield.errors import CoercionError, HFieldError
-from hfield.product import Constants
 from hfield.rings.arrays import check_shapes, objects, one_shape
 from hfield.rings.holding import Batch, Holding
 from tests.subcases import first_quick, subcases
@@ -72,7 +72,10 @@ def test_elements_held_as_they_are(name: str) -> None:
         if inverse is not None:
             assert same(R, held.product(p, inverse), (R.one, R.zero, R.zero, R.zero))
     assert held.coordinates(held.hold(elements[0])) == elements[0]
-    assert held.explain("product") == "# the formula of hfield.product, on the coordinates: product"
+    assert (
+        held.explain("product")
+        == "# the formula of hfield.core.product, on the coordinates: product"
+    )
     assert (held.ring, held.constants, held.is_batch, held.is_unique) == (
         R,
         constants,

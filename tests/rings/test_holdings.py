@@ -10,9 +10,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hfield import QuaternionAlgebra, product, ring
+from hfield import QuaternionAlgebra, ring
+from hfield.core import product
+from hfield.core.product import Constants
 from hfield.errors import NotInvertibleError
-from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.held.compact import LARGE
 from hfield.rings.held.plain import Plain

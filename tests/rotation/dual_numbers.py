@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from hfield import product as formula
+from hfield.core import product as formula
 from rotation.namespaces import Array
 from rotation.quaternions import HAMILTON
 

@@ -8,7 +8,7 @@ from itertools import combinations
 import pytest
 
 from hfield.cli import main
-from hfield.commands.output import OutputError
+from hfield.cli.output import OutputError
 from rotation.figures import FIGURES, Drawing, saving, turned_points
 from rotation.figures.drawing import figure_style
 from rotation.plane import LETTER_T

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from hfield.product import conjugate
-from hfield.proving.prove import prove
-from hfield.proving.statements.printing import to_text
+from hfield.core.product import conjugate
+from hfield.prover.prove import prove
+from hfield.prover.statements.printing import to_text
 from hfield.syntax import Node, both, equal, names, parse
 from rotation import action, matrices
 from rotation.euler import SEQUENCES, sequence

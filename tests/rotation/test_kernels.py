@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hfield.product import Constants, conjugate, multiply, norm
+from hfield.core.product import Constants, conjugate, multiply, norm
 from rotation import kernels
 from rotation.fused import rotate, rotate_quat
 from rotation.kernels import twins

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hfield.proving.prove import prove
-from hfield.proving.statements.printing import to_text
+from hfield.prover.prove import prove
+from hfield.prover.statements.printing import to_text
 from hfield.syntax import Node, both, equal, names, number, parse
 from rotation.ledger import entries
 from rotation.ledger.entries import (

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hfield.certificates.check import check_text
+from hfield.checker.check import check_text
 from hfield.fields.names import ring
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, Claim, decide

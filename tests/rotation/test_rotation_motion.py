@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from hfield.product import multiply
+from hfield.core.product import multiply
 from rotation import Rotation, RotationError, integrate
 from rotation.quaternions import HAMILTON
 from tests.subcases import subcases

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hfield.product import Constants, conjugate, multiply
+from hfield.core.product import Constants, conjugate, multiply
 from rotation import thesis
 
 H = Constants(-1, 0, -1)

@@ -4,8 +4,8 @@ import json
 from pathlib import Path
 from typing import Any
 
+from hfield.core.product import Constants
 from hfield.fields.names import ring
-from hfield.product import Constants
 
 FOLDER = Path(__file__).parent.parent / "vectors"
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from hfield.factorisation import factorise, known_primes, remove
+from hfield.core.factorisation import factorise, known_primes, remove
 from hfield.fields.rationals import conics
 from hfield.fields.rationals.conics import solve_conic
 from hfield.fields.rationals.symbols import hilbert_symbol_q, is_isotropic, ramified_places_q

@@ -4,9 +4,9 @@ import random
 import pytest
 from structure_cases import constants
 
+from hfield.core.product import multiply, norm, trace
 from hfield.errors import NotInvertibleError, UndecidedError
 from hfield.fields.names import ring
-from hfield.product import multiply, norm, trace
 from hfield.structure.single_elements.properties import (
     characteristic_polynomial,
     conjugator,
@@ -98,7 +98,7 @@ def test_square_roots_and_conjugators_by_exhaustion(name, a, t, b):
 
 
 def inverse(F, c, u):
-    from hfield.product import conjugate
+    from hfield.core.product import conjugate
 
     scale = F.inverse(norm(c, u))
     return tuple(scale * x for x in conjugate(c, u))

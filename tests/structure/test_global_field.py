@@ -5,9 +5,9 @@ from math import prod
 
 import pytest
 
+from hfield.core.product import Constants
 from hfield.errors import UndecidedError
 from hfield.fields.names import ring
-from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.rings.integers import Rationals
 from hfield.structure import hilbert_symbol, is_isomorphic, ramified_places, zero_norm

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from structure_cases import cases
 
+from hfield.core.factorisation import factorise
 from hfield.errors import CoercionError, NotationError, RingError, UndecidedError
-from hfield.factorisation import factorise
 from hfield.fields.rationals.symbols import (
     discriminant_q,
     from_ramification_q,

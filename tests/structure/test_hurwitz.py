@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from hfield.core.product import multiply, norm
 from hfield.errors import CoercionError, NotInvertibleError
-from hfield.product import multiply, norm
 from hfield.structure.hurwitz import (
     HAMILTON,
     divide,

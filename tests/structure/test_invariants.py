@@ -5,9 +5,9 @@ import random
 import pytest
 from structure_cases import constants
 
+from hfield.core.product import Constants, multiply, norm
 from hfield.errors import UndecidedError
 from hfield.fields.names import ring
-from hfield.product import Constants, multiply, norm
 from hfield.structure.linear_algebra.centre import basis_of, centre
 from hfield.structure.linear_algebra.kernels import apply
 from hfield.structure.linear_algebra.radical import (

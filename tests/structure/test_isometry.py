@@ -7,10 +7,10 @@ import pytest
 
 import hfield.fields.rationals.isometries as lattices
 from hfield import QuaternionAlgebra
+from hfield.core.product import Constants, multiply
 from hfield.errors import RingError, UndecidedError
 from hfield.fields.rationals.embedding import traceless_root_rational
 from hfield.fields.rationals.symbols import hilbert_symbol_q, ramified_places_q
-from hfield.product import Constants, multiply
 from hfield.rings import QQ
 from tests.subcases import slow
 from tests.thorough import cases

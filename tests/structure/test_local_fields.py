@@ -9,8 +9,8 @@ import pytest
 from padic_cases import cases, extension_cases, pari, pari_symbol
 
 from hfield import QuaternionAlgebra, hilbert_symbol, prove, ring
+from hfield.core.factorisation import remove
 from hfield.errors import RingError, UndecidedError
-from hfield.factorisation import remove
 from tests.subcases import subcases
 
 VECTORS = Path(__file__).parents[1] / "vectors" / "padic_symbols.txt"

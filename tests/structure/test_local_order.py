@@ -6,8 +6,8 @@ from random import Random
 import pytest
 
 from hfield import ring
+from hfield.core.product import Constants, conjugate, multiply, norm, trace
 from hfield.errors import UndecidedError
-from hfield.product import Constants, conjugate, multiply, norm, trace
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.global_field import known_field
 from tests.subcases import subcases

@@ -7,11 +7,11 @@ import flint
 import pytest
 
 from hfield import QuaternionAlgebra, ring
+from hfield.core.primality import WORD, power_root, primes
 from hfield.fields.number_fields import unimodular_lattice
 from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.symbols import candidates
 from hfield.fields.number_fields.unimodular_lattice import unimodular_module
-from hfield.primality import WORD, power_root, primes
 from tests.thorough import cases
 
 FIELDS = [

@@ -6,6 +6,7 @@ from random import Random
 import pytest
 
 from hfield import QuaternionAlgebra, hilbert_symbol, ring
+from hfield.core.product import Constants
 from hfield.errors import CoercionError, RingError, UndecidedError
 from hfield.fields.number_fields import walk
 from hfield.fields.number_fields.conics import solve_conic_number_field
@@ -13,7 +14,6 @@ from hfield.fields.number_fields.places import ComplexPlace, RealPlace
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.symbols import candidates
-from hfield.product import Constants
 from hfield.structure.minimal_conics import Conic, minimise, norm_form
 from tests.steps import steps
 from tests.structure.number_field_cases import cases, field, prime

@@ -5,6 +5,7 @@ from fractions import Fraction
 import pytest
 from structure_cases import cases, constants
 
+from hfield.core.product import norm
 from hfield.errors import CoercionError, RingError, UndecidedError
 from hfield.fields.names import ring
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
@@ -12,7 +13,6 @@ from hfield.fields.number_fields.quadratic.symbols import (
     hilbert_symbol_quadratic,
     ramified_places_quadratic,
 )
-from hfield.product import norm
 from hfield.rings import RR
 from hfield.structure import hilbert_symbol, is_division, zero_norm
 from hfield.structure.ramification import place, places, ramified_places

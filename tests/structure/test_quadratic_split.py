@@ -7,8 +7,10 @@ import flint
 import pytest
 from structure_cases import constants
 
+from hfield.core.factorisation import known_primes, remove
+from hfield.core.primality import is_prime
+from hfield.core.product import Constants, multiply
 from hfield.errors import UndecidedError
-from hfield.factorisation import known_primes, remove
 from hfield.fields.names import ring
 from hfield.fields.number_fields.conics import good_module, solve_conic_number_field
 from hfield.fields.number_fields.given_symbols import common_slot, is_local_square
@@ -16,8 +18,6 @@ from hfield.fields.number_fields.integral_basis import coordinate_rows
 from hfield.fields.number_fields.quadratic.residues import Inert, prime_at
 from hfield.fields.number_fields.quadratic.symbols import hilbert_symbol_quadratic, pair
 from hfield.fields.number_fields.symbols import candidates
-from hfield.primality import is_prime
-from hfield.product import Constants, multiply
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
 from hfield.structure.minimal_conics import Conic
 from hfield.structure.single_elements.square_roots import square_roots

@@ -6,8 +6,8 @@ from random import Random
 import pytest
 
 from hfield import QuaternionAlgebra, prove, ring
+from hfield.core.product import Constants, norm
 from hfield.errors import RingError, UndecidedError
-from hfield.product import Constants, norm
 from hfield.structure import zero_norm
 from hfield.structure.forms import normal_form
 from hfield.structure.global_field import known_field

@@ -3,9 +3,9 @@ import random
 import pytest
 from structure_cases import constants
 
+from hfield.core.product import Constants, multiply, norm
 from hfield.errors import CoercionError, MixedParentsError, UndecidedError
 from hfield.fields.names import ring
-from hfield.product import Constants, multiply, norm
 from hfield.structure.forms import discriminant
 from hfield.structure.isomorphisms.isomorphic import is_isomorphic, isomorphism, same_parent
 from hfield.structure.isomorphisms.splitting import Splitting, division_or_splitting, product, split

@@ -3,9 +3,9 @@ import itertools
 import pytest
 from structure_cases import cases, constants
 
+from hfield.core.product import norm
 from hfield.errors import UndecidedError
 from hfield.fields.names import ring
-from hfield.product import norm
 from hfield.structure import centre, is_commutative, is_division, zero_norm
 from hfield.structure.norm_forms.zero_norm_answer import found
 from tests.subcases import subcases
@@ -165,7 +165,7 @@ def test_centres_agree_with_gap():
     ],
 )
 def test_the_centre_commutes_and_is_a_basis(name, a, t, b, size):
-    from hfield.product import multiply
+    from hfield.core.product import multiply
     from hfield.structure.linear_algebra.centre import basis_of
 
     R, c = ring(name), constants(name, a, t, b)

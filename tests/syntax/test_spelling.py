@@ -10,7 +10,7 @@ from hfield import QQ, H, QuaternionAlgebra, prove, ring
 from hfield.errors import NotationError
 from hfield.ledger.propositions import Statement
 from hfield.ledger.registry import claims
-from hfield.proving.statements.printing import to_text, to_unicode
+from hfield.prover.statements.printing import to_text, to_unicode
 from hfield.syntax import parse, plain, plain_element
 from tests.adversary.statement_generator import plain_statements
 

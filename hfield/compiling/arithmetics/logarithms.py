@@ -53,7 +53,7 @@ class ByLogarithms(OddExtension):
 
     @property
     @abstractmethod
-    def room(self) -> int:
+    def capacity(self) -> int:
         """How many values a digit of a sum may have."""
 
     @abstractmethod
@@ -123,7 +123,7 @@ class ByLogarithms(OddExtension):
         """Return both packed, and reduced where a digit of ``x ± y`` would not fit its field."""
         a, b = self._packed(code, x), self._packed(code, y)
         low, high = (b.low, b.high) if sign > 0 else (-b.high, -b.low)
-        if self._bias(a.low + low) + a.high + high >= self.room:
+        if self._bias(a.low + low) + a.high + high >= self.capacity:
             a, b = (self.power(code, self._read(code, z)) for z in (a, b))
         return a, b
 
@@ -142,7 +142,7 @@ class LogarithmicField(ByLogarithms):
         return (TERMS * (self.characteristic - 1)).bit_length()
 
     @property
-    def room(self) -> int:
+    def capacity(self) -> int:
         """How many values a digit of a sum may have."""
         return 1 << self.width
 
@@ -211,7 +211,7 @@ def _tables(field: LogarithmicField) -> tuple[np.ndarray, ...]:
     table[: q - 1] = table[q - 1 : 2 * (q - 1)] = packed.astype(kind)
     index = np.arange(1 << field.width * field.group)
     fields = (index[:, None] >> field.width * np.arange(field.group)) % (1 << field.width) % p
-    # for each group of digits, what it adds to the label; of digits beyond the last nothing is asked
+    # for each group of digits, what it adds to the label; digits beyond the last add nothing
     parts = [fields @ p ** (start + np.arange(field.group)) for start in range(0, n, field.group)]
     return logarithms, table, np.concatenate(parts).astype(field.dtype)
 

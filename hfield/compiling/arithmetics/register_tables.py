@@ -1,7 +1,7 @@
 """GF(pⁿ), n > 1 and pⁿ ≤ 256, 64 elements at a time: by logarithms, with tables that lie in registers.
 
 The instruction vpermi2b of AVX-512 VBMI looks 64 bytes up at once in a table of 128, and two do in one of
-256: logarithms of labels, then the digits of powers, as many in a byte as leave room for the sum of a few.
+256: logarithms of labels, then the digits of powers, as many in a byte as leave space for the sum of a few.
 """
 
 from __future__ import annotations
@@ -27,20 +27,20 @@ LOOK_UP = "llvm.x86.avx512.vpermi2var.qi.512"
 
 @dataclass(frozen=True)
 class RegisterField(ByLogarithms):
-    """The field, p odd, with digits in base p held in one to three bytes."""
+    """The field, p odd, with digits in base p in one to three bytes."""
 
     lanes = LANES
     word = VECTOR
 
     @property
-    def room(self) -> int:
+    def capacity(self) -> int:
         """How many values a digit of a sum may have."""
         return TERMS * (self.characteristic - 1) + 1
 
     @property
     def group(self) -> int:
         """How many digits lie in a byte: sums of them are looked up in one step."""
-        return 2 if self.room**2 <= HALF else 1
+        return 2 if self.capacity**2 <= HALF else 1
 
     def tables(self) -> tuple[np.ndarray, ...]:
         """Return logarithms, digits of powers for each byte of them, and what each adds to the label."""
@@ -52,7 +52,7 @@ class RegisterField(ByLogarithms):
 
     def biased(self, code: Code, words: tuple[str, ...], bias: int) -> tuple[str, ...]:
         """Add a number to every digit."""
-        every = _all(sum(bias * self.room**n for n in range(self.group)))
+        every = _all(sum(bias * self.capacity**n for n in range(self.group)))
         return tuple(code.value(f"add {VECTOR} {word}, {every}") for word in words)
 
     def logarithm(self, code: Code, label: str) -> Logarithm:
@@ -92,7 +92,7 @@ class RegisterField(ByLogarithms):
 class BinaryRegisterField(RegisterField):
     """The field, p = 2, with the label itself in a byte: sums are exclusive ors."""
 
-    room = 2
+    capacity = 2
 
     @property
     def group(self) -> int:
@@ -137,9 +137,9 @@ def _tables(field: RegisterField) -> tuple[np.ndarray, ...]:
     digits[: q - 1, :n] = powers(field)
     logarithms = np.full(ORDER, LOG_ZERO)
     logarithms[digits[: q - 1, :n] @ p ** np.arange(n)] = np.arange(q - 1)
-    weights = field.room ** np.arange(group)
+    weights = field.capacity ** np.arange(group)
     packed = digits.reshape(ORDER, -1, group) @ weights
-    fields = np.arange(HALF)[:, None] // weights % field.room % p
+    fields = np.arange(HALF)[:, None] // weights % field.capacity % p
     parts = [fields @ p ** (start + np.arange(group)) for start in range(0, n, group)]
     return logarithms.astype("u1"), _bytes(packed.T), _bytes(parts)
 

@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import factorise
 from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
-from hfield.factorisation import factorise
 from hfield.fields.circles.angles import PI, Angle, WithAngles, rotated
 from hfield.fields.circles.ring import CircleFunctions, in_latex, pole
 from hfield.fields.circles.ring import build as build_circles

@@ -7,8 +7,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.factorisation import Factors
+from hfield.core.primality import primes
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import UndecidedError
-from hfield.factorisation import Factors
 from hfield.fields.function_fields.artin_schreier import (
     artin_schreier,
     as_norm,
@@ -35,8 +37,6 @@ from hfield.fields.function_fields.traceless_roots import (
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.rationals.symbols import hilbert_symbol_q, ramified_places_q
-from hfield.primality import primes
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
 from hfield.rings.whole_numbers import square_class

@@ -13,11 +13,11 @@ from collections.abc import Iterator
 from random import Random
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants, Coordinates, norm
 from hfield.errors import UndecidedError, shorten
 from hfield.fields.function_fields.conics import solve_conic_functions
 from hfield.fields.function_fields.residues import ResidueField
 from hfield.fields.function_fields.symbols import ramified_places_functions
-from hfield.product import Constants, Coordinates, norm
 from hfield.structure.forms import NormalForm, normal_form
 
 if TYPE_CHECKING:

@@ -15,12 +15,12 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants
 from hfield.errors import UndecidedError
 from hfield.fields.function_fields.places import FunctionPlace
 from hfield.fields.function_fields.residues import ResidueField, residues_at
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.function_fields.symbols import ramified_places_functions, symbol
-from hfield.product import Constants
 from hfield.structure.forms import NormalForm, normal_form
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from hfield.certificates.glossary import reads_like_a_constant
+from hfield.checker.glossary import reads_like_a_constant
 from hfield.errors import RingError
 from hfield.fields.function_fields.places import place_of_functions
 from hfield.fields.function_fields.residues import residues_at

@@ -12,13 +12,13 @@ import itertools
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants
 from hfield.errors import UndecidedError
 from hfield.fields.function_fields.places import FunctionPlace, prime_divisors
 from hfield.fields.function_fields.residues import ResidueField, residues_at
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.rationals.conics import diagonalise, solve_conic
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.product import Constants
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.minimal_conics import (

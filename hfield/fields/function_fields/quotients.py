@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import prod
 from typing import TYPE_CHECKING, Any
 
-from hfield.certificates.glossary import reads_like_a_constant
+from hfield.checker.glossary import reads_like_a_constant
 from hfield.errors import NotInvertibleError, shorten
 from hfield.rings.base import INFINITY, Known
 from hfield.rings.operators import Element, Overfield

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from hfield.product import Constants, Coordinates
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import named
 from hfield.rings.held.numerators import Held, Numerators
-from hfield.straight_line import named
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.ring import FunctionField

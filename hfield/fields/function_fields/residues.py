@@ -9,10 +9,10 @@ from functools import cached_property
 from random import Random
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Scalar
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.embeddings import square_root
 from hfield.fields.number_fields.ring import NumberField
-from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import FiniteField
 

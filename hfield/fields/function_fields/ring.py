@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.product import Constants
 from hfield.errors import CoercionError
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
 from hfield.fields.function_fields.representation import FunctionRepresentation
-from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.holding import Holding

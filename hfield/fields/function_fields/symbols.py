@@ -12,11 +12,11 @@ from __future__ import annotations
 import itertools
 from typing import TYPE_CHECKING
 
+from hfield.core.product import Scalar
 from hfield.fields.function_fields.places import FunctionPlace, prime_divisors
 from hfield.fields.function_fields.residues import ResidueField, residues_at, valuation
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.product import Scalar
 from hfield.rings.whole_numbers import fraction
 from hfield.structure.forms import NormalForm
 

@@ -13,6 +13,7 @@ import itertools
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants
 from hfield.errors import UndecidedError, shorten
 from hfield.fields.function_fields.conics import RamifiedError, solve_conic_functions
 from hfield.fields.function_fields.places import FunctionPlace, prime_divisors
@@ -24,7 +25,6 @@ from hfield.fields.function_fields.symbols import (
 )
 from hfield.fields.rationals.embedding import traceless_root_rational
 from hfield.fields.rationals.symbols import is_isotropic
-from hfield.product import Constants
 from hfield.rings.integers import QQ
 from hfield.structure.forms import NormalForm
 from hfield.structure.isomorphisms.isomorphic import isomorphism

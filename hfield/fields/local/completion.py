@@ -7,8 +7,8 @@ from collections.abc import Callable, Hashable, Iterator
 from random import Random
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
-from hfield.product import Scalar
 from hfield.rings.base import E, Ring, shared
 from hfield.rings.operators import Overfield
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, NotInvertibleError, UndecidedError
-from hfield.product import Scalar
 from hfield.rings.operators import Element
 
 if TYPE_CHECKING:

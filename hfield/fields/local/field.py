@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, HFieldError, UndecidedError
 from hfield.fields.local.completion import Completion
 from hfield.fields.local.element import LocalElement
 from hfield.fields.local.square_roots import minus_one, square_root
-from hfield.product import Scalar
 from hfield.rings.base import Known, Ring
 from hfield.rings.printing import is_sum, parentheses, power_text
 from hfield.rings.roots import integral, irreducible_factors, near_root

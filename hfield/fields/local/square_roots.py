@@ -10,9 +10,9 @@ import itertools
 from random import Random
 from typing import TYPE_CHECKING
 
+from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
 from hfield.fields.local.element import LocalElement
-from hfield.product import Scalar
 from hfield.rings.base import Ring
 
 if TYPE_CHECKING:

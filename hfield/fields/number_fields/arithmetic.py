@@ -6,7 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from typing import Any
 
-from hfield.factorisation import Factors, known_primes
+from hfield.core.factorisation import Factors, known_primes
+from hfield.core.primality import primes
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.fields.number_fields.conics import solve_conic_number_field
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.given_symbols import (
@@ -26,8 +28,6 @@ from hfield.fields.number_fields.symbols import (
     ramified_places_number_field,
 )
 from hfield.fields.number_fields.unimodular_lattice import embed_number_field
-from hfield.primality import primes
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField, no_flag
 from hfield.structure.isomorphisms.through_slots import generator_by_slot, through_slot

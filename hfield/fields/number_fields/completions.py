@@ -9,6 +9,7 @@ from collections.abc import Hashable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Scalar
 from hfield.errors import UndecidedError, shorten
 from hfield.fields.local.completion import Completion
 from hfield.fields.local.field import LocalField
@@ -17,7 +18,6 @@ from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.quadratic.places import QuadraticPrime
 from hfield.fields.number_fields.quadratic.residues import prime_at
 from hfield.fields.number_fields.residues import local_place
-from hfield.product import Scalar
 from hfield.rings.base import INFINITY, Known, Ring
 from hfield.rings.closed_fields.algebraic import CC, RR
 from hfield.rings.operators import Element

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.primality import primes
 from hfield.errors import UndecidedError
-from hfield.primality import primes
 from hfield.rings.balls import precision
 from hfield.rings.isolated_roots import START, IsolatedRoots
 

@@ -14,8 +14,9 @@ from typing import Any
 
 import flint
 
+from hfield.core.factorisation import factorise, remove
+from hfield.core.primality import WORD, is_probable_prime
 from hfield.errors import RingError, UndecidedError, shorten
-from hfield.factorisation import factorise, remove
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import small_integer
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
@@ -28,7 +29,6 @@ from hfield.fields.number_fields.symbols import (
     hilbert_symbol_number_field,
     residue_symbol,
 )
-from hfield.primality import WORD, is_probable_prime
 from hfield.rings.balls import precision
 from hfield.rings.whole_numbers import crt
 from hfield.structure.lattice_reduction import combination, reduced

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.core.straight_line import named
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.held.compact import Compact
 from hfield.rings.held.fractions import Fractions
 from hfield.rings.held.numerators import Held, Numerators
 from hfield.rings.roots import integral
-from hfield.straight_line import named
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField

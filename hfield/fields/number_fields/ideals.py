@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import factorise
 from hfield.errors import HFieldError, RingError, shorten
-from hfield.factorisation import factorise
 from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.integers import multiplication_tables
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of

@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import factorise, remove
+from hfield.core.primality import WORD
 from hfield.errors import TooLargeError, shorten
-from hfield.factorisation import factorise, remove
 from hfield.fields.number_fields.elements import FieldElement, coefficients
-from hfield.primality import WORD
 from hfield.rings.roots import integral
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from random import Random
 from typing import TYPE_CHECKING
 
-from hfield.factorisation import factorise
+from hfield.core.factorisation import factorise
 from hfield.fields.number_fields.integers import small_integer
 from hfield.rings.base import INFINITY, Known
 from hfield.rings.squares import minus_one

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.primality import is_prime, primes
 from hfield.errors import HFieldError, RingError, shorten
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
-from hfield.primality import is_prime, primes
 
 if TYPE_CHECKING:
     import flint

@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import remove
+from hfield.core.primality import is_prime
 from hfield.errors import RingError, shorten
-from hfield.factorisation import remove
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import (
     LocalOrder,
@@ -24,7 +25,6 @@ from hfield.fields.number_fields.integers import (
     left_kernel,
     local_order,
 )
-from hfield.primality import is_prime
 from hfield.rings.base import Ring
 from hfield.rings.finite import modulus_text
 from hfield.rings.rational import rational

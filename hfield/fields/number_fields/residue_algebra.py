@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.primality import WORD
 from hfield.errors import TooLargeError, shorten
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import (
@@ -22,7 +23,6 @@ from hfield.fields.number_fields.integers import (
     residue_matrix,
 )
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-from hfield.primality import WORD
 from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
 
 if TYPE_CHECKING:

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.embeddings import Embeddings, square_root
 from hfield.fields.number_fields.with_ideals import WithIdeals
-from hfield.product import Constants
 from hfield.rings.base import Known, Ring, shared
 from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ

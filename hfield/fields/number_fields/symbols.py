@@ -19,8 +19,8 @@ from typing import Any
 
 import flint
 
+from hfield.core.factorisation import NORM_BITS, factorise
 from hfield.errors import RingError
-from hfield.factorisation import NORM_BITS, factorise
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import integral_generator
 from hfield.fields.number_fields.places import Place, RealPlace

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 class WithIdeals(Hinted):
     """Ideals of the integers of a number field."""
 
-    elsewhere = FIELD
+    foreign_names = FIELD
 
     def ideal(self, *generators: object) -> Ideal:
         """Return the fractional ideal of elements, prime ideals and ideals, a list of such, or its text.

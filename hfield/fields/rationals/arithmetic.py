@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from hfield.factorisation import Factors
+from hfield.core.factorisation import Factors
+from hfield.core.primality import primes
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.fields.rationals.conics import solve_conic
 from hfield.fields.rationals.embedding import embed_rational, traceless_root_rational
 from hfield.fields.rationals.places import INFINITE, Place, place_of_q
@@ -18,8 +20,6 @@ from hfield.fields.rationals.symbols import (
     is_isotropic,
     ramified_places_q,
 )
-from hfield.primality import primes
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.whole_numbers import fraction, square_class
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField

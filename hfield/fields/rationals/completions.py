@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from hfield.core.factorisation import factorise
 from hfield.errors import RingError, shorten
-from hfield.factorisation import factorise
 from hfield.fields.local.field import LocalField
 from hfield.fields.rationals.places import INFINITE, place_of_q
 from hfield.fields.rationals.residues import PrimePlace

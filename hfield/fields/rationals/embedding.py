@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.factorisation import known_primes
+from hfield.core.factorisation import known_primes
+from hfield.core.primality import is_prime
+from hfield.core.product import Constants, Coordinates
 from hfield.fields.rationals import symbols
 from hfield.fields.rationals.isometries import isometry
 from hfield.fields.rationals.places import INFINITE, Place
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.primality import is_prime
-from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.rings.whole_numbers import crt, fraction, square_class, squarefree
 

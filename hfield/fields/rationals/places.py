@@ -4,8 +4,8 @@ import math
 
 import flint
 
+from hfield.core.primality import is_prime
 from hfield.errors import RingError, shorten
-from hfield.primality import is_prime
 
 Place = int | str
 INFINITE = "inf"

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.factorisation import remove
+from hfield.core.factorisation import remove
 
 if TYPE_CHECKING:
-    from hfield.product import Scalar
+    from hfield.core.product import Scalar
     from hfield.rings.flint_types import Rational
 
 

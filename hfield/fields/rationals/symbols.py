@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 
 from flint import fmpz
 
+from hfield.core.factorisation import Factors, factorise, known_primes, remove
+from hfield.core.primality import WORD, is_prime
 from hfield.errors import RingError
-from hfield.factorisation import Factors, factorise, known_primes, remove
 from hfield.fields.rationals.places import INFINITE, Place, place_of_q
-from hfield.primality import WORD, is_prime
 from hfield.rings.whole_numbers import crt, square_class
 
 if TYPE_CHECKING:

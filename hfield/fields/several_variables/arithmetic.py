@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants
 from hfield.errors import RingError, UndecidedError
 from hfield.fields.function_fields.artin_schreier import artin_schreier
 from hfield.fields.function_fields.ring import FunctionField
@@ -18,7 +19,6 @@ from hfield.fields.several_variables.places import (
     valuation,
 )
 from hfield.fields.several_variables.ring import RationalFunctions
-from hfield.product import Constants
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField

@@ -13,7 +13,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hfield.atomic import whole_file
+from hfield.core.files import whole_file
 from hfield.errors import LatticeError, shorten
 from hfield.fuchsian.search import Sight
 

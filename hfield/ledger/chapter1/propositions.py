@@ -1,6 +1,6 @@
 """What Python decides of sections 1 to 1.4.4: propositions that are no statements of the language."""
 
-from hfield.certificates.glossary import INDUCTION
+from hfield.checker.glossary import INDUCTION
 from hfield.ledger.base_field import Division, LevelAbove, PositiveNorm
 from hfield.ledger.document import Propositions
 from hfield.ledger.linear_algebra import Centre, IsBasis
@@ -15,7 +15,7 @@ from hfield.ledger.multilinear import (
     spoilt_tuples,
 )
 from hfield.ledger.propositions import Equivalence, Every, Implication, Presented, Statement
-from hfield.ledger.scopes import Negation, Only
+from hfield.ledger.scopes import Negation, OnlyOver
 from hfield.rings.base import INFINITY
 
 # Sections 1, 1.1.1 and 1.1.2: the table, its extension to all of H(F), identity, commutativity
@@ -110,9 +110,9 @@ CIRCLE = "(cos θ, sin θ) runs once through the points of the circle c² + s² 
 REAL = "Angles are real numbers."
 
 
-def real(formula: str) -> Only:
+def real(formula: str) -> OnlyOver:
     """Return a statement about angles: it means something over RR only."""
-    return Only(Statement(formula), ("RR",), REAL, (CIRCLE,))
+    return OnlyOver(Statement(formula), ("RR",), REAL, (CIRCLE,))
 
 
 # q0 = y and ‖q⃗‖ = z; the angle sought is that of (y, z) or of (−y, z), whichever is not (1, 0).

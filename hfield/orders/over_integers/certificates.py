@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     BY_AREA,
     BY_MASS,
     DISCRIMINANT,
@@ -20,8 +20,9 @@ from hfield.certificates.glossary import (
     SHIMIZU,
     SIEGEL,
 )
+from hfield.core.factorisation import factorise
+from hfield.core.primality import is_prime
 from hfield.evidence import Claim
-from hfield.factorisation import factorise
 from hfield.fields.number_fields.classes import evidence
 from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.number_fields.integral_basis import coordinate_rows
@@ -29,7 +30,6 @@ from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.over_integers.equivalence import two_generators
 from hfield.orders.over_integers.positive_generators import totally_positive_generator
 from hfield.orders.short_elements import reduced
-from hfield.primality import is_prime
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion

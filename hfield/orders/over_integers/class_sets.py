@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.progress import report, track
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.orders.brandt import of_power
 from hfield.orders.class_number import mass
@@ -46,7 +47,6 @@ from hfield.orders.over_integers.positive_generators import (
     units_modulo_squares,
 )
 from hfield.orders.short_elements import rows_of_norm
-from hfield.progress import along, tell
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
@@ -273,7 +273,7 @@ class Classes:
             rows: list[Counter[int]] = []
             while len(rows) < len(self.lattices) and self._left:
                 rows.append(self.neighbours_of(len(rows), prime))
-                tell(self.mass - self._left, self.mass, "the mass")
+                report(self.mass - self._left, self.mass, "the mass")
             if len(rows) == len(self.lattices) and not self._left:
                 self._rows[prime] = rows
 
@@ -370,7 +370,7 @@ class Classes:
             ideal = self.ring.two_sided_prime(P)
             self._exchanged[P] = [
                 self._times(n, lambda I: product(I, ideal.value), ideal.norm())
-                for n in along(range(len(self)), len(self), "types")
+                for n in track(range(len(self)), len(self), "types")
             ]
         return self._exchanged[P]
 
@@ -415,7 +415,7 @@ class Classes:
         P = self.ambient.base.prime(prime)
         if P not in self._rows:
             self._rows[P] = [
-                self.neighbours_of(n, P) for n in along(range(len(self)), len(self), "rows")
+                self.neighbours_of(n, P) for n in track(range(len(self)), len(self), "rows")
             ]
         return self._rows[P]
 
@@ -463,7 +463,7 @@ class Classes:
         diagonal matrices, Dₑ = Uᵉ + Vᵉ + central·Dₑ₋₂, and W·Dₑ₋₁ (the affine Weyl group of GL₂).
         """
         q, one = P.norm(), central**0
-        found = [self._classes_inside(n, P) for n in along(range(len(self)), len(self), "rows")]
+        found = [self._classes_inside(n, P) for n in track(range(len(self)), len(self), "rows")]
         cuts = (slice(q), slice(q, 2 * q), slice(2 * q, None))
         U, V, W = (self._matrix([Counter(classes[cut]) for classes in found]) for cut in cuts)
         diagonal = [one * 0, one]
@@ -491,7 +491,7 @@ class Classes:
         }
         inverses = list(map(inverse, self.lattices))
         table = [[0] * len(self) for _ in size]
-        for i in along(size, len(self), "rows"):
+        for i in track(size, len(self), "rows"):
             for j in size:
                 I, J = self.norms[i], self.norms[j]
                 generator = generators[I.number, J.number]

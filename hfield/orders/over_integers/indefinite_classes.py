@@ -45,7 +45,7 @@ class IndefiniteClassSet(Hinted):
     ``group`` is the group of ideals modulo generators positive where the algebra ramifies, with ``class_of``.
     """
 
-    elsewhere: ClassVar = {name: hint for name, hint in CLASSES.items() if "brandt" not in hint}
+    foreign_names: ClassVar = {name: hint for name, hint in CLASSES.items() if "brandt" not in hint}
 
     def __init__(self, order: Any) -> None:
         self.order, ambient = order, order.value.ambient

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.primality import WORD
 from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.over_integers.equivalence import units
@@ -27,7 +28,6 @@ from hfield.orders.short_elements import (
     rows_of_norm,
     ternary_rows,
 )
-from hfield.primality import WORD
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion

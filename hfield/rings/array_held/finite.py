@@ -17,8 +17,8 @@ from hfield.compiling.arithmetics.register_tables import (
 )
 from hfield.compiling.arithmetics.residues import Residues
 from hfield.compiling.calling import Kernel
-from hfield.factorisation import factorise
-from hfield.product import Constants
+from hfield.core.factorisation import factorise
+from hfield.core.product import Constants
 from hfield.rings.array_held import programs
 from hfield.rings.array_held.held_values import HeldArrays
 from hfield.rings.array_held.labels import LabelArrays

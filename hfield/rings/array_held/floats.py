@@ -11,13 +11,13 @@ from hfield.compiling import machine_code, memory
 from hfield.compiling.arithmetics.doubles import Doubles
 from hfield.compiling.calling import Kernel
 from hfield.compiling.memory import rows_of
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import FIRST, SECOND, pattern, specialise
 from hfield.errors import CoercionError
-from hfield.product import Constants, Coordinates
 from hfield.rings.array_held import programs
 from hfield.rings.array_held.rows import block_of
 from hfield.rings.arrays import one_shape, read_only
 from hfield.rings.holding import Batch
-from hfield.straight_line import FIRST, SECOND, pattern, specialise
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index

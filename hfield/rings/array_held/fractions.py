@@ -13,14 +13,14 @@ import numpy as np
 
 from hfield.compiling.lowest_terms import lowest
 from hfield.compiling.memory import Rows
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import FIRST, SECOND, Program
 from hfield.errors import CoercionError
-from hfield.product import Constants, Coordinates
 from hfield.rings.array_held import programs
 from hfield.rings.array_held.programs import Sides
 from hfield.rings.array_held.words import WORD, WordArrays
 from hfield.rings.arrays import objects, one_shape
 from hfield.rings.rational import is_plain_array
-from hfield.straight_line import FIRST, SECOND, Program
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hfield.product import Constants, Coordinates
+from hfield.core.product import Constants, Coordinates
 from hfield.rings.arrays import Objects, objects, one_shape, wrap
 from hfield.rings.holding import Batch, Holding
 

@@ -11,14 +11,14 @@ from hfield.compiling import machine_code
 from hfield.compiling.arithmetic import Arithmetic
 from hfield.compiling.calling import Kernel
 from hfield.compiling.memory import Rows
+from hfield.core.factorisation import factorise
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import Program
 from hfield.errors import CoercionError, shorten
-from hfield.factorisation import factorise
-from hfield.product import Constants, Coordinates
 from hfield.rings.array_held import programs
 from hfield.rings.array_held.rows import Row, RowArrays, inverses
 from hfield.rings.arrays import objects
 from hfield.rings.rational import is_plain_array
-from hfield.straight_line import Program
 
 if TYPE_CHECKING:
     import galois

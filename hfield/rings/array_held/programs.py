@@ -1,6 +1,6 @@
 """The programs that arrays of quaternions need beside those of the one formula: coordinate by coordinate."""
 
-from hfield.straight_line import FIRST, SECOND, ZERO, Program, Step
+from hfield.core.straight_line import FIRST, SECOND, ZERO, Program, Step
 
 Sides = tuple[tuple[str, ...], ...]  # the names of the rows of each operand
 

@@ -10,13 +10,13 @@ import numpy as np
 
 from hfield.compiling import memory
 from hfield.compiling.memory import Rows, address, rows_of
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import FIRST, SECOND, Program, pattern, specialise
 from hfield.errors import CoercionError
-from hfield.product import Constants, Coordinates
 from hfield.rings.array_held import programs
 from hfield.rings.array_held.programs import Sides
 from hfield.rings.arrays import one_shape, owned, read_only
 from hfield.rings.holding import Batch, Holding
-from hfield.straight_line import FIRST, SECOND, Program, pattern, specialise
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index

@@ -1,6 +1,6 @@
-"""Arrays over ℤ as rows of integers of 8 to 64 bits: the bounds of what is computed say how wide they are.
+"""Arrays over ℤ as rows of integers of 8 to 64 bits, whose width follows from bounds of the results.
 
-In 64 bits overflow is noticed, and the computation goes on with what single elements are held as.
+In 64 bits overflow is noticed, and the computation goes on with the representation of single elements.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from hfield.compiling.arithmetics.machine_integers import (
 )
 from hfield.compiling.calling import Kernel
 from hfield.compiling.instructions import Code
-from hfield.compiling.loops import Operand, written
+from hfield.compiling.loops import Operand, emit_body
 from hfield.compiling.memory import Rows, rows_of
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import Program, pattern
 from hfield.errors import CoercionError
-from hfield.product import Constants, Coordinates
 from hfield.rings.array_held.held_values import HeldArrays, each
 from hfield.rings.array_held.rows import Row, RowArrays
 from hfield.rings.arrays import objects, read_only
 from hfield.rings.rational import is_plain_array
-from hfield.straight_line import Program, pattern
 
 if TYPE_CHECKING:
     from hfield.compiling.arithmetic import Arithmetic
@@ -282,4 +282,4 @@ def _fits(
     literals: dict[str, int],
     arithmetic: Arithmetic,
 ) -> object:
-    return written(Code(), program, arithmetic, operands, literals)
+    return emit_body(Code(), program, arithmetic, operands, literals)

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield import syntax
+from hfield.core.product import Scalar
 from hfield.errors import CoercionError, NotInvertibleError, shorten
-from hfield.product import Scalar
 from hfield.rings.base import INFINITY, Known
 from hfield.rings.closed_fields.radicals import FUNCTIONS, ROOTS
 from hfield.rings.closed_fields.surds import Surd, from_rational
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 _I = Surd({-1: flint.fmpq(1)})
 
-MOST_OPERATIONS = 24  # of a root in radicals; longer ones go by number
+MAX_OPERATIONS = 24  # of a root in radicals; longer ones go by number
 
 
 class AlgebraicNumbers(ValueRing):
@@ -292,7 +292,7 @@ def _roots_in_radicals(g: flint.fmpq_poly) -> list[Any]:
         return [sympy.cos(turn) + sympy.I * sympy.sin(turn) for turn in turns]
     rationals = [sympy.Rational(int(c.p), int(c.q)) for c in reversed(g.coeffs())]
     roots = list(map(sympy.sqrtdenest, sympy.roots(sympy.Poly(rationals, sympy.Symbol("x")))))
-    return roots if all(z.count_ops() <= MOST_OPERATIONS for z in roots) else []
+    return roots if all(z.count_ops() <= MAX_OPERATIONS for z in roots) else []
 
 
 RR = AlgebraicNumbers("RR")

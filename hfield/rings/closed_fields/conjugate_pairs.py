@@ -30,7 +30,7 @@ from hfield.rings.isolated_roots import isolated_roots
 if TYPE_CHECKING:
     import sympy
 
-MOST_PAIRED = 16  # the degree of polynomials for pairs of whose roots a field is made
+MAX_PAIRED = 16  # the degree of polynomials for pairs of whose roots a field is made
 
 
 def factors(g: flint.fmpq_poly, is_real: bool, short: Sequence[Closed]) -> list[list[Any]]:
@@ -66,7 +66,7 @@ def trace_and_norm(root: Numbered, short: Sequence[sympy.Expr]) -> tuple[Any, An
         pairs = zip(of_short, spelled, strict=True)
         spelled = [min(pair, key=lambda e: len(closed_text(e))) for pair in pairs]
     c = root[1:]
-    if len(c) - 1 > MOST_PAIRED:
+    if len(c) - 1 > MAX_PAIRED:
         return number(spelled[0]), number(spelled[1])
     shift, whole, trace, norm = _of_pairs(c)
 

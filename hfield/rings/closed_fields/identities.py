@@ -14,7 +14,7 @@ from typing import Any
 import flint
 import sympy
 
-from hfield.factorisation import factor
+from hfield.core.factorisation import factor
 
 MOST = 1_000_000  # products of terms that are worked out, and terms that are looked at
 MAX_DEGREE = 5_000  # of a radical

@@ -18,7 +18,7 @@ from hfield.errors import CoercionError, shorten
 from hfield.rings.balls import precision
 from hfield.rings.isolated_roots import IsolatedRoots, isolated_roots
 
-LEAST_DEGREE = 3  # below they are written with square roots
+MIN_DEGREE = 3  # below they are written with square roots
 
 
 class RootOf(sympy.Function):  # type: ignore[misc,unused-ignore]
@@ -123,9 +123,9 @@ def read(name: str, arguments: Sequence[int | None]) -> Any:
     n, *c = whole
     f = flint.fmpz_poly(c)
     factors = f.factor()
-    if f.degree() < LEAST_DEGREE or abs(factors[0]) != 1 or [e for _, e in factors[1]] != [1]:
+    if f.degree() < MIN_DEGREE or abs(factors[0]) != 1 or [e for _, e in factors[1]] != [1]:
         raise CoercionError(
-            f"{name} takes a primitive polynomial over ZZ, irreducible and of degree {LEAST_DEGREE} or more; "
+            f"{name} takes a primitive polynomial over ZZ, irreducible and of degree {MIN_DEGREE} or more; "
             f"found {shorten(f)}"
         )
     real = isolated_roots(tuple(c)).real_count

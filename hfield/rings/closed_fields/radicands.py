@@ -9,8 +9,8 @@ from collections.abc import Iterable
 from functools import lru_cache
 from math import gcd, isqrt
 
-from hfield.factorisation import SIEVED_BITS, coprime_base, factor, remove
-from hfield.primality import power_root
+from hfield.core.factorisation import SIEVED_BITS, coprime_base, factor, remove
+from hfield.core.primality import power_root
 
 PROVED_BELOW = 1 << SIEVED_BITS
 """Reduced radicands below are squarefree; greater ones may hide the square of a large prime."""

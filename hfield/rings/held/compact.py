@@ -9,10 +9,10 @@ from functools import lru_cache, partial
 from textwrap import indent
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants
+from hfield.core.straight_line import Program, arithmetic_text
 from hfield.errors import shorten
-from hfield.product import Constants
 from hfield.rings.holding import H, Holding
-from hfield.straight_line import Program, arithmetic_text
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

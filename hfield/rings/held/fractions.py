@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.product import Constants, Coordinates, Scalar
+from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.core.straight_line import FIRST, named, parts, specialise_extension
 from hfield.rings.held.compact import LARGE, function, statements
 from hfield.rings.held.numerators import Held, Numerators
-from hfield.straight_line import FIRST, named, parts, specialise_extension
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring

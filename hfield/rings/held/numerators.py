@@ -6,9 +6,9 @@ from abc import abstractmethod
 from collections.abc import Hashable
 from typing import Any
 
-from hfield.product import Scalar
+from hfield.core.product import Scalar
+from hfield.core.straight_line import FIRST, SECOND, parts, specialise_extension
 from hfield.rings.held.compact import Compact, function, statements
-from hfield.straight_line import FIRST, SECOND, parts, specialise_extension
 
 Held = tuple[Any, ...]  # the numerators of w, x, y, z, and the denominator last
 
@@ -19,7 +19,7 @@ class Numerators(Compact[Held]):
     A coordinate has n numerators, the coefficients of 1, s, …, sⁿ⁻¹; ``relation`` says what sⁿ is. The basis
     is scaled to i′ = m·i, j′ = k·j, so that the constants a′ = m²a, t′ = mt, b′ = k²b have no denominators:
     the algebra keeps its form, and so its formula. ``pattern`` and ``relation`` are as
-    :func:`~hfield.straight_line.specialise_extension` takes them.
+    :func:`~hfield.core.straight_line.specialise_extension` takes them.
     """
 
     inverted = [  # noqa: RUF012 - never changed

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.core.straight_line import BINARY, GENERAL, pattern, specialise
 from hfield.errors import HFieldError
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.held.compact import Compact, function, statements
-from hfield.straight_line import BINARY, GENERAL, pattern, specialise
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.product import Constants, Coordinates, Scalar
+from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.core.straight_line import BINARY, pattern, specialise
 from hfield.rings.held.compact import LARGE, Compact, function, statements
 from hfield.rings.residue_polynomials import polynomials_modulo
-from hfield.straight_line import BINARY, pattern, specialise
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from hfield.product import Constants, Coordinates
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import BINARY, FIRST, GENERAL, pattern, specialise
 from hfield.rings.held.compact import Compact, function, statements
-from hfield.straight_line import BINARY, FIRST, GENERAL, pattern, specialise
 
 if TYPE_CHECKING:
     import flint

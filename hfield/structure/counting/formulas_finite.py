@@ -18,9 +18,9 @@ from typing import Any, NamedTuple
 
 import flint
 
+from hfield.core.factorisation import factorise
+from hfield.core.product import Constants, Scalar
 from hfield.errors import CoercionError, NotFiniteError, TooLargeError
-from hfield.factorisation import factorise
-from hfield.product import Constants, Scalar
 from hfield.rings.base import Ring
 from hfield.rings.finite import PrimeField
 from hfield.rings.modular import Modular

@@ -2,7 +2,7 @@
 
 All elements with the first coordinate fixed go through at once: through compiled loops where they are many
 and the ring has some, else through tables of the ring's sums and products, which numpy looks up. Both ways
-the product is the one formula of :mod:`hfield.product`.
+the product is the one formula of :mod:`hfield.core.product`.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm
+from hfield.core.progress import track
 from hfield.errors import NotFiniteError, TooLargeError, shorten
-from hfield.product import Constants, Coordinates, Scalar, multiply, norm
-from hfield.progress import along
 from hfield.rings.base import Ring
 from hfield.structure.counting.formulas_finite import Count, count
 
@@ -123,7 +123,7 @@ def tally(ring: Ring, c: Constants) -> Tally:
     norms, squares = np.zeros(q, dtype=np.int64), np.zeros(q, dtype=np.int64)
     result = Tally(elements=q**4)
     steps = 0 if ring.is_field else max(1, q.bit_length())
-    for w in along(range(q), q, "elements"):
+    for w in track(range(q), q, "elements"):
         element = (np.full(q**3, w, dtype=work.dtype), x, y, z)
         norms += np.bincount(work.norm(element), minlength=q)
         square = work.square(element)

@@ -8,7 +8,7 @@ F[ε, δ] with ε² = δ² = 0 if a and b are squares, else F^(1/2)[ε].
 
 from typing import Any
 
-from hfield.product import Constants, Coordinates, Scalar
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.rings.base import Ring
 from hfield.structure.forms import (
     NormalForm,

@@ -5,8 +5,8 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from typing import Any
 
+from hfield.core.product import Constants, Coordinates, conjugate, multiply, trace
 from hfield.errors import MixedParentsError, UndecidedError
-from hfield.product import Constants, Coordinates, conjugate, multiply, trace
 from hfield.rings.base import Ring
 from hfield.structure.forms import (
     discriminant,

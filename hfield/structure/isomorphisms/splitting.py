@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from hfield.core.product import Constants, Coordinates, Scalar, multiply
 from hfield.errors import CoercionError, UndecidedError
-from hfield.product import Constants, Coordinates, Scalar, multiply
 from hfield.rings.base import Ring
 from hfield.structure.forms import (
     discriminant,

@@ -10,7 +10,7 @@ import itertools
 from collections.abc import Callable
 from typing import Any
 
-from hfield.product import Constants, Coordinates, Scalar, multiply, norm
+from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm
 from hfield.rings.base import Ring
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.norm_forms.zero_norms import zero_norm

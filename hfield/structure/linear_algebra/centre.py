@@ -1,7 +1,7 @@
 """The centre, by linear algebra in the base ring: q is central when it commutes with i and j."""
 
+from hfield.core.product import Constants, Coordinates, multiply
 from hfield.errors import UndecidedError
-from hfield.product import Constants, Coordinates, multiply
 from hfield.rings.base import Ring
 from hfield.structure.forms import discriminant
 from hfield.structure.linear_algebra.kernels import kernel

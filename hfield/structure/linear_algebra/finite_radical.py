@@ -11,9 +11,9 @@ import itertools
 from math import prod
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.factorisation import factorise
+from hfield.core.product import Constants, Coordinates, Scalar, norm
 from hfield.errors import UndecidedError, shorten
-from hfield.factorisation import factorise
-from hfield.product import Constants, Coordinates, Scalar, norm
 from hfield.rings.base import Ring
 from hfield.rings.modular import Modular
 from hfield.rings.powers import power

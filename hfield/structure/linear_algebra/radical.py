@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from hfield.core.product import Constants, Coordinates, Scalar, multiply
 from hfield.errors import UndecidedError, shorten
-from hfield.product import Constants, Coordinates, Scalar, multiply
 from hfield.rings.base import Ring
 from hfield.rings.integers import ZZ
 from hfield.rings.polynomials import PolynomialRing

@@ -10,8 +10,8 @@ import math
 from collections.abc import Callable, Hashable, Iterable
 from typing import Any
 
+from hfield.core.product import Scalar
 from hfield.errors import UndecidedError, shorten
-from hfield.product import Scalar
 from hfield.rings.base import Ring
 from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular

@@ -12,7 +12,7 @@ from __future__ import annotations
 from itertools import permutations, product
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
-from hfield.product import Constants
+from hfield.core.product import Constants
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, none

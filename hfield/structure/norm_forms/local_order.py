@@ -18,8 +18,8 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.product import Constants, Scalar, norm
 from hfield.errors import UndecidedError
-from hfield.product import Constants, Scalar, norm
 from hfield.structure.minimal_conics import Vector, adapt, dot, kernel_at
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.product import Constants, Coordinates, Scalar, conjugate, multiply
+from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply
 from hfield.rings.base import Ring
 from hfield.verdicts import Verdict
 

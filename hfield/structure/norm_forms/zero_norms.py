@@ -8,9 +8,9 @@ import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from hfield.certificates.anisotropy import is_certified
+from hfield.checker.anisotropy import is_certified
+from hfield.core.product import Constants, Coordinates, norm
 from hfield.errors import UndecidedError
-from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import INFINITY, Ring
 from hfield.structure.forms import NormalForm, discriminant, normal_form, root_if_known
 from hfield.structure.global_field import global_field

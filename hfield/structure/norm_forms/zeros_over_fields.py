@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from hfield.core.product import Constants, Coordinates
 from hfield.errors import UndecidedError
-from hfield.product import Constants, Coordinates
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm, normal_form
 from hfield.structure.global_field import global_field

@@ -7,9 +7,9 @@ import math
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
+from hfield.core.factorisation import factorise
+from hfield.core.product import Constants, Coordinates, norm
 from hfield.errors import UndecidedError
-from hfield.factorisation import factorise
-from hfield.product import Constants, Coordinates, norm
 from hfield.rings.base import Ring, shared
 from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular

@@ -17,8 +17,8 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
+from hfield.core.product import Constants, Coordinates, norm, trace
 from hfield.errors import CoercionError, HFieldError, NoSolutionError, RingError, shorten
-from hfield.product import Constants, Coordinates, norm, trace
 from hfield.rings.base import Ring
 from hfield.rings.floats import RDF
 from hfield.structure.single_elements.no_values import NO_POLAR_FORM, no_value

@@ -20,10 +20,10 @@ from hfield.compiling.arithmetic import Symbol
 from hfield.compiling.arithmetics import doubles
 from hfield.compiling.calling import Kernel
 from hfield.compiling.memory import Rows
+from hfield.core.product import Constants, Coordinates, norm
+from hfield.core.straight_line import FIRST
 from hfield.errors import NoSolutionError
-from hfield.product import Constants, Coordinates, norm
 from hfield.rings.array_held.floats import MIN_COMPILED
-from hfield.straight_line import FIRST
 from hfield.structure.single_elements.no_values import NO_POLAR_FORM, no_value
 
 if TYPE_CHECKING:

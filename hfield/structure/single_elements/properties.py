@@ -2,8 +2,8 @@
 
 import itertools
 
+from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.errors import UndecidedError
-from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.base import Ring
 from hfield.rings.powers import power
 from hfield.structure.linear_algebra.centre import basis_of

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.errors import UndecidedError
-from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm, discriminant, normal_form
 from hfield.structure.global_field import global_field, known_field

@@ -11,10 +11,10 @@ from collections.abc import Iterable, Mapping
 from math import prod
 from typing import TYPE_CHECKING
 
+from hfield.core.factorisation import factorise
+from hfield.core.primality import primes
+from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.errors import NotInvertibleError, UndecidedError, shorten
-from hfield.factorisation import factorise
-from hfield.primality import primes
-from hfield.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.rings.base import Ring, WithIntegers
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.single_elements.closed_orders import closed_order

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from itertools import product
 from typing import Any
 
+from hfield.core.product import Constants, Coordinates, norm, trace
 from hfield.errors import UndecidedError
-from hfield.product import Constants, Coordinates, norm, trace
 from hfield.rings.base import Ring
 from hfield.structure.forms import normal_form
 from hfield.structure.global_field import global_field, known_field

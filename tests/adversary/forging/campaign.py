@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from hfield.certificates.check import Established, Pin, check_text
-from hfield.certificates.rejection import Rejected
+from hfield.checker.check import Established, ExpectedClaim, check_text
+from hfield.checker.rejection import Rejected
 from tests.adversary.forging.kinds import forged
 from tests.adversary.forging.mutants import mutated
 from tests.adversary.forging.sight import seen_false, witness
@@ -73,7 +73,7 @@ class Forgery:
     name: str
     text: str
     target: Target | None = None
-    pin: Pin | None = None
+    expected: ExpectedClaim | None = None
     original: Certificate | None = None
 
 
@@ -95,7 +95,7 @@ def draw(rng: random.Random, pool: Sequence[Certificate]) -> Forgery:
 
 
 def _pinned(rng: random.Random) -> Forgery:
-    """A true statement that looks like, begins like or is made from the false one of the pin."""
+    """A true statement that looks like, begins like or is made from the false one expected."""
     target = rng.choice(
         [t for t in TARGETS if t.verdict == "proved" and "exists" not in t.statement]
     )
@@ -107,14 +107,14 @@ def _pinned(rng: random.Random) -> Forgery:
         f"citing{{limits; {s} or 0 == 0}}", s.replace("==", "!=") + " or 1 == 1",
     ))  # fmt: skip
     data = target.certificate({"kind": "identity"}, "identity", statement=wider)
-    other = Pin((s,), target.field, target.algebra, any_field=rng.random() < 0.3)
+    other = ExpectedClaim((s,), target.field, target.algebra, any_field=rng.random() < 0.3)
     return Forgery("pins", json.dumps(data), target, other)
 
 
-def _checked(text: str, pin: Pin | None) -> Established:
+def _checked(text: str, expected: ExpectedClaim | None) -> Established:
     """Check; a forger mends what the checker says of ``method`` and ``assumes``, and checks again."""
     try:
-        return check_text(text, pin)
+        return check_text(text, expected)
     except Rejected as error:
         said = str(error)
     _, methods, wanted = said.partition("is not that of the evidence: ")
@@ -123,10 +123,10 @@ def _checked(text: str, pin: Pin | None) -> Established:
         raise Rejected(said)
     data = json.loads(text)
     if methods and data["method"] != wanted:
-        return _checked(json.dumps({**data, "method": wanted}), pin)
+        return _checked(json.dumps({**data, "method": wanted}), expected)
     if assumes and not data["assumes"]:
         own = [] if cites == "nothing" else cites.split("; ")
-        return _checked(json.dumps({**data, "assumes": own}), pin)
+        return _checked(json.dumps({**data, "assumes": own}), expected)
     raise Rejected(said)
 
 
@@ -137,7 +137,7 @@ def run(count: int, seed: int, pool: Sequence[Certificate]) -> Outcome:
         made = draw(rng, pool)
         out.tally[made.name] += 1
         try:
-            established = _checked(made.text, made.pin)
+            established = _checked(made.text, made.expected)
         except Rejected:
             out.tally["rejected"] += 1
             continue

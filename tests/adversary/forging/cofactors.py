@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from tests.adversary.forging.targets import Target
-from tests.certificates.ring_data import INFINITY, number, prime, split
+from tests.checker.ring_data import INFINITY, number, prime, split
 
 Item = dict[str, Any]
 DIGITS = (8, 10, 12, 15, 16, 20, 24, 31, 32)  # where an exponent might be cut off

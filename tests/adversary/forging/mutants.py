@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from hfield.proving.prove import prove
+from hfield.prover.prove import prove
 from tests.adversary.forging.targets import Certificate
 
 FIELDS = (

@@ -3,10 +3,10 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
-from hfield.certificates.rejection import Rejected
+from hfield.checker.rejection import Rejected
 from hfield.errors import RingError
-from tests.certificates.cases import with_rings
-from tests.certificates.ring_data import (
+from tests.checker.cases import with_rings
+from tests.checker.ring_data import (
     QQ,
     Data,
     completion,

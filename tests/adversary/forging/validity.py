@@ -1,7 +1,7 @@
 """Whether evidence that differs from the original is valid all the same, by other means than the checker's.
 
 Witnesses are evaluated in the package's own rings, cofactors multiplied out by flint, words by the
-prover's rewriting; for the rest the prover is asked again. Nothing of hfield.certificates is used.
+prover's rewriting; for the rest the prover is asked again. Nothing of hfield.checker is used.
 """
 
 import re
@@ -11,16 +11,16 @@ from typing import Any
 
 from flint import fmpz_mat
 
+from hfield.core.product import Constants, multiply, norm
 from hfield.errors import HFieldError
 from hfield.fields.names import ring
 from hfield.ledger.linear_algebra import centre_equations
-from hfield.product import Constants, multiply, norm
-from hfield.proving.evaluation.evaluator import Evaluator
-from hfield.proving.evaluation.scalars import RingScalars
-from hfield.proving.polynomials.free_algebra import multiply_out
-from hfield.proving.prove import prove
-from hfield.proving.statements.language import read_statement
-from hfield.proving.statements.setting import read_setting
+from hfield.prover.evaluation.evaluator import Evaluator
+from hfield.prover.evaluation.scalars import RingScalars
+from hfield.prover.polynomials.free_algebra import multiply_out
+from hfield.prover.prove import prove
+from hfield.prover.statements.language import read_statement
+from hfield.prover.statements.setting import read_setting
 from tests.adversary.forging.validity_of_items import implication
 from tests.adversary.grammar import NotRead
 from tests.adversary.ring_names import name_of

@@ -1,6 +1,6 @@
 """Whether the items of an implication's evidence are valid: its polynomials multiplied out by flint.
 
-The part of validity.py that is about cofactors; it uses nothing of hfield.certificates either.
+The part of validity.py that is about cofactors; it uses nothing of hfield.checker either.
 """
 
 import re
@@ -9,9 +9,9 @@ from typing import Any
 
 from flint import Ordering, fmpz_mpoly_ctx
 
+from hfield.core.product import Constants, norm
 from hfield.fields.names import ring
-from hfield.product import Constants, norm
-from hfield.proving.statements.setting import read_setting
+from hfield.prover.statements.setting import read_setting
 from hfield.syntax import Reader
 
 Certificate = dict[str, Any]

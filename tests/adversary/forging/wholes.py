@@ -5,7 +5,7 @@ from typing import Any
 
 from tests.adversary.forging.cofactors import HALF, UNIT_I, UNIT_J, ZERO
 from tests.adversary.forging.targets import Certificate, Target, any_data
-from tests.certificates.ring_data import INFINITY, number, prime, split
+from tests.checker.ring_data import INFINITY, number, prime, split
 
 FIELDS = (
     *(

@@ -15,7 +15,7 @@ from tests.adversary.hostile.writing import (
     ratio,
     repeated,
 )
-from tests.certificates.ring_data import (
+from tests.checker.ring_data import (
     CC,
     CDF,
     QQ,
@@ -36,7 +36,7 @@ from tests.certificates.ring_data import (
     root_field,
     split,
 )
-from tests.certificates.ring_data import number as at_number
+from tests.checker.ring_data import number as at_number
 
 ROOTS = (2, 3, 5, 7, 11)
 C_79 = cyclotomic(79, True)

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from hfield.certificates.glossary import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS
+from hfield.checker.glossary import COMPLEX_ROOT, ODD_DEGREE, REAL_ROOTS
 from tests.adversary.hostile.rings import GF_64, close_roots
 from tests.adversary.hostile.writing import (
     IDENTITY,
@@ -15,9 +15,9 @@ from tests.adversary.hostile.writing import (
     ratio,
     repeated,
 )
-from tests.certificates.cases import Field
-from tests.certificates.ring_data import QQ, ZZ, Data, completion, functions, polynomials, quadratic
-from tests.certificates.ring_data import number as at_number
+from tests.checker.cases import Field
+from tests.checker.ring_data import QQ, ZZ, Data, completion, functions, polynomials, quadratic
+from tests.checker.ring_data import number as at_number
 
 
 def tried(field: Field, statement: str, count: int) -> str:

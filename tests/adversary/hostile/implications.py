@@ -4,9 +4,9 @@ from functools import partial
 from typing import Any
 
 from tests.adversary.hostile.writing import LONG, Hostile, joined, number, proved, ratio
-from tests.certificates.cases import Field
-from tests.certificates.ring_data import cyclotomic
-from tests.certificates.ring_data import number as at_number
+from tests.checker.cases import Field
+from tests.checker.ring_data import cyclotomic
+from tests.checker.ring_data import number as at_number
 
 
 def implied(

@@ -5,7 +5,7 @@ from functools import partial
 from math import comb, gcd
 from typing import Any
 
-from hfield.certificates.scalars.finite import is_prime
+from hfield.checker.scalars.finite import is_prime
 from tests.adversary.hostile.writing import (
     IDENTITY,
     LONG,
@@ -18,7 +18,7 @@ from tests.adversary.hostile.writing import (
     proved,
     ratio,
 )
-from tests.certificates.ring_data import (
+from tests.checker.ring_data import (
     INFINITY,
     QQ,
     ZZ,
@@ -39,7 +39,7 @@ from tests.certificates.ring_data import (
     root_field,
     split,
 )
-from tests.certificates.ring_data import number as at_number
+from tests.checker.ring_data import number as at_number
 
 PRIME = 3317044064679887385961813  # just below the bound of what is proved prime
 PRIMES = [n for n in range(10**9 - 1_500, 10**9) if is_prime(n)]

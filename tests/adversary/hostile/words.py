@@ -3,12 +3,12 @@
 from functools import partial
 from typing import Any
 
-from hfield.certificates.glossary import CIRCLE, INDUCTION, KULIKOV, REAL_ROOTS
+from hfield.checker.glossary import CIRCLE, INDUCTION, KULIKOV, REAL_ROOTS
 from tests.adversary.hostile.rings import GF_64
 from tests.adversary.hostile.writing import LENGTH, LONG, Hostile, number, proved, ratio, repeated
-from tests.certificates.cases import Field
-from tests.certificates.ring_data import QQ, Data, cyclotomic, finite, functions, ideal, quadratic
-from tests.certificates.ring_data import number as at_number
+from tests.checker.cases import Field
+from tests.checker.ring_data import QQ, Data, cyclotomic, finite, functions, ideal, quadratic
+from tests.checker.ring_data import number as at_number
 
 TRIANGULAR = ";".join(",".join("0" * m + "1" + "7" * (5 - m)) for m in range(6))
 

@@ -5,11 +5,11 @@ from collections.abc import Callable, Iterable, Sequence
 from random import Random
 from typing import Any
 
-from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_ring
-from hfield.certificates.work import bounded
-from tests.certificates.cases import Field, certified
-from tests.certificates.ring_data import Data
+from hfield.checker.budget import bounded
+from hfield.checker.rejection import Rejected
+from hfield.checker.scalars.fields import read_ring
+from tests.checker.cases import Field, certified
+from tests.checker.ring_data import Data
 
 Hostile = tuple[Callable[[int], str], int, int]  # a file of a size, a small one, and a large one
 

@@ -12,9 +12,9 @@ from math import prod
 from random import Random
 from typing import Any
 
-from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_ring
-from hfield.certificates.work import bounded
+from hfield.checker.budget import bounded
+from hfield.checker.rejection import Rejected
+from hfield.checker.scalars.fields import read_ring
 from hfield.errors import HFieldError
 from hfield.fields.names import ring, ring_of_data
 from tests.adversary.names import composed, some_data

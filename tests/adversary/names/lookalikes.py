@@ -9,12 +9,12 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
-from hfield.certificates.check import check
-from hfield.certificates.rejection import Rejected
-from hfield.certificates.scalars.fields import read_ring
+from hfield.checker.check import check
+from hfield.checker.rejection import Rejected
+from hfield.checker.scalars.fields import read_ring
 from hfield.errors import HFieldError
 from hfield.fields.names import ring
-from hfield.proving.prove import prove
+from hfield.prover.prove import prove
 from tests.adversary.names.numbers import Data
 from tests.adversary.names.reader import read
 

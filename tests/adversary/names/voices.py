@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from hfield.certificates.rejection import Rejected
+from hfield.checker.rejection import Rejected
 from hfield.errors import UndecidedError
 from tests.adversary.names.facts import ASKED, Facts
 

@@ -19,7 +19,7 @@ Rows = tuple[Vector, ...]
 Binary = tuple[Any, Any]
 
 ONE: Vector = (fmpq(1), fmpq(0), fmpq(0), fmpq(0))
-MOST_STEPS = 300
+MAX_STEPS = 300
 """Very skew bases are left as they are then."""
 LARGEST_BOX = 400
 """Boxes have about this many points at most: so far norms are compared."""
@@ -133,7 +133,7 @@ class Plain:
         """A basis of the same lattice: multiples of one element taken off another while it gets shorter."""
         gram, n = self.gram(basis), len(basis)
         steps = [[int(r == c) for c in range(n)] for r in range(n)]
-        for _ in range(MOST_STEPS):
+        for _ in range(MAX_STEPS):
             pairs = itertools.permutations(range(n), 2)
             r, k = next(((r, k) for r, k in pairs if 2 * abs(gram[r][k]) > gram[k][k]), (0, 0))
             if r == k:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from hfield.certificates.glossary import (
+from hfield.checker.glossary import (
     ARTIN,
     BY_S_UNITS,
     CUSICK,
@@ -13,11 +13,11 @@ from hfield.certificates.glossary import (
     MINKOWSKI,
     REDUCED_FORMS,
 )
+from hfield.core.primality import primes
 from hfield.evidence import Claim
 from hfield.fields.number_fields.classes import s_units
 from hfield.fields.number_fields.classes.s_units import SUnits
 from hfield.fields.number_fields.integral_basis import coordinate_rows
-from hfield.primality import primes
 
 CITED = {s_units.FRIEDMAN: FRIEDMAN, s_units.ARTIN: ARTIN, s_units.CUSICK: CUSICK}
 

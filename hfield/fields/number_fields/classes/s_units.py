@@ -23,8 +23,9 @@ from typing import Any
 
 import flint
 
+from hfield.core.factorisation import remove
+from hfield.core.primality import is_prime, primes
 from hfield.errors import TooLargeError, UndecidedError, shorten
-from hfield.factorisation import remove
 from hfield.fields.number_fields.classes.reduced_ideals import ReducedIdeals
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import Ideal, Integers, integers
@@ -32,7 +33,6 @@ from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.ring import NumberField
-from hfield.primality import is_prime, primes
 from hfield.rings.balls import precision
 from hfield.rings.residue_polynomials import residues
 

@@ -17,8 +17,8 @@ from typing import Any
 
 import flint
 
+from hfield.core.factorisation import factorise
 from hfield.errors import RingError, TooLargeError, shorten
-from hfield.factorisation import factorise
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import Integers, integers
 from hfield.fields.number_fields.integral_basis import element_of

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
-from hfield.factorisation import Factors, known_primes
+from hfield.core.factorisation import Factors, known_primes
+from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.fields.number_fields.arithmetic import NumberFieldArithmetic
 from hfield.fields.number_fields.places import Place
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -20,7 +21,6 @@ from hfield.fields.number_fields.quadratic.symbols import (
 from hfield.fields.rationals.conics import solve_conic
 from hfield.fields.rationals.embedding import traceless_root_rational
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.product import Constants, Coordinates, Scalar
 from hfield.rings.integers import QQ
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField

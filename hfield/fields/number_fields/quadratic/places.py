@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import remove
 from hfield.errors import RingError
-from hfield.factorisation import remove
 from hfield.fields.number_fields.places import ComplexPlace, RealPlace
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, general_primes_above
 

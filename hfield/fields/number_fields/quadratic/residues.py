@@ -10,7 +10,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from hfield.factorisation import remove
+from hfield.core.factorisation import remove
 from hfield.fields.function_fields.residues import ResidueField
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.number_fields.quadratic.places import (

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.core.factorisation import UnfactoredError, factorise
+from hfield.core.product import Constants
 from hfield.errors import CoercionError, HFieldError, RingError, shorten
-from hfield.factorisation import UnfactoredError, factorise
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ring import NumberField
-from hfield.product import Constants
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.closed_fields.radicands import reduced
 from hfield.rings.closed_fields.surds import Surd, sympy_of

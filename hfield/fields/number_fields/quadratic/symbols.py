@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from hfield.core.factorisation import factorise, remove
 from hfield.errors import RingError
-from hfield.factorisation import factorise, remove
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.places import Place, place_of_number_field
 from hfield.fields.number_fields.prime_ideals import primes_above

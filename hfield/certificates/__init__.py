@@ -1,5 +1,0 @@
-"""The independent checker of certificates ``hfield-cert/2``: the standard library and nothing else.
-
-No module here imports anything of the rest of the package; the parser, the arithmetic and the
-product are written a second time, from docs/certificates.md. Begin with :mod:`hfield.certificates.check`.
-"""

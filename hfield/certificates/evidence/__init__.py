@@ -1,5 +1,0 @@
-"""Kinds of evidence, one module a kind or a few that belong together.
-
-``CHECKS`` of a module says what its evidence shows: by the verdict, whether the statement says "exists", and
-the kind that the evidence names. :mod:`hfield.certificates.kinds` finds the modules by their names.
-"""

@@ -1,0 +1,151 @@
+"""Check that a norm form is 0 only at 0: by an ordering, a level, a place or a specialisation.
+
+At a place two elements u and j of the algebra are given, such that N(x + y·u) has twice the valuation that x
+or y has, and N(j) an odd one; and such that nothing cancels in N(x + y·u + j·(z + w·u)). Nothing in this
+depends on the characteristic, nor on that of the residues. docs/trust.md has the proofs.
+"""
+
+from collections.abc import Hashable, Mapping
+from typing import Any
+
+from hfield.checker.budget import bounded
+from hfield.checker.evaluate import Evaluator, RingScalars
+from hfield.checker.language import walk
+from hfield.checker.rejection import Rejected, a_text, an_object, reject, texts
+from hfield.checker.scalars.fields import read_ring
+from hfield.checker.scalars.functions import SeveralVariables
+from hfield.checker.scalars.place import Place
+from hfield.checker.scalars.ring import Ring
+from hfield.checker.statement import read_setting
+
+Constants = tuple[Any, Any, Any]
+KEYS = {
+    "ordering": "by",
+    "level": "by",
+    "place": "by place u j",
+    "specialisation": "by at proof",
+}
+
+
+def anisotropic(field: Ring, c: Constants, data: object, algebra: str) -> tuple[str, ...]:
+    """Prove that the norm of the algebra (a, t, b) is 0 only at 0, or raise :class:`Rejected`.
+
+    Returns the theorems that are cited: none. ``data`` says ``by`` what it is shown.
+    """
+    by = data.get("by") if isinstance(data, Mapping) else None
+    if not isinstance(by, str) or by not in KEYS:
+        reject(f"the reason for the norm form of {algebra} is of no known kind")
+    data = an_object(data, KEYS[by], "a fact about a norm")
+    if not field.is_field:
+        reject(f"{field.name} is no exact field")
+    if by == "ordering":
+        _by_ordering(field, c)
+    elif by == "level":
+        _by_level(field, c)
+    elif by == "place":
+        u, j = _quaternion(field, data["u"]), _quaternion(field, data["j"])
+        _by_place(field, c, field.place(data["place"]), u, j)
+    else:
+        point = a_text(data["at"], "a point")
+        base, value = field.at(point)
+        a, t, b = map(value, c)
+        anisotropic(base, (a, t, b), data["proof"], f"{algebra} at {point}")
+    return ()
+
+
+def is_certified(algebra: str, ring: object, data: object) -> bool:
+    """Tell whether this shows that the norm form of a named algebra is 0 only at 0."""
+    try:
+        with bounded():
+            field, c = constants_of(algebra, ring)
+            anisotropic(field, c, data, algebra)
+    except Rejected:
+        return False
+    return True
+
+
+def is_readable(algebra: str, ring: object) -> bool:
+    """Tell whether this module can read the constants of an algebra and the places of its field."""
+    try:
+        field, _ = constants_of(algebra, ring)
+    except Rejected:
+        return False
+    return not isinstance(field, SeveralVariables)
+
+
+def constants_of(algebra: str, data: object) -> tuple[Ring, Constants]:
+    """Return the field that the data say, and (a, t, b). Raises :class:`Rejected`."""
+    ring = read_ring(data)
+    setting = read_setting(algebra, ring)
+    constants: dict[Any, Any] = {}
+    for tree in setting.constants:
+        constants |= {
+            node: ring.constant(node) for node in walk(tree) if node[0] in ("name", "call")
+        }
+    if None in constants.values():
+        reject("the structure constants are not known")
+    evaluator = Evaluator(RingScalars(ring), setting.constants, constants)
+    if evaluator.conditions:
+        reject("the structure constants are not defined")
+    a, t, b = evaluator.constants
+    return ring, (a, t, b)
+
+
+def _quaternion(field: Ring, value: object) -> list[Hashable]:
+    found = texts(value, "coordinates", 4)
+    if len(found) != 4:
+        reject("a quaternion has four coordinates")
+    return [field.read(text) for text in found]
+
+
+def _by_ordering(field: Ring, c: Constants) -> None:
+    """Let 4N = (2w + tx)² − d·x² − b·((2y + tz)² − d·z²), d = t² + 4a, where d and b are negative."""
+    a, t, b = c
+    d = field.add(field.mul(t, t), field.mul(field.number(4), a))
+    signs = zip(field.signs(d), field.signs(b), strict=True)  # None where there is no ordering
+    if (-1, -1) not in signs:
+        reject("the constants are not both negative in an ordering that is known here")
+
+
+def _by_level(field: Ring, c: Constants) -> None:
+    """Let −1 be no sum of two squares, in an algebra H(F)."""
+    a, t, b = c
+    hamilton = all(field.equal(x, field.number(n)) for x, n in ((a, -1), (t, 0), (b, -1)))
+    if not hamilton or field.characteristic == 2 or not field.level_above(2):
+        reject("−1 may be a sum of two squares, or this is not H(F)")
+
+
+def _by_place(
+    field: Ring, c: Constants, place: Place, u: list[Hashable], j: list[Hashable]
+) -> None:
+    """Let X² − tr(u)·X + N(u) be integral without root among the residues, N(j) as odd as ``odd`` is.
+
+    Let tr(j) and N(u + j) − N(u) − N(j) be divisible by ``odd``.
+    """
+    name, odd = place.name, field.inverse(place.odd)
+
+    def paired(p: list[Hashable], q: list[Hashable]) -> Hashable:
+        both = norm(field, c, [field.add(x, y) for x, y in zip(p, q, strict=True)])
+        return field.add(both, field.neg(field.add(norm(field, c, p), norm(field, c, q))))
+
+    one = [field.one, field.zero, field.zero, field.zero]
+    trace, size = place.residue(paired(one, u)), place.residue(norm(field, c, u))
+    if trace is None or size is None or not place.is_irreducible(trace, size):
+        reject(f"the polynomial of u has a root among the residues at {name}, or is not integral")
+    unit = place.residue(field.mul(odd, norm(field, c, j)))
+    if unit is None or not place.is_unit(unit):
+        reject(f"the norm of j has not the valuation of {name}")
+    if any(place.residue(field.mul(odd, paired(p, j))) is None for p in (one, u)):
+        reject(f"the traces of j and of its product with u are not divisible by {name}")
+
+
+def norm(field: Ring, c: Constants, q: list[Hashable]) -> Hashable:
+    """Return n(w, x) − b·n(y, z), where n(u, v) = u² + t·uv − a·v²."""
+    a, t, b = c
+
+    def binary(u: Hashable, v: Hashable) -> Hashable:
+        mixed = field.mul(u, field.add(u, field.mul(t, v)))
+        return field.add(mixed, field.neg(field.mul(a, field.mul(v, v))))
+
+    w, x, y, z = q
+    return field.add(binary(w, x), field.neg(field.mul(b, binary(y, z))))

@@ -1,0 +1,95 @@
+"""A budget of work for one file: whatever takes time or memory is paid for before it begins.
+
+A unit is a microsecond and 100 bytes at worst, whichever is reached first; docs/trust.md has measurements.
+A function that computes with long numbers pays for their lengths itself.
+"""
+
+from collections.abc import Callable, Collection, Hashable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import lru_cache
+from typing import Generic, TypeVar
+
+from hfield.checker.rejection import Rejected, reject
+
+MILLIONS = 10  # of units: 10 seconds and a gigabyte, at worst
+
+T = TypeVar("T")
+
+
+class Budget:
+    """The work that may be done for one file, in millions of units; ``left`` is what remains."""
+
+    def __init__(self, millions: float = MILLIONS) -> None:
+        self.millions, self.left = millions, round(millions * 1e6)
+
+    @property
+    def spent(self) -> int:
+        """How many units were spent; more than there were where the file was rejected for that."""
+        return round(self.millions * 1e6) - self.left
+
+
+_current: ContextVar[Budget | None] = ContextVar("budget", default=None)
+
+
+@contextmanager
+def bounded(budget: Budget | None = None) -> Iterator[Budget]:
+    """Bound the work of what runs inside."""
+    budget = budget or Budget()
+    token = _current.set(budget)
+    try:
+        yield budget
+    finally:
+        _current.reset(token)
+
+
+def spend(units: int) -> None:
+    """Spend units of the budget; reject the file when nothing is left."""
+    budget = _current.get()
+    if budget is not None:
+        budget.left -= units
+        if budget.left < 0:
+            reject(
+                "checking this takes more work than is done for one file, "
+                f"{budget.millions:g} million units; allow more with --work N, "
+                "in Python with budget=Budget(N)"
+            )
+
+
+def spend_products(some: Collection[int], others: Collection[int]) -> None:
+    """Spend what multiplying, dividing or reducing each of some numbers by each of others costs."""
+    bits, more = sum(map(int.bit_length, some)), sum(map(int.bit_length, others))
+    linear = bits * len(others) + more * len(some)
+    spend(len(some) * len(others) + linear // 1_000 + bits * more // 500_000)
+
+
+def spend_inverse(modulus: int) -> None:
+    """Spend what an inverse modulo a number costs: Python has no fast algorithm for it."""
+    bits = modulus.bit_length()
+    spend(5 + bits // 10 + bits * bits // 15_000)
+
+
+class Remembered(Generic[T]):
+    """Cache a function of one argument; each call spends its cost: a file costs the same after others."""
+
+    def __init__(self, function: Callable[..., T]) -> None:
+        self._function, self._found = function, lru_cache(maxsize=256)(self._measured)
+        self.cache_clear = self._found.cache_clear
+
+    def __call__(self, argument: Hashable) -> T:
+        """Return what the function does."""
+        value, cost = self._found(argument)
+        spend(cost)
+        return value
+
+    def _measured(self, argument: Hashable) -> tuple[T, int]:
+        outer = _current.get()
+        inner = Budget(outer.millions if outer else 1e9)
+        inner.left = before = outer.left if outer else inner.left
+        try:
+            with bounded(inner):
+                return self._function(argument), before - inner.left
+        except Rejected:
+            if outer:
+                outer.left = inner.left
+            raise

@@ -1,0 +1,236 @@
+"""``check``: verify one certificate and return what it establishes.
+
+The target is derived from ``statement``, ``algebra`` and ``field``; the evidence has to show it.
+docs/certificates.md describes the format.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from hfield.checker.budget import Budget, bounded
+from hfield.checker.evidence_registry import prove
+from hfield.checker.first_schema import current
+from hfield.checker.glossary import CERTIFIED, FIELD, KEYS, REFUTED, SCHEMA, THEOREMS
+from hfield.checker.json_text import read_json
+from hfield.checker.language import Tree
+from hfield.checker.rejection import (
+    Rejected,
+    a_text,
+    an_object,
+    keyed,
+    one_line,
+    reject,
+    shown,
+    texts,
+)
+from hfield.checker.scalars.fields import read_ring
+from hfield.checker.statement import SCALARS, UNKNOWNS, Setting, read_any_setting
+from hfield.checker.vocabulary.logic import establish_any, meaning
+
+MAX_ASSUMES = 20
+
+
+@dataclass(frozen=True)
+class Established:
+    """What a certificate establishes; ``scope`` is ``commutative rings``, ``fields`` or ``field``.
+
+    ``words`` say what the field is, ``rings`` what those are that the statement names. ``assumes`` are the
+    general ``theorems`` that it cites, and ``assumptions``: whatever else it takes for granted. ``vacuous``
+    lists the parts of an ``every{…}`` that hold because their hypotheses never do, ``left_out`` what the
+    words of the statement say besides, of which the verdict tells nothing.
+    """
+
+    statement: str
+    algebra: str
+    field: str | None
+    words: str | None
+    verdict: str
+    scope: str
+    assumes: tuple[str, ...]
+    vacuous: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+    rings: tuple[str, ...] = ()
+
+    @property
+    def theorems(self) -> tuple[str, ...]:
+        """What is cited of the theorems that are listed."""
+        return tuple(text for text in self.assumes if text in THEOREMS)
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What is cited and is no theorem that is listed."""
+        return tuple(text for text in self.assumes if text not in THEOREMS)
+
+    @property
+    def where(self) -> str:
+        """How far the verdict reaches, in words."""
+        if self.field is not None:
+            return f"over {one_line(self.field)}"
+        if self.scope == FIELD:
+            return "as a statement on all fields" if self.verdict == REFUTED else "as it stands"
+        return f"over all {self.scope}"
+
+    def lines(self) -> list[str]:
+        """Return everything in lines, each of one thing, none cut."""
+        return [
+            f"{self.verdict} {self.where}",
+            f"statement: {one_line(self.statement)}",
+            f"field: {one_line(f'{self.field}, {self.words}' if self.field else 'all')}",
+            f"algebra: {one_line(self.algebra)}",
+            *(f"names the ring: {one_line(text)}" for text in self.rings),
+            *(f"vacuous part: {one_line(part)}" for part in self.vacuous),
+            *(f"left out: {one_line(text)}" for text in self.left_out),
+            *(f"cites the theorem: {one_line(text)}" for text in self.theorems),
+            *(f"assumes, unproved: {one_line(text)}" for text in self.assumptions),
+        ]
+
+    def __str__(self) -> str:
+        return "\n".join(self.lines())
+
+
+@dataclass(frozen=True)
+class ExpectedClaim:
+    """What a certificate has to be about. ``field`` None is all fields; ``any_field`` any at all.
+
+    Statements are compared as trees, algebras as constants; ``statements`` are alternatives. ``field`` is a
+    canonical name or the data of a ring. No unknown may mean an element of the field; but where that is
+    named and the statement is no ``claim``, which is of no field, its generators win over scalar unknowns.
+    """
+
+    statements: tuple[str, ...]
+    field: str | Mapping[str, object] | None = None
+    algebra: str | None = None
+    any_field: bool = False
+    claim: bool = False
+
+    def readable(self) -> "ExpectedClaim":
+        """Return the claim itself. Raises :class:`Rejected` for a statement that cannot be read."""
+        for statement in self.statements:
+            meaning(statement)
+        return self
+
+    def check(self, statement: str, setting: Setting) -> None:
+        """Reject a certificate about anything else."""
+        said, ring = meaning(statement), setting.field
+        if not any(said == meaning(s) for s in self.statements):
+            reject(f"this is about another statement: {shown(statement, 120)}")
+        here = None if ring is None else ring.name
+        wanted = read_ring(self.field).name if isinstance(self.field, Mapping) else self.field
+        if not self.any_field and here != wanted:
+            reject(f"this is about {here or 'all fields'}, not about {wanted or 'all fields'}")
+        letters = set(UNKNOWNS) - set("" if self.claim or self.any_field else SCALARS)
+        for name in sorted(_unknowns(said) & letters):
+            if ring is not None and ring.constant(("name", name)) is not None:
+                reject(f"{name} is an unknown of the statement, and an element of {shown(here)}")
+        expected_algebra = self.algebra or f"(-1,-1|{here or 'F'})"
+        if not same_algebra(read_any_setting(expected_algebra, ring), setting):
+            reject(f"this is about the algebra {shown(setting.algebra)}")
+
+
+def _unknowns(tree: Tree) -> set[str]:
+    """Return the letters in a tree that are unknowns where no field is named."""
+    if len(tree) == 2 and tree[0] == "name":
+        return {tree[1]} & set(UNKNOWNS)
+    return {name for part in tree if isinstance(part, tuple) for name in _unknowns(part)}
+
+
+def same_algebra(one: Setting, other: Setting) -> bool:
+    """Tell whether the structure constants are equal wherever those of one of the two are defined.
+
+    Tables are the same where names, products and unit are written alike.
+    """
+    if one.table is not None or other.table is not None:
+        return one.table == other.table
+    if one.constants == other.constants:
+        return True
+    if set(one.letters) != set(other.letters):
+        return False
+    try:
+        for setting in (one, other):
+            for u, v in zip(one.constants, other.constants, strict=True):
+                prove(("==", u, v), setting, {"kind": "identity"})
+    except Rejected:
+        return False
+    return True
+
+
+def check_text(
+    text: str, expected: ExpectedClaim | None = None, budget: Budget | None = None
+) -> Established:
+    """Check a certificate from its JSON text, with no more than this work. Raises :class:`Rejected`."""
+    budget = budget or Budget()
+    with bounded(budget):
+        data = read_json(text)
+    return check(data, expected, budget)
+
+
+def check(
+    data: object, expected: ExpectedClaim | None = None, budget: Budget | None = None
+) -> Established:
+    """Check a certificate from JSON data. Raises :class:`Rejected`, and nothing else.
+
+    ``budget`` is how much may be done, ``Budget(10)`` by default: ten million units, each of which takes a
+    microsecond and 100 bytes at worst; its ``spent`` tells afterwards what was.
+
+    >>> from hfield import prove
+    >>> check(prove("p + q == q + p").certificate).verdict
+    'proved'
+    """
+    try:
+        with bounded(budget):
+            return _check(data, expected)
+    except RecursionError:
+        reject("the certificate nests too deeply")
+    except MemoryError:
+        reject("the certificate needs too much memory")
+    except ArithmeticError as error:
+        reject(f"the certificate cannot be evaluated: {shown(str(error))}")
+
+
+def _check(data: object, expected: ExpectedClaim | None) -> Established:
+    data = keyed(current(data), "a certificate")
+    if data.get("schema") != SCHEMA:
+        reject(f"the schema must be {SCHEMA!r}")
+    c = an_object(data, " ".join(KEYS), "a certificate")
+    statement, algebra = a_text(c["statement"], "statement"), a_text(c["algebra"], "algebra")
+    ring = None if c["ring"] is None else read_ring(c["ring"])
+    field = None if ring is None else ring.name
+    if c["field"] != field:
+        reject(
+            f"the data say {shown(field or 'all fields', 120)}, and not {shown(c['field'], 120)!r}"
+        )
+    if c["verdict"] not in CERTIFIED:
+        reject(f"the verdict must be one of {', '.join(CERTIFIED)}")
+    if not statement.strip():
+        reject("the statement is empty")
+    setting = read_any_setting(algebra, ring)
+    if expected is not None:
+        expected.check(statement, setting)
+    found = establish_any(statement, setting, c["verdict"], c["evidence"])
+    if c["method"] != found.method:
+        reject(f"the method {shown(c['method'])!r} is not that of the evidence: {found.method}")
+    assumes = texts(c["assumes"], "assumes")
+    if (
+        len(assumes) > MAX_ASSUMES
+        or set(assumes) != set(found.cites)
+        or len(set(assumes)) < len(assumes)
+    ):
+        reject(
+            "'assumes' does not list exactly what the evidence cites: "
+            + ("; ".join(found.cites) or "nothing")
+        )
+    return Established(
+        statement,
+        algebra,
+        field,
+        None if ring is None else ring.words,
+        c["verdict"],
+        found.scope,
+        tuple(assumes),
+        found.vacuous,
+        found.left_out,
+        tuple(f"{x.name}, {x.words}" for x in found.rings),
+    )
+
+
+__all__ = ["Budget", "Established", "ExpectedClaim", "Rejected", "check", "check_text", "meaning"]

@@ -1,0 +1,54 @@
+"""The result of checking evidence: its scope, its method, and the theorems that it cites."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from hfield.checker.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS, ORDERED_FIELDS
+from hfield.checker.scalars.ring import Ring
+
+WIDTH = {FIELD: 0, ORDERED_FIELDS: 1, FIELDS: 2, COMMUTATIVE_RINGS: 3}
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """``scope``: over the field named (or as it stands), over all fields, over all commutative rings.
+
+    ``method`` is the name that the certificate has to give: what shows it has one name. ``left_out`` tells
+    what a statement says besides and was not looked at, since the verdict does not depend on it; ``rings``
+    are those that its words name.
+    """
+
+    scope: str
+    method: str
+    cites: tuple[str, ...] = ()
+    vacuous: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+    rings: tuple[Ring, ...] = ()
+
+    def within(self, scope: str) -> "CheckResult":
+        """Return the same with no wider a scope than this."""
+        return replace(self, scope=min(self.scope, scope, key=WIDTH.__getitem__))
+
+    def by(self, method: str) -> "CheckResult":
+        """Return the same, by a method of another name."""
+        return replace(self, method=method)
+
+    def citing(self, *theorems: str) -> "CheckResult":
+        """Return the same, citing more."""
+        return replace(self, cites=tuple(dict.fromkeys((*self.cites, *theorems))))
+
+    def without(self, *texts: str) -> "CheckResult":
+        """Return the same, with more left out."""
+        return replace(self, left_out=tuple(dict.fromkeys((*self.left_out, *texts))))
+
+
+def together(findings: Iterable[CheckResult]) -> CheckResult:
+    """Return what several findings show that are all needed: the narrowest scope, and each method once."""
+    every = list(findings)
+    return CheckResult(
+        min((f.scope for f in every), key=WIDTH.__getitem__, default=COMMUTATIVE_RINGS),
+        "; ".join(dict.fromkeys(f.method for f in every)),
+        tuple(dict.fromkeys(text for f in every for text in f.cites)),
+        tuple(dict.fromkeys(text for f in every for text in f.vacuous)),
+        tuple(dict.fromkeys(text for f in every for text in f.left_out)),
+    )

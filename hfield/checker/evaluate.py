@@ -1,0 +1,279 @@
+"""Evaluate terms and statements over a ring, or over polynomials.
+
+The product is that of the sixteen products of basis elements, which follow from i² = a + t·i,
+j² = b, ij = k and ji = t·j − k alone.
+"""
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any, Generic, Protocol, TypeVar
+
+from hfield.checker.budget import spend
+from hfield.checker.language import FUNCTIONS, Tree
+from hfield.checker.rejection import reject
+from hfield.checker.scalars.ring import MAX_EXPONENT, Ring, power
+
+Conditions = tuple[Any, ...]  # what must not be 0 for a term to be defined
+
+
+S = TypeVar("S")  # what stands for a scalar
+T = TypeVar("T")  # what stands for a truth
+
+
+class Scalars(Protocol[S, T]):
+    """What an evaluation computes with; a condition is a scalar that must be a unit."""
+
+    zero: S
+    one: S
+
+    def number(self, value: int | Fraction) -> tuple[S, Conditions]:
+        """Return the value of a literal."""
+
+    def add(self, x: S, y: S) -> S:
+        """Return x + y."""
+
+    def neg(self, x: S) -> S:
+        """Return −x."""
+
+    def mul(self, x: S, y: S) -> S:
+        """Return x·y."""
+
+    def reciprocal(self, x: S) -> tuple[S, Conditions]:
+        """Return 1/x with the condition that there is one."""
+
+    def compare(self, differences: list[S], conditions: Conditions, equal: bool) -> T:
+        """Return the truth of "defined, and all (not all) differences are 0"."""
+
+    def join(self, kind: str, x: T, y: T) -> T:
+        """Return the truth of "x and y" or "x or y"."""
+
+    def deny(self, x: T) -> T:
+        """Return the truth of "not x"."""
+
+
+class Quaternion(tuple[Any, ...]):
+    """Four coordinates over (e, i, j, k); scalars are anything else."""
+
+    __slots__ = ()
+
+
+def products(
+    one: S, a: S, t: S, b: S, ab: S, tb: S, neg: Callable[[S], S]
+) -> list[list[list[tuple[int, S]]]]:
+    """Return the products of 1, i, j, k: for each pair, indices of basis elements and their coefficients."""
+    return [
+        [[(0, one)], [(1, one)], [(2, one)], [(3, one)]],
+        [[(1, one)], [(0, a), (1, t)], [(3, one)], [(2, a), (3, t)]],
+        [[(2, one)], [(2, t), (3, neg(one))], [(0, b)], [(0, tb), (1, neg(b))]],
+        [[(3, one)], [(2, neg(a))], [(1, b)], [(0, neg(ab))]],
+    ]
+
+
+class Evaluator(Generic[S, T]):
+    """The algebra over some scalars, with values for unknowns and constants."""
+
+    def __init__(
+        self,
+        scalars: Scalars[S, T],
+        constants: tuple[Tree, Tree, Tree],
+        values: Mapping[Tree, S | Quaternion],
+    ):
+        s = self.s = scalars
+        self.values = values
+        self.needed: Conditions = ()  # by the terms evaluated last
+        self.constants = a, t, b = [self._scalar(self.value(tree)) for tree in constants]
+        self.conditions: Conditions = self.needed  # under which the algebra exists
+        self.table = products(s.one, a, t, b, s.mul(a, b), s.mul(t, b), s.neg)
+        self.t = t
+
+    def quaternion(self, x: S | Quaternion) -> Quaternion:
+        """Return a scalar as its multiple of e."""
+        zero = self.s.zero
+        return x if isinstance(x, Quaternion) else Quaternion((x, zero, zero, zero))
+
+    def product(self, x: Quaternion, y: Quaternion, wanted: range = range(4)) -> Quaternion:
+        """Return x·y, of which only the coordinates asked for are worked out, the others 0."""
+        s = self.s
+        spend(20)
+        out = [s.zero] * 4
+        for m, u in enumerate(x):
+            for n, v in enumerate(y):
+                if u == s.zero or v == s.zero:
+                    continue
+                parts = [
+                    part for part in self.table[m][n] if part[0] in wanted and part[1] != s.zero
+                ]
+                uv = s.mul(u, v) if parts else s.zero
+                for place, c in parts:
+                    out[place] = s.add(out[place], uv if c == s.one else s.mul(c, uv))
+        return Quaternion(out)
+
+    def conjugate(self, q: Quaternion) -> Quaternion:
+        """Return the standard involution: i ↦ t − i, j ↦ −j, k ↦ −k."""
+        s = self.s
+        w, x, y, z = q
+        return Quaternion((s.add(w, s.mul(self.t, x)), s.neg(x), s.neg(y), s.neg(z)))
+
+    def norm(self, q: Quaternion) -> S:
+        """Return the coefficient of e in q·conj(q), which is all there is of it."""
+        n: S = self.product(q, self.conjugate(q), range(1))[0]
+        return n
+
+    def value(self, tree: Tree) -> S | Quaternion:
+        """Return the value of a term; what must be a unit for it to be defined joins ``needed``."""
+        kind, s = tree[0], self.s
+        spend(10)
+        if kind == "num":
+            return self._defined(s.number(tree[1]))
+        if (
+            kind == "call" and tree[1] in FUNCTIONS
+        ):  # others are short; all of a tree would be hashed
+            if tree[1] == "trace" and tree[2][0][0] == "*":
+                return self._call("trace", self._traced(*map(self.value, tree[2][0][1:])))
+            return self._call(tree[1], *map(self.value, tree[2]))
+        if kind in ("name", "call") and tree in self.values:
+            return self.values[tree]
+        if kind == "name":
+            return self._name(tree[1])
+        if kind == "call":
+            reject(f"there is no function {tree[1]!r}")
+        x = self.value(tree[1])
+        if kind == "neg":
+            return Quaternion(map(s.neg, x)) if isinstance(x, Quaternion) else s.neg(x)
+        if kind in ("+", "-"):
+            return self._plus(x, self.value(tree[2]), kind)
+        if kind in ("*", "/"):
+            y = self.value(tree[2])
+            return self._times(
+                x, y if kind == "*" else self._defined(s.reciprocal(self._scalar(y)))
+            )
+        if kind == "pow":
+            if abs(tree[2]) > MAX_EXPONENT:
+                reject("an exponent is too large")
+            return self._power(x if tree[2] >= 0 else self._inverse(x), abs(tree[2]))
+        if kind == "index":
+            return self._coordinate(x, tree[2])
+        reject("a term cannot be evaluated")
+
+    @staticmethod
+    def _scalar(x: S | Quaternion) -> S:
+        if isinstance(x, Quaternion):
+            reject("a quaternion stands where a scalar is meant")
+        return x
+
+    def _coordinate(self, x: S | Quaternion, n: int) -> S:
+        c: S = self.quaternion(x)[n]
+        return c
+
+    def _defined(self, found: tuple[S, Conditions]) -> S:
+        if found[1]:
+            spend(1 + len(self.needed) // 16)
+            self.needed += found[1]
+        return found[0]
+
+    def truth(self, tree: Tree) -> T:
+        """Return the truth of a statement without quantifiers."""
+        kind, s = tree[0], self.s
+        spend(10)
+        if kind in ("==", "!="):
+            self.needed = ()
+            x, y = self.value(tree[1]), self.value(tree[2])
+            if isinstance(x, Quaternion) or isinstance(y, Quaternion):
+                pairs = zip(self.quaternion(x), self.quaternion(y), strict=True)
+                differences = [s.add(u, s.neg(v)) for u, v in pairs]
+            else:
+                differences = [s.add(x, s.neg(y))]
+            return s.compare(differences, self.needed, kind == "==")
+        if kind == "not":
+            return s.deny(self.truth(tree[1]))
+        if kind not in ("and", "or", "=>", "<=>"):
+            reject("a statement cannot be evaluated")
+        left, right = self.truth(tree[1]), self.truth(tree[2])
+        if kind in ("and", "or"):
+            return s.join(kind, left, right)
+        forth = s.join("or", s.deny(left), right)
+        return forth if kind == "=>" else s.join("and", forth, s.join("or", left, s.deny(right)))
+
+    def _name(self, name: str) -> Quaternion:
+        place = "eijk".find(name)
+        if place < 0 or len(name) != 1:
+            reject(f"the unknown {name!r} has no value")
+        return Quaternion([self.s.one if n == place else self.s.zero for n in range(4)])
+
+    def _plus(self, x: S | Quaternion, y: S | Quaternion, sign: str) -> S | Quaternion:
+        s = self.s
+        if not (isinstance(x, Quaternion) or isinstance(y, Quaternion)):
+            return s.add(x, s.neg(y) if sign == "-" else y)
+        pairs = zip(self.quaternion(x), self.quaternion(y), strict=True)
+        return Quaternion([s.add(u, s.neg(v) if sign == "-" else v) for u, v in pairs])
+
+    def _times(self, x: S | Quaternion, y: S | Quaternion) -> S | Quaternion:
+        s = self.s
+        if isinstance(x, Quaternion):
+            if isinstance(y, Quaternion):
+                return self.product(x, y)
+            return Quaternion([s.mul(u, y) for u in x])
+        if isinstance(y, Quaternion):
+            return Quaternion([s.mul(x, v) for v in y])
+        return s.mul(x, y)
+
+    def _traced(self, x: S | Quaternion, y: S | Quaternion) -> S | Quaternion:
+        """Return x·y as far as its trace depends on it."""
+        if isinstance(x, Quaternion) and isinstance(y, Quaternion):
+            return self.product(x, y, range(1 if self.t == self.s.zero else 2))
+        return self._times(x, y)
+
+    def _power(self, x: S | Quaternion, n: int) -> S | Quaternion:
+        return power(self.s.one, x, n, self._times)
+
+    def _inverse(self, x: S | Quaternion) -> S | Quaternion:
+        if not isinstance(x, Quaternion):
+            return self._defined(self.s.reciprocal(x))
+        return self._times(self.conjugate(x), self._defined(self.s.reciprocal(self.norm(x))))
+
+    def _call(self, function: str, *arguments: S | Quaternion) -> S | Quaternion:
+        x, s = self.quaternion(arguments[0]), self.s
+        if function == "inv":
+            return self._inverse(x)
+        if function == "comm":
+            y = self.quaternion(arguments[1])
+            return self._plus(self.product(x, y), self.product(y, x), "-")
+        if function == "trace":
+            return s.add(s.add(x[0], x[0]), s.mul(self.t, x[1]))
+        if function == "vector":
+            return Quaternion((s.zero, *x[1:]))
+        if function == "conj":
+            return self.conjugate(x)
+        if function == "norm":
+            return self.norm(x)
+        return self._coordinate(x, 0)
+
+
+class RingScalars:
+    """Elements of a ring; a condition is ``None``: there is no inverse."""
+
+    def __init__(self, ring: Ring) -> None:
+        self.ring, self.zero, self.one = ring, ring.zero, ring.one
+        self.add, self.neg, self.mul = ring.add, ring.neg, ring.mul
+
+    def number(self, value: int | Fraction) -> tuple[Any, Conditions]:
+        """Return the value of a literal."""
+        x = self.ring.fraction(value)
+        return (self.zero, (None,)) if x is None else (x, ())
+
+    def reciprocal(self, x: Any) -> tuple[Any, Conditions]:
+        """Return 1/x."""
+        y = self.ring.inverse(x)
+        return (self.zero, (None,)) if y is None else (y, ())
+
+    def compare(self, differences: list[Any], conditions: Conditions, equal: bool) -> bool:
+        """Compare."""
+        return not conditions and all(map(self.ring.is_zero, differences)) == equal
+
+    def join(self, kind: str, x: bool, y: bool) -> bool:
+        """Return "x and y" or "x or y"."""
+        return (x and y) if kind == "and" else (x or y)
+
+    def deny(self, x: bool) -> bool:
+        """Return "not x"."""
+        return not x

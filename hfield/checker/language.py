@@ -1,0 +1,243 @@
+"""The checker's own parser of statements, for the grammar of docs/language.md.
+
+A tree is a tuple that begins with what it is: ``("num", 3)``, ``("name", "q")``, ``("neg", x)``,
+``("+", x, y)`` and so for ``- * / == != >= > <= < and or => <=>``, ``("pow", x, 3)``, ``("index", x, 0)``,
+``("call", "norm", (x,))``, ``("not", x)``, ``("exists", ("q",), x)``. Two texts say the same when
+their trees are equal.
+"""
+
+import re
+from fractions import Fraction
+from typing import Any, NoReturn
+
+from hfield.checker.budget import spend
+from hfield.checker.rejection import MAX_DIGITS, reject, shown
+
+Tree = tuple[Any, ...]
+
+MAX_LENGTH, MAX_DEPTH, MAX_HEIGHT = 20_000, 100, 200
+ORDER = (">=", ">", "<=", "<")
+BINDS = {"<=>": 1, "=>": 2, "or": 3, "and": 4, "==": 6, "!=": 6, "+": 7, "-": 7, "*": 8, "/": 8}
+BINDS |= dict.fromkeys(ORDER, 6)
+NOT, COMPARE, SIGN = 5, 6, 9
+WORDS = ("and", "or", "not", "exists")
+# By the sorts of their values, q for quaternions and s for scalars; other calls are constants of a field.
+FUNCTIONS = {"conj": "q", "inv": "q", "vector": "q", "comm": "q", "norm": "s", "trace": "s"} | {
+    "scalar": "s"
+}
+_TOKEN = re.compile(
+    r"\s*(?:(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+(?![A-Za-z0-9_.]))?)"
+    r"|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign><=>|=>|==|!=|<=|>=|\*\*|[-+*/^()\[\],:<>]))",
+    re.ASCII,  # so of blanks: what looks like a blank is one
+)
+BLANKS = " \t\n\r\f\v"
+
+
+def parse(text: str) -> Tree:
+    """Read a statement or a term."""
+    if len(text) > MAX_LENGTH:
+        reject(f"a text of {len(text)} characters; at most {MAX_LENGTH} are read")
+    spend(10 + 2 * len(text))
+    parser = _Parser(text)
+    tree = parser.infix(0)
+    if parser.word:
+        parser.fail("the expression goes on where it should have ended")
+    level, height = [tree], 0
+    while level:
+        level, height = [x for node in level for x in children(node)], height + 1
+        if height > MAX_HEIGHT:
+            reject(f"{shown(text)!r} is more than {MAX_HEIGHT} operations high")
+    return tree
+
+
+def walk(tree: Tree) -> list[Tree]:
+    """Return the tree and all trees in it."""
+    out, stack = [], [tree]
+    while stack:
+        node = stack.pop()
+        out.append(node)
+        stack.extend(children(node))
+    spend(len(out))
+    return out
+
+
+def children(tree: Tree) -> tuple[Tree, ...]:
+    """Return the trees directly in ``tree``."""
+    if tree[0] in ("call", "exists"):
+        return tree[2] if tree[0] == "call" else (tree[2],)
+    return tuple(x for x in tree[1:] if isinstance(x, tuple))
+
+
+def substitute(tree: Tree, values: dict[str, Tree]) -> Tree:
+    """Put trees in the place of names (there is no ``exists`` in ``tree``)."""
+    spend(1)
+    if tree[0] == "name":
+        return values.get(tree[1], tree)
+    if tree[0] == "num":
+        return tree
+    if tree[0] == "call":
+        return ("call", tree[1], tuple(substitute(x, values) for x in tree[2]))
+    return tuple(
+        substitute(x, values) if isinstance(x, tuple) and n else x for n, x in enumerate(tree)
+    )
+
+
+CLOSING = {"(": ")", "[": "]", "{": "}"}
+
+
+def split(text: str, separator: str) -> list[str]:
+    """Part a text at the separators that are in no brackets."""
+    parts, closing = [""], list[str]()
+    for char in text:
+        if char == separator and not closing:
+            parts.append("")
+            continue
+        parts[-1] += char
+        if char in CLOSING:
+            closing.append(CLOSING[char])
+        elif char in ")]}" and (not closing or closing.pop() != char):
+            reject(f"the brackets of {shown(text)!r} do not match")
+    if closing:
+        reject(f"the brackets of {shown(text)!r} do not match")
+    return parts
+
+
+class _Parser:
+    """Precedence climbing."""
+
+    def __init__(self, text: str) -> None:
+        self.text, self.at, self.depth = text, 0, 0
+        self.words: list[tuple[str, str]] = []
+        clean = text.translate({0x2212: "-", 0xB7: "*", 0xD7: "*"})
+        position, end = 0, len(clean.rstrip(BLANKS))
+        while position < end:
+            match = _TOKEN.match(clean, position)
+            if match is None:
+                reject(f"cannot read {shown(text)!r} from character {position + 1} on")
+            kind = match.lastgroup or ""
+            self.words.append((kind, match[kind]))
+            position = match.end()
+
+    @property
+    def word(self) -> str:
+        """The word to be read next, '' at the end."""
+        return self.words[self.at][1] if self.at < len(self.words) else ""
+
+    @property
+    def kind(self) -> str:
+        """The kind of that word."""
+        return self.words[self.at][0] if self.at < len(self.words) else "end"
+
+    def fail(self, why: str) -> NoReturn:
+        """Reject the text."""
+        reject(f"cannot read {shown(self.text)!r} at {shown(self.word) or 'its end'!r}: {why}")
+
+    def next(self, *expected: str) -> str:
+        """Take the next word if it is one of those expected, else return ''."""
+        word = self.word
+        if word and word in expected:
+            self.at += 1
+            return word
+        return ""
+
+    def need(self, word: str) -> None:
+        """Take this word or fail."""
+        if not self.next(word):
+            self.fail(f"expected {word!r}")
+
+    def infix(self, strength: int) -> Tree:
+        """Read operands joined by operators that bind more tightly than ``strength``."""
+        if self.depth > MAX_DEPTH:
+            self.fail(f"it is more than {MAX_DEPTH} levels deep")
+        self.depth += 1
+        left = self.prefix(strength)
+        while BINDS.get(self.word, 0) > strength:
+            operator = self.next(*BINDS)
+            binds = BINDS[operator]
+            left = operator, left, self.infix(binds - (operator == "=>"))
+            if BINDS.get(self.word) == binds and (binds == COMPARE or operator == "<=>"):
+                self.fail(f"{operator!r} does not chain")
+        self.depth -= 1
+        return left
+
+    def prefix(self, strength: int) -> Tree:
+        """Read what may stand in front of an operand, and the operand."""
+        word = self.next("exists", "not", "-", "+")
+        if not word:
+            return self.power()
+        if word == "exists":
+            if strength:
+                self.fail("'exists' stands in front")
+            names = [self.name()]
+            while self.next(","):
+                names.append(self.name())
+            self.need(":")
+            return "exists", tuple(names), self.infix(0)
+        if word == "not":
+            if strength >= COMPARE:
+                self.fail("'not' needs parentheses here")
+            return "not", self.infix(NOT)
+        body = self.infix(SIGN)
+        return body if word == "+" else ("neg", body)
+
+    def name(self) -> str:
+        """Read a name."""
+        if self.kind != "name" or self.word in WORDS:
+            self.fail("expected a name")
+        return self.next(self.word)
+
+    def power(self) -> Tree:
+        """Read an atom, its coordinate, its exponent."""
+        tree = self.atom()
+        if self.next("["):
+            place = self.next("0", "1", "2", "3")
+            if not place:
+                self.fail("expected a coordinate 0, 1, 2 or 3")
+            self.need("]")
+            if tree[0] == "index":
+                self.fail("a coordinate has no coordinates of its own")
+            tree = "index", tree, int(place)
+        if self.next("**", "^"):
+            opened = self.next("(")
+            sign = -1 if self.next("-") else 1
+            if self.kind != "number" or not self.word.isdigit():
+                self.fail("expected an integer exponent")
+            exponent = sign * self.integer(self.next(self.word))
+            if opened:
+                self.need(")")
+            tree = "pow", tree, exponent
+        if self.word in ("**", "^", "["):
+            self.fail("powers and coordinates do not chain")
+        return tree
+
+    def integer(self, digits: str) -> int:
+        """Return the number, unless it has too many digits."""
+        if len(digits) > MAX_DIGITS:
+            self.fail(f"a number has more than {MAX_DIGITS} digits")
+        return int(digits)
+
+    def atom(self) -> Tree:
+        """Read a number, a name, a call or a parenthesis."""
+        if self.kind == "number":
+            word = self.next(self.word)
+            if word.isdigit():
+                return "num", self.integer(word)
+            digits, _, exponent = word.lower().partition("e")
+            if len(digits) > MAX_DIGITS or len(exponent) > 4:
+                self.fail("a number is too large")
+            spend(abs(int(exponent or 0)) // 50)
+            return "num", Fraction(word)
+        if self.kind == "name" and self.word not in WORDS:
+            name = self.name()
+            if not self.next("("):
+                return "name", name
+            arguments = [self.infix(0)]
+            while self.next(","):
+                arguments.append(self.infix(0))
+            self.need(")")
+            return "call", name, tuple(arguments)
+        if self.next("("):
+            inside = self.infix(0)
+            self.need(")")
+            return inside
+        self.fail("expected a number, a name or a parenthesis")

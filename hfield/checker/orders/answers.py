@@ -1,0 +1,292 @@
+"""Check statements about orders and ideals, over any base.
+
+Each check takes a reader, which knows the evidence, and the parts of the statement.
+"""
+
+from fractions import Fraction
+from functools import cache, partial
+from math import gcd, lcm
+
+from hfield.checker.budget import spend_products
+from hfield.checker.check_result import CheckResult
+from hfield.checker.glossary import (
+    BY_AREA,
+    BY_MASS,
+    DISCRIMINANT,
+    ELEMENT,
+    ENUMERATION,
+    FIELD,
+    IDEAL,
+    NORM,
+    ORDER,
+    POINCARE,
+    SHIMIZU,
+)
+from hfield.checker.number_fields.factoring import factored
+from hfield.checker.number_fields.ideals import index
+from hfield.checker.number_fields.matrices import Row, Rows, determinant, inverse, times
+from hfield.checker.orders.algebra import Algebra
+from hfield.checker.orders.class_set import need_class_set, need_ideal
+from hfield.checker.orders.elements import of_norm, with_trace_and_norm
+from hfield.checker.orders.fuchsian import Domain, area
+from hfield.checker.orders.lattice import Element, Lattice
+from hfield.checker.orders.local_types import mass, symbols
+from hfield.checker.orders.reading import OverField, OverQ
+from hfield.checker.orders.texts import (
+    a_rational,
+    a_side,
+    a_whole_number,
+    numbers_of,
+    words_of,
+)
+from hfield.checker.rejection import a_list, an_integer, reject
+
+Parts = tuple[str, ...]
+Given = OverQ | OverField
+
+# --- orders and ideals ------------------------------------------------------------------------------
+
+
+def is_order(given: Given, parts: Parts) -> CheckResult:
+    """O is an order of this discriminant, and a maximal one where that is said."""
+    order = given.order(parts[0])
+    if order.discriminant != a_whole_number(parts[1], "a discriminant"):
+        reject("this order has another reduced discriminant")
+    if len(parts) == 3:
+        exponents = factored(order.discriminant)
+        for P, symbol in symbols(order, given.primes):
+            if exponents[P.p] > 1 or symbol != -1:
+                reject(f"it is not shown that this order is maximal at {P.p}")
+    return CheckResult(FIELD, ORDER)
+
+
+def is_ideal(given: Given, parts: Parts) -> CheckResult:
+    """I is a locally principal ideal of the order, of this norm."""
+    ideal = given.lattice(parts[0])
+    need_ideal(ideal, given.order(parts[2]), a_side(parts[1]))
+    if index(ideal.norm) != a_rational(parts[3]):
+        reject("this ideal has another norm")
+    return CheckResult(FIELD, IDEAL)
+
+
+def has_units(given: Given, parts: Parts) -> CheckResult:
+    """Units modulo those of the field have a norm among the totally positive units modulo squares."""
+    order = given.basis(given.order(parts[0]), given.data["order"])
+    if sum(1 for u in given.units for _ in of_norm(order, u)) != int(parts[1]):
+        reject("the order has another number of units modulo those of the field")
+    return CheckResult(FIELD, ENUMERATION).citing(*given.unit_theorems)
+
+
+# --- what carries one to the other ------------------------------------------------------------------
+
+
+def are_equivalent(given: Given, parts: Parts) -> CheckResult:
+    """J = I·c for the left side, c·I for the right."""
+    side, c = a_side(parts[0]), given.element(given.data["element"])
+    first, second = map(given.lattice, parts[1:])
+    if first.times(c, "right" if side == "left" else "left").key != second.key:
+        reject("the element does not carry the first lattice to the second")
+    return CheckResult(FIELD, ELEMENT)
+
+
+def are_not_equivalent(given: Given, parts: Parts) -> CheckResult:
+    """No element that takes the one lattice into the other has the norm of a c, or none can have it."""
+    side = a_side(parts[0])
+    first, second = map(given.lattice, parts[1:])
+    between = cache(partial(first.into, second, side))
+    inverse_norm = given.quotient(first, second, between)
+    if inverse_norm is None:
+        if given.data.keys() & {"norm", "between"}:
+            reject(
+                "there is nothing to run through: no element can have the norm that is asked for"
+            )
+        return CheckResult(FIELD, NORM).citing(*given.unit_theorems)
+    if "between" not in given.data:
+        reject("the elements that are run through need a basis, under the key 'between'")
+    basis, field = given.between(between(), side), given.algebra.integers.field
+    for u in given.units:
+        if next(of_norm(basis, field.mul(inverse_norm, u)), None) is not None:
+            reject(
+                "an element carries the first lattice to the second: one of its norm lies between"
+            )
+    return CheckResult(FIELD, ENUMERATION).citing(*given.unit_theorems)
+
+
+def are_isomorphic(given: Given, parts: Parts) -> CheckResult:
+    """P = x·O·x⁻¹; a zero divisor x does not give lattices."""
+    first, second = map(given.order, parts)
+    x = given.element(given.data["element"])
+    if first.times(x, "left").key != second.times(x, "right").key:
+        reject("the element does not conjugate the first order into the second")
+    return CheckResult(FIELD, ELEMENT)
+
+
+def have_other_numbers(given: Given, parts: Parts) -> CheckResult:
+    """The orders have not one discriminant, or not as many elements of some trace and norm."""
+    first, second = map(given.order, parts)
+    if _have_other_discriminants(given, first, second, {"trace", "norm", "bases"}):
+        return CheckResult(FIELD, DISCRIMINANT)
+    bases = a_list(given.data["bases"], "bases")
+    if len(bases) != 2:
+        reject("there is one basis for each of the two orders")
+    trace, norm = (an_integer(given.data[key], key) for key in ("trace", "norm"))
+    numbers = [
+        len(_with_rational_trace_and_norm(given.basis(order, basis), trace, norm))
+        for order, basis in zip((first, second), bases, strict=True)
+    ]
+    if numbers[0] == numbers[1]:
+        reject(f"both orders have {numbers[0]} elements of this trace and norm")
+    return CheckResult(FIELD, ENUMERATION)
+
+
+def have_no_images(given: Given, parts: Parts) -> CheckResult:
+    """An isomorphism is known by the images of two elements that generate the algebra: none fits."""
+    first, second = map(given.order, parts)
+    if _have_other_discriminants(given, first, second, {"pair", "order"}):
+        return CheckResult(FIELD, DISCRIMINANT)
+    second, algebra = given.basis(second, given.data["order"]), given.algebra
+    pair = [given.element(x) for x in a_list(given.data["pair"], "a pair", 2)]
+    if len(pair) != 2 or not all(first.holds(x.den, [x.row]) for x in pair):
+        reject("a pair is two elements of the first order")
+    den, span = _spanned(algebra, *pair)
+    if not determinant(span):
+        reject("the two elements do not generate the algebra")
+    back, det = inverse(span)
+    # the rows of the first order are combinations of the span, over den_first·det/den
+    relative = [tuple(den * c for c in row) for row in times(first.rows, back)]
+    images = [
+        [Element(second.den, y) for y in with_trace_and_norm(second, *_trace_and_norm(algebra, x))]
+        for x in pair
+    ]
+    wanted = _pairing(algebra, *pair)
+    for x in images[0]:
+        for y in images[1]:
+            if _pairing(algebra, x, y) == wanted:
+                below, other = _spanned(algebra, x, y)
+                second.pay(2)
+                if second.holds(first.den * det * below, times(relative, other)):
+                    reject("there is an isomorphism of the orders")
+    return CheckResult(FIELD, ENUMERATION)
+
+
+def _have_other_discriminants(
+    given: Given, first: Lattice, second: Lattice, keys: set[str]
+) -> bool:
+    """Tell whether the discriminants differ; the evidence has these keys where they do not, and else none."""
+    if first.discriminant != second.discriminant:
+        if given.data.keys() & keys:
+            reject("there is nothing to run through: the discriminants differ")
+        return True
+    if not given.data.keys() >= keys:
+        reject(f"the evidence lacks one of the keys {', '.join(map(repr, sorted(keys)))}")
+    return False
+
+
+def _with_rational_trace_and_norm(order: Lattice, trace: int, norm: int) -> list[Row]:
+    integers = order.algebra.integers
+    return with_trace_and_norm(
+        order, [Fraction(trace * c) for c in integers.one], integers.field.number(norm)
+    )
+
+
+def _pairing(algebra: Algebra, x: Element, y: Element) -> list[Fraction]:
+    """Return tr(x·conj(y)) in the integral basis."""
+    den = x.den * y.den * algebra.scale
+    return [Fraction(c, den) for c in algebra.pairing(x.row, y.row)]
+
+
+def _trace_and_norm(algebra: Algebra, x: Element) -> tuple[list[Fraction], tuple[Fraction, ...]]:
+    """Return the trace in the integral basis, and the norm as a number of the field."""
+    trace = [Fraction(c, x.den * algebra.scale) for c in algebra.trace(x.row)]
+    return trace, algebra.integers.number([c / 2 for c in _pairing(algebra, x, x)])
+
+
+def _spanned(algebra: Algebra, a: Element, b: Element) -> tuple[int, Rows]:
+    """Return the products of the integral basis with 1, a, b and ab, as rows over a denominator."""
+    ab = times([b.row], algebra.left(a.row))[0]
+    one = Element(1, algebra.number(algebra.integers.one))
+    every = (one, a, b, Element(a.den * b.den * algebra.scale, ab))
+    den = lcm(*(x.den for x in every))
+    return den, tuple(
+        algebra.blockwise([c * (den // x.den) for c in x.row], by)
+        for x in every
+        for by in algebra.integers.table
+    )
+
+
+# --- quadratic orders inside --------------------------------------------------------------------------
+
+
+def is_embedded(given: Given, parts: Parts) -> CheckResult:
+    """Some x in O has this discriminant and generates all that is integral of its field in O; over ℚ."""
+    order, d = given.order(parts[0]), a_whole_number(parts[1], "a discriminant")
+    x = given.element(given.data["element"])
+    if not order.holds(x.den, [x.row]):
+        reject("the element is not in the order")
+    (trace,), (norm,) = _trace_and_norm(given.algebra, x)
+    if trace * trace - 4 * norm != d:
+        reject("the element has another discriminant")
+    if not _is_optimal(order, x):
+        reject("the element does not generate all integral elements of its field in the order")
+    return CheckResult(FIELD, ELEMENT)
+
+
+def is_not_embedded(given: Given, parts: Parts) -> CheckResult:
+    """Of the elements with this discriminant, and the trace 0 or 1, none is optimal; over ℚ."""
+    order, d = given.order(parts[0]), a_whole_number(parts[1], "a discriminant")
+    if d >= 0 or d % 4 > 1:
+        reject("a negative discriminant is 0 or 1 modulo 4")
+    basis, trace = given.basis(order, given.data["basis"]), d % 2
+    for row in _with_rational_trace_and_norm(basis, trace, (trace - d) // 4):
+        if _is_optimal(order, Element(basis.den, row)):
+            reject("an element of the order has this discriminant, and is optimal")
+    return CheckResult(FIELD, ENUMERATION)
+
+
+def _is_optimal(order: Lattice, x: Element) -> bool:
+    """Tell whether no (x − m)/k with k > 1 is in the order: minors of 1 and x in coordinates are coprime."""
+    back, det = inverse(order.rows)
+    both = times(
+        [order.algebra.number([x.den * c for c in order.algebra.integers.one]), x.row], back
+    )
+    # coordinates are these, times den/(det·x.den)
+    u, v = (tuple(c * order.den // (det * x.den) for c in w) for w in both)
+    spend_products(u, v)
+    minors = [u[m] * v[n] - u[n] * v[m] for m in range(len(u)) for n in range(m)]
+    spend_products(minors, minors[:1])
+    return gcd(*minors) == 1
+
+
+# --- classes, and units of norm 1 ---------------------------------------------------------------------
+
+
+def is_class_set(given: Given, parts: Parts) -> CheckResult:
+    """The order has so many classes of locally principal right ideals."""
+    values, order = a_list(given.data["classes"], "classes", 1), given.order(parts[0])
+    if len(values) != a_whole_number(parts[1], "the number of classes"):
+        reject(f"{len(values)} classes are given, which is not the number that is stated")
+    total = mass(order, given.primes) * given.class_number
+    need_class_set(order, given.classes(values), given.units, total)
+    cites = (*given.unit_theorems, *given.zeta_theorems, given.mass_theorem)
+    return CheckResult(FIELD, BY_MASS).citing(*cites)
+
+
+def is_domain(given: Given, parts: Parts) -> CheckResult:
+    """The units g of norm 1 bound the domain of all around the centre."""
+    order, plane = given.order(parts[0]), given.real_algebra()
+    center = given.elements(parts[1])
+    if len(center) != 1:
+        reject(f"a domain has one centre, found {len(center)}")
+    Domain(order, plane, area(order, given.primes), center[0], given.elements(parts[2]))
+    return CheckResult(FIELD, BY_AREA).citing(*given.zeta_theorems, SHIMIZU)
+
+
+def is_group(given: Given, parts: Parts) -> CheckResult:
+    """The units of norm 1 modulo ±1 have this signature and this presentation."""
+    order, plane = given.order(parts[0]), given.real_algebra()
+    center = given.element(given.data["center"])
+    units = [given.element(x) for x in a_list(given.data["units"], "units")]
+    domain = Domain(order, plane, area(order, given.primes), center, units)
+    signature = (a_rational(parts[1]), list(numbers_of(parts[2])), a_rational(parts[3]))
+    domain.need_group(signature, given.elements(parts[4]), list(words_of(parts[5])))
+    return CheckResult(FIELD, BY_AREA).citing(*given.zeta_theorems, SHIMIZU, POINCARE)

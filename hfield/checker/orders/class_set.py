@@ -1,0 +1,85 @@
+"""The right ideal classes of an order in a totally definite algebra: a set with their mass is all of them.
+
+The class of a right ideal I is recognised by the lattices x⁻¹·I for the x in I with the least Tr(N(x)/νu).
+They lie in the class of I, and c·I has the same ones. Here the norm of I is ν·a, where ν is totally positive
+and a represents a narrow ideal class. The totally positive unit u runs through representatives modulo
+squares (docs/trust.md). Over ℚ the x are the elements of least norm.
+"""
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from math import lcm
+
+from hfield.checker.number_fields.enumeration import short_vectors
+from hfield.checker.number_fields.ideals import index
+from hfield.checker.number_fields.matrices import Key, Row, hermite, inverse, reduced, times
+from hfield.checker.orders.lattice import Lattice
+from hfield.checker.rejection import reject
+from hfield.checker.scalars.number_fields import Element as Number
+
+
+def need_ideal(lattice: Lattice, order: Lattice, side: str, what: str = "this") -> None:
+    """Reject unless a lattice is a locally principal ideal: its index is the square of its norm."""
+    factors = (order, lattice) if side == "left" else (lattice, order)
+    if not factors[0].products_lie_in(factors[1], lattice):
+        reject(f"{what} is no {side} ideal of the order")
+    if lattice.volume != order.volume * index(lattice.norm) ** 2:
+        reject(f"{what} is not locally principal: its index is not the square of its norm")
+
+
+def need_class_set(
+    order: Lattice,
+    classes: Iterable[tuple[Lattice, Number, int]],
+    units: Sequence[Number],
+    mass: Fraction,
+) -> None:
+    """Reject unless these ideals represent each class once; each has 1/ν and the index of its a."""
+    seen: dict[tuple[int, Key], int] = {}
+    total = Fraction(0)
+    for number, (ideal, scale, kind) in enumerate(classes):
+        need_ideal(ideal, order, "right", f"the ideal {number}")
+        keys, count = _divided_by_least(ideal, scale, units)
+        for key in keys:
+            if seen.setdefault((kind, key), number) != number:
+                reject(f"the ideals {seen[kind, key]} and {number} are in one class")
+        total += Fraction(1, count)
+    if total != mass:
+        reject("these classes do not have the mass of all classes")
+
+
+def _divided_by_least(
+    ideal: Lattice, scale: Number, units: Sequence[Number]
+) -> tuple[set[Key], int]:
+    """Return the lattices x⁻¹·I, and the index of the field's units in the units of the left order of I.
+
+    The index is the number of ±x with the same x⁻¹·I and the same N(x)/νu.
+    """
+    integers = ideal.algebra.integers
+    # 1/u differs from u by a square
+    parts = [integers.coordinates(integers.field.mul(scale, u)) for u in units]
+    common = lcm(*(den for den, _ in parts))
+    numbers = [tuple([c * (common // den) for c in row]) for den, row in parts]
+    forms = [ideal.form(integers.traces(c)) for c in numbers]
+    least = min(form[k][k] for form in forms for k in range(ideal.algebra.size))
+    found: list[tuple[Row, Row]] = []
+    for form, c in zip(forms, numbers, strict=True):
+        for x, value in short_vectors(form, least):
+            if value < least:
+                found, least = [], value
+            if value == least:
+                found.append((x, c))
+    images = set()
+    for x, c in found:
+        norm = ideal.norm_of(x)
+        images.add((_divided(ideal, x, norm), integers.mul(norm, c)))
+    return {key for key, _ in images}, len(found) // len(images)
+
+
+def _divided(ideal: Lattice, x: Row, norm: Row) -> Key:
+    """Return x⁻¹·I = N(x)⁻¹·conj(x)·I; x and its norm are as :meth:`Lattice.norm_of` has them."""
+    algebra = ideal.algebra
+    ideal.pay(3)
+    back, det = inverse(algebra.integers.matrix(norm))
+    bar = algebra.conjugate(times([x], ideal.rows)[0])
+    factor = algebra.blockwise(bar, [[2 * c for c in row] for row in back])
+    return reduced(det * algebra.scale, hermite(times(ideal.rows, algebra.left(factor))))

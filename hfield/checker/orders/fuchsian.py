@@ -1,0 +1,280 @@
+"""Units of norm 1 of an order that splits at one real place: a polygon with their area is their domain.
+
+The plane is that of the elements of trace 0 with positive norm, up to positive factors, on the sheet of the
+centre c; g of norm 1 moves x to g·x·ḡ. Points and lines are rows of integers of the field, which are ordered
+by the place, and the polygon that lies nearer to c than to the g·c contains the domain (docs/trust.md).
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import product
+from typing import Any
+
+from hfield.checker.budget import spend
+from hfield.checker.number_fields.integers import Primes
+from hfield.checker.number_fields.matrices import Row, longest
+from hfield.checker.orders.lattice import Element, Lattice
+from hfield.checker.orders.local_types import mass, symbols
+from hfield.checker.orders.presentations import Word, simplified
+from hfield.checker.orders.real_algebra import RealAlgebra
+from hfield.checker.rejection import reject
+
+Vector = tuple[Any, Any, Any]
+MAX_SIDES = 5_000
+MAX_ORDER = 21
+"""Elliptic points have at most this order m over a field of degree 6: ζ₂ₘ has degree φ(2m) ≤ 12 over ℚ."""
+
+
+def area(order: Lattice, primes: Primes) -> Fraction:
+    """Return the area of the plane modulo the units of norm 1 over 2π: Shimizu's formula, which is cited.
+
+    It is twice the mass, divided by the indices of norms of local units.
+    """
+    found = 2 * mass(order, primes)
+    for P, symbol in symbols(order, primes):
+        if symbol == 0:
+            # at an odd prime norms of units are the squares modulo it
+            found /= 2 if P.p > 2 else _norm_index_at_two(order)
+    return found
+
+
+def _norm_index_at_two(order: Lattice) -> int:
+    """Return the index of norms of local units in the units of ℤ₂."""
+    if order.algebra.n > 1:
+        reject("the area is not known here where an Eichler symbol above 2 is 0")
+    spend(40_000)
+    form = [
+        [x // order.unit for x in row] for row in order.gram[0]
+    ]  # integral, even on the diagonal
+    norms = {
+        sum(x[m] * x[n] * form[m][n] for m in range(4) for n in range(4)) // 2 % 8
+        for x in product(range(8), repeat=4)
+    }
+    return 4 // len(norms & {1, 3, 5, 7})
+
+
+class Domain:
+    """The Dirichlet domain of the units of norm 1 around the fixed point of c.
+
+    Side n lies halfway between c and the image of c under unit n; units and sides go counterclockwise.
+    ``area`` is that of the plane modulo the group, over 2π.
+    """
+
+    def __init__(
+        self,
+        order: Lattice,
+        algebra: RealAlgebra,
+        area: Fraction,
+        center: Element,
+        units: Sequence[Element],
+    ) -> None:
+        if not 3 <= len(units) <= MAX_SIDES:
+            reject(f"a domain has 3 to {MAX_SIDES} sides")
+        self.algebra, self.area = algebra, area
+        self.units = [algebra.element(g.den, g.row) for g in units]
+        self._axes = self._seen_from(algebra.element(center.den, center.row).row)
+        bits = longest([*self._axes, *(g.row for g in self.units)]) + algebra.bits
+        spend(len(units) * (400 + 5_000 * (order.algebra.n - 1) + bits * bits // 3_000))
+        for own, g in zip(units, self.units, strict=True):
+            size = 2 * algebra.scale * g.den * g.den
+            if not order.holds(own.den, [own.row]) or algebra.pairing(g.row, g.row) != size:
+                reject("an element is no unit of norm 1 of the order")
+        self._need_polygon()
+        self.partners = self._paired()
+        self.cycles = list(self._cycles())
+        angles = sum((Fraction(1, c.order) for c in self.cycles if c.order), Fraction(0))
+        if Fraction(len(units) - 2, 2) - angles != area:
+            reject("the polygon has not the area of the plane modulo the group")
+
+    def _seen_from(self, c: Row) -> tuple[Row, Row, Row]:
+        """Return c, some u that anticommutes with c, and c·u, up to positive factors."""
+        algebra = self.algebra
+        if algebra.pairing(c, (1, 0, 0, 0)) or algebra.pairing(c, c) <= 0:
+            reject("the centre is no element of trace 0 and positive norm")
+        for k in range(1, 4):
+            v = tuple(int(k == m) for m in range(4))
+            u = tuple(x - y for x, y in zip(algebra.times(c, v), algebra.times(v, c), strict=True))
+            size = algebra.pairing(u, u)
+            if size > 0:
+                reject("the algebra is definite")
+            if size:
+                return c, u, algebra.times(c, u)
+        reject("the centre commutes with everything")
+
+    def _moved(self, g: Row, x: Row) -> Row:
+        """Return g·x·ḡ, times the scale of the algebra to the power 3."""
+        return self.algebra.times(self.algebra.times(g, x), self.algebra.conjugate(g))
+
+    # --- the polygon ---------------------------------------------------------------------------------
+
+    def _line(self, g: Element) -> Vector:
+        """Return the form that is ≥ 0 where c is at least as near as g·c: the pairing with g·c − c."""
+        size = g.den * g.den * self.algebra.scale**3
+        c = self._axes[0]
+        far = tuple(x - size * y for x, y in zip(self._moved(g.row, c), c, strict=True))
+        a, b, d = (self.algebra.pairing(far, v) for v in self._axes)
+        return (a, b, d)
+
+    def _need_polygon(self) -> None:
+        """Reject unless the lines bound a convex polygon, in order, with corners at most at infinity.
+
+        The forms f, positive at the centre, are the points (f₁/f₀, f₂/f₀) of the dual plane: corners of a
+        convex polygon around 0 if they turn left there, seen from 0 and from one another, once around.
+        """
+        lines = [self._line(g) for g in self.units]
+        if any(f[0] <= 0 for f in lines):
+            reject("a unit does not move the centre")
+        meetings = [_meeting(lines[n - 1], f) for n, f in enumerate(lines)]
+        turns = sum(lines[n - 1][2] < 0 <= f[2] for n, f in enumerate(lines))
+        if turns != 1 or any(x[0] <= 0 for x in meetings):
+            reject("the sides do not go once around the centre")
+        if any(_dot(lines[n - 2], x) <= 0 for n, x in enumerate(meetings)):
+            reject("a side does not bound the polygon")
+        norms = [self.algebra.pairing(v, v) for v in self._axes]
+        sizes = [sum(m * a * a for m, a in zip(norms, x, strict=True)) for x in meetings]
+        if any(size < 0 for size in sizes):
+            reject("two sides meet beyond infinity")
+        self._ideal = [size == 0 for size in sizes]
+        self.corners = [self.algebra.primitive(0, times_axes(x, self._axes)).row for x in meetings]
+
+    def _paired(self) -> list[int]:
+        """Return to which side each is mapped by the inverse of its unit, which is the unit there."""
+        places = {self._up_to_sign(g): n for n, g in enumerate(self.units)}
+        partners = []
+        count = len(self.units)
+        for n, g in enumerate(self.units):
+            bar = self.algebra.conjugate(g.row)
+            back = Element(g.den * self.algebra.scale, bar)
+            partner = places.get(self._up_to_sign(back))
+            if partner is None:
+                reject("the inverse of a unit belongs to no side")
+            ends = [self.corners[n], self.corners[(n + 1) % count]]
+            images = [self._moved(bar, x) for x in ends]
+            others = [self.corners[(partner + 1) % count], self.corners[partner]]
+            if not all(map(_same_point, images, others)):
+                reject("a side is not mapped to a side")
+            partners.append(partner)
+        return partners
+
+    def _up_to_sign(self, g: Element) -> tuple[int, Row]:
+        """Return what g and −g have in common, and no other element."""
+        own = self.algebra.primitive(g.den, g.row)
+        first = next((x for x in own.row if x), 0)
+        return own.den, tuple(-x for x in own.row) if first < 0 else own.row
+
+    def _cycles(self) -> Iterator["Cycle"]:
+        left, count = set(range(len(self.units))), len(self.units)
+        while left:
+            start = n = min(left)
+            path: list[int] = []
+            around = Element(1, (1, 0, 0, 0))
+            while not path or n != start:
+                if n not in left:
+                    reject("the corners are in no cycles")
+                left.discard(n)
+                path.append(n)
+                g = self.units[n]
+                bar = Element(g.den * self.algebra.scale, self.algebra.conjugate(g.row))
+                around = self.algebra.product(bar, around)
+                n = (self.partners[n] + 1) % count
+            order = self._order(around)
+            if (order == 0) != self._ideal[start]:
+                reject("what goes around a corner does not fix it as it should")
+            yield Cycle(tuple(path), order)
+
+    def _order(self, g: Element) -> int:
+        """Return the order of a unit modulo ±1; 0 for a parabolic one."""
+        trace = self.algebra.pairing(g.row, (1, 0, 0, 0))
+        if any(g.row[1:]) and trace * trace == (2 * self.algebra.scale * g.den) ** 2:
+            return 0
+        power = g
+        for m in range(1, MAX_ORDER + 1):
+            if not any(power.row[1:]):
+                return m
+            power = self.algebra.product(power, g)
+        reject("what goes around a corner moves it")
+
+    # --- the group -----------------------------------------------------------------------------------
+
+    @cached_property
+    def elliptic(self) -> list[int]:
+        """The orders of the elliptic points, ascending; one is in the middle of a side paired with itself."""
+        halves = [2 for n, partner in enumerate(self.partners) if n == partner]
+        return sorted([*halves, *(c.order for c in self.cycles if c.order > 1)])
+
+    @property
+    def cusps(self) -> int:
+        """The number of cusps."""
+        return sum(c.order == 0 for c in self.cycles)
+
+    @property
+    def genus(self) -> Fraction:
+        """The genus of the quotient, from area = 2·genus − 2 + Σ (1 − 1/order) + cusps."""
+        return (self.area + 2 - self.cusps - sum(1 - Fraction(1, m) for m in self.elliptic)) / 2
+
+    def need_group(
+        self,
+        signature: tuple[Fraction, list[int], Fraction],
+        generators: Sequence[Element],
+        relations: Sequence[Word],
+    ) -> None:
+        """Reject unless the group has this signature, and this is the presentation that the domain gives."""
+        if signature != (self.genus, self.elliptic, Fraction(self.cusps)):
+            reject("the group has another signature")
+        own = [self.algebra.element(x.den, x.row) for x in generators]
+        if (own, list(relations)) != self.presentation():
+            reject("this is not the presentation that the domain gives")
+
+    def presentation(self) -> tuple[list[Element], list[Word]]:
+        """Return generators and relations: of the sides, less those that a relation expresses by others."""
+        letters: dict[int, int] = {}
+        for n, partner in enumerate(self.partners):
+            if n not in letters:
+                letters[partner] = -1 - max(letters.values(), default=0)
+                letters[n] = -letters[partner]
+        relations: list[Word] = [
+            (letters[n],) * 2 for n, partner in enumerate(self.partners) if n == partner
+        ]
+        relations += [tuple(letters[n] for n in c.sides) * c.order for c in self.cycles]
+        left, relations = simplified(sorted(x for x in letters.values() if x > 0), relations)
+        numbers = {old: n for n, old in enumerate(left, 1)}
+        numbers |= {-old: -n for old, n in numbers.items()}
+        sides = {letter: n for n, letter in letters.items()}
+        return (
+            [self.units[sides[letter]] for letter in left],
+            [tuple(numbers[x] for x in word) for word in relations],
+        )
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """A corner up to the group: the sides around it, and the order of its stabiliser, 0 at a cusp."""
+
+    sides: tuple[int, ...]
+    order: int
+
+
+def times_axes(x: Sequence[int], axes: Sequence[Row]) -> Row:
+    """Return a combination of rows."""
+    return tuple(sum(a * v[k] for a, v in zip(x, axes, strict=True)) for k in range(4))
+
+
+def _meeting(f: Vector, g: Vector) -> Vector:
+    """Return the point where two lines meet."""
+    return (
+        f[1] * g[2] - f[2] * g[1],
+        f[2] * g[0] - f[0] * g[2],
+        f[0] * g[1] - f[1] * g[0],
+    )
+
+
+def _dot(f: Vector, x: Vector) -> Any:
+    return f[0] * x[0] + f[1] * x[1] + f[2] * x[2]
+
+
+def _same_point(x: Row, y: Row) -> bool:
+    """Tell whether coordinates are multiples of one another; on one sheet the factor is positive."""
+    n = next(n for n, c in enumerate(y) if c)
+    return all(x[n] * b == a * y[n] for a, b in zip(x, y, strict=True))

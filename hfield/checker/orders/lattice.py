@@ -1,0 +1,175 @@
+"""Lattices of full rank in an algebra: integer rows over a denominator, and their Hermite form."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from math import gcd, prod
+
+from hfield.checker.budget import spend
+from hfield.checker.number_fields.ideals import ideal
+from hfield.checker.number_fields.matrices import (
+    Key,
+    Row,
+    Rows,
+    hermite,
+    inverse,
+    longest,
+    reduced,
+    times,
+    transposed,
+)
+from hfield.checker.orders.algebra import Algebra
+from hfield.checker.rejection import reject
+
+
+@dataclass(frozen=True)
+class Element:
+    """A row over a denominator."""
+
+    den: int
+    row: Row
+
+
+@dataclass(frozen=True)
+class Lattice:
+    """The integer combinations of independent ``rows`` over ``den``; any basis."""
+
+    algebra: Algebra
+    den: int
+    rows: Rows
+
+    @cached_property
+    def bits(self) -> int:
+        """How long the numbers are, with those of the algebra."""
+        return longest([(self.den,), *self.rows]) + self.algebra.bits
+
+    def pay(self, matrices: int, bits: int = 0) -> None:
+        """Spend what so many products of square matrices, with numbers longer by ``bits`` than those here."""
+        count, bits = matrices * self.algebra.size**3, self.bits + bits
+        spend(count // 4 + count * bits * bits // 2_000_000)
+
+    @cached_property
+    def key(self) -> Key:
+        """The least denominator and the Hermite form: equal exactly for equal lattices."""
+        return reduced(self.den, hermite(self.rows))
+
+    @cached_property
+    def gram(self) -> list[Rows]:
+        """The matrices of tr(x·conj(y)) on the rows, place by place, :attr:`unit` times too large."""
+        self.pay(2 * self.algebra.n)
+        columns = transposed(self.rows)
+        return [tuple(times(times(self.rows, form), columns)) for form in self.algebra.forms]
+
+    @property
+    def unit(self) -> int:
+        """By how much :attr:`gram` is too large."""
+        return self.algebra.scale * self.den * self.den
+
+    @cached_property
+    def volume(self) -> Fraction:
+        """The determinant of the rows, without its sign."""
+        den, rows = self.key
+        spend(self.algebra.size * self.bits**2 // 40_000)
+        return Fraction(prod(row[n] for n, row in enumerate(rows)), den**self.algebra.size)
+
+    @cached_property
+    def discriminant(self) -> int:
+        """The norm down to ℚ of the reduced discriminant of an order."""
+        found = self.algebra.volume * self.volume
+        if found.denominator != 1:
+            reject("this order has no integral discriminant")
+        return found.numerator
+
+    @cached_property
+    def norm(self) -> Key:
+        """The ideal of the field that the norms of all elements generate, by those of sums."""
+        size = self.algebra.size
+        self.pay(1)
+        values = [
+            tuple([g[m][n] * (2 if m < n else 1) for g in self.gram])
+            for m in range(size)
+            for n in range(m, size)
+        ]
+        return ideal(self.algebra.integers, 2 * self.unit, values)
+
+    def holds(self, den: int, rows: Iterable[Sequence[int]]) -> bool:
+        """Tell whether all of the rows over ``den`` lie in the lattice."""
+        own = self.key[0]
+        common = gcd(own, den)
+        up, down = own // common, den // common
+        for row in rows:
+            rest = [x * up for x in row]
+            if down != 1:
+                if any(x % down for x in rest):
+                    return False
+                rest = [x // down for x in rest]
+            for n, (pivot, others) in enumerate(self._steps):
+                c, r = divmod(rest[n], pivot)
+                if r:
+                    return False
+                if c:
+                    for m, y in others:
+                        rest[m] -= c * y
+        return True
+
+    @cached_property
+    def _steps(self) -> list[tuple[int, list[tuple[int, int]]]]:
+        """The pivots of the Hermite form, and what follows each in its row: places and numbers but 0."""
+        return [
+            (row[n], [(m, y) for m, y in enumerate(row) if y and m > n])
+            for n, row in enumerate(self.key[1])
+        ]
+
+    def times(self, x: Element, side: str) -> "Lattice":
+        """Return L·x for the ``right`` side, x·L for the left."""
+        self.pay(2, longest([x.row]))
+        multiply = self.algebra.right if side == "right" else self.algebra.left
+        rows = tuple(times(self.rows, multiply(x.row)))
+        return Lattice(self.algebra, self.den * x.den * self.algebra.scale, rows)
+
+    def products_lie_in(self, other: "Lattice", inside: "Lattice") -> bool:
+        """Tell whether all products of an element of this lattice and one of the other lie in a third."""
+        self.pay(3 * self.algebra.size, other.bits + inside.bits)
+        den = self.den * other.den * self.algebra.scale
+        return all(
+            inside.holds(den, times(self.rows, self.algebra.right(row))) for row in other.rows
+        )
+
+    def into(self, other: "Lattice", side: str) -> "Lattice":
+        """Return {x: L·x ⊆ M} for the ``left`` side, {x: x·L ⊆ M} for the right, M being ``other``."""
+        self.pay(2 * self.algebra.size, 4 * other.bits)
+        # x is in it exactly where x·c is an integer for the columns c of these matrices
+        multiply = self.algebra.left if side == "left" else self.algebra.right
+        back, det = inverse(other.rows)
+        columns: list[Row] = []
+        for row in self.rows:
+            columns += transposed(times(multiply(row), back))
+        found, d = inverse(transposed(hermite(columns)))
+        top = self.den * self.algebra.scale * abs(det)
+        g = gcd(other.den * abs(d), top)
+        up, down = top // g, other.den * abs(d) // g
+        return Lattice(self.algebra, down, tuple(tuple(x * up for x in row) for row in found))
+
+    @property
+    def conjugate(self) -> "Lattice":
+        """The lattice of all conjugates."""
+        self.pay(1)
+        rows = tuple(map(self.algebra.conjugate, self.rows))
+        return Lattice(self.algebra, self.den * self.algebra.scale, rows)
+
+    def form(self, weights: Sequence[int]) -> Rows:
+        """Return the matrix of a combination of the forms of :attr:`gram`."""
+        if tuple(weights) == (1,):
+            return self.gram[0]
+        self.pay(1)
+        size = range(self.algebra.size)
+        return tuple(
+            tuple([sum(w * g[m][k] for w, g in zip(weights, self.gram, strict=True)) for k in size])
+            for m in size
+        )
+
+    def norm_of(self, x: Row) -> Row:
+        """Return the norm of an element, by coordinates in the rows; 2·``unit`` times too large."""
+        values = (sum(c * d for c, d in zip(times([x], g)[0], x, strict=True)) for g in self.gram)
+        return tuple(values)

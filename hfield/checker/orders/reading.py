@@ -1,0 +1,279 @@
+"""Read statements and evidence about orders, over ℚ and over a number field.
+
+Over ℚ numbers are fractions. Over a number field the evidence also gives an integral basis, the units and the
+prime ideals, which are known for ℤ.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cached_property
+
+from hfield.checker.glossary import MASS, MASS_OVER_FIELDS, SIEGEL
+from hfield.checker.language import split
+from hfield.checker.number_fields.ideals import index
+from hfield.checker.number_fields.integers import (
+    RATIONAL_INTEGERS,
+    Factors,
+    Integers,
+    Primes,
+    RationalPrimes,
+    coefficients,
+    field_of,
+    integer_row,
+)
+from hfield.checker.number_fields.matrices import rational_rows, unit
+from hfield.checker.number_fields.narrow_class_groups import Narrow
+from hfield.checker.number_fields.real_numbers import RealPlace
+from hfield.checker.orders.algebra import Algebra
+from hfield.checker.orders.elements import need_definite
+from hfield.checker.orders.lattice import Element, Lattice
+from hfield.checker.orders.real_algebra import RealAlgebra
+from hfield.checker.orders.texts import a_rational, elements_of
+from hfield.checker.rejection import (
+    a_list,
+    an_integer,
+    an_object,
+    reject,
+    texts,
+)
+from hfield.checker.scalars.names import a_rational as a_coefficient
+from hfield.checker.scalars.number_fields import Element as Number
+from hfield.checker.scalars.number_fields import NumberField
+from hfield.checker.scalars.rationals import root
+from hfield.checker.scalars.real_roots import real_roots
+from hfield.checker.statement import Setting
+
+Data = Mapping[str, object]
+
+
+class Given(ABC):
+    """The parts of a statement and the keys of its evidence, over one base."""
+
+    unit_theorems: tuple[str, ...] = ()
+    """What is cited for the units and the class number of the field."""
+    zeta_theorems: tuple[str, ...] = ()
+    """What is cited for ζ_K(−1)."""
+    mass_theorem = MASS
+    class_number = 1
+
+    def __init__(self, setting: Setting, integers: Integers, data: Data) -> None:
+        self.algebra, self.data = Algebra(setting, integers), data
+
+    @abstractmethod
+    def coordinates(self, text: str) -> Sequence[Sequence[Fraction]]:
+        """Read elements of the statement, as coordinates in the integral basis."""
+
+    @abstractmethod
+    def element(self, value: object) -> Element:
+        """Read an element of the evidence."""
+
+    def lattice(self, text: str) -> Lattice:
+        """Read a lattice of the statement."""
+        rows, size = self.coordinates(text), self.algebra.size
+        if len(rows) != size:
+            reject(f"a lattice is written as {size} elements, a basis over the integers")
+        found = Lattice(self.algebra, *rational_rows(rows))
+        _ = found.key  # of full rank
+        return found
+
+    def order(self, text: str) -> Lattice:
+        """Read a lattice that is an order."""
+        found, algebra = self.lattice(text), self.algebra
+        if not found.holds(1, [algebra.number(unit(algebra.n, k)) for k in range(algebra.n)]):
+            reject("this is no order: 1 is not in it, or not all integers of the field")
+        if not found.products_lie_in(found, found):
+            reject("this is no order: a product of two rows is not in it")
+        return found
+
+    def elements(self, text: str) -> list[Element]:
+        """Read elements of the statement."""
+        found = (rational_rows([row]) for row in self.coordinates(text))
+        return [Element(den, row) for den, (row,) in found]
+
+    def given(self, value: object, what: str = "a lattice") -> Lattice:
+        """Read a lattice of the evidence."""
+        entry, size = an_object(value, "den rows", what), self.algebra.size
+        rows = [integer_row(x, size) for x in a_list(entry["rows"], "rows")]
+        if len(rows) != size:
+            reject(f"a lattice has {size} rows")
+        return Lattice(self.algebra, an_integer(entry["den"], "a denominator", 1), tuple(rows))
+
+    def basis(self, lattice: Lattice, value: object) -> Lattice:
+        """Read another basis of a lattice."""
+        found = self.given(value)
+        if found.key != lattice.key:
+            reject(
+                "these rows are no basis of the lattice that is run through, but of another lattice"
+            )
+        return found
+
+
+class OverQ(Given):
+    """An algebra over ℚ; integral basis, units and primes are those of ℤ."""
+
+    def __init__(self, setting: Setting, data: Data) -> None:
+        if setting.field is None or setting.field.name != "QQ" or setting.letters:
+            reject("lattices are checked in an algebra over QQ alone, with numbers for constants")
+        super().__init__(setting, RATIONAL_INTEGERS, data)
+        self.primes: Primes = RationalPrimes()
+        self.units = [RATIONAL_INTEGERS.field.one]
+
+    def coordinates(self, text: str) -> Sequence[Sequence[Fraction]]:
+        """Read rows of four rational numbers."""
+        return elements_of(text)
+
+    def element(self, value: object) -> Element:
+        """Read four texts."""
+        found = [a_rational(x) for x in texts(value, "an element")]
+        if len(found) != 4:
+            reject("an element has four coordinates")
+        den, (row,) = rational_rows([found])
+        return Element(den, row)
+
+    def quotient(
+        self, first: Lattice, second: Lattice, between: Callable[[], Lattice]
+    ) -> Number | None:
+        """Return 1/|N(c)| of a c that would carry one lattice to the other; None where no c has it."""
+        size = root(second.volume / first.volume)
+        if size is None or (size / index(between().norm)).denominator != 1:
+            return None
+        return (1 / size,)
+
+    def between(self, lattice: Lattice, side: str) -> Lattice:
+        """Read a basis of {x: L·x ⊆ M} for the ``left`` side, {x: x·L ⊆ M} for the right."""
+        return self.basis(lattice, self.data["between"])
+
+    def classes(self, values: Sequence[object]) -> Iterator[tuple[Lattice, Number, int]]:
+        """Read ideals; the norm of each is positive and generates an ideal, which tells nothing more."""
+        for value in values:
+            yield self.given(value), self.units[0], 0
+
+    def real_algebra(self) -> RealAlgebra:
+        """Return the algebra at the real place."""
+        return RealAlgebra(self.algebra)
+
+
+class OverField(Given):
+    """An algebra over a number field K: the evidence says what ℤ_K is."""
+
+    mass_theorem = MASS_OVER_FIELDS
+    zeta_theorems = (SIEGEL,)
+
+    def __init__(self, setting: Setting, data: Data) -> None:
+        field = field_of(setting)
+        if "basis" in data:
+            integers = _integers(field, data["basis"])
+        else:
+            self.narrow = Narrow(field, data["units"], data["fundamental"])
+            integers, self.units = self.narrow.s.integers, self.narrow.units
+            self.class_number, self.unit_theorems = self.narrow.order, self.narrow.s.cites
+        super().__init__(setting, integers, data)
+
+    @cached_property
+    def primes(self) -> Primes:
+        """The prime ideals that are given."""
+        return Factors(self.algebra.integers, self.data["primes"])
+
+    def coordinates(self, text: str) -> Sequence[Sequence[Fraction]]:
+        """Read elements between bars, four numbers of the field each between commas."""
+        found, ring = [], self.algebra.ring
+        for entry in split(text, "|"):
+            values = split(entry, ",")
+            if len(values) != 4:
+                reject("an element is written as four numbers")
+            row: list[Fraction] = []
+            for value in values:
+                number = coefficients(ring, ring.read(value.strip()))
+                den, own = self.algebra.integers.coordinates(number)
+                row += [Fraction(c, den) for c in own]
+            found.append(row)
+        return found
+
+    def element(self, value: object) -> Element:
+        """Read coordinates over a denominator; the element is not 0."""
+        entry = an_object(value, "den row", "an element")
+        den = an_integer(entry["den"], "a denominator", 1)
+        row = integer_row(entry["row"], self.algebra.size)
+        if not any(row):
+            reject("an element is 0")
+        return Element(den, row)
+
+    def quotient(
+        self, first: Lattice, second: Lattice, between: Callable[[], Lattice]
+    ) -> Number | None:
+        """Return 1/ν, where ν is totally positive and generates N(M)/N(L); None where there is no ν.
+
+        J = I·c makes N(c) such a generator, in a totally definite algebra: ν up to units of the field.
+        """
+        narrow = self.narrow
+        for lattice in (first, second):
+            _need_module(lattice)
+            need_definite(lattice)
+        if "quotient" in self.data:
+            x, e = narrow.read(self.data["quotient"])
+            if not narrow.is_quotient(x, e, second.norm, first.norm):
+                reject("the quotient of the norms is another ideal")
+            if narrow.is_principal(x, e):
+                reject("the quotient of the norms has a totally positive generator")
+            return None
+        if not self.data.keys() >= {"norm", "between"}:
+            reject("the evidence lacks the key 'quotient', or the keys 'norm' and 'between'")
+        nu = narrow.s.given(self.data["norm"])
+        inverse = narrow.need_totally_positive(nu)
+        if not narrow.is_quotient(nu, [0] * len(narrow.s.S), second.norm, first.norm):
+            reject("the quotient of the norms is another ideal")
+        return inverse
+
+    def between(self, lattice: Lattice, side: str) -> Lattice:
+        """Read a basis of {x: L·x ⊆ M} for the ``left`` side; for the right, of the conjugates."""
+        return self.basis(lattice if side == "left" else lattice.conjugate, self.data["between"])
+
+    def classes(self, values: Sequence[object]) -> Iterator[tuple[Lattice, Number, int]]:
+        """Read ideals with their norms: ν, times one of the ideals of the narrow classes."""
+        narrow, n = self.narrow, self.algebra.n
+        norms = narrow.classes(self.data.get("narrow"))
+        whole = 1, tuple(unit(n, k) for k in range(n))
+        for value in values:
+            entry = dict(an_object(value, "den rows norm", "an ideal", "narrow"))
+            nu = narrow.s.given(entry.pop("norm"))
+            kind = an_integer(entry.pop("narrow", 0), "a number", 0)
+            if kind >= len(norms):
+                reject("an ideal has the norm of a narrow class that is not given")
+            ideal = self.given(entry)
+            inverse = narrow.need_totally_positive(nu)
+            x, e = norms[kind]
+            if not narrow.is_quotient(narrow.field.mul(nu, x), e, ideal.norm, whole):
+                reject("the norm of an ideal is another one")
+            yield ideal, inverse, kind
+
+    def real_algebra(self) -> RealAlgebra:
+        """Return the algebra at the only real place where it splits, of a totally real field."""
+        algebra = self.algebra
+        integers = algebra.integers
+        roots = real_roots(integers.field.modulus)
+        first, second = map(integers.number, algebra.signs)
+        found = [x for x in roots if x.sign(first) > 0 or x.sign(second) > 0]
+        if len(roots) < algebra.n or len(found) != 1:
+            reject("groups are of algebras over totally real fields that split at one real place")
+        return RealAlgebra(algebra, RealPlace(integers, found[0]))
+
+
+def _integers(field: NumberField, value: object) -> Integers:
+    """Read an integral basis of a field."""
+    rows = [
+        [a_coefficient(c, "a coefficient") for c in a_list(x, "an element")]
+        for x in a_list(value, "the integral basis")
+    ]
+    if [len(row) for row in rows] != [field.degree] * field.degree:
+        reject(f"an integral basis has {field.degree} elements, of as many coefficients")
+    return Integers(field, rows)
+
+
+def _need_module(lattice: Lattice) -> None:
+    """Reject unless a lattice is closed under the integers of the field."""
+    algebra = lattice.algebra
+    lattice.pay(algebra.n)
+    for by in algebra.integers.table:
+        if not lattice.holds(lattice.den, [algebra.blockwise(x, by) for x in lattice.rows]):
+            reject("a lattice is no module over the integers of the field")

@@ -1,0 +1,80 @@
+"""The algebra at a real place: rows of four numbers that are ordered, which are integers over ℚ."""
+
+from collections.abc import Sequence
+from math import gcd
+from typing import Any
+
+from hfield.checker.budget import spend
+from hfield.checker.number_fields.matrices import Row, longest, times
+from hfield.checker.number_fields.real_numbers import Real, RealPlace
+from hfield.checker.orders.algebra import Algebra
+from hfield.checker.orders.lattice import Element
+
+
+class RealAlgebra:
+    """Products, conjugates and pairings of such rows; all of them come ``scale`` times too large."""
+
+    def __init__(self, algebra: Algebra, place: RealPlace | None = None) -> None:
+        """Make the tables; over ℚ there is one place, which need not be given."""
+        self.algebra, self.scale, self._place = algebra, algebra.scale, place
+        left: list[list[Any]] = [[0] * 16 for _ in range(4)]
+        for u, products in enumerate(algebra.products):
+            for v, terms in enumerate(products):
+                for k, c in terms:
+                    left[u][4 * v + k] = self._constant(c)
+        self._left = left
+        self.form = tuple(tuple(map(self._constant, row)) for row in algebra.pairings)
+        """The matrix of tr(x·conj(y))."""
+        s, t = self.scale, self._constant(algebra.trace_of_i)
+        self._bar = ((s, 0, 0, 0), (t, -s, 0, 0), (0, 0, -s, 0), (0, 0, 0, -s))
+        self.bits = longest([*self.form, *left])
+
+    def _number(self, row: Row) -> Any:
+        """Return an integer of the field."""
+        return row[0] if self._place is None else Real(self._place, row)
+
+    def _constant(self, row: Row) -> Any:
+        """Return an integer of the field; one of ℚ, which is quickly multiplied by, as such."""
+        one = self.algebra.integers.one
+        k = next(k for k, c in enumerate(one) if c)
+        c = row[k] // one[k]
+        return c if tuple(c * x for x in one) == row else self._number(row)
+
+    def element(self, den: int, row: Sequence[int]) -> Element:
+        """Return an element of coordinates over ℤ, in lowest terms."""
+        common, n = gcd(den, *row), self.algebra.n
+        own = [c // common for c in row]
+        numbers = (self._number(tuple(own[k : k + n])) for k in range(0, 4 * n, n))
+        return Element(den // common, tuple(numbers))
+
+    def coordinates(self, x: Row) -> Row:
+        """Return the coordinates of a row over ℤ."""
+        if self._place is None:
+            return x
+        one = self.algebra.integers.one
+        parts = (c.row if isinstance(c, Real) else tuple(c * e for e in one) for c in x)
+        return tuple(c for part in parts for c in part)
+
+    def primitive(self, den: int, x: Row) -> Element:
+        """Return an element in lowest terms."""
+        return self.element(den, self.coordinates(x))
+
+    def times(self, x: Row, y: Row) -> Row:
+        """Return x·y."""
+        (row,) = times([x], self._left)
+        return times([y], (row[:4], row[4:8], row[8:12], row[12:]))[0]
+
+    def conjugate(self, x: Row) -> Row:
+        """Return the conjugate."""
+        return times([x], self._bar)[0]
+
+    def pairing(self, x: Row, y: Row) -> Any:
+        """Return tr(x·conj(y))."""
+        (row,) = times([x], self.form)
+        return sum(a * b for a, b in zip(row, y, strict=True))
+
+    def product(self, g: Element, h: Element) -> Element:
+        """Return a product of elements, in lowest terms."""
+        row = self.times(g.row, h.row)
+        spend(50 + longest([row]) ** 2 // 10_000)
+        return self.primitive(g.den * h.den * self.scale, row)

@@ -1,0 +1,134 @@
+"""The words of certificates about orders, in two spellings, and which evidence shows or refutes them.
+
+Over ℚ: ``order{L; n}`` · ``order{L; n; maximal}`` · ``ideal{I; side; O; norm}`` ·
+``equivalent{side; I; J}`` · ``isomorphic-orders{O; P}`` · ``embedding{O; d}`` · ``class-set{O; h}`` ·
+``dirichlet-domain{O; c; g | …}`` · ``norm-one-group{O; genus; orders; cusps; g | …; words}``. A lattice is
+written as four rows of rational numbers, ``1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2``.
+
+Over a number field: ``order-over-integers{O; n}`` · ``ideal-over-integers{I; side; O; n}``, n the absolute
+norm of the reduced discriminant and of the reduced norm · ``equivalent-over-integers{side; I; J}`` ·
+``isomorphic-over-integers{O; P}`` · ``unit-index{O; n}`` · ``ideal-classes{O; h}`` ·
+``dirichlet-domain-over-integers{…}`` · ``norm-one-group-over-integers{…}``. A lattice is written as a basis
+over ℤ, of elements with four numbers of the field each.
+"""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from hfield.checker.check_result import CheckResult
+from hfield.checker.language import Tree
+from hfield.checker.orders import answers
+from hfield.checker.orders.reading import OverField, OverQ
+from hfield.checker.orders.texts import (
+    a_rational,
+    a_side,
+    elements_of,
+    numbers_of,
+    rows_of,
+    words_of,
+)
+from hfield.checker.rejection import an_object, kind_of, reject, shown
+from hfield.checker.statement import Setting
+
+Check = Callable[[Any, tuple[str, ...]], CheckResult]
+Evidence = dict[tuple[str, str], tuple[Check, str, str]]
+"""Of a word and a verdict: the check, the keys of the evidence, and those that may be left out."""
+
+OVER_Q: Evidence = {
+    ("order", "proved"): (answers.is_order, "", ""),
+    ("ideal", "proved"): (answers.is_ideal, "", ""),
+    ("equivalent", "proved"): (answers.are_equivalent, "element", ""),
+    ("equivalent", "refuted"): (answers.are_not_equivalent, "", "between"),
+    ("isomorphic-orders", "proved"): (answers.are_isomorphic, "element", ""),
+    ("isomorphic-orders", "refuted"): (answers.have_other_numbers, "", "trace norm bases"),
+    ("embedding", "proved"): (answers.is_embedded, "element", ""),
+    ("embedding", "refuted"): (answers.is_not_embedded, "basis", ""),
+    ("class-set", "proved"): (answers.is_class_set, "classes", ""),
+    ("dirichlet-domain", "proved"): (answers.is_domain, "", ""),
+    ("norm-one-group", "proved"): (answers.is_group, "center units", ""),
+}
+UNITS = "units fundamental"
+OVER_FIELDS: Evidence = {
+    ("order-over-integers", "proved"): (answers.is_order, "basis", ""),
+    ("ideal-over-integers", "proved"): (answers.is_ideal, "basis", ""),
+    ("equivalent-over-integers", "proved"): (answers.are_equivalent, "basis element", ""),
+    ("equivalent-over-integers", "refuted"): (
+        answers.are_not_equivalent, UNITS, "quotient norm between"
+    ),
+    ("isomorphic-over-integers", "proved"): (answers.are_isomorphic, "basis element", ""),
+    ("isomorphic-over-integers", "refuted"): (answers.have_no_images, "basis", "pair order"),
+    ("unit-index", "proved"): (answers.has_units, f"{UNITS} order", ""),
+    ("ideal-classes", "proved"): (answers.is_class_set, f"{UNITS} primes classes", "narrow"),
+    ("dirichlet-domain-over-integers", "proved"): (answers.is_domain, "basis primes", ""),
+    ("norm-one-group-over-integers", "proved"): (
+        answers.is_group, "basis primes center units", ""
+    ),
+}  # fmt: skip
+
+
+def _maximal(text: str) -> str:
+    if text != "maximal":
+        reject(f"an order is stated to be maximal, or nothing more; found {shown(text)!r}")
+    return text
+
+
+# How the parts of a word over ℚ are read; that an order is maximal may be left away.
+PARTS: dict[str, tuple[Callable[[str], object], ...]] = {
+    "order": (rows_of, a_rational, _maximal),
+    "ideal": (rows_of, a_side, rows_of, a_rational),
+    "equivalent": (a_side, rows_of, rows_of),
+    "isomorphic-orders": (rows_of, rows_of),
+    "embedding": (rows_of, a_rational),
+    "class-set": (rows_of, a_rational),
+    "dirichlet-domain": (rows_of, elements_of, elements_of),
+    "norm-one-group": (rows_of, a_rational, numbers_of, a_rational, elements_of, words_of),
+}
+
+_NUMBER, _WHOLE = "[1-9][0-9]{0,99}", "(0|[1-9][0-9]{0,9})"
+_LETTERS = "-?[1-9][0-9]{0,3}( +-?[1-9][0-9]{0,3})*"
+# How the parts of a word over a number field are written, between semicolons.
+FORMS = {
+    "order-over-integers": f"[^;]+;{_NUMBER}",
+    "ideal-over-integers": f"[^;]+;(left|right);[^;]+;{_NUMBER}(/{_NUMBER})?",
+    "unit-index": f"[^;]+;{_NUMBER}",
+    "equivalent-over-integers": "(left|right);[^;]+;[^;]+",
+    "isomorphic-over-integers": "[^;]+;[^;]+",
+    "ideal-classes": "[^;]+;[1-9][0-9]{0,4}",
+    "dirichlet-domain-over-integers": "[^;]+;[^;]+;[^;]+",
+    "norm-one-group-over-integers": f"[^;]+;{_WHOLE};(none|{_WHOLE}(,{_WHOLE})*);{_WHOLE};[^;]+;"
+    f"(none|{_LETTERS}(,{_LETTERS})*)",
+}
+
+
+def establish_order(
+    word: str, parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
+) -> CheckResult:
+    """Check the evidence for a statement about orders."""
+    kind, checks = kind_of(evidence), OVER_Q if word in PARTS else OVER_FIELDS
+    if kind != word or (word, verdict) not in checks:
+        reject(f"evidence of the kind {shown(kind)!r} does not show that {word} is {verdict}")
+    check, keys, optional = checks[word, verdict]
+    data = an_object(evidence, f"kind {keys}", "the evidence", optional)
+    if word not in PARTS:
+        return check(OverField(setting, data), parts)
+    order_meaning(word, parts)
+    return check(OverQ(setting, data), parts)
+
+
+def order_meaning(word: str, parts: tuple[str, ...]) -> Tree:
+    """Return what a statement over ℚ says, however it is written; a basis is not changed."""
+    readers = PARTS[word]
+    if len(parts) != len(readers) and (word, len(parts)) != ("order", 2):
+        reject(f"{word} has not {len(parts)} parts")
+    return word, tuple(read(part) for read, part in zip(readers, parts, strict=False))
+
+
+def need_order_meaning(word: str, parts: tuple[str, ...], setting: Setting) -> None:
+    """Reject a statement over ℚ that says nothing."""
+    order_meaning(word, parts)
+    OverQ(setting, {})
+
+
+CHECKS = {word: partial(establish_order, word) for word in FORMS}
+"""The words over a number field."""

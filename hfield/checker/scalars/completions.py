@@ -1,0 +1,144 @@
+"""Completions at a place: ``Qp(5)``, ``GF(9)((t))``, ``QQ(sqrt(2))_inf-``, as far as the global field goes.
+
+Elements are those of the global field, on which the completion computes as it does. What is shown at the
+place of the norm over the global field holds over the completion, where valuation and residues are the same.
+An ordering or a level of the global field is none of the completion, so nothing else is known here, but
+the one ordering of the completion at a real place.
+"""
+
+from collections.abc import Hashable, Mapping
+
+from hfield.checker.language import Tree
+from hfield.checker.rejection import an_integer, an_object, keyed, reject, shown
+from hfield.checker.scalars.finite import is_prime
+from hfield.checker.scalars.functions import Functions
+from hfield.checker.scalars.names import plain
+from hfield.checker.scalars.number_fields import NumberField
+from hfield.checker.scalars.place import Place
+from hfield.checker.scalars.quadratic import Quadratic
+from hfield.checker.scalars.rationals import QQ
+from hfield.checker.scalars.residues import jacobi
+from hfield.checker.scalars.ring import Kind, ReadRing, Ring
+
+
+class Completion(Ring):
+    """The completion of a global field, of which only elements of the global field are named."""
+
+    is_field = True
+
+    def __init__(self, base: Ring, at: str) -> None:
+        self.base, self.words = base, f"the completion of {base.name} at {at}"
+        self.characteristic = base.characteristic
+        self.zero, self.one = base.zero, base.one
+
+    def number(self, n: int) -> Hashable:
+        """Return n·1."""
+        return self.base.number(n)
+
+    def add(self, x: Hashable, y: Hashable) -> Hashable:
+        """Return x + y."""
+        return self.base.add(x, y)
+
+    def neg(self, x: Hashable) -> Hashable:
+        """Return −x."""
+        return self.base.neg(x)
+
+    def mul(self, x: Hashable, y: Hashable) -> Hashable:
+        """Return x·y."""
+        return self.base.mul(x, y)
+
+    def inverse(self, x: Hashable) -> Hashable | None:
+        """Return 1/x, None for 0."""
+        return self.base.inverse(x)
+
+    def is_zero(self, x: Hashable) -> bool:
+        """Tell whether x is 0."""
+        return self.base.is_zero(x)
+
+    def constant(self, tree: Tree) -> Hashable | None:
+        """Return what the name or call means in the global field; O(…) means nothing."""
+        return self.base.constant(tree)
+
+
+class AtPrime(Completion):
+    """The completion at a finite place."""
+
+    def __init__(self, base: Ring, place: Place) -> None:
+        self.only, at = place, place.name
+        super().__init__(base, "infinity" if at == "inf" else f"the place {at}")
+        self.name = f"{base.name}_{at}"
+        if base is QQ:
+            self.name, self.words = f"Qp{at}", f"the {at[1:-1]}-adic numbers"
+        elif isinstance(base, Functions) and base.name == f"{base.base.name}{at}":
+            self.name = f"{base.base.name}({at})"
+            self.words = f"the completion of {base.name} at {base.variable} = 0, the Laurent series"
+
+    def place(self, data: object) -> Place:
+        """Return the one place."""
+        found = self.base.place(data)
+        if found.name != self.only.name:
+            reject(f"{self.name} has one place, and {shown(found.name)} is not it")
+        return self.only
+
+    def is_square(self, x: Hashable) -> bool:
+        """Tell that x is none: its valuation is odd, or it is a unit and no square among the residues."""
+        over = self.only.residue(self.mul(x, self.base.inverse(self.only.odd)))
+        if over is not None and self.only.is_unit(over):
+            return False
+        unit = self.only.residue(x)
+        if unit is not None and self.only.is_unit(unit):
+            trace, size = (self.only.residue(y) for y in (self.zero, self.neg(x)))
+            if self.only.is_irreducible(trace, size):
+                return False
+        return super().is_square(x)
+
+
+class AtRealRoot(Completion):
+    """The real numbers with a number field in them: signs are those of one of its orderings."""
+
+    def __init__(self, base: Ring, name: str, which: str, number: int) -> None:
+        super().__init__(base, f"the real place where {which}")
+        self.name, self.number_of_signs = f"{base.name}_{name}", number
+
+    def sign(self, x: Hashable) -> int | None:
+        """Return the sign at the place."""
+        return self.base.signs(x)[self.number_of_signs]
+
+    def is_square(self, x: Hashable) -> bool:
+        """Tell whether x is not negative."""
+        return self.is_zero(x) or self.sign(x) == 1
+
+
+def _completion(data: Mapping[str, object], ring: ReadRing) -> Ring:
+    base, place = ring(plain(data, "of place")["of"]), keyed(data["place"], "a place")
+    if place.get("kind") == "real":
+        return _real(
+            base, an_integer(an_object(place, "kind number", "a place")["number"], "number", 0)
+        )
+    if not (base is QQ or isinstance(base, (Quadratic, NumberField, Functions))):
+        reject(f"the completions of {shown(base.name)} are not known here")
+    if place.get("kind") == "other generator":
+        reject("a completion is at an ideal that is given in the generator of the field")
+    if base is QQ or isinstance(base, Quadratic):
+        p = an_integer(place.get("n"), "a prime number", 2)
+        if not is_prime(p):
+            reject(f"the completions are at prime numbers, and {p} is none")
+        d = base.d if isinstance(base, Quadratic) and place.get("kind") == "number" else 0
+        if d and (d % 8 == 1 if p == 2 else jacobi(d, p) == 1):
+            reject(f"two places of {base.name} lie above {p}")
+    return AtPrime(base, base.place(place))
+
+
+def _real(base: Ring, number: int) -> AtRealRoot:
+    """Return the completion at the real root of that number, ascending; of ℚ(√d) where √d is negative."""
+    if isinstance(base, Quadratic) and base.d > 0 and number == 0:
+        return AtRealRoot(base, "inf-", f"{base.gen} is negative", 1)
+    if isinstance(base, NumberField):
+        signs = base.signs(base.one)
+        if number < len(signs) and signs[number] == 1:
+            which = f"{base.gen} is the real root number {number}, ascending from 0"
+            return AtRealRoot(base, f"inf{number}", which, number)
+    reject(f"{shown(base.name)}: the real place number {number} is not known here")
+
+
+KINDS: dict[str, Kind] = {"completion": _completion}

@@ -1,0 +1,182 @@
+"""What the checker asks of a ring: operations on plain, hashable values; and what it may know of a field.
+
+A kind of field is one module beside this one, with a class of this protocol and ``KINDS``, which makes rings
+of their data; ``fields`` lists them. What a kind does not say of itself is not known, and so never used.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Hashable, Iterator, Mapping
+from fractions import Fraction
+from typing import Any, TypeVar
+
+from hfield.checker.language import Tree, parse
+from hfield.checker.rejection import keyed, reject, shown
+from hfield.checker.scalars.place import Place
+
+MAX_EXPONENT = 10_000
+
+
+T = TypeVar("T")
+
+
+def power(one: T, x: T, n: int, times: Callable[[T, T], T]) -> T:
+    """Return xⁿ for n ≥ 0 by repeated squaring."""
+    result = one
+    while n:
+        if n & 1:
+            result = times(result, x)
+        n >>= 1
+        if n:
+            x = times(x, x)
+    return result
+
+
+class Ring(ABC):
+    """A commutative ring. ``order`` is None if it is infinite.
+
+    ``name`` is canonical: rings of one name are one ring. ``words`` say what the ring is.
+    """
+
+    name: str
+    words: str
+    characteristic: int
+    order: int | None = None
+    is_field: bool = False
+    is_integral: bool = False  # known to have no zero divisors, though it may be no field
+    is_number_field: bool = False  # whether it is one that functions may be over
+    is_exact: bool = True  # whether its arithmetic proves anything
+    roots_by = "squares"  # what tells polynomials without roots: discriminants, or linear factors
+    zero: Any
+    one: Any
+
+    @abstractmethod
+    def number(self, n: int) -> Hashable:
+        """Return n·1."""
+
+    @abstractmethod
+    def add(self, x: Any, y: Any) -> Hashable:
+        """Return x + y."""
+
+    @abstractmethod
+    def neg(self, x: Any) -> Hashable:
+        """Return −x."""
+
+    @abstractmethod
+    def mul(self, x: Any, y: Any) -> Hashable:
+        """Return x·y."""
+
+    @abstractmethod
+    def inverse(self, x: Any) -> Hashable | None:
+        """Return 1/x, None for what is no unit."""
+
+    @property
+    def is_domain(self) -> bool:
+        """Whether a product is 0 only where a factor is."""
+        return self.is_field or self.is_integral
+
+    @property
+    def is_ordered(self) -> bool:
+        """Whether ``sign`` is the sign in an ordering of the field."""
+        return self.is_field and self.sign(self.one) == 1
+
+    def is_zero(self, x: Any) -> bool:
+        """Tell whether x is 0."""
+        return bool(x == self.zero)
+
+    def constant(self, tree: Tree) -> Hashable | None:
+        """Return the element that a name or a call names, None if it names none."""
+        return None
+
+    def elements(self) -> Iterator[Hashable]:
+        """Run through all elements of a finite ring."""
+        reject(f"{self.name} has infinitely many elements")
+
+    def sign(self, x: Any) -> int | None:
+        """Return the sign of x in an ordering of the field; None where there is none."""
+        return None
+
+    def signs(self, x: Any) -> tuple[int | None, ...]:
+        """Return the signs of x in several orderings of the field."""
+        return (self.sign(x),)
+
+    def is_square(self, x: Any) -> bool:
+        """Tell whether x is a square; rejects where that is not decided here."""
+        reject(f"squares in {self.name} are not decided here")
+
+    def has_no_root(self, c: list[Any]) -> bool:
+        """Prove that Σ cₙ·xⁿ, of the degree len(c) − 1, has no root in the field; False says nothing."""
+        if len(c) != 3 or self.characteristic == 2:
+            return False
+        four = self.mul(self.number(-4), self.mul(c[2], c[0]))
+        return not self.is_square(self.add(self.mul(c[1], c[1]), four))
+
+    def level_above(self, bound: int) -> bool:
+        """Prove that −1 is not a sum of ``bound`` squares in a field; False says nothing."""
+        return bound < 1 or self.is_ordered
+
+    def place(self, data: object) -> Place:
+        """Return the place of the field that the data say."""
+        kind = keyed(data, "a place").get("kind")
+        reject(f"no place of the kind {shown(kind)!r} is known of {self.name}")
+
+    def is_fraction_field_of(self, ring: "Ring") -> bool:
+        """Tell whether this is the field of fractions of another ring."""
+        return False
+
+    def at(self, point: str) -> "tuple[Ring, Callable[[Any], Any]]":
+        """Return the field in which functions have values at a point, and what tells the values."""
+        reject(f"the elements of {self.name} have no values at points here")
+
+    def maps_modulo(self, n: int) -> bool:
+        """Tell whether the classes modulo n of the ring are ℤ/n."""
+        return False
+
+    def equal(self, x: Any, y: Any) -> bool:
+        """Tell whether x = y."""
+        return self.is_zero(self.add(x, self.neg(y)))
+
+    def power(self, x: Any, n: int) -> Any:
+        """Return xⁿ for n ≥ 0."""
+        return power(self.one, x, n, self.mul)
+
+    def fraction(self, value: int | Fraction) -> Any:
+        """Return the value of a literal, None where its denominator is no unit."""
+        if isinstance(value, int):
+            return self.number(value)
+        below = self.inverse(self.number(value.denominator))
+        return None if below is None else self.mul(self.number(value.numerator), below)
+
+    def read(self, text: str) -> Any:
+        """Read an element from its text."""
+        return self.value(parse(text), text)
+
+    def value(self, tree: Tree, text: str) -> Any:
+        """Evaluate a term that names an element."""
+        kind, result = tree[0], None
+        if kind == "num":
+            result = self.fraction(tree[1])
+        elif kind == "neg":
+            result = self.neg(self.value(tree[1], text))
+        elif kind in ("+", "-", "*", "/"):
+            x, y = (self.value(t, text) for t in tree[1:])
+            if kind == "/":
+                y = self.inverse(y)
+            if y is not None:
+                y = self.neg(y) if kind == "-" else y
+                result = self.add(x, y) if kind in "+-" else self.mul(x, y)
+        elif kind == "pow":
+            x = self.value(tree[1], text)
+            if abs(tree[2]) > MAX_EXPONENT:
+                reject(f"the exponent in {shown(text)!r} is too large")
+            x = self.inverse(x) if tree[2] < 0 else x
+            result = None if x is None else self.power(x, abs(tree[2]))
+        elif kind in ("name", "call"):
+            result = self.constant(tree)
+        if result is None:
+            reject(f"{shown(text)!r} is no element of {self.name}")
+        return result
+
+
+# Makes a ring of its data; given to each kind for the rings inside its own.
+ReadRing = Callable[[object], Ring]
+Kind = Callable[[Mapping[str, object], ReadRing], Ring]

@@ -1,0 +1,152 @@
+"""Run one command on many inputs: arguments, lines of a file, or standard input."""
+
+from __future__ import annotations
+
+import io
+import json
+import sys
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import nullcontext
+
+from hfield.cli.output import Sink, encodable, open_output
+from hfield.cli.output_document import OutputDocument
+from hfield.cli.parser import UsageError, add_format
+from hfield.errors import HFieldError, shorten
+
+LINES = ("jsonl", "csv")  # the formats that write an answer a line
+WORST = (0, 1, 3, 2)  # exit statuses, from the one that any other hides to the one that hides all
+
+
+def add_inputs(parser: ArgumentParser, metavar: str, help: str, *formats: str) -> None:
+    """Declare the inputs, ``--from`` and ``--format``."""
+    parser.add_argument(
+        "inputs", nargs="*", metavar=metavar, help=f"{help}; several, or - for standard input"
+    )
+    parser.add_argument(
+        "--from",
+        dest="source",
+        metavar="FILE",
+        help="read one input per line of FILE too; blank lines and # comments are skipped",
+    )
+    add_format(parser, *formats, *LINES)
+    parser.set_defaults(wanted=metavar)
+
+
+def answer_all(
+    args: Namespace,
+    answer: Callable[[str], OutputDocument],
+    columns: Sequence[str],
+    apart: bool = True,
+) -> int:
+    """Answer each input in turn and return the worst exit status.
+
+    The first column of ``columns``, the keys of the JSON that ``--format csv`` writes, names the input. One
+    input is answered as if there were no others to come, and its errors are raised; of many, each error is an
+    answer too, with status 2, and the rest go on. An empty line stands between pages, if they are ``apart``.
+    Raises :class:`UsageError` where there is no input.
+    """
+    check_given(args)
+    with open_output(args.output) as out:
+        if len(args.inputs) == 1 and args.inputs != ["-"] and args.source is None:
+            found = answer(args.inputs[0])
+            if args.format in LINES:
+                Lines(out, args.format, columns).write(found.data())
+            else:
+                found.write(out, args)
+            return found.status
+        if args.format not in (*LINES, "plain", "unicode", "latex"):
+            raise UsageError(
+                f"--format {args.format} shows one answer; of many, write jsonl or csv"
+            )
+        return _answer_many(out, args, answer, columns, apart)
+
+
+def check_given(args: Namespace) -> None:
+    """Raise :class:`UsageError` where there is no input."""
+    if not args.inputs and args.source is None:
+        raise UsageError(f"expected {args.wanted}, --from FILE, or - for standard input")
+
+
+def _answer_many(
+    out: Sink,
+    args: Namespace,
+    answer: Callable[[str], OutputDocument],
+    columns: Sequence[str],
+    apart: bool,
+) -> int:
+    lines = Lines(out, args.format, columns) if args.format in LINES else None
+    worst, first = 0, True
+    for text in texts(args):
+        if lines is None and apart and not first:
+            out.write("")
+        try:
+            found = answer(text)
+            if lines is not None:
+                lines.write(found.data())
+            else:
+                found.write(out, args)
+            status = found.status
+        except HFieldError as error:
+            status, message = 2, " ".join(str(error).split())
+            if lines is not None:
+                lines.write({columns[0]: text, "error": message})
+            else:
+                line = f"hfield: error: {shorten(' '.join(text.split()))}: {message}"
+                print(encodable(line, sys.stderr), file=sys.stderr)
+        first = False
+        worst = max(worst, status, key=WORST.index)
+        out.stream.flush()
+    return worst
+
+
+def texts(args: Namespace) -> Iterator[str]:
+    """Yield the inputs in order, those of files as they are read. Raises :class:`UsageError`."""
+    for word in args.inputs:
+        yield from _lines_of(word) if word == "-" else (word,)
+    if args.source is not None:
+        yield from _lines_of(args.source)
+
+
+def _lines_of(name: str) -> Iterator[str]:
+    try:
+        with nullcontext(sys.stdin) if name == "-" else open(name, encoding="utf-8-sig") as stream:
+            for line in stream:
+                text = line.strip()
+                if text and not text.startswith("#"):
+                    yield text
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise UsageError(f"cannot read {shorten(name)!r}: {reason}") from error
+
+
+class Lines:
+    """Writes answers as JSON lines, or as CSV with a head."""
+
+    def __init__(self, out: Sink, format: str, columns: Sequence[str]) -> None:
+        self.out, self.format, self.columns = (out, format, columns)
+        if format == "csv":
+            self._row(self.columns)
+
+    def write(self, data: Mapping[str, object]) -> None:
+        """Write one answer."""
+        if self.format == "csv":
+            self._row([_cell(data.get(name)) for name in self.columns])
+        else:
+            self.out.write(json.dumps(data, ensure_ascii=False))
+
+    def _row(self, cells: Sequence[str]) -> None:
+        import csv
+
+        text = io.StringIO()
+        csv.writer(text, lineterminator="").writerow(cells)
+        self.out.write(text.getvalue())
+
+
+def _cell(value: object) -> str:
+    """Write a value into a cell: nothing for None, lists of texts by blanks, the rest as JSON."""
+    if value is None or isinstance(value, str):
+        return value or ""
+    if isinstance(value, list) and all(isinstance(x, str | int) for x in value):
+        return " ".join(map(str, value))
+    return json.dumps(value, ensure_ascii=False)

@@ -1,0 +1,206 @@
+"""``hfield brandt``: Brandt matrices, Hecke polynomials, and the graph of p-neighbours."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from math import cos, pi, sin
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from hfield.cli.orders import (
+    SECONDS_A_CLASS,
+    algebra_of,
+    announce,
+    ideal_json,
+    level_of,
+)
+from hfield.cli.output import OutputError, gone_on, try_picture
+from hfield.cli.output_document import OutputDocument, answer_one
+from hfield.cli.parser import UsageError, add_factors, add_format, add_output, given_factors
+from hfield.cli.status import Waiting
+from hfield.core.files import whole_file
+from hfield.errors import shorten
+from hfield.plotting import default_settings
+
+if TYPE_CHECKING:
+    from hfield.ledger.matrix import Style
+    from hfield.orders.lattice import ClassSet
+
+HELP = (
+    "Print a Brandt matrix for discriminant D and level N with its characteristic "
+    "polynomial, or the edges of its graph in the format of "
+    "networkx.read_weighted_edgelist. For a prime D and level 1 the graph is the "
+    "supersingular isogeny graph."
+)
+DOING = "enumerating classes"
+EXAMPLES = (
+    "hfield brandt 11 --prime 2",
+    "hfield brandt '(-1,-1|QQ(sqrt(5)))' '6 + sqrt(5)' --prime 'sqrt(5)'",
+)
+MAX_ROWS = 10_000
+"""Matrices of more rows are not computed: they take six gigabytes, and their polynomials days."""
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    parser.add_argument("algebra", metavar="D", help="a discriminant such as 11, or an algebra")
+    parser.add_argument("level", metavar="N", nargs="?", default="1", help="the level (default: 1)")
+    parser.add_argument(
+        "--prime",
+        metavar="N",
+        default="2",
+        help="index of the matrix: a prime or any N ≥ 1; over a number field, an ideal (default: 2)",
+    )
+    parser.add_argument("--plot", metavar="FILE", help="draw the graph to FILE (.svg, .png, .pdf)")
+    add_factors(parser)
+    add_format(parser, "plain", "json", "latex", "edges")
+    add_output(parser)
+
+
+def run(args: Namespace) -> int:
+    """Compute the matrix, and print it."""
+    with given_factors(args):
+        return answer_one(args, partial(_answer, args))
+
+
+def _answer(args: Namespace) -> OutputDocument:
+    from hfield.core.primality import is_prime
+
+    replace = bool(args.plot) and try_picture(args.plot)
+    A = algebra_of(args.algebra)
+    over_integers = A.over_integers
+    n = level_of(args.prime, A) if over_integers else _index(args.prime)
+    level = level_of(args.level, A)
+    O = A.eichler_order(level)
+    sparse = args.format == "edges" and not args.plot and (over_integers or is_prime(n))
+    if not over_integers:
+        _announce(A.class_number(level), sparse, args.format in ("plain", "json"))
+    C = O.class_set()
+    Waiting.at("computing the matrix")
+    matrix = [] if sparse else C.brandt_matrix(n)
+    if args.plot:
+        _plot(matrix, args.plot, replace)
+
+    def characteristic() -> list[int]:
+        Waiting.at("computing its characteristic polynomial")
+        found: list[int] = C.hecke_polynomial(n)
+        return found
+
+    def data() -> dict[str, object]:
+        shown = ideal_json if over_integers else int
+        whole = ideal_json(O.discriminant()) if over_integers else A.discriminant()
+        return {
+            "schema": "hfield-brandt/1",
+            "algebra": str(A) if over_integers else A.name,
+            "discriminant": whole,
+            "level": shown(level),
+            "n": shown(n),
+            "classes": len(C),
+            "units": C.units if over_integers else C.unit_counts,
+            "matrix": matrix,
+            "characteristic_polynomial": characteristic(),
+        }
+
+    def latex() -> str:
+        rows = " \\\\\n".join(" & ".join(map(str, row)) for row in matrix)
+        return f"\\begin{{pmatrix}}\n{rows}\n\\end{{pmatrix}}"
+
+    def edges() -> str:
+        rows = C.neighbours(n) if sparse else [dict(enumerate(row)) for row in matrix]
+        return "\n".join(_edges(rows))
+
+    def page(style: Style) -> str:
+        return "\n".join(_plain(C, matrix, n, characteristic(), style.width))
+
+    return OutputDocument(data, page, {"latex": latex, "edges": edges})
+
+
+def _index(text: str) -> int:
+    """Read a positive number. Raises :class:`UsageError`."""
+    if not (text.isascii() and text.isdecimal() and int(text) > 0):
+        raise UsageError(
+            f"--prime {shorten(text)!r}: expected a positive number, a prime such as 2 or any other"
+        )
+    return int(text)
+
+
+def _announce(number: int, sparse: bool, polynomial: bool) -> None:
+    """Say how long it will take, where that is long. Raises :class:`UsageError` if memory is too small."""
+    instead = "--format edges, with a prime, writes only the entries that are not 0"
+    seconds = number * SECONDS_A_CLASS
+    if not sparse:
+        if number > MAX_ROWS:
+            raise UsageError(
+                f"there are {number} classes, by Eichler's formula, so the matrix has {number**2} entries; "
+                f"at most {MAX_ROWS} rows are computed: {instead}"
+            )
+        seconds += number**2 * 4e-7 + (number**4 * 2e-11 if polynomial else 0)
+    announce(number, seconds, "hfield classes --formula counts them" if sparse else instead)
+
+
+def _edges(rows: Sequence[Mapping[int, int]]) -> Iterator[str]:
+    return (f"{i} {j} {row[j]}" for i, row in enumerate(rows) for j in sorted(row) if row[j])
+
+
+def _plain(
+    C: ClassSet, matrix: list[list[int]], n: Any, characteristic: list[int], width: int
+) -> list[str]:
+    from hfield.presenting import hanging
+
+    wide = max(len(str(x)) for row in matrix for x in row)
+    title = f"Brandt matrix of {n}, {len(C)} classes of {C.order.algebra}, level {C.order.level}"
+    lines = [*gone_on(title, width).splitlines(), ""]
+    lines += ["  " + " ".join(f"{x:>{wide}}" for x in row) for row in matrix]
+    text = polynomial(characteristic)
+    return [*lines, "", *hanging("characteristic polynomial  ", text, width)]
+
+
+def polynomial(coefficients: list[int]) -> str:
+    """Write a polynomial in x, the highest power first."""
+    text = ""
+    for e in range(len(coefficients) - 1, -1, -1):
+        c = coefficients[e]
+        if not c:
+            continue
+        power = "" if e == 0 else "x" if e == 1 else f"x^{e}"
+        size = str(abs(c)) if abs(c) != 1 or not e else ""
+        term = f"{size}*{power}" if size and power else size or power
+        sign = "-" if c < 0 else "+"
+        text += f" {sign} {term}" if text else f"{'-' if c < 0 else ''}{term}"
+    return text or "0"
+
+
+@default_settings()
+def _plot(matrix: list[list[int]], path: str, replace: bool) -> None:
+    """Draw the vertices on a circle, edges as wide as they are many, loops as rings."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    h = len(matrix)
+    points = [(cos(2 * pi * k / h), sin(2 * pi * k / h)) for k in range(h)]
+    figure = Figure(figsize=(6, 6))
+    FigureCanvasAgg(figure)
+    axes: Any = figure.add_axes((0, 0, 1, 1))
+    for i, (x, y) in enumerate(points):
+        for j in range(i + 1, h):
+            m = max(matrix[i][j], matrix[j][i])
+            if m:
+                u, v = points[j]
+                axes.plot([x, u], [y, v], color="0.6", linewidth=0.6 * m, zorder=1)
+        if matrix[i][i]:
+            axes.scatter([1.08 * x], [1.08 * y], s=120, facecolors="none", edgecolors="0.6",
+                         linewidths=0.6 * matrix[i][i], zorder=1)  # fmt: skip
+        axes.scatter([x], [y], s=60, color="tab:blue", zorder=2)
+        axes.annotate(str(i), (1.2 * x, 1.2 * y), ha="center", va="center", fontsize=8)
+    axes.set_xlim(-1.35, 1.35)
+    axes.set_ylim(-1.35, 1.35)
+    axes.axis("off")
+    try:
+        with whole_file(Path(path), replace) as part:
+            figure.savefig(part)
+    except (OSError, ValueError) as error:
+        raise OutputError(
+            f"cannot draw to {shorten(path)!r}: {error}; try a file .svg, .png or .pdf"
+        ) from error

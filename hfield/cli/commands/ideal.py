@@ -1,0 +1,170 @@
+"""``hfield ideal``: describe an ideal of an order, and decide whether another is equivalent."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from hfield.cli.orders import (
+    add_answers,
+    add_where,
+    algebra_of,
+    answer_certified,
+    elements_of,
+    ideal_json,
+    level_of,
+    sum_text,
+    summands,
+)
+from hfield.cli.output_document import OutputDocument, of_parts
+
+if TYPE_CHECKING:
+    from hfield.evidence import Claim
+    from hfield.orders.certificates import Answer as Verdict
+    from hfield.orders.lattice import Ideal, IntegersIdeal
+    from hfield.orders.over_integers.equivalence import Comparison
+    from hfield.presenting import Part
+
+HELP = (
+    "Describe the ideal that elements generate in a maximal or an Eichler order: basis, "
+    "norm, left and right order, and whether it is principal. With --with, decide whether "
+    "it is equivalent to another ideal and print the element. The certificate is about the "
+    "ideal, or about the answer to --with or --principal."
+)
+DOING = "computing the ideal"
+EXAMPLES = (
+    "hfield ideal '(-1,-1|QQ(sqrt(5)))' '3, 1 + i + j' --principal",
+    "hfield ideal '(-1,-11|QQ)' '3, 1 + j'",
+    "hfield ideal '(-1,-11|QQ)' '3, 1 + j' --with '9' --certificate answer.json",
+)
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the arguments."""
+    add_where(parser)
+    parser.add_argument("generators", metavar="X,Y,…", help="elements, such as '3, 1 + j'")
+    parser.add_argument(
+        "--side",
+        choices=("left", "right"),
+        default="left",
+        help="left or right ideal (default: left)",
+    )
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument("--with", dest="other", metavar="X,Y,…", help="generators of another ideal")
+    group.add_argument(
+        "--principal", action="store_true", help="find a generator, or prove that there is none"
+    )
+    add_answers(parser)
+
+
+def run(args: Namespace) -> int:
+    """Make the ideal, compute what the options say, and print."""
+    return answer_certified(args, _answer)
+
+
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim | Verdict]]:
+    I, answer = _asked(args)
+    if I.algebra.over_integers:
+        data, pages = data_over_integers, parts_over_integers
+        shown = of_parts(lambda: data(I, answer), lambda: pages(I, answer))
+        return shown, lambda: (I if answer is None else answer).claim
+    found = of_parts(lambda: to_json(I, answer), lambda: parts(I, answer))
+    return found, lambda: I.claim if answer is None else answer
+
+
+def _asked(args: Namespace) -> tuple[Any, Any]:
+    """Return the ideal and what was asked about it, over ℤ or the integers of a number field."""
+    A = algebra_of(args.algebra)
+    O = A.eichler_order(level_of(args.level, A))
+    make = O.left_ideal if args.side == "left" else O.right_ideal
+    I = make(elements_of(A, args.generators, "the list of generators"))
+    if args.principal:
+        return I, I.is_principal()
+    if args.other is None:
+        return I, None
+    return I, I.equivalence(make(elements_of(A, args.other, "--with")))
+
+
+def to_json(I: Ideal, answer: Verdict | None) -> dict[str, object]:
+    """Return what programs read."""
+    data = {
+        "schema": "hfield-ideal/1",
+        **I.evidence,
+        "integral": I.is_integral(),
+        "invertible": I.is_invertible(),
+        "two_sided": I.is_two_sided(),
+    }
+    if answer is not None:
+        data |= {"holds": answer.holds, "reason": answer.reason, "theorem": answer.theorem}
+        data["element"] = answer.evidence.get("element")
+    return data
+
+
+def _kinds(I: Any) -> str:
+    """Return what an ideal is, after a colon."""
+    held = (
+        ("integral", I.is_integral()),
+        ("locally principal", I.is_invertible()),
+        ("two-sided", I.is_two_sided()),
+    )
+    words = [word for word, holds in held if holds]
+    return f"{': ' * bool(words)}{', '.join(words)}"
+
+
+def parts(I: Ideal, answer: Verdict | None) -> list[Part]:
+    """Return what people read."""
+    from hfield.presenting import Facts
+
+    other = I.right_order() if I.side == "left" else I.left_order()
+    facts = [
+        (f"{I.side} ideal of", str(I.order)),
+        ("basis", ", ".join(map(str, I.basis))),
+        ("reduced basis", ", ".join(map(str, I.reduced_basis()))),
+        ("reduced norm", f"{I.norm()}{_kinds(I)}"),
+        ("right order" if I.side == "left" else "left order", ", ".join(map(str, other.basis))),
+    ]
+    if answer is not None:
+        question = "principal" if answer.lattices[0] == I.order.value else "equivalent"
+        facts.append((question, repr(answer)))
+    if answer is not None and answer.theorem is not None:
+        facts.append(("theorem", answer.theorem))
+    formulas = {f"{I.side} ideal of": f"${I.order.latex()}$", "basis": f"${I.latex()}$"}
+    return [Facts(facts, 22, formulas=formulas)]
+
+
+def data_over_integers(I: IntegersIdeal, answer: Comparison | None) -> dict[str, object]:
+    """Return what programs read of an ideal over the integers of a number field."""
+    data = {
+        "schema": "hfield-ideal/1",
+        "kind": "ideal",
+        "algebra": str(I.algebra),
+        "side": I.side,
+        "pseudo_basis": summands(I),
+        "order": summands(I.order),
+        "norm": ideal_json(I.norm()),
+        "integral": I.is_integral(),
+        "invertible": I.is_invertible(),
+        "two_sided": I.is_two_sided(),
+    }
+    if answer is not None:
+        q, text = answer.element, I.algebra.ring.text
+        data |= {"holds": answer.holds, "reason": answer.reason}
+        data["element"] = None if q is None else [text(x) for x in q.coordinates]
+    return data
+
+
+def parts_over_integers(I: IntegersIdeal, answer: Comparison | None) -> list[Part]:
+    """Return what people read of it."""
+    from hfield.presenting import Facts
+
+    other = I.right_order() if I.side == "left" else I.left_order()
+    facts = [
+        (f"{I.side} ideal of", str(I.order)),
+        ("sum of", sum_text(I)),
+        ("reduced norm", f"{I.norm()}{_kinds(I)}"),
+        ("right order" if I.side == "left" else "left order", sum_text(other)),
+    ]
+    if answer is not None:
+        facts.append(("answer", repr(answer)))
+    return [Facts(facts, 22, formulas={"sum of": f"${I.latex()}$"})]

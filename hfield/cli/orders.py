@@ -1,0 +1,145 @@
+"""Arguments and certificates that the commands about orders, ideals and classes share."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from hfield.cli.output import note, open_output
+from hfield.cli.output_document import OutputDocument, answer_one
+from hfield.cli.parser import (
+    UsageError,
+    add_factors,
+    add_format,
+    add_output,
+    add_standalone,
+    given_factors,
+)
+from hfield.errors import shorten
+from hfield.syntax.brackets import split
+
+if TYPE_CHECKING:
+    from hfield.algebra import QuaternionAlgebra
+    from hfield.algebra.quaternion import Quaternion
+    from hfield.evidence import Claim
+    from hfield.orders.certificates import Answer as Verdict
+    from hfield.orders.lattice import Lattice
+
+PATIENCE = 10
+"""Seconds: a command that takes longer prints an estimate first."""
+
+SECONDS_A_CLASS = 5e-4
+"""How long it takes to find a class, and its type."""
+
+
+def add_answers(parser: ArgumentParser) -> None:
+    """Declare the file for a certificate, the primes that are known, formats and the output."""
+    parser.add_argument("--certificate", metavar="FILE", help="write the certificate to FILE")
+    add_factors(parser)
+    add_format(parser, "plain", "json", "latex")
+    add_standalone(parser)
+    add_output(parser)
+
+
+def answer_certified(
+    args: Namespace,
+    answer: Callable[[Namespace], tuple[OutputDocument, Callable[[], Claim | Verdict]]],
+) -> int:
+    """Answer, and write a certificate with --certificate; primes given as factors are used."""
+    with given_factors(args), open_output(args.certificate) as file:
+
+        def certified() -> OutputDocument:
+            found, claim = answer(args)
+            if args.certificate is not None:
+                claimed = claim()
+                if claimed.certificate is None:
+                    note(f"no certificate is written: {claimed.why_no_certificate}")
+                else:
+                    file.write_json(claimed.certificate)
+            return found
+
+        return answer_one(args, certified)
+
+
+def add_algebra(parser: ArgumentParser) -> None:
+    """Declare the algebra."""
+    parser.add_argument(
+        "algebra",
+        metavar="ALGEBRA",
+        help="such as '(-1,-11|QQ)' or '(-1,-1|QQ(sqrt(5)))', or a discriminant such as 11 or 30",
+    )
+
+
+def add_where(parser: ArgumentParser) -> None:
+    """Declare the algebra and the level."""
+    add_algebra(parser)
+    parser.add_argument(
+        "--level",
+        metavar="N",
+        default="1",
+        help="the level, prime to the discriminant: a number, or generators such as '11, 4 + sqrt(5)'",
+    )
+
+
+def algebra_of(text: str) -> QuaternionAlgebra:
+    """Read an algebra, or the one of a discriminant. Raises :class:`RingError`."""
+    from hfield.algebra import QuaternionAlgebra
+
+    return QuaternionAlgebra(int(text) if text.isascii() and text.isdecimal() else text)
+
+
+def announce(number: int, seconds: float, instead: str) -> None:
+    """Say before a long enumeration how many classes there are, how long it takes, and what to do instead."""
+    from hfield.orders.classes import MOST_CLASSES
+
+    if seconds < PATIENCE or number > MOST_CLASSES:  # more are refused at once
+        return
+    units = {"days": 86_400, "hours": 3_600, "minutes": 60, "seconds": 1}
+    unit = next(unit for unit, size in units.items() if seconds >= 1.5 * size or size == 1)
+    note(
+        f"there are {number} classes, by Eichler's formula, and this takes about "
+        f"{round(seconds / units[unit])} {unit}; {instead}"
+    )
+
+
+def elements_of(A: QuaternionAlgebra, text: str, what: str) -> list[Quaternion]:
+    """Read elements that are separated by commas. Raises :class:`UsageError` where there is none."""
+    words = [word for word in split(text, ",") if word.strip()]
+    if not words:
+        raise UsageError(f"{what} names no element; expected elements such as 'i, j'")
+    return [A(word) for word in words]
+
+
+def level_of(text: str, A: QuaternionAlgebra) -> Any:
+    """Read a level: a positive integer over ℚ, or generators of an ideal over another field, with commas.
+
+    ``ideal(31, 5 + gen)``, as ideals are printed, is read too. Raises :class:`UsageError`.
+    """
+    if A.over_integers:
+        return A.ring.ideal(text)  # type: ignore[attr-defined]
+    if not (text.isascii() and text.isdecimal() and int(text) > 0):
+        raise UsageError(f"the level {shorten(text)!r} is no positive integer")
+    return int(text)
+
+
+def summands(L: Lattice) -> list[tuple[str, str]]:
+    """Return the pairs of a pseudo-basis, an ideal and an element, as texts."""
+    K: Any = L.algebra.ring
+    return [(str(K.ideal(list(ideal))), str(q)) for ideal, q in L.pseudo_basis()]
+
+
+def sum_text(L: Lattice) -> str:
+    """Return a lattice as the sum of ideals times elements."""
+    return " + ".join(
+        f"({q})" if ideal == "ideal(1)" else f"{ideal}·({q})" for ideal, q in summands(L)
+    )
+
+
+def ideal_json(ideal: Any) -> dict[str, object]:
+    """Return generators, the absolute norm and the prime factors of an ideal of a number field."""
+    return {
+        "generators": [ideal.ring.text(x) for x in ideal.generators],
+        "norm": str(ideal.norm()),
+        "factorisation": [[str(P), e] for P, e in ideal.factorisation()],
+    }

@@ -1,0 +1,55 @@
+"""The answer of a command, and how it is written in each format."""
+
+from __future__ import annotations
+
+from argparse import Namespace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from hfield.cli.output import Sink, open_output
+
+if TYPE_CHECKING:
+    from hfield.ledger.matrix import Style
+    from hfield.presenting import Part
+
+
+@dataclass(frozen=True)
+class OutputDocument:
+    """The JSON and the page, other formats by name, and the exit status; only one format is computed."""
+
+    data: Callable[[], Mapping[str, object]]
+    page: Callable[[Style], str]
+    forms: Mapping[str, Callable[[], str]] = field(default_factory=dict)
+    status: int = 0
+
+    def write(self, out: Sink, args: Namespace) -> None:
+        """Write the answer in ``args.format``."""
+        if args.format == "json":
+            out.write_json(self.data())
+        elif args.format == "latex":
+            out.write_latex(self.forms["latex"](), getattr(args, "standalone", False))
+        else:
+            form = self.forms.get(args.format)
+            out.write(self.page(out.style()) if form is None else form())
+
+
+def of_parts(
+    data: Callable[[], Mapping[str, object]], parts: Callable[[], Sequence[Part]]
+) -> OutputDocument:
+    """Return the answer whose page and LaTeX are laid out from parts."""
+    from hfield import presenting
+
+    return OutputDocument(
+        data,
+        lambda style: presenting.page(parts(), style.width),
+        {"latex": lambda: presenting.latex(parts())},
+    )
+
+
+def answer_one(args: Namespace, answer: Callable[[], OutputDocument]) -> int:
+    """Open the output, and only then find the answer; write it, and return its exit status."""
+    with open_output(args.output) as out:
+        found = answer()
+        found.write(out, args)
+    return found.status

@@ -1,0 +1,146 @@
+"""Show the progress of a command on a line of stderr, on terminals only."""
+
+from __future__ import annotations
+
+import sys
+import time
+from threading import Event, RLock, Thread
+from types import TracebackType
+from typing import TextIO
+
+from hfield.core.progress import current
+
+WIDTH = 79
+PATIENCE = 0.5  # seconds before a command says what it is at
+_ERASE = "\r\x1b[K"
+
+
+class StatusLine:
+    """One line, written over itself, and erased before anything else is printed."""
+
+    def __init__(self) -> None:
+        self._lock = RLock()
+        self._stream: TextIO | None = None
+
+    def show(self, text: str) -> None:
+        """Show a text in place of the last one, if stderr is a terminal."""
+        stream = sys.stderr
+        if stream is None or not stream.isatty():
+            return
+        text = text.replace("\n", " ")
+        text = text if len(text) <= WIDTH else f"{text[: WIDTH - 1]}…"
+        plain = text.encode(stream.encoding or "ascii", "replace").decode(
+            stream.encoding or "ascii"
+        )
+        with self._lock:
+            stream.write(_ERASE + plain)
+            stream.flush()
+            self._stream = stream
+
+    def erase(self) -> None:
+        """Take the line away, if there is one."""
+        with self._lock:
+            if self._stream is not None:
+                self._stream.write(_ERASE)
+                self._stream.flush()
+                self._stream = None
+
+
+STATUS = StatusLine()
+
+
+def _how_far() -> str:
+    """Describe the running loop: its name, the share that is done and the time that is left."""
+    if (now := current()) is None:
+        return ""
+    what, share, seconds = now
+    left = f", some {time_left(seconds / share * (1 - share))}" if share else ""
+    return f" ({int(100 * share)} % of {what}{left})"
+
+
+def time_left(seconds: float) -> str:
+    """Say in a few words how long it still takes.
+
+    >>> time_left(41.7), time_left(301)
+    ('42 s left', '5 min left')
+    """
+    return f"{seconds:.0f} s left" if seconds < 100 else f"{seconds / 60:.0f} min left"
+
+
+class Progress:
+    """A line on stderr that tells how far the work is; nothing where stderr is no terminal.
+
+    What was ``done`` before it began says nothing of how long the rest will take.
+    """
+
+    def __init__(self, noun: str, done: int = 0) -> None:
+        self.noun = noun
+        self._done = done
+        self._since = time.monotonic()
+
+    def __call__(self, done: int, total: int, what: str = "") -> None:
+        """Show that ``done`` of ``total`` are finished, the time left, and ``what`` is in work."""
+        bar = "#" * (20 * done // max(total, 1))
+        said = [f"[{bar:<20}] {done} of {total} {self.noun}"]
+        passed = time.monotonic() - self._since
+        if self._done < done < total and passed > PATIENCE:
+            said.append(time_left(passed / (done - self._done) * (total - done)))
+        STATUS.show(", ".join([*said, what] if what else said))
+
+    def __enter__(self) -> Progress:
+        Waiting.hush()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        STATUS.erase()
+
+
+class Waiting:
+    """Says from half a second on what is being done and for how many seconds, as long as it is open.
+
+    ``Waiting.at("theorem 3")`` changes what the open one says; a :class:`Progress` silences it.
+    """
+
+    _open: Waiting | None = None
+
+    def __init__(self, what: str) -> None:
+        self._what = what
+        self._over = Event()
+        self._thread: Thread | None = None
+
+    @classmethod
+    def at(cls, what: str) -> None:
+        """Say what is being done now; nothing happens where none is open."""
+        if cls._open is not None:
+            cls._open._what = what
+
+    @classmethod
+    def hush(cls) -> None:
+        """Let the open one say no more."""
+        if cls._open is not None:
+            cls._open._over.set()
+
+    def __enter__(self) -> Waiting:
+        if sys.stderr is not None and sys.stderr.isatty():
+            Waiting._open = self
+            self._thread = Thread(target=self._tell, daemon=True)
+            self._thread.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        Waiting._open = None
+        self._over.set()
+        if self._thread is not None:
+            self._thread.join()
+        STATUS.erase()
+
+    def _tell(self) -> None:
+        seconds, pause = 0, PATIENCE
+        while not self._over.wait(pause):
+            STATUS.show(f"{self._what} …" + (f" {seconds} s" if seconds else "") + _how_far())
+            seconds, pause = seconds + 1, 1.0 if seconds else 1.0 - PATIENCE

@@ -1,1 +1,0 @@
-"""Statements as theorems of Coq, which a proof assistant checks on its own (docs/coq.md)."""

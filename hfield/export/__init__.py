@@ -1,0 +1,1 @@
+"""Theorems for proof assistants: Coq, and Lean 4."""

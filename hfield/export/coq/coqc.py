@@ -1,0 +1,217 @@
+"""Run ``coqc`` within bounds, one theorem at a time."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import signal
+import stat
+import subprocess
+import sys
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from secrets import token_hex
+from tempfile import TemporaryDirectory, TemporaryFile, gettempdir
+from typing import IO
+
+from hfield.errors import HFieldError
+from hfield.export.coq.bounded import MEMORY, SECONDS
+from hfield.export.coq.export import Export, library
+from hfield.export.coq.theorem import Theorem
+
+CLOSED = "Closed under the global context"
+LIBRARY = "HFieldJudge"
+MAX_OUTPUT = 1 << 24  # bytes that are read of what it prints
+MAX_MESSAGE = 600
+# The one error that is about the evidence: Coq computed a judgement, and it is not `true`.
+_NOT_TRUE = re.compile(
+    r'Error: .*has type "true = true" while it is expected to have type ".* = true"\.$'
+)
+_TYPED = 'Notation "x = y :> A" := (@eq A x y) (only printing) : type_scope.'
+_TYPED += ' Notation "x <> y :> A" := (~ @eq A x y) (only printing) : type_scope.'
+
+
+class NotJudgedError(HFieldError, RuntimeError):
+    """Coq has said nothing about a theorem; the message says why."""
+
+
+class CoqMissingError(NotJudgedError, OSError):
+    """There is no ``coqc``."""
+
+
+@dataclass(frozen=True)
+class Judged:
+    """What Coq says of theorems: their propositions as it prints them, or why it ``rejected`` one."""
+
+    propositions: tuple[str, ...] = ()
+    rejected: str = ""
+
+
+class Coqc:
+    """``coqc`` in a folder of its own, as a context: the library is compiled when it is first needed.
+
+    Each run may take ``seconds``, and ``memory`` MiB.
+    """
+
+    def __init__(self, seconds: float = SECONDS, memory: int = MEMORY) -> None:
+        self.seconds, self.memory = seconds, memory
+        self._folder: TemporaryDirectory[str] | None = None
+        self._has_library = False
+
+    def __enter__(self) -> Coqc:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._folder is not None:
+            self._folder.cleanup()
+
+    @cached_property
+    def folder(self) -> Path:
+        """Where ``coqc`` runs. Raises OSError, and NotJudgedError where others may put another there."""
+        above = Path(gettempdir()).resolve()
+        for parent in (above, *above.parents):
+            mode = parent.stat().st_mode
+            if mode & stat.S_IWOTH and not mode & stat.S_ISVTX:
+                raise NotJudgedError(
+                    f"anyone may rename what is in {parent}; set TMPDIR to a folder of your own"
+                )
+        self._folder = TemporaryDirectory(
+            prefix="hfield-coq-", dir=above, ignore_cleanup_errors=True
+        )
+        return Path(self._folder.name)
+
+    @property
+    def program(self) -> str:
+        """The path of ``coqc``. Raises :class:`CoqMissingError`."""
+        found = shutil.which("coqc")
+        if found is None:
+            raise CoqMissingError(
+                "coqc is not installed (Debian: apt-get install --no-install-recommends coq)"
+            )
+        return os.path.abspath(found)
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """Ours, but Coq finds no libraries other than its own: one of others could have the name of ours."""
+        nowhere = str(self.folder / "none")
+        return {**os.environ, "COQPATH": "", "XDG_DATA_HOME": nowhere, "XDG_DATA_DIRS": nowhere}
+
+    def compile_library(self) -> None:
+        """Compile what stands in every file, once. Raises :class:`NotJudgedError` where that fails."""
+        if self._has_library:
+            return
+        status, _, errors = self._run(LIBRARY, library())
+        if status:
+            raise self._failed(_ending(status, errors))
+        self._has_library = True
+
+    def judge(self, theorems: Sequence[Theorem]) -> Judged:
+        """Compile theorems, and have Coq print what it accepts if it accepts them all without an axiom.
+
+        Raises :class:`NotJudgedError` where Coq neither does so nor finds that evidence shows nothing.
+        """
+        bare = tuple(replace(t, comment="") for t in theorems)  # no text of a certificate
+        if any(t.place for t in bare):  # they stand in sections, which are not compiled ahead
+            head = Export(bare).body
+        else:
+            self.compile_library()
+            head = "\n\n".join([opening(), *map(str, bare)])
+        mark = token_hex(16)  # nothing that Coq prints of a theorem can be this
+        status, said, errors = self._run("Judged", f"{head}\n{_asking(bare, mark)}")
+        if status == 1 and _NOT_TRUE.search(" ".join(errors.split())):
+            return Judged(rejected=_short(errors))
+        if status:
+            raise self._failed(_ending(status, errors))
+        *printed, rest = said.split(f"{mark}\n")
+        heads = [
+            re.match(rf"@?{t.name}\s+: ", text) for t, text in zip(bare, printed, strict=False)
+        ]
+        if len(printed) != len(bare) or not all(heads):
+            raise NotJudgedError(f"coqc does not print the theorem: {_short(said)!r}")
+        if rest.strip() != CLOSED:
+            raise NotJudgedError(f"Coq says what the theorem rests on: {_short(rest)}")
+        pairs = zip(printed, heads, strict=True)
+        return Judged(tuple(" ".join(text[m.end() :].split()) for text, m in pairs if m))
+
+    def _run(self, name: str, text: str) -> tuple[int, str, str]:
+        """Run ``coqc`` on a text; return its exit status and what it printed, also as errors.
+
+        Raises :class:`NotJudgedError` where it cannot be run, or not to its end.
+        """
+        bounds = [os.getpid(), int(self.seconds) + 1, self.memory]
+        command = [sys.executable, "-I", "-S", str(Path(__file__).with_name("bounded.py"))]
+        command += [*map(str, bounds), self.program, "-q", f"{name}.v"]
+        try:
+            (self.folder / f"{name}.v").write_text(text, encoding="ascii")
+            with TemporaryFile() as said, TemporaryFile() as errors:
+                process = subprocess.Popen(
+                    command,
+                    cwd=self.folder,
+                    env=self.environment,
+                    stdin=subprocess.DEVNULL,
+                    stdout=said,
+                    stderr=errors,
+                    start_new_session=True,
+                )
+                try:
+                    status = process.wait(self.seconds)
+                finally:  # also what it has started, also where this process is to end
+                    with suppress(ProcessLookupError):
+                        os.killpg(process.pid, signal.SIGKILL)
+                    process.wait()
+                return status, _read(said), _read(errors)
+        except subprocess.TimeoutExpired:
+            raise self._failed("did not end in time") from None
+        except (OSError, UnicodeError) as error:
+            raise self._failed(f"could not be run: {error}") from error
+
+    def _failed(self, what: str) -> NotJudgedError:
+        bounds = f"{self.seconds:g} s (--coq-timeout), {self.memory} MiB (--coq-memory)"
+        return NotJudgedError(f"coqc {what}; it had {bounds}")
+
+
+def opening() -> str:
+    """Return what a file begins with that uses the compiled library."""
+    imports = next(
+        line for line in library().splitlines() if line.startswith("From Coq Require Import")
+    )
+    return (
+        f"{imports}\nRequire Import {LIBRARY}.\nImport ListNotations.\nOpen Scope scalar_scope.\n"
+    )
+
+
+def _asking(theorems: Sequence[Theorem], mark: str) -> str:
+    """Return the commands that print each theorem, ``mark`` on a line behind it, and then the axioms.
+
+    Where nothing else in a proposition tells the ring, Coq is to write it behind each equation.
+    """
+    lines = ["Set Printing Depth 1000000."]
+    lines += [_TYPED] if any(" :> " in t.text for t in theorems) else []
+    for one in theorems:
+        lines.append(f'Check @{one.name}. Goal True. idtac "{mark}". Abort.')
+    used = "".join(f"  let _ := @{t.name} in\n" for t in theorems)
+    lines.append(f"Definition all_asked : True :=\n{used}  I.\nPrint Assumptions all_asked.\n")
+    return "\n".join(lines)
+
+
+def _read(stream: IO[bytes]) -> str:
+    stream.seek(0)
+    return stream.read(MAX_OUTPUT).decode("utf-8", "replace")
+
+
+def _ending(status: int, errors: str) -> str:
+    """Say how ``coqc`` ended that did not end well."""
+    how = f"with status {status}"
+    if status < 0:
+        how = f"by signal {-status} ({signal.strsignal(-status)})"
+    return f"ended {how}: {_short(errors) or 'without a word'}"
+
+
+def _short(text: str) -> str:
+    short = " ".join(text.split())
+    half = MAX_MESSAGE // 2
+    return short if len(short) <= MAX_MESSAGE else f"{short[:half]} … {short[-half:]}"

@@ -1,0 +1,157 @@
+"""Write statements without quantifiers as propositions of Coq."""
+
+from dataclasses import dataclass
+
+from hfield.export.coq.terms import Term, Terms
+from hfield.syntax import Compare, Logic, Node, Not
+
+SIGNS = {"and": "/\\", "or": "\\/", "=>": "->", "<=>": "<->"}
+DATA = {"and": "And", "or": "Or", "=>": "Imp", "<=>": "Iff"}
+
+
+@dataclass(frozen=True)
+class Equation:
+    """``left = right``, between scalars or between quaternions, whose coordinates are of a ``type``."""
+
+    left: Term
+    right: Term
+    type: str
+
+    @property
+    def text(self) -> str:
+        """The proposition in Coq's notation."""
+        return self.shown("=")
+
+    def shown(self, sign: str) -> str:
+        """Return the proposition with this sign; where no unknown tells the type, it is written."""
+        text = f"{self.left.text} {sign} {self.right.text}"
+        if not (self.left.closed and self.right.closed):
+            return text
+        inner = f"({self.type})" if " " in self.type else self.type
+        kind = self.type if self.left.is_scalar else f"quaternion {inner}"
+        return f"{text} :> {kind}"
+
+    @property
+    def data(self) -> str:
+        """The formula as data."""
+        kind = "Equal" if self.left.is_scalar else "Same"
+        return f"{kind} {self.left.argument} {self.right.argument}"
+
+
+@dataclass(frozen=True)
+class Invertible:
+    """``term`` has an inverse."""
+
+    term: Term
+    type: str
+
+    @property
+    def text(self) -> str:
+        """The proposition in Coq's notation."""
+        return f"unit {self.term.inner if not self.term.closed else f'({self.term.text} : {self.type})'}"
+
+    @property
+    def data(self) -> str:
+        """The formula as data."""
+        return f"Unit {self.term.argument}"
+
+
+@dataclass(frozen=True)
+class Negation:
+    """The opposite of a formula."""
+
+    formula: "Formula"
+
+    @property
+    def text(self) -> str:
+        """The proposition in Coq's notation."""
+        if isinstance(self.formula, Equation):
+            return self.formula.shown("<>")
+        return f"~ {grouped(self.formula)}"
+
+    @property
+    def data(self) -> str:
+        """The formula as data."""
+        return f"Not ({self.formula.data})"
+
+
+@dataclass(frozen=True)
+class Junction:
+    """``left op right`` with op one of ``and or => <=>``."""
+
+    op: str
+    left: "Formula"
+    right: "Formula"
+
+    @property
+    def text(self) -> str:
+        """The proposition in Coq's notation."""
+        right = self.right
+        chain = isinstance(right, Junction) and right.op == self.op and self.op != "<=>"
+        return f"{grouped(self.left)} {SIGNS[self.op]} {right.text if chain else grouped(right)}"
+
+    @property
+    def data(self) -> str:
+        """The formula as data."""
+        return f"{DATA[self.op]} ({self.left.data}) ({self.right.data})"
+
+
+Formula = Equation | Invertible | Negation | Junction
+
+
+def grouped(formula: Formula) -> str:
+    """Return the text of a formula as it stands inside another."""
+    if isinstance(formula, Junction) or (
+        isinstance(formula, Negation) and not isinstance(formula.formula, Equation)
+    ):
+        return f"({formula.text})"
+    return formula.text
+
+
+@dataclass(frozen=True)
+class Formulas:
+    """Translates statements over one ring: in a field a divisor must not be 0, elsewhere be a unit."""
+
+    terms: Terms
+    type: str
+    is_field: bool
+
+    def defined(self, d: Term) -> Formula:
+        """Say that something has an inverse."""
+        if not self.is_field:
+            return Invertible(d, self.type)
+        return Negation(Equation(d, self.terms.number(0), self.type))
+
+    def of(self, node: Node) -> Formula:
+        """Translate a statement; a comparison says too that what it divides by has an inverse."""
+        match node:
+            case Compare(op, x, y):
+                left, right = self.terms.term(x), self.terms.term(y)
+                if not (left.is_scalar and right.is_scalar):
+                    left, right = self.terms.embed(left), self.terms.embed(right)
+                out: Formula = Equation(left, right, self.type)
+                if op == "!=":
+                    out = Negation(out)
+                divisors = {c.text: c for c in (*left.conditions, *right.conditions)}
+                for d in reversed(divisors.values()):
+                    out = Junction("and", self.defined(d), out)
+                return out
+            case Not(x):
+                return Negation(self.of(x))
+            case Logic("and", Logic("and", x, y), z):
+                return self.of(Logic("and", x, Logic("and", y, z)))
+            case Logic(op, x, y):
+                return Junction(op, self.of(x), self.of(y))
+        raise AssertionError(node)
+
+
+def equations(formula: Formula) -> list[Equation]:
+    """Return all equations in a formula."""
+    match formula:
+        case Equation():
+            return [formula]
+        case Negation(inner):
+            return equations(inner)
+        case Junction(_, left, right):
+            return equations(left) + equations(right)
+    return []

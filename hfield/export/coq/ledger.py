@@ -1,0 +1,114 @@
+"""The universal theorems of the ledger: the propositions that hold over all fields."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+from hfield.errors import HFieldError
+from hfield.export.coq.export import Export, Left
+from hfield.export.coq.terms import NotCoveredError
+from hfield.export.coq.theorem import Theorem, theorem
+from hfield.ledger.certificate import certificate
+from hfield.ledger.claim import UNIVERSAL, Claim, Proposition
+from hfield.ledger.propositions import Equivalence, Every, Implication, Presented, Statement
+from hfield.ledger.real_geometry import Analysis, Angles
+from hfield.ledger.registry import claims
+from hfield.ledger.scopes import InField, OnlyOver
+from hfield.prover.decision import PROVED, REFUTED
+
+# Claims that are no statements of the language, and the theorems of the file that say the same.
+BY_HAND = {
+    "C1.1.2-c": "centre, centre_in_char_2",
+    "C1.1.3-a": "multilinear_maps_agree",
+    "C1.1.3-b": "multilinear_maps_agree",
+    "C1.1.3-c": "sum_in_the_last_argument",
+    "C1.1.3-d": "curried_is_multilinear",
+    "C1.1.3-e": "sum_in_the_last_argument",
+    "C1.1.3-f": "multilinear_maps_agree",
+}
+
+
+def export_ledger(
+    chosen: Sequence[Claim] = (), progress: Callable[[int, int, str], None] | None = None
+) -> Export:
+    """Export what is proved for all fields among the claims chosen, all of them by default.
+
+    ``progress`` is called with the number of finished claims, their total, and the current claim.
+    """
+    theorems: list[Theorem] = []
+    left: list[Left] = []
+    by_hand: list[tuple[str, str]] = []
+    wanted = chosen or claims()
+    for done, claim in enumerate(wanted):
+        if progress:
+            progress(done, len(wanted), claim.id)
+        found = list(_propositions(claim))
+        if chosen and not found:
+            left.append(Left(claim.id, claim.statement, "nothing in it is proved for all fields"))
+        for number, (kind, part) in enumerate(found, 1):
+            name = theorem_name(claim, kind, number if len(found) > 1 else 0)
+            shown = f"{claim.id} {kind}".rstrip()
+            try:
+                theorems.append(_theorem(name, claim, part))
+            except NoStatementError as error:
+                if claim.id in BY_HAND:
+                    by_hand.append((shown, BY_HAND[claim.id]))
+                else:
+                    left.append(Left(shown, part.text, str(error)))
+            except HFieldError as error:
+                left.append(Left(shown, part.text, str(error)))
+    return Export(tuple(theorems), tuple(left), tuple(by_hand))
+
+
+def theorem_name(claim: Claim, kind: str, number: int) -> str:
+    """Return a name for Coq, such as ``C1_3_1_y_corrected_2``."""
+    base = claim.id.replace(".", "_").replace("-", "_")
+    return "_".join(part for part in (base, kind, str(number or "")) if part)
+
+
+def _propositions(claim: Claim) -> Iterator[tuple[str, Proposition]]:
+    """Run through the propositions that a claim is made of, as printed and as corrected."""
+    seen = set()
+    for kind, whole in (("", claim.as_printed), ("corrected", claim.corrected)):
+        for part in _parts(whole):
+            if part.text not in seen and _is_candidate(part):
+                yield kind, part
+            seen.add(part.text)
+
+
+def _parts(proposition: Proposition | None) -> Iterator[Proposition]:
+    match proposition:
+        case None:
+            return
+        case Every():
+            for part in proposition.parts:
+                yield from _parts(part)
+        case Implication() | Equivalence() if proposition.everywhere:
+            yield from _parts(proposition.everywhere)
+        case Angles():
+            yield from _parts(proposition.core)
+        case OnlyOver() | InField() | Analysis():  # about one field
+            return
+        case _:
+            yield proposition
+
+
+def _is_candidate(part: Proposition) -> bool:
+    """Tell whether a proposition is decided for all fields in a way that a theorem could state."""
+    decision = part.decide(None)
+    if isinstance(part, Presented):
+        return decision.verdict in (PROVED, REFUTED)
+    return decision.verdict == PROVED and decision.scope is not None
+
+
+def _theorem(name: str, claim: Claim, part: Proposition) -> Theorem:
+    if not isinstance(part, Statement | Presented):
+        raise NoStatementError("this is no statement of the language")
+    decision = part.decide(None)
+    data = certificate(part, decision, UNIVERSAL)
+    if data is None:
+        raise NotCoveredError("it has no certificate")
+    name = f"{name}_fails" if decision.verdict == REFUTED else name
+    return theorem(name, data, f"{claim.id}: ")
+
+
+class NoStatementError(NotCoveredError):
+    """A proposition that cannot be translated, since it is not written in the language."""

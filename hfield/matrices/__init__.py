@@ -1,0 +1,1 @@
+"""Matrices over a quaternion algebra, and linear equations in it."""

@@ -1,0 +1,212 @@
+"""Right eigenvalues, and decompositions of matrices over floating-point quaternions; residuals are checked.
+
+M·x = x·λ has with x a solution x·q for q⁻¹·λ·q, so that one complex λ with Im λ ≥ 0 stands for a class; there
+are n of them (L. Brenner, Pacific J. Math. 1 (1951)). Schur's form and singular values are found one by one:
+an eigenvector or singular vector of the complex matrices is completed to a unitary matrix of quaternions.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from hfield.errors import CoercionError, UndecidedError
+from hfield.matrices.complex_form import Pair, beginning_with, column, identity, pair_of, rows_of
+from hfield.rings.closed_fields.algebraic import CC
+from hfield.rings.roots import divided
+from hfield.structure import is_division
+
+if TYPE_CHECKING:
+    from hfield.matrices.matrix import Matrix
+
+ROUNDING = 64 * float(np.finfo(float).eps)  # times the size, relative: what residuals may be
+
+
+class Schur(NamedTuple):
+    """M = ``unitary`` @ ``triangular`` @ ``unitary.conjugate_transpose()``, with a complex diagonal."""
+
+    unitary: Matrix
+    triangular: Matrix
+
+
+class SVD(NamedTuple):
+    """M = ``left`` @ diag(``values``) @ ``right.conjugate_transpose()``, left and right unitary."""
+
+    left: Matrix
+    values: np.ndarray
+    right: Matrix
+
+
+class Polar(NamedTuple):
+    """M = ``unitary`` @ ``positive``; ``positive`` is hermitian, its eigenvalues are not negative."""
+
+    unitary: Matrix
+    positive: Matrix
+
+
+def right_eigenvalues(M: Matrix) -> Any:
+    """Return one complex λ with Im λ ≥ 0 for each class; see :meth:`Matrix.right_eigenvalues`."""
+    F: Any = M.algebra.ring
+    if F.closure == "real closed":
+        return _exactly(M)
+    pair = _pair(M, square=True)
+    matrices = pair.matrices
+    values = _lapack(np.linalg.eigvals, matrices) * _scale(matrices)[..., None]
+    size = np.linalg.norm(matrices, axis=(-1, -2))
+    n = matrices.shape[-1]
+    trace = abs(values.sum(-1) - np.trace(matrices, axis1=-1, axis2=-2))
+    square = abs((values**2).sum(-1) - np.einsum("...rs,...sr->...", matrices, matrices))
+    _check(trace, n * size, "the sum of the eigenvalues")
+    _check(square, n * size**2, "the sum of their squares")
+    return _paired(values)
+
+
+def _paired(values: np.ndarray) -> np.ndarray:
+    """Return one of each pair of conjugates: what is farthest from ℝ, with what its conjugate is near."""
+    *shape, count = values.shape
+    left, out = values.reshape(-1, count), []
+    rows = np.arange(len(left))
+    for size in range(count, 0, -2):
+        first = abs(left.imag).argmax(-1)
+        x = left[rows, first]
+        distance = abs(left - x.conj()[:, None])
+        distance[rows, first] = np.inf
+        second = distance.argmin(-1)
+        mean = (x + left[rows, second].conj()) / 2
+        out.append(mean.real + 1j * abs(mean.imag))
+        kept = np.ones(left.shape, dtype=bool)
+        kept[rows, first] = kept[rows, second] = False
+        left = left[kept].reshape(len(left), size - 2)
+    return np.stack(out, -1).reshape(*shape, count // 2)
+
+
+def _exactly(M: Matrix) -> tuple[Any, ...]:
+    """Return the eigenvalues in CC: half the roots of the characteristic polynomial."""
+    F: Any = M.algebra.ring
+    whole = [CC(c) for c in M.reduced_characteristic_polynomial()]
+    if not is_division(F, M.algebra.constants):
+        raise CoercionError(
+            f"right eigenvalues are of matrices over Hamilton's algebra, not {M.algebra}"
+        )
+    found = []
+    for g in CC.irreducible_factors(whole):
+        times, (rest, remainder) = 0, divided(CC, whole, g)
+        while not remainder:
+            times, (rest, remainder) = times + 1, divided(CC, rest, g)
+        if (-g[0]).is_real():  # each twice
+            found += [-g[0]] * (times // 2)
+        elif (-g[0]).ball(64).imag > 0:
+            found += [-g[0]] * times
+    return tuple(found)
+
+
+def schur(M: Matrix) -> Schur:
+    """Return Schur's form; see :meth:`Matrix.schur`."""
+    given = _pair(M, square=True)
+    *shape, n, _ = given.u.shape
+    whole, unitary = given.copy(), identity(shape, n)
+    for k in range(n):
+        values, vectors = _lapack(np.linalg.eig, whole[..., k:, k:].matrices)
+        best = values.imag.argmax(-1)[..., None, None]
+        x = column(np.take_along_axis(vectors, best, -1)[..., 0])
+        turn = beginning_with(x)
+        for part in (whole, unitary):
+            part[..., :, k:] = part[..., :, k:] @ turn
+        whole[..., k:, :] = turn.H @ whole[..., k:, :]
+        below = whole[..., k:, k]
+        residual = np.hypot(*(np.linalg.norm(x, axis=-1) for x in (below.u[..., 1:], below.v)))
+        _check(residual, n * given.sizes, "what is left below the diagonal")
+        whole.u[..., k + 1 :, k], whole.v[..., k:, k] = 0, 0
+        corner = whole.u[..., k, k]
+        whole.u[..., k, k] = corner.real + 1j * np.maximum(corner.imag, 0)
+    _check_product(given, unitary @ whole @ unitary.H)
+    _check_product(identity(shape, n), unitary.H @ unitary)
+    return Schur(_matrix(M, unitary), _matrix(M, whole))
+
+
+def svd(M: Matrix) -> SVD:
+    """Return singular values with unitary matrices; see :meth:`Matrix.svd`."""
+    left, values, right = _singular(_pair(M))
+    return SVD(_matrix(M, left), values, _matrix(M, right))
+
+
+def polar(M: Matrix) -> Polar:
+    """Return the polar form; see :meth:`Matrix.polar`."""
+    m, n = M.shape
+    if m < n:
+        raise CoercionError(
+            f"a polar form is of matrices with no more columns than rows, not of shape {M.shape}; "
+            "take that of the adjoint"
+        )
+    left, values, right = _singular(_pair(M))
+    scaled = right.scaled(values[..., None, :])
+    return Polar(_matrix(M, left[..., :, :n] @ right.H), _matrix(M, scaled @ right.H))
+
+
+def _singular(given: Pair) -> tuple[Pair, np.ndarray, Pair]:
+    *shape, m, n = given.u.shape
+    rest, left, right = given, identity(shape, m), identity(shape, n)
+    values = np.zeros((*shape, min(m, n)))
+    for k in range(min(m, n)):
+        vectors = _lapack(np.linalg.svd, rest.matrices)[2]
+        x = column(vectors[..., 0, :].conj())
+        y = rest @ x
+        size = y.sizes
+        values[..., k] = size
+        safe, first = np.where(size > 0, size, 1)[..., None, None], np.zeros((m - k, 1))
+        first[0] = 1
+        y = Pair(np.where(size[..., None, None] > 0, y.u / safe, first), y.v / safe)
+        one, two = beginning_with(y), beginning_with(x)
+        rest = (one.H @ rest @ two)[..., 1:, 1:]
+        for part, turn in ((left, one), (right, two)):
+            part[..., :, k:] = part[..., :, k:] @ turn
+    kept = min(m, n)
+    scaled = left[..., :kept].scaled(values[..., None, :])
+    _check_product(given, scaled @ right[..., :, :kept].H)
+    for unitary, size in ((left, m), (right, n)):
+        _check_product(identity(shape, size), unitary.H @ unitary)
+    return left, values, right
+
+
+def _pair(M: Matrix, square: bool = False) -> Pair:
+    F = M.algebra.ring
+    if F.is_exact:
+        raise UndecidedError(
+            f'this is computed in floating point, not over {F.name}; M.change_ring("RDF") goes there'
+        )
+    if square and M.shape[0] != M.shape[1]:
+        raise CoercionError(f"expected a square matrix; this has the shape {M.shape}")
+    return pair_of(M.algebra, M.rows)
+
+
+def _matrix(M: Matrix, pair: Pair) -> Matrix:
+    return M._like(rows_of(M.algebra, pair))
+
+
+def _lapack(function: Any, matrices: np.ndarray) -> Any:
+    """Return what LAPACK finds of matrices over their scale: some of its builds fail on large entries."""
+    try:
+        return function(matrices / _scale(matrices)[..., None, None])
+    except np.linalg.LinAlgError as error:
+        raise UndecidedError(f"LAPACK found no answer: {error}") from error
+
+
+def _scale(matrices: np.ndarray) -> np.ndarray:
+    """Return a power of 2 about as large as the entries of each matrix."""
+    size = np.max(np.abs(matrices), axis=(-1, -2), initial=0.0)
+    return np.asarray(np.ldexp(1.0, np.frexp(size)[1]))
+
+
+def _check_product(given: Pair, product: Pair) -> None:
+    _check(
+        product.minus(given).sizes,
+        max(given.u.shape[-2:]) * given.sizes,
+        "the product of the parts",
+    )
+
+
+def _check(residual: np.ndarray, size: np.ndarray, what: str) -> None:
+    """Raise :class:`UndecidedError` where a residual is more than rounding."""
+    if not (residual <= ROUNDING * size + np.finfo(float).tiny).all():
+        raise UndecidedError(f"{what} is off by more than rounding: {np.max(residual):.1e}")

@@ -1,0 +1,40 @@
+"""The meaning of names in texts of polynomials, equations and matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.errors import CoercionError, shorten
+from hfield.syntax import OfTrees
+
+Names = dict[str, Any]
+Functions = dict[str, Callable[..., Any]]
+
+
+def vocabulary(
+    algebra: Parent, wrap: Callable[[Quaternion], Any], constant: Callable[[Any], Quaternion]
+) -> tuple[Names, Functions]:
+    """Return the names of constants, and the ring's functions, such as sqrt, of scalars.
+
+    ``wrap`` makes what is read of an element, ``constant`` takes it back, or raises for what is none.
+    """
+    F = algebra.ring
+
+    def lifted(f: Callable[..., Any]) -> Callable[..., Any]:
+        if isinstance(f, OfTrees):
+            return f.then(lambda x: wrap(algebra.scalar(x)))
+
+        def apply(*arguments: Any) -> Any:
+            elements = [constant(x) for x in arguments]
+            for q in elements:
+                if q.vector_part:
+                    raise CoercionError(f"functions of {F.name} take scalars, found {shorten(q)}")
+            return wrap(algebra.scalar(f(*(q.coordinates[0] for q in elements))))
+
+        return apply
+
+    names = {name: wrap(algebra.scalar(x)) for name, x in F.names().items()}
+    names |= {name: wrap(q) for name, q in zip("eijk", algebra.basis, strict=True)}
+    return names, {name: lifted(f) for name, f in F.functions().items()}

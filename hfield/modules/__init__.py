@@ -1,1 +1,0 @@
-"""Matrices and polynomials over a quaternion algebra, and linear equations in it."""

@@ -1,0 +1,1 @@
+"""Polynomials over a quaternion algebra and their roots."""

@@ -1,0 +1,1 @@
+"""Decide statements about quaternion algebras, with evidence."""

@@ -1,0 +1,47 @@
+"""Deadlines for attempts at a proof."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from time import thread_time
+
+from hfield.rings.base import INFINITY
+
+
+@dataclass(frozen=True)
+class Clock:
+    """A clock that runs out at ``end``, in seconds of :func:`time.thread_time`.
+
+    What a thread itself works counts: on a busy machine an answer comes later, and is the same.
+
+    >>> Clock.of(-1).is_late
+    True
+    """
+
+    end: float = INFINITY
+
+    @classmethod
+    def of(cls, seconds: float) -> Clock:
+        """Return a clock that runs out after so many seconds from now."""
+        return cls(thread_time() + seconds)
+
+    @property
+    def seconds_left(self) -> float:
+        """How long until then; negative afterwards."""
+        return self.end - thread_time()
+
+    @property
+    def is_late(self) -> bool:
+        """Whether it has run out."""
+        return thread_time() > self.end
+
+    def within(self, seconds: float) -> Clock:
+        """Return a clock that runs out after so many seconds, or with this one."""
+        return Clock(min(self.end, thread_time() + seconds))
+
+    def share(self, part: float, least: float = 0.0) -> Clock:
+        """Return a clock with a part of the time that is left, or with ``least`` seconds."""
+        return Clock(thread_time() + max(part * self.seconds_left, least))
+
+
+UNTIMED = Clock()

@@ -1,0 +1,1 @@
+"""Evaluate statements at values of their unknowns."""

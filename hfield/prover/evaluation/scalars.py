@@ -1,0 +1,218 @@
+"""The scalars of an evaluation: elements of a ring, or numbers for its prime field.
+
+The evaluator asks nothing else of them, so that arrays and polynomials serve as well (``all_cases``,
+``expansion``). A value that need not exist comes with the condition under which it does.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+from fractions import Fraction
+from functools import lru_cache
+from operator import and_, mul, or_, xor
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias
+
+from hfield.core.product import Arithmetic, Constants, Scalar, multiply, norm
+from hfield.errors import NotInvertibleError, UndecidedError
+from hfield.rings.base import Ring
+from hfield.rings.rational import fmpq
+
+if TYPE_CHECKING:
+    from typing_extensions import TypeVar
+
+    from hfield.rings.flint_types import Rational
+
+    S = TypeVar("S", bound=Arithmetic, default=Any)
+    C = TypeVar("C", default=Any)
+    T = TypeVar("T", default=Any)
+else:
+    from typing import TypeVar
+
+    S = TypeVar("S")  # a scalar
+    C = TypeVar("C")  # a condition: where a value is defined
+    T = TypeVar("T")  # a truth
+
+Four: TypeAlias = tuple[S, S, S, S]
+_ONE = fmpq(1)  # flint's fractions are several times as fast as Python's
+Value = tuple[Any, Any]  # a scalar or a tuple of four, and the condition under which it is defined
+
+
+class Scalars(ABC, Generic[S, C, T]):
+    """Scalars with Python's ``+`` and ``-``, and truth values; ``always`` is the condition that holds."""
+
+    zero: S
+    one: S
+    always: C
+    reflexive = False  # whether a term is itself, so that this need not be evaluated
+
+    @abstractmethod
+    def number(self, value: int | Fraction) -> tuple[S, C]:
+        """Turn a literal into a scalar."""
+
+    @abstractmethod
+    def reciprocal(self, x: S) -> tuple[S, C]:
+        """Return 1/x and the condition under which there is one."""
+
+    @abstractmethod
+    def equal(self, differences: Iterable[S], defined: C) -> T:
+        """Return the truth of "defined, and all differences are 0"."""
+
+    @abstractmethod
+    def unequal(self, differences: Iterable[S], defined: C) -> T:
+        """Return the truth of "defined, and some difference is not 0"."""
+
+    @abstractmethod
+    def together(self, x: C, y: C) -> C:
+        """Return the condition "x and y"."""
+
+    @abstractmethod
+    def both(self, x: T, y: T) -> T:
+        """Return the truth of "x and y"."""
+
+    @abstractmethod
+    def either(self, x: T, y: T) -> T:
+        """Return the truth of "x or y"."""
+
+    @abstractmethod
+    def negate(self, x: T) -> T:
+        """Return the truth of "not x"."""
+
+    # --- what may be overridden ------------------------------------------------------------------
+
+    def times(self, x: S, y: S) -> S:
+        """Return the product of two scalars."""
+        return x * y
+
+    def scale(self, q: Four[S], s: S) -> Four[S]:
+        """Return a quaternion times a scalar."""
+        a, b, c, d = q
+        return a * s, b * s, c * s, d * s
+
+    def multiply(self, constants: Constants[S], p: Four[S], q: Four[S]) -> Four[S]:
+        """Return the product of two quaternions."""
+        return multiply(constants, p, q)
+
+    def norm(self, constants: Constants[S], q: Four[S]) -> S:
+        """Return the norm of a quaternion."""
+        return norm(constants, q)
+
+
+class Decided(Scalars[S, T, T]):
+    """Scalars of which it is known whether they are 0: truth is Python's, or numpy's for many at once."""
+
+    always = True  # type: ignore[assignment]
+    together = both = staticmethod(and_)  # type: ignore[assignment]
+    either = staticmethod(or_)  # type: ignore[assignment]
+
+    def negate(self, x: T) -> T:
+        """Return the truth of "not x"."""
+        return xor(x, True)  # type: ignore[no-any-return]
+
+    @abstractmethod
+    def integer(self, n: int) -> S:
+        """Return an integer as a scalar."""
+
+    def number(self, value: int | Fraction) -> tuple[S, T]:
+        """Return a literal; where its denominator has no inverse it is not defined."""
+        if isinstance(value, int):
+            return self.integer(value), self.always  # type: ignore[return-value]
+        x, defined = self.reciprocal(self.integer(value.denominator))
+        return self.times(self.integer(value.numerator), x), defined
+
+
+def some_nonzero(ring: Ring, elements: Iterable[Scalar]) -> bool:
+    """Tell whether some element is not 0. Raises UndecidedError where none is known not to be, but may be."""
+    doubt: UndecidedError | None = None
+    for x in elements:
+        try:
+            if not ring.is_zero(x):
+                return True
+        except UndecidedError as error:  # another element may tell
+            doubt = doubt or error
+    if doubt is not None:
+        raise doubt
+    return False
+
+
+class RingScalars(Decided[Scalar, bool]):
+    """Elements of a ring: a statement becomes true or false."""
+
+    times = staticmethod(mul)  # type: ignore[assignment]
+    multiply = staticmethod(multiply)  # type: ignore[assignment]
+    norm = staticmethod(norm)  # type: ignore[assignment]
+
+    def __init__(self, ring: Ring) -> None:
+        self.ring = ring
+        self.zero, self.one = ring.zero, ring.one
+
+    def integer(self, n: int) -> Scalar:
+        """Return n·1."""
+        x: Scalar = self.ring(n)
+        return x
+
+    def reciprocal(self, x: Scalar) -> tuple[Scalar, bool]:
+        """Return 1/x, if x is a unit."""
+        try:
+            return self.ring.inverse(x), True
+        except NotInvertibleError:
+            return self.zero, False
+
+    def equal(self, differences: Iterable[Scalar], defined: bool) -> bool:
+        """Compare exactly, in the ring."""
+        return not self.unequal(differences, defined)
+
+    def unequal(self, differences: Iterable[Scalar], defined: bool) -> bool:
+        """Compare exactly, in the ring. Raises UndecidedError where no difference is known not to be 0."""
+        return some_nonzero(self.ring, differences)
+
+
+class PrimeScalars(Decided["Rational", bool]):
+    """The prime field of a characteristic on Python's own numbers, for fast searches."""
+
+    zero, one = 0, 1
+
+    def __init__(self, p: int) -> None:
+        self.p = p
+        if not p:
+            self.times = mul  # type: ignore[method-assign, assignment]
+            self.multiply = multiply  # type: ignore[method-assign, assignment]
+
+    def integer(self, n: int) -> Rational:
+        """Return the number itself."""
+        return n
+
+    def reciprocal(self, x: Any) -> tuple[Rational, bool]:
+        """Return 1/x unless x is 0."""
+        if not self.p:
+            return (_ONE / x, True) if x else (0, False)
+        x %= self.p
+        return (pow(x, -1, self.p), True) if x else (0, False)
+
+    def times(self, x: Rational, y: Rational) -> Rational:
+        """Return a product below p."""
+        return x * y % self.p
+
+    def multiply(
+        self, constants: Constants, p: Four[Rational], q: Four[Rational]
+    ) -> Four[Rational]:
+        """Return a product whose coordinates are below p."""
+        modulus = self.p
+        return tuple([x % modulus for x in multiply(constants, p, q)])
+
+    def equal(self, differences: Iterable[Rational], defined: bool) -> bool:
+        """Compare modulo p."""
+        return not self.unequal(differences, defined)
+
+    def unequal(self, differences: Iterable[Rational], defined: bool) -> bool:
+        """Compare modulo p."""
+        p = self.p
+        if not p:
+            return any(differences)
+        return any([d % p for d in differences])  # noqa: C419 (four at most: no generator)
+
+
+@lru_cache(maxsize=1024)
+def constant(field: Ring, text: str) -> Any:
+    """Return the element of the field that ``text`` names."""
+    return field(text)

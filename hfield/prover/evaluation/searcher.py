@@ -1,0 +1,87 @@
+"""Evaluate a statement at many places, one after the other."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import islice
+from typing import Any
+
+from hfield.core.product import Scalar
+from hfield.errors import UndecidedError
+from hfield.prover.evaluation.evaluator import Evaluator
+from hfield.prover.evaluation.scalars import PrimeScalars, RingScalars, constant
+from hfield.prover.problem import Problem
+from hfield.prover.statements.language import Sort, Statement
+from hfield.prover.statements.trees import walk
+from hfield.rings.base import Ring
+from hfield.syntax import Name
+
+Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four
+
+
+def lifted(field: Ring, found: Mapping[str, Any]) -> Assignment:
+    """Turn numbers, or the texts of coordinates, into elements of the field."""
+    return {
+        name: tuple(map(field, x)) if isinstance(x, tuple) else field(x)
+        for name, x in found.items()
+    }
+
+
+def read_back(field: Ring, witness: Mapping[str, Sequence[str]]) -> Assignment:
+    """Return the values of a witness in the field, which may be named beside them."""
+    values = {name: texts for name, texts in witness.items() if name != "F"}
+    return lifted(field, {n: tuple(x) if len(x) == 4 else x[0] for n, x in values.items()})
+
+
+def assigned(statement: Statement, scalars: Iterable[Scalar]) -> Assignment:
+    """Give the unknowns their values, of quaternions four coordinates together."""
+    rest = iter(scalars)
+    return {
+        name: next(rest) if sort is Sort.SCALAR else tuple(islice(rest, 4))
+        for name, sort in statement.unknowns
+    }
+
+
+class Searcher:
+    """Evaluates the statement of a problem at many places; ``wanted`` is the truth value looked for."""
+
+    def __init__(
+        self, problem: Problem, scalars: PrimeScalars | RingScalars, wanted: bool = False
+    ) -> None:
+        self.problem, self.wanted = problem, wanted
+        fixed: Assignment = {}
+        if isinstance(scalars, RingScalars):
+            own = problem.statement.constants
+            fixed = {text: constant(scalars.ring, text) for text in own}
+        trees, sorts = problem.setting.trees, problem.statement.sorts
+        self.evaluator = Evaluator(scalars, trees, sorts, fixed)
+        self.holds = self.evaluator.function(problem.matrix)
+        self.moving = bool(problem.letters)  # the structure constants, with the place
+        self.exists = self.moving or bool(self.evaluator.bind({}))
+        names = (node.name for node in walk(problem.matrix) if isinstance(node, Name))
+        self.is_constant = not self.moving and sorts.keys().isdisjoint(names)
+
+    def decide(self, assignment: Assignment) -> bool:
+        """Tell whether the algebra exists there and the statement has the wanted truth value.
+
+        Raises :class:`UndecidedError` where that is not known: a local field knows some digits only, and a
+        ring of one's own may not know which elements are units.
+        """
+        exists = self.evaluator.bind(assignment) if self.moving else self.exists
+        return bool(exists) and self.holds(assignment) is self.wanted
+
+    def test(self, assignment: Assignment) -> bool:
+        """Tell whether :meth:`decide` is known to be true."""
+        try:
+            return self.decide(assignment)
+        except UndecidedError:
+            return False
+
+    def first(self, assignments: Iterator[Assignment]) -> Assignment | None:
+        """Return the first assignment with the wanted truth value, before the deadline."""
+        if self.is_constant:
+            assignments = islice(assignments, 1)
+        for assignment in assignments:
+            if self.problem.is_late:
+                return None
+            if self.test(assignment):
+                return assignment
+        return None

@@ -1,0 +1,1 @@
+"""Clauses about polynomials, and ideals with cofactors, commutative and free."""

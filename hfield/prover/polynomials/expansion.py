@@ -1,0 +1,271 @@
+"""Statements as clauses about polynomials with integer coefficients.
+
+The coordinates of the unknowns become variables, ``q[0] … q[3]`` for a quaternion, ``s`` for a
+scalar; so do the letters of an algebra ``(a,b|F)`` and the constants of a field, such as its
+generator. A statement that divides is expanded with fractions of polynomials, whose denominators
+are then conditions of their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import flint
+from flint import Ordering, fmpz_mpoly_ctx
+
+from hfield.core.product import Constants
+from hfield.errors import TooLargeError
+from hfield.prover.evaluation.evaluator import Evaluator
+from hfield.prover.evaluation.scalars import Scalars
+from hfield.prover.polynomials.normal_form import TRUE, Clause, Formula, clauses, literal
+from hfield.prover.problem import Problem, remembered
+from hfield.prover.statements.language import Sort
+
+if TYPE_CHECKING:
+    from hfield.core.product import Coordinates
+
+
+MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
+MAX_WEIGHT = 20_000
+
+Term: TypeAlias = "flint.fmpz_mpoly | Quotient"  # what stands for a scalar
+Conditions: TypeAlias = tuple[flint.fmpz_mpoly, ...]  # polynomials that must not be 0
+
+
+@dataclass(frozen=True)
+class Expanded:
+    """A statement as clauses over the variables ``variables`` (their texts) of ``context``.
+
+    The first ``unknowns`` variables are coordinates, letters and scalars; the others are constants
+    of the field. Where one of ``conditions`` is 0 there is no algebra.
+    """
+
+    context: Any
+    variables: tuple[str, ...]
+    unknowns: int
+    clauses: tuple[Clause, ...]
+    conditions: Conditions = ()
+
+    @property
+    def has_constants(self) -> bool:
+        """Whether coefficients contain constants of the field."""
+        return self.unknowns < len(self.variables)
+
+
+def coordinate_names(name: str, sort: Sort) -> list[str]:
+    """Return the texts of an unknown's coordinates."""
+    return [name] if sort is Sort.SCALAR else [f"{name}[{n}]" for n in range(4)]
+
+
+@remembered
+def expand(problem: Problem) -> Expanded:
+    """Expand the statement of a problem, in its algebra.
+
+    Quantifiers are left aside: hypotheses and conclusion become one formula. Raises
+    :class:`TooLargeError` rather than begin what would not end.
+    """
+    statement = problem.statement
+    if statement.weight > MAX_WEIGHT:
+        raise TooLargeError("the degree or the numbers are too large to expand")
+    world = Symbolic(problem)
+    hypotheses, conditions = TRUE, tuple(world.conditions)
+    for condition in conditions:  # where there is no algebra, nothing is said
+        hypotheses = hypotheses & literal((condition,), False)
+    for h in statement.hypotheses:
+        hypotheses = hypotheses & world.truth(h)
+    whole = ~hypotheses | world.truth(statement.conclusion)
+    return Expanded(world.context, world.variables, world.unknowns, clauses(whole), conditions)
+
+
+class Symbolic(Evaluator):
+    """Evaluates the statement of a problem to formulas about polynomials in its unknowns.
+
+    The first ``unknowns`` of the ``variables`` are coordinates of unknowns, the others constants of the
+    field.
+    The structure constants are defined where none of the ``conditions`` is 0.
+    """
+
+    scalars: Polynomials
+
+    def __init__(self, problem: Problem) -> None:
+        statement, setting = problem.statement, problem.setting
+        names = [c for name, sort in statement.unknowns for c in coordinate_names(name, sort)]
+        self.variables, self.unknowns = (*names, *statement.constants), len(names)
+        self.context = fmpz_mpoly_ctx.get(
+            [f"v{n}" for n in range(len(self.variables))], Ordering.degrevlex
+        )
+        divides = statement.divides or setting.divides
+        scalars = (_Fractions if divides else Polynomials)(self.context)
+        lifted = map(scalars.lift, self.context.gens())
+        by_text = dict(zip(self.variables, lifted, strict=True))
+        fixed = {text: by_text[text] for text in statement.constants}
+        super().__init__(scalars, setting.trees, statement.sorts, fixed)
+        values = {}
+        for name, sort in statement.unknowns:
+            coordinates = tuple(by_text[c] for c in coordinate_names(name, sort))
+            values[name] = coordinates[0] if sort is Sort.SCALAR else coordinates
+        self.conditions: Conditions = self.bind(values)
+
+    def numerators(self, x: Term | tuple[Term, ...]) -> tuple[flint.fmpz_mpoly, ...]:
+        """Return the polynomials whose zeros are those of the coordinates of x, where x is defined."""
+        return tuple(map(self.scalars.numerator, self.embed(x)))
+
+
+class Budget:
+    """The work that may still be done; every product of polynomials is charged to it beforehand."""
+
+    def __init__(self) -> None:
+        self.left = MAX_WORK
+
+    def spend(self, work: int) -> None:
+        """Charge ``work`` products of terms. Raises TooLargeError when it exceeds what is left."""
+        if work > self.left:
+            raise TooLargeError("expanding would take too many terms")
+        self.left -= work
+
+
+class Polynomials(Scalars[Term, Conditions, Formula]):
+    """Scalars are integer polynomials, statements are formulas about their zeros."""
+
+    always = ()
+    reflexive = True  # that a thing is itself needs no expanding
+
+    def __init__(self, context: flint.fmpz_mpoly_ctx) -> None:
+        self.context, self.budget = context, Budget()
+        self.zero, self.one = self.lift(context.constant(0)), self.lift(context.constant(1))
+
+    def lift(self, x: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
+        """Turn a polynomial into a scalar."""
+        return x
+
+    def numerator(self, x: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
+        """Return the polynomial whose zeros are those of x, where x is defined."""
+        return x
+
+    def number(self, value: int | Fraction) -> tuple[Term, Conditions]:
+        """Return a literal."""
+        return self.lift(self.context.constant(value.numerator)), ()
+
+    def reciprocal(self, x: flint.fmpz_mpoly) -> tuple[Term, Conditions]:
+        """Never reached: a statement that divides is expanded with fractions."""
+        raise AssertionError("division of polynomials without denominators")
+
+    def times(self, x: Term, y: Term) -> Term:
+        """Multiply, after charging for it."""
+        self.budget.spend(len(x) * len(y))
+        return x * y
+
+    def scale(self, q: Coordinates, s: Term) -> Coordinates:
+        """Multiply, after charging for it."""
+        self.budget.spend(_size(q) * len(s))
+        return super().scale(q, s)
+
+    def multiply(self, constants: Constants, p: Coordinates, q: Coordinates) -> Coordinates:
+        """Multiply, after charging for it."""
+        self.budget.spend(_size(p) * _size(q))
+        return super().multiply(constants, p, q)
+
+    def norm(self, constants: Constants, q: Coordinates) -> Term:
+        """Return the norm, after charging for it."""
+        self.budget.spend(_size(q) ** 2)
+        return super().norm(constants, q)
+
+    def together(self, x: Conditions, y: Conditions) -> Conditions:
+        """Return all the polynomials, each once."""
+        return x if x == y or not y else x + tuple(p for p in y if p not in x)
+
+    def both(self, x: Formula, y: Formula) -> Formula:
+        """Return the formula "x and y"."""
+        return x & y
+
+    def either(self, x: Formula, y: Formula) -> Formula:
+        """Return the formula "x or y"."""
+        return x | y
+
+    def negate(self, x: Formula) -> Formula:
+        """Return the opposite formula."""
+        return ~x
+
+    def equal(self, differences: Iterable[Term], defined: Conditions) -> Formula:
+        """Return the formula "defined, and all numerators are 0"."""
+        return self._comparison(differences, defined, True)
+
+    def unequal(self, differences: Iterable[Term], defined: Conditions) -> Formula:
+        """Return the formula "defined, and some numerator is not 0"."""
+        return self._comparison(differences, defined, False)
+
+    def _comparison(self, differences: Iterable[Term], defined: Conditions, zero: bool) -> Formula:
+        f = literal((self.numerator(d) for d in differences), zero)
+        for condition in defined:
+            f = f & literal((condition,), False)
+        return f
+
+
+class _Fractions(Polynomials):
+    """Scalars are fractions of polynomials."""
+
+    reflexive = False  # a thing that is not defined is not itself
+
+    def lift(self, x: flint.fmpz_mpoly) -> Quotient:
+        return Quotient(x, self.context.constant(1), self.budget)
+
+    def numerator(self, x: Quotient) -> flint.fmpz_mpoly:
+        return x.top
+
+    def number(self, value: int | Fraction) -> tuple[Quotient, Conditions]:
+        top, bottom = (self.context.constant(n) for n in (value.numerator, value.denominator))
+        return Quotient(top, bottom, self.budget), (() if bottom == 1 else (bottom,))
+
+    def reciprocal(self, x: Quotient) -> tuple[Quotient, Conditions]:
+        if x.top == 0:
+            return self.zero, (x.top,)
+        return Quotient(x.bottom, x.top, self.budget), (() if x.top == 1 else (x.top,))
+
+
+class Quotient:
+    """A fraction of polynomials, never reduced, so that its numerator is a matter of definition.
+
+    u/d + v/d = (u + v)/d, u/d + v/f = (u·f + v·d)/(d·f), and 0 is always 0/1.
+    """
+
+    __slots__ = ("bottom", "budget", "top")
+
+    def __init__(self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly, budget: Budget) -> None:
+        self.top, self.bottom, self.budget = top, bottom if top != 0 else top**0, budget
+
+    def __len__(self) -> int:
+        return len(self.top) + len(self.bottom)
+
+    def __neg__(self) -> Quotient:
+        return Quotient(-self.top, self.bottom, self.budget)
+
+    def __add__(self, other: Quotient) -> Quotient:
+        return self._sum(other.top, other.bottom)
+
+    def __sub__(self, other: Quotient) -> Quotient:
+        return self._sum(-other.top, other.bottom)
+
+    def _sum(self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly) -> Quotient:
+        if top == 0:
+            return self
+        if self.top == 0:
+            return Quotient(top, bottom, self.budget)
+        if self.bottom == bottom:
+            return Quotient(self.top + top, bottom, self.budget)
+        self._charge(top, bottom)
+        top = self.top * bottom + top * self.bottom
+        return Quotient(top, self.bottom * bottom, self.budget)
+
+    def __mul__(self, other: Quotient) -> Quotient:
+        self._charge(other.top, other.bottom)
+        return Quotient(self.top * other.top, self.bottom * other.bottom, self.budget)
+
+    def _charge(self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly) -> None:
+        self.budget.spend((len(self.top) + len(self.bottom)) * (len(top) + len(bottom)))
+
+
+def _size(q: Coordinates) -> int:
+    return sum(map(len, q))

@@ -1,0 +1,176 @@
+"""A problem: a statement, its setting, a deadline, and a memory of problems before it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterator
+from dataclasses import dataclass, replace
+from dataclasses import field as a_field
+from functools import wraps
+from typing import Any, Concatenate, ParamSpec, TypeVar, cast
+
+from hfield.prover.clock import UNTIMED, Clock
+from hfield.prover.statements.language import RESULT, Statement, generators
+from hfield.prover.statements.printing import to_text
+from hfield.prover.statements.setting import Setting
+from hfield.prover.statements.trees import divides_in, implication, taken_apart
+from hfield.rings.base import Ring
+from hfield.syntax import Call, Name, Node, children
+
+MAX_KEPT = 8_192  # answers to a question of one kind
+_NOTHING = object()
+
+
+class Memory:
+    """What functions of problems have answered: many fields and many statements ask the same."""
+
+    def __init__(self) -> None:
+        self._kept: dict[str, dict[Hashable, Any]] = {}
+
+    def recall(
+        self, kind: str, key: Hashable, make: Callable[[], Any], lasting: Callable[[], bool]
+    ) -> Any:
+        """Return what is remembered under a key, or make it, and remember it if it is ``lasting``."""
+        kept = self._kept.setdefault(kind, {})
+        found = kept.get(key, _NOTHING)
+        if found is _NOTHING:
+            found = make()
+            if lasting():
+                if len(kept) >= MAX_KEPT:
+                    kept.clear()
+                kept[key] = found
+        return found
+
+    def cache_clear(self) -> None:
+        """Forget everything; named as functools names it, for whoever empties all caches."""
+        self._kept.clear()
+
+
+MEMORY = Memory()  # shared by all problems of the process that bring none of their own
+
+
+@dataclass(frozen=True)
+class Problem:
+    """``statement`` is to be decided where ``setting`` says, before the ``clock`` runs out."""
+
+    statement: Statement
+    setting: Setting
+    clock: Clock = UNTIMED
+    memory: Memory = a_field(default=MEMORY, compare=False, repr=False)
+
+    @property
+    def field(self) -> Ring | None:
+        """The ring, nearly always a field; None for all fields at once."""
+        return self.setting.field
+
+    @property
+    def ring(self) -> Ring:
+        """The ring of a problem about one."""
+        assert self.setting.field is not None
+        return self.setting.field
+
+    @property
+    def letters(self) -> frozenset[str]:
+        """The unknowns that are structure constants: 0 is the last value that they are given."""
+        return frozenset(self.setting.letters).intersection(self.statement.sorts)
+
+    # --- time ------------------------------------------------------------------------------------
+
+    @property
+    def is_late(self) -> bool:
+        """Whether the time is over."""
+        return self.clock.is_late
+
+    def within(self, seconds: float) -> Problem:
+        """Return the problem with at most so many seconds of the time that is left."""
+        return replace(self, clock=self.clock.within(seconds))
+
+    def share(self, part: float, least: float = 0.0) -> Problem:
+        """Return the problem with a part of the time that is left, or ``least`` seconds."""
+        return replace(self, clock=self.clock.share(part, least))
+
+    # --- other problems --------------------------------------------------------------------------
+
+    def over(self, ring: Ring) -> Problem:
+        """Return the problem over another ring."""
+        return replace(self, setting=replace(self.setting, field=ring))
+
+    def with_statement(self, statement: Statement) -> Problem:
+        """Return another problem of the same setting, to be decided in the same time."""
+        return replace(self, statement=statement)
+
+    def for_formula(self, node: Node, names: tuple[str, ...] | None = None) -> Problem:
+        """Return the problem ``node`` for all values of the unknowns, or of those with ``names``.
+
+        Constants of the field that were put in for unknowns count as constants of the statement.
+        """
+        old = self.statement
+        unknowns = old.unknowns
+        if names is not None:
+            unknowns = tuple((name, sort) for name, sort in unknowns if name in names)
+        hypotheses, conclusion = taken_apart(node)
+        made = replace(
+            old,
+            text=to_text(node),
+            node=node,
+            written=node,
+            unknowns=unknowns,
+            exists=(),
+            hypotheses=hypotheses,
+            conclusion=conclusion,
+            constants=tuple(dict.fromkeys((*old.constants, *constants_in(node, self.field)))),
+            divides=old.divides or divides_in(node),
+        )
+        return self.with_statement(made)
+
+    def without_constants(self, node: Node, names: tuple[str, ...] | None = None) -> Problem:
+        """Return the same, without the constants of the field that neither it nor the algebra has."""
+        made, trees = self.for_formula(node, names), (node, *self.setting.trees)
+        used = {text for tree in trees for text in constants_in(tree, self.field)}
+        own = tuple(text for text in made.statement.constants if text in used)
+        return made.with_statement(replace(made.statement, constants=own))
+
+    @property
+    def matrix(self) -> Node:
+        """The statement without its quantifier: hypotheses ⇒ conclusion."""
+        return implication(self.statement.hypotheses, self.statement.conclusion)
+
+
+def constants_in(node: Node, ring: Ring | None) -> Iterator[str]:
+    """Run through the texts of the ring's constants in a tree."""
+    if ring is None:
+        return
+    if isinstance(node, Name):
+        if node.name in generators(ring):
+            yield node.name
+    elif isinstance(node, Call) and node.function not in RESULT:
+        yield to_text(node)
+    else:
+        for child in children(node):
+            yield from constants_in(child, ring)
+
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def remembered(
+    function: Callable[Concatenate[Problem, P], T],
+) -> Callable[Concatenate[Problem, P], T]:
+    """Let a function of a problem remember its answers, unless the time was over.
+
+    Statement and structure constants tell the problem; a function that depends on more of it, such as
+    the ring, has that among its arguments, which are hashable.
+    """
+
+    @wraps(function)
+    def recalling(problem: Problem, *args: P.args, **kwargs: P.kwargs) -> T:
+        key = (problem.statement, problem.setting.constants, args, tuple(kwargs.items()))
+        answer: T = problem.memory.recall(
+            f"{function.__module__}.{function.__qualname__}",
+            key,
+            lambda: function(problem, *args, **kwargs),
+            lambda: not problem.is_late,
+        )
+        return answer
+
+    return cast(Callable[Concatenate[Problem, P], T], recalling)

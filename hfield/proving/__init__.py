@@ -1,1 +1,0 @@
-"""Statements about quaternion algebras and the procedures that decide them, with evidence."""

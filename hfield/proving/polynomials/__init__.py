@@ -1,1 +1,0 @@
-"""Statements as clauses about polynomials, and ideals with cofactors, commutative and free."""

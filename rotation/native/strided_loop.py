@@ -1,0 +1,363 @@
+"""The walk of a formula over many points that lie in memory anyhow, in blocks that threads share.
+
+It is not the loop of `builtins`, since points come in any strides and either precision, and are turned
+where they lie. A formula has two forms. ``fast(*rows)`` returns the new coordinates and where they are
+right, or None for everywhere. ``careful(*rows)`` returns them for the rows where they are not. The fast
+loop is a function by itself that calls nothing, so that what it needs stays in registers; eight rows in
+which one is not right leave it and come back. Eight rows are read before they are written, so the result
+may be an operand.
+"""
+
+from collections.abc import Callable, Sequence
+from enum import Enum
+from typing import NamedTuple
+
+from hfield.compiling.instructions import Code, module, vector
+from rotation.native import tracing
+from rotation.native.symbols import WIDTH, Condition, Lanes, Program, Rows
+
+BLOCK = 512  # rows at a time; what is copied for a block stays in the nearest cache
+TAKE = 16  # blocks a thread takes at a time
+LINE = 64  # bytes that a processor fetches at once
+AHEAD = 8 * WIDTH  # rows; so many columns at once are more than a processor foresees
+WRITTEN_AHEAD = 4 * WIDTH  # rows; memory asked for to be written is not fetched twice
+
+Fast = Callable[..., tuple[tuple[Lanes, ...], Condition | None]]
+Careful = Callable[..., tuple[Lanes, ...]]
+
+
+class Way(Enum):
+    """How the rows of an operand lie in memory."""
+
+    SIDE_BY_SIDE = "one after the other, their components side by side"
+    COLUMNS = "each component in a column"
+    SAME = "one row for all"
+    STRIDED = "anyhow else: a block is copied to columns"
+
+
+class Operand(NamedTuple):
+    """What a program knows of an array beforehand: components, LLVM's word for its numbers, and the way."""
+
+    width: int
+    number: str
+    way: Way
+
+    @property
+    def size(self) -> int:
+        """The bytes of a number."""
+        return 8 if self.number == "double" else 4
+
+    @property
+    def step(self) -> int:
+        """The bytes from one row to the next, in memory or in the columns that a block is copied to."""
+        if self.way is Way.SAME:
+            return 0
+        return self.size * (self.width if self.way is Way.SIDE_BY_SIDE else 1)
+
+
+def swept(
+    fast: Fast, careful: Careful | None, operands: tuple[Operand, ...], results: int, number: str
+) -> str:
+    """Write the function ``entry(counter, table)``: it takes blocks from the counter until none is left.
+
+    The table is of 64-bit integers: the outer and the inner length of the batch, then for each operand its
+    address and its strides in bytes, between components, along the outer and along the inner axis.
+    The function returns whether the careful form had something to `tell`.
+
+    Parameters
+    ----------
+    operands : tuple of `Operand`
+        Those that are read, then the one that is written.
+    results : int
+        How many operands are written: 1, or 0 where the formula only tells.
+    number : str
+        What is computed with: ``double`` or ``float``.
+    """
+    return module(
+        *(_copy(size) for size in sorted({operand.size for operand in operands})),
+        _stretch(fast, operands, results, number),
+        _eight(fast, careful, operands, results, number),
+        _few(operands, results),
+        _entry(operands, results),
+    )
+
+
+def _given(operands: Sequence[object]) -> str:
+    """Write what the functions below take of each operand: an address, and bytes between components."""
+    return "".join(f", ptr %p{n}, i64 %c{n}" for n in range(len(operands)))
+
+
+def _stretch(fast: Fast, operands: tuple[Operand, ...], results: int, number: str) -> Program:
+    """Write the fast loop from row ``first`` on: it returns the row where one is not right, else ``end``."""
+    head = f"internal i64 @stretch(i64 %first, i64 %end{_given(operands)}) noinline"
+    program = Program(head, number, fused=True)
+    columns = [_columns(program, n, operand) for n, operand in enumerate(operands)]
+    read = list(zip(operands, columns, strict=True))[: len(operands) - results]
+
+    def turn(i: str) -> None:
+        image, right = fast(*(_read(program, o, c, i) for o, c in read))
+        if right is not None:
+            program.leave(program.some((~right).name), lambda: f"i64 {i}")
+        if results:
+            _write(program, operands[-1], columns[-1], image, i)
+
+    program.loop("%first", "%end", turn, WIDTH)
+    program.end("i64 %end")
+    return program
+
+
+def _eight(
+    fast: Fast,
+    careful: Careful | None,
+    operands: tuple[Operand, ...],
+    results: int,
+    number: str,
+) -> Program:
+    """Write the function that does eight rows in columns of eight, whatever they hold, and may tell."""
+    pointers = ", ".join(f"ptr %p{n}" for n in range(len(operands)))
+    program = Program(f"internal i1 @eight({pointers})", number, fused=True)
+    near = [operand._replace(way=Way.COLUMNS) for operand in operands]
+    columns = [
+        [program.at("i8", f"%p{n}", k * WIDTH * operand.size) for k in range(operand.width)]
+        for n, operand in enumerate(operands)
+    ]
+    read = list(zip(near, columns, strict=True))[: len(near) - results]
+    rows = [_read(program, o, c, "0") for o, c in read]
+    image, right = fast(*rows)
+    if right is not None and careful is not None:
+
+        def mended() -> tuple[Lanes, ...]:
+            program.flags = ""
+            done = careful(*rows)
+            return tuple(tracing.where(right, a, b) for a, b in zip(image, done, strict=True))
+
+        image = program.rarely((~right).name, mended, image)
+    if results:
+        _write(program, near[-1], columns[-1], image, "0")
+    told = "false"
+    for condition in program.conditions:
+        told = program.value(f"or i1 {told}, {program.some(condition)}")
+    program.end(f"i1 {told}")
+    return program
+
+
+def _few(operands: tuple[Operand, ...], results: int) -> Code:
+    """Write the function that does up to eight rows of whatever kind through a buffer.
+
+    The last one is repeated to fill up, so that each row is computed as in any other place.
+    """
+    code = Code(f"internal i1 @few(i64 %first, i64 %m{_given(operands)}) noinline")
+    last = code.value("sub i64 %m, 1")
+    buffers = [code.allocate(f"[{WIDTH * o.width * o.size} x i8]") for o in operands]
+    copies = []
+    for n, (o, buffer) in enumerate(zip(operands, buffers, strict=True)):
+        place = code.at("i8", f"%p{n}", code.value(f"mul i64 %first, {o.step}"))
+        near = f"ptr {buffer}, i64 {WIDTH * o.size}, i64 {o.size}"
+        copies.append((o, near, f"ptr {place}, i64 %c{n}, i64 {o.step}"))
+    for o, near, far in copies[: len(operands) - results]:
+        _copied(code, o, near, far, str(WIDTH), last)
+    told = code.once(f"call i1 @eight({', '.join(f'ptr {b}' for b in buffers)})")
+    for o, near, far in copies[len(operands) - results :]:
+        _copied(code, o, far, near, "%m", "%m")
+    code.end(f"i1 {told}")
+    return code
+
+
+def _entry(operands: tuple[Operand, ...], results: int) -> Code:
+    """Write the walk over the blocks."""
+    code = Code("i64 @entry(ptr %counter, ptr %table)")
+    v = code.value
+    outer, inner, *places = code.entries("i64", "%table", 2 + 4 * len(operands))
+    each = v(f"sdiv i64 {v(f'add i64 {inner}, {BLOCK - 1}')}, {BLOCK}")
+    total = v(f"mul i64 {outer}, {each}")
+    buffers = [
+        code.allocate(f"[{BLOCK * o.size * o.width} x i8]") if o.way is Way.STRIDED else ""
+        for o in operands
+    ]
+
+    def least(x: str, y: str) -> str:
+        return code.call("i64", "llvm.smin.i64", ("i64", x), ("i64", y))
+
+    def turn(told: str) -> tuple[str, list[str]]:
+        begin = code.once(f"atomicrmw add ptr %counter, i64 {TAKE} monotonic")
+        end = least(v(f"add i64 {begin}, {TAKE}"), total)
+        (told,) = code.loop(begin, end, block, first=[("i1", told)])
+        return v(f"icmp slt i64 {begin}, {total}"), [told]
+
+    def block(number: str, told: str) -> list[str]:
+        row = v(f"mul i64 {v(f'srem i64 {number}, {each}')}, {BLOCK}")
+        length = least(v(f"sub i64 {inner}, {row}"), str(BLOCK))
+        along = v(f"sdiv i64 {number}, {each}")
+        passed, copies = list[str](), list[tuple[Operand, str, str]]()
+        for n, (o, buffer) in enumerate(zip(operands, buffers, strict=True)):
+            start, column, step, inner_step = places[4 * n : 4 * n + 4]
+            offset = v(
+                f"add i64 {v(f'mul i64 {along}, {step}')}, {v(f'mul i64 {row}, {inner_step}')}"
+            )
+            place = v(f"inttoptr i64 {v(f'add i64 {start}, {offset}')} to ptr")
+            if buffer:
+                far = f"ptr {place}, i64 {column}, i64 {inner_step}"
+                place, column = buffer, str(BLOCK * o.size)
+                near = f"ptr {place}, i64 {column}, i64 {o.size}"
+                if n < len(operands) - results:
+                    _copied(code, o, near, far, length, length)
+                else:
+                    copies.append((o, far, near))
+            passed.append(f", ptr {place}, i64 {column}")
+        given = "".join(passed)
+        whole = v(f"and i64 {length}, -{WIDTH}")
+
+        def few(start: str, count: str, told: str) -> list[tuple[str, str, str]]:
+            some = code.once(f"call i1 @few(i64 {start}, i64 {count}{given})")
+            return [("i1", v(f"or i1 {told}, {some}"), told)]
+
+        def stretch(start: str, told: str) -> tuple[str, list[str]]:
+            i = code.once(f"call i64 @stretch(i64 {start}, i64 {whole}{given})")
+            stopped = v(f"icmp slt i64 {i}, {whole}")
+            (told,) = code.when(stopped, lambda: few(i, str(WIDTH), told))
+            return stopped, [v(f"add i64 {i}, {WIDTH}"), told]
+
+        _, told = code.repeat([("i64", "0"), ("i1", told)], stretch)
+        odd = v(f"sub i64 {length}, {whole}")
+        (told,) = code.when(v(f"icmp ne i64 {odd}, 0"), lambda: few(whole, odd, told))
+        for o, far, near in copies:
+            _copied(code, o, far, near, length, length)
+        return [told]
+
+    (told,) = code.repeat([("i1", "false")], turn)
+    code.end(f"i64 {v(f'zext i1 {told} to i64')}")
+    return code
+
+
+# --- copies between rows anyhow and columns ------------------------------------------------------
+
+
+def _copy(size: int) -> Code:
+    """Write the function that copies columns of numbers of ``size`` bytes; strides are in bytes.
+
+    Rows after ``last`` are copies of that one.
+    """
+    strides = "ptr %to, i64 %to_column, i64 %to_row, ptr %from, i64 %from_column, i64 %from_row"
+    code = Code(f"internal void @copy{size}({strides}, i64 %width, i64 %rows, i64 %last) noinline")
+    v, kind = code.value, f"i{8 * size}"
+
+    def column(k: str) -> None:
+        source = code.at("i8", "%from", v(f"mul i64 {k}, %from_column"))
+        target = code.at("i8", "%to", v(f"mul i64 {k}, %to_column"))
+
+        def row(j: str) -> None:
+            found = code.call("i64", "llvm.smin.i64", ("i64", j), ("i64", "%last"))
+            place = code.at("i8", source, v(f"mul i64 {found}, %from_row"))
+            put = code.at("i8", target, v(f"mul i64 {j}, %to_row"))
+            code.store(kind, code.load(kind, place, size), put, size)
+
+        code.loop("0", "%rows", row)
+
+    code.loop("0", "%width", column)
+    code.end()
+    return code
+
+
+def _copied(code: Code, operand: Operand, to: str, source: str, rows: str, last: str) -> None:
+    """Write a call that copies an operand's rows."""
+    given = f"{to}, {source}, i64 {operand.width}, i64 {rows}, i64 {last}"
+    code.do(f"call void @copy{operand.size}({given})")
+
+
+# --- eight rows of an operand --------------------------------------------------------------------
+
+
+def _columns(program: Program, n: int, operand: Operand) -> list[str]:
+    """Add what the loop needs of an operand before it begins: its columns, or its one row spread out."""
+    if operand.way is Way.SIDE_BY_SIDE:
+        return [f"%p{n}"]
+    found = [
+        program.at("i8", f"%p{n}", program.value(f"mul i64 %c{n}, {k}"))
+        for k in range(operand.width)
+    ]
+    if operand.way is not Way.SAME:
+        return found
+    numbers = (program.load(operand.number, place, operand.size) for place in found)
+    return [program.spread(operand.number, x, WIDTH) for x in numbers]
+
+
+def _read(program: Program, operand: Operand, columns: list[str], i: str) -> Rows:
+    """Add the reading of eight rows from row ``i`` on."""
+    kind = vector(operand.number, WIDTH)
+    if operand.way is Way.SAME:
+        numbers = columns
+    elif operand.way is Way.SIDE_BY_SIDE:
+        numbers = _parted(program, operand, columns[0], i)
+    else:
+        if i != "0":
+            _ahead(program, operand, columns, i, AHEAD, writing=False)
+        numbers = [
+            program.load(kind, program.at(operand.number, column, i), operand.size)
+            for column in columns
+        ]
+    lanes = [
+        Lanes(program, _converted(program, x, operand.number, program.number)) for x in numbers
+    ]
+    return Rows((operand.width,), lanes)
+
+
+def _ahead(
+    program: Program, operand: Operand, columns: list[str], i: str, rows: int, writing: bool
+) -> None:
+    """Ask for the memory of eight rows to come."""
+    step = operand.step
+    first = program.value(f"mul i64 {program.value(f'add i64 {i}, {rows}')}, {step}")
+    for column in columns:
+        for line in range(0, WIDTH * step, LINE):
+            offset = program.value(f"add i64 {first}, {line}")
+            program.ahead(program.at("i8", column, offset), writing)
+
+
+def _parted(program: Program, operand: Operand, base: str, i: str) -> list[str]:
+    """Add the reading of rows whose components lie side by side, and their parting into columns."""
+    n, number = operand.width, operand.number
+    kind = vector(number, WIDTH)
+    start = program.at(number, base, program.value(f"mul i64 {i}, {n}"))
+    parts = [program.load(kind, program.at(kind, start, k), operand.size) for k in range(n)]
+    return [_column(program, kind, parts, k) for k in range(n)]
+
+
+def _column(program: Program, kind: str, parts: list[str], k: int) -> str:
+    """Return every n-th number of n vectors, from number k on, gathered part after part."""
+    n = len(parts)
+    column, found = parts[0], list(range(k, WIDTH, n))
+    for number, part in enumerate(parts[1:], 1):
+        more = range((k - number * WIDTH) % n, WIDTH, n)
+        places = [*found, *(WIDTH + place for place in more)]
+        filled = places + [0] * (WIDTH - len(places))
+        column, found = program.shuffled(kind, column, part, filled), list(range(len(places)))
+    return column
+
+
+def _write(
+    program: Program, operand: Operand, columns: list[str], image: tuple[Lanes, ...], i: str
+) -> None:
+    """Add the writing of three coordinates of eight rows."""
+    number = operand.number
+    numbers = [_converted(program, x.name, program.number, number) for x in image]
+    if i != "0":
+        _ahead(program, operand, columns, i, WRITTEN_AHEAD, writing=True)
+    if operand.way is not Way.SIDE_BY_SIDE:
+        for x, column in zip(numbers, columns, strict=True):
+            program.store(vector(number, WIDTH), x, program.at(number, column, i), operand.size)
+        return
+    x, y, z = numbers
+    first = program.shuffled(vector(number, WIDTH), x, y, range(2 * WIDTH))
+    rest = program.shuffled(vector(number, WIDTH), z, z, range(2 * WIDTH))
+    order = [c * WIDTH + row for row in range(WIDTH) for c in range(3)]
+    rows = program.shuffled(vector(number, 2 * WIDTH), first, rest, order)
+    here = program.at(number, columns[0], program.value(f"mul i64 {i}, 3"))
+    program.store(vector(number, len(order)), rows, here, operand.size)
+
+
+def _converted(program: Program, name: str, number: str, wanted: str) -> str:
+    """Add the conversion of eight numbers to another precision, where it is another."""
+    if number == wanted:
+        return name
+    how = "fpext" if wanted == "double" else "fptrunc"
+    return program.value(f"{how} {vector(number, WIDTH)} {name} to {vector(wanted, WIDTH)}")
