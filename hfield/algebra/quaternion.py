@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     import sympy
 
     from hfield.rings.arrays import Index
-    from hfield.structure.single_elements.square_roots import SquareRoots as Found
+    from hfield.structure.single_elements.square_roots import RootCoordinates as Found
 
 
 _blank: Any = object.__new__

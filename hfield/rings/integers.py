@@ -108,9 +108,9 @@ class Integers(_Ordered):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints, as those over ℚ are."""
-        from hfield.rings.held.fractions import Fractions
+        from hfield.rings.held.fractions import FractionRepresentation
 
-        return Fractions(
+        return FractionRepresentation(
             self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _=1: flint.fmpz(n)
         )
 
@@ -230,9 +230,9 @@ class Rationals(_Ordered):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints over one denominator."""
-        from hfield.rings.held.fractions import Fractions
+        from hfield.rings.held.fractions import FractionRepresentation
 
-        return Fractions(self, constants, (0,), lambda x: (x,), flint.fmpq)
+        return FractionRepresentation(self, constants, (0,), lambda x: (x,), flint.fmpq)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""

@@ -30,7 +30,7 @@ class Theory:
     read: Callable[[str], Ring | None] | None = None
 
 
-class Functions(Protocol):
+class FieldFunctions(Protocol):
     """Single functions that rings need from the kinds of fields above them."""
 
     def rational_functions(self, base: Ring, variable: str) -> Ring:
@@ -46,7 +46,7 @@ class Functions(Protocol):
 class Registry:
     """Theories by the name that a class of rings has as its ``theory``, and single functions."""
 
-    functions: Functions
+    functions: FieldFunctions
 
     def __init__(self) -> None:
         self._theories: dict[str, Theory] = {}

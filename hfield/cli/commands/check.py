@@ -14,7 +14,7 @@ from hfield.checker.check import Established, ExpectedClaim, check
 from hfield.checker.json_text import MAX_BYTES, read_json
 from hfield.checker.rejection import Rejected, one_line
 from hfield.cli.batch import LINES, Lines, add_inputs, check_given, texts
-from hfield.cli.commands.check_with_coq import Judge, Verdict, add_coq, exit_status, judge_by_coq
+from hfield.cli.commands.check_with_coq import CoqVerdict, Judge, add_coq, exit_status, judge_by_coq
 from hfield.cli.output import note, open_output
 from hfield.cli.parser import UsageError, add_output, add_repeated, positive
 from hfield.errors import HFieldError, shorten
@@ -95,7 +95,7 @@ class Checked:
 
     name: str
     outcome: Outcome
-    coq: Verdict | None = None
+    coq: CoqVerdict | None = None
 
 
 def run(args: Namespace) -> int:

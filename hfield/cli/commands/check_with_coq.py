@@ -27,7 +27,7 @@ MAX_MEMORY = 1 << 24  # MiB
 
 
 @dataclass(frozen=True)
-class Verdict:
+class CoqVerdict:
     """What became of one certificate, why, and the proposition that Coq accepted, as it prints it."""
 
     word: str
@@ -48,7 +48,7 @@ class Verdict:
         }
 
 
-Judge = Callable[[str, Established, object], Verdict]
+Judge = Callable[[str, Established, object], CoqVerdict]
 """What asks Coq about a certificate: its name, what the checker established, the data that it checked."""
 
 
@@ -86,7 +86,7 @@ def judge_by_coq(args: Namespace) -> Iterator[Judge]:
         yield partial(_judge, coq)
 
 
-def _judge(coq: Coqc, name: str, found: Established, data: object) -> Verdict:
+def _judge(coq: Coqc, name: str, found: Established, data: object) -> CoqVerdict:
     from hfield.export.coq.base_rings import FIELDS
     from hfield.export.coq.cofactors import MismatchError
     from hfield.export.coq.coqc import NotJudgedError
@@ -97,20 +97,20 @@ def _judge(coq: Coqc, name: str, found: Established, data: object) -> Verdict:
         one = theorem("certificate", data)
         judged = coq.judge([one])
     except NotJudgedError as error:
-        return Verdict(NOT_JUDGED, str(error))
+        return CoqVerdict(NOT_JUDGED, str(error))
     except MismatchError as error:
-        return Verdict(NOT_JUDGED, f"no theorem can be made of it: {error}")
+        return CoqVerdict(NOT_JUDGED, f"no theorem can be made of it: {error}")
     except HFieldError as error:
-        return Verdict(NOT_COVERED, str(error))
+        return CoqVerdict(NOT_COVERED, str(error))
     if judged.rejected:
-        return Verdict(REJECTED, judged.rejected)
+        return CoqVerdict(REJECTED, judged.rejected)
     (proposition,) = judged.propositions
     if found.scope == COMMUTATIVE_RINGS and FIELDS.opening in one.text:
-        return Verdict(NOT_COVERED, "Coq's theorem is about fields only", proposition)
-    return Verdict(ACCEPTED, "a theorem without axioms", proposition)
+        return CoqVerdict(NOT_COVERED, "Coq's theorem is about fields only", proposition)
+    return CoqVerdict(ACCEPTED, "a theorem without axioms", proposition)
 
 
-def exit_status(verdicts: Iterable[Verdict | None], status: int) -> int:
+def exit_status(verdicts: Iterable[CoqVerdict | None], status: int) -> int:
     """Return the exit status, ``status`` being that of the checker."""
     words = {v.word for v in verdicts if v is not None}
     if status in (1, 2) or not words:

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import named
-from hfield.rings.held.numerators import Held, Numerators
+from hfield.rings.held.numerators import Held, NumeratorRepresentation
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.ring import FunctionField
     from hfield.rings.flint_types import Polynomial
 
 
-class FunctionRepresentation(Numerators):
+class FunctionRepresentation(NumeratorRepresentation):
     """Elements over F(t) as four polynomials over one denominator."""
 
     relation = ("0",)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from hfield.fields.number_fields.classes.class_groups import Principality
 
 
-class Integers:
+class MaximalOrder:
     """The ring of integers of a number field, as what ideals compute with."""
 
     def __init__(self, field: NumberField) -> None:
@@ -87,9 +87,9 @@ class Integers:
 
 
 @lru_cache(maxsize=256)
-def integers(field: NumberField) -> Integers:
+def integers(field: NumberField) -> MaximalOrder:
     """Return the integers of a field."""
-    return Integers(field)
+    return MaximalOrder(field)
 
 
 def ideal(ring: NumberField, *generators: object) -> Ideal:
@@ -125,7 +125,7 @@ def _generators(text: str) -> list[str]:
     return [part for part in split(inside, ",") if part.strip()]
 
 
-def _rows(frame: Integers, x: Any) -> list[flint.fmpq]:
+def _rows(frame: MaximalOrder, x: Any) -> list[flint.fmpq]:
     """Return the coordinates of a basis of the ideal of one thing; nothing for 0."""
     if isinstance(x, Ideal):
         if x.ring != frame.field:
@@ -156,7 +156,7 @@ class Ideal:
 
     __slots__ = ("__dict__", "denominator", "frame", "matrix")
 
-    def __init__(self, frame: Integers, matrix: flint.fmpz_mat, denominator: int) -> None:
+    def __init__(self, frame: MaximalOrder, matrix: flint.fmpz_mat, denominator: int) -> None:
         self.frame, self.matrix, self.denominator = frame, matrix, denominator
 
     @property

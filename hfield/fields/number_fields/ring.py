@@ -13,7 +13,7 @@ import flint
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.fields.number_fields.elements import FieldElement, coefficients
-from hfield.fields.number_fields.embeddings import Embeddings, square_root
+from hfield.fields.number_fields.embeddings import ComplexEmbeddings, square_root
 from hfield.fields.number_fields.with_ideals import WithIdeals
 from hfield.rings.base import Known, Ring, shared
 from hfield.rings.holding import Holding
@@ -91,9 +91,9 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return FieldElement(self, flint.fmpq_poly([0, 1]) % self.polynomial)
 
     @cached_property
-    def embeddings(self) -> Embeddings:
+    def embeddings(self) -> ComplexEmbeddings:
         """The roots of the polynomial: real ones ascending, then one of two complex conjugate ones."""
-        return Embeddings(self.polynomial)
+        return ComplexEmbeddings(self.polynomial)
 
     @property
     def signature(self) -> tuple[int, int]:
@@ -273,7 +273,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         value = self.embeddings.value(x.poly, index, 256)
         if not value.imag.contains(0) or not value.real < 0:
             return False
-        roots = Embeddings(flint.fmpq_poly(x.minimal_polynomial()))
+        roots = ComplexEmbeddings(flint.fmpq_poly(x.minimal_polynomial()))
         return any(value.overlaps(z) for z in roots.at(64)[: roots.real_count])
 
     def holding(self, constants: Constants) -> Holding:

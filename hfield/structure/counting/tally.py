@@ -45,7 +45,7 @@ class Tally:
     roots: dict[str, int] = field(default_factory=dict)
 
 
-class Tables:
+class RingTables:
     """The addition and multiplication of a finite ring as tables of indices; 0 and 1 come first."""
 
     def __init__(self, ring: Ring) -> None:
@@ -85,7 +85,7 @@ class Indices:
 
     __slots__ = ("tables", "values")
 
-    def __init__(self, tables: Tables, values: Any) -> None:
+    def __init__(self, tables: RingTables, values: Any) -> None:
         self.tables, self.values = tables, values
 
     def __add__(self, other: Indices) -> Indices:
@@ -147,7 +147,7 @@ class _ByTables:
     dtype = "i4"
 
     def __init__(self, ring: Ring, c: Constants) -> None:
-        self.tables = Tables(ring)
+        self.tables = RingTables(ring)
         self.constants = Constants(*(self.tables.of(x) for x in c))
 
     def norm(self, rows: Rows) -> np.ndarray:

@@ -22,11 +22,17 @@ from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.linear_algebra.kernels import apply, kernel
 from hfield.structure.norm_forms.zero_norms import is_division, zero_norm
 
-__all__ = ["Isomorphism", "division_or_splitting", "is_isomorphic", "isomorphism", "same_parent"]
+__all__ = [
+    "CoordinateIsomorphism",
+    "division_or_splitting",
+    "is_isomorphic",
+    "isomorphism",
+    "same_parent",
+]
 
 
 @dataclass(frozen=True)
-class Isomorphism:
+class CoordinateIsomorphism:
     """An isomorphism of the algebra with constants ``source`` onto the one with constants ``target``.
 
     ``images`` are those of e, i, j, k, as coordinates.
@@ -60,7 +66,7 @@ def _pairing(c: Constants, p: Coordinates, q: Coordinates) -> Any:
 
 def verified(
     ring: Ring, c: Constants, target: Constants, i: Coordinates, j: Coordinates
-) -> Isomorphism:
+) -> CoordinateIsomorphism:
     """Return the isomorphism that sends i and j to the given elements, after checking it.
 
     Checked are the relations, and independence: ``tr(p·conj(q))`` is as in the source on e, i, j, k; for a
@@ -90,7 +96,7 @@ def verified(
         and not (ring.is_zero(discriminant(ring, c)) and kernel(ring, rows, 4))
     ):
         raise AssertionError("the map found is not an isomorphism")
-    return Isomorphism(ring, c, target, images)
+    return CoordinateIsomorphism(ring, c, target, images)
 
 
 def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
@@ -129,7 +135,7 @@ def _same(ring: Ring, c: Constants, other: Constants) -> bool:
         return False
 
 
-def isomorphism(ring: Ring, c: Constants, other: Constants) -> Isomorphism | None:
+def isomorphism(ring: Ring, c: Constants, other: Constants) -> CoordinateIsomorphism | None:
     """Return an explicit isomorphism onto the algebra with constants ``other``, or None if there is none.
 
     Split algebras are compared through M₂(F); a division algebra by finding i and j in the other.

@@ -26,7 +26,7 @@ Exponents = tuple[int, ...]
 
 
 @runtime_checkable
-class Expanded(Protocol):
+class ExpandedConstants(Protocol):
     """A field whose elements have leading terms, for every order of some variables."""
 
     @property
@@ -39,7 +39,7 @@ class Expanded(Protocol):
 
 def by_leading_terms(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
     """Look for an order of the variables in which the norm has no zero."""
-    if not isinstance(ring, Expanded):
+    if not isinstance(ring, ExpandedConstants):
         return None
     variables, parts = ring.expanded_in, ring.parts
     if not 0 < len(variables) <= MAX_VARIABLES or any(ring.is_zero(x) for x in form.constants):

@@ -17,7 +17,7 @@ import flint
 
 from hfield.errors import TooLargeError, shorten
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Ideal, Integers
+from hfield.fields.number_fields.ideals import Ideal, MaximalOrder
 
 MAX_REDUCED = 2_000_000
 """So many reduced ideals are enumerated at most."""
@@ -32,7 +32,7 @@ class ReducedIdeals:
     :attr:`unit` and roots of unity. Numbers are computed when they are needed, as they may be long.
     """
 
-    def __init__(self, frame: Integers) -> None:
+    def __init__(self, frame: MaximalOrder) -> None:
         self.frame, self.field = frame, frame.field
         self.D = int(self.field.discriminant())
         self._floor = math.isqrt(self.D) if self.D > 0 else 0

@@ -28,7 +28,7 @@ from hfield.core.primality import is_prime, primes
 from hfield.errors import TooLargeError, UndecidedError, shorten
 from hfield.fields.number_fields.classes.reduced_ideals import ReducedIdeals
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Ideal, Integers, integers
+from hfield.fields.number_fields.ideals import Ideal, MaximalOrder, integers
 from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -52,7 +52,7 @@ QUADRATIC = "a unit > 1 of a real quadratic field is at least (√(D − 4) + �
 class SUnits:
     """Generators of the S-units of a field modulo roots of unity: as many as ``primes`` and the unit rank."""
 
-    def __init__(self, frame: Integers) -> None:
+    def __init__(self, frame: MaximalOrder) -> None:
         self.frame, self.field, self.n = frame, frame.field, frame.n
         self.rng = Random(1)
         real, complex_ = self.field.signature
@@ -509,7 +509,7 @@ def residue(x: FieldElement, root: int, q: int) -> int:
     return total * pow(int(x.poly.denom()) % q, -1, q) % q
 
 
-def minkowski(frame: Integers) -> int:
+def minkowski(frame: MaximalOrder) -> int:
     """Return a bound for the norms of integral ideals of which each class has one."""
     n, size = frame.n, abs(frame.field.discriminant())
     complex_ = frame.field.signature[1]
@@ -523,7 +523,7 @@ def minkowski(frame: Integers) -> int:
 
 
 @lru_cache(maxsize=256)
-def roots_of_unity(frame: Integers) -> tuple[int, FieldElement]:
+def roots_of_unity(frame: MaximalOrder) -> tuple[int, FieldElement]:
     """Return the number of roots of unity, and one that generates them."""
     field, n = frame.field, frame.n
     if field.signature[0]:
@@ -544,7 +544,7 @@ def roots_of_unity(frame: Integers) -> tuple[int, FieldElement]:
     return 2, -field.one
 
 
-def _conjugates(frame: Integers) -> flint.fmpz_mat:
+def _conjugates(frame: MaximalOrder) -> flint.fmpz_mat:
     """Return the integral basis in real and imaginary parts of conjugates, rounded: for reduction only."""
     rows = []
     for w in frame.basis:
@@ -564,7 +564,7 @@ def _rounded(x: Any, shift: int) -> int:
         return int((x.mid() * flint.arb(2) ** shift).floor().unique_fmpz())
 
 
-def logarithms(frame: Integers, x: FieldElement, bits: int = 128) -> list[Any]:
+def logarithms(frame: MaximalOrder, x: FieldElement, bits: int = 128) -> list[Any]:
     """Return balls around the logarithms of absolute values at infinity, twice those at complex places."""
     embeddings = frame.field.embeddings
     out = []
@@ -582,7 +582,7 @@ def logarithms(frame: Integers, x: FieldElement, bits: int = 128) -> list[Any]:
     return out
 
 
-def root(frame: Integers, x: FieldElement, ell: int) -> FieldElement | None:
+def root(frame: MaximalOrder, x: FieldElement, ell: int) -> FieldElement | None:
     """Return y with y^ℓ = x for a prime ℓ, or None.
 
     Modulo a prime ideal of degree one x has one root, or its roots differ by roots of unity of the field, and
@@ -607,7 +607,7 @@ def root(frame: Integers, x: FieldElement, ell: int) -> FieldElement | None:
 
 
 def _lifted_power_root(
-    frame: Integers, x: FieldElement, m: int, start: int, prime: tuple[int, int]
+    frame: MaximalOrder, x: FieldElement, m: int, start: int, prime: tuple[int, int]
 ) -> FieldElement | None:
     """Return y with y^m = x and a given residue, or None, for an algebraic integer x.
 
@@ -646,7 +646,7 @@ def _value(f: Sequence[int], r: int, modulus: int) -> int:
     return total
 
 
-def _short_with_residue(frame: Integers, r: int, y: int, modulus: int) -> FieldElement:
+def _short_with_residue(frame: MaximalOrder, r: int, y: int, modulus: int) -> FieldElement:
     """Return a short integer of the field that goes to y where s goes to r, modulo a prime power."""
     residues_ = [residue(w, r, modulus) for w in frame.basis]
     pivot = next(k for k, w in enumerate(residues_) if math.gcd(w, modulus) == 1)

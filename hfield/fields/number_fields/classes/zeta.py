@@ -20,7 +20,7 @@ import flint
 from hfield.core.factorisation import factorise
 from hfield.errors import RingError, TooLargeError, shorten
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Integers, integers
+from hfield.fields.number_fields.ideals import MaximalOrder, integers
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.rings.balls import precision
 
@@ -72,7 +72,7 @@ def _pole(weight: int) -> list[Fraction]:
 class _Sums:
     """Sums of σ₁(ν·D) over totally positive ν of given trace in D⁻¹."""
 
-    def __init__(self, frame: Integers) -> None:
+    def __init__(self, frame: MaximalOrder) -> None:
         self.frame, n = frame, frame.n
         self.different = frame.codifferent.inverse()
         self.exponents = dict(self._different_exponents())

@@ -157,9 +157,9 @@ class QuadraticField(NumberField):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as eight ints over one denominator."""
-        from hfield.rings.held.fractions import Fractions
+        from hfield.rings.held.fractions import FractionRepresentation
 
-        return Fractions(self, constants, (self.d, 0), self._vector, self._element)
+        return FractionRepresentation(self, constants, (self.d, 0), self._vector, self._element)
 
     @staticmethod
     def _vector(x: FieldElement) -> tuple[flint.fmpq, flint.fmpq]:
