@@ -27,6 +27,7 @@ TASKS = {
         "hfield/site",
     ],
     "gallery": ["scripts.draw_gallery"],
+    "methods": ["scripts.list_methods"],
 }
 
 

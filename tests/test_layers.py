@@ -49,10 +49,11 @@ FLOORS = [
     },
     {"hfield.polynomials"},  # names in texts mean the same as in matrices
     {"hfield.exploring"},  # stands on the element and on maps, and the algebra hands over to it
-    {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
     {"hfield.orders.over_integers"},
-    {"hfield.orders.ideals_at_primes"},
-    {"hfield.orders.order_functions"},
+    {"hfield.orders.elliptic_points"},
+    {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
+    {"hfield.orders.equivalence"},  # looks for elements in the hyperbolic plane
+    {"hfield.orders.isomorphisms"},
     {"hfield.orders.lattice"},
     {"hfield.orders.hurwitz_order"},
     {"hfield.algebra"},
@@ -118,7 +119,12 @@ CIRCLES = {
 MAX_CIRCLE = 20
 # Who asks for a kind of field by its name: lattices, which are over ℤ or the integers of a number field, so
 # that their places, ideals and integral bases are those of these fields.
-KNOW_KINDS = {"hfield.orders", "hfield.orders.over_integers", "hfield.orders.lattice"}
+KNOW_KINDS = {
+    "hfield.orders",
+    "hfield.orders.over_integers",
+    "hfield.orders.elliptic_points",
+    "hfield.orders.lattice",
+}
 # Rooms in which no module looks into what another keeps to itself.
 DISCREET = {"hfield.orders"}
 

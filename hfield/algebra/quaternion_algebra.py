@@ -1231,11 +1231,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """
         from hfield.orders import standard_orders
         from hfield.orders.lattice import Order
-        from hfield.orders.over_integers import orders
 
         with known_primes(factors):
-            if self.over_integers:
-                return Order(orders.maximal_order(self))
             return Order(standard_orders.maximal_order(self))
 
     def eichler_order(self, level: object, factors: Factors | None = None) -> Order:
@@ -1251,11 +1248,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """
         from hfield.orders import standard_orders
         from hfield.orders.lattice import Order
-        from hfield.orders.over_integers import orders
 
         with known_primes(factors):
-            if self.over_integers:
-                return Order(orders.eichler_order(self, level))
             return Order(standard_orders.eichler_order(self, level))
 
     def extremal_order(self) -> Order:

@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.algebra.quaternion import Quaternion
     from hfield.evidence import Claim
-    from hfield.orders.certificates import Answer as Verdict
     from hfield.orders.lattice import Lattice
 
 PATIENCE = 10
@@ -43,8 +42,7 @@ def add_answers(parser: ArgumentParser) -> None:
 
 
 def answer_certified(
-    args: Namespace,
-    answer: Callable[[Namespace], tuple[OutputDocument, Callable[[], Claim | Verdict]]],
+    args: Namespace, answer: Callable[[Namespace], tuple[OutputDocument, Callable[[], Claim]]]
 ) -> int:
     """Answer, and write a certificate with --certificate; primes given as factors are used."""
     with given_factors(args), open_output(args.certificate) as file:

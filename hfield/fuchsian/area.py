@@ -1,73 +1,85 @@
-"""How large the group of an order is, and how many elliptic points and cusps it has, by formulas over ℚ."""
+"""How large the group of an order is, and how many elliptic points and cusps it has, by formulas."""
 
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import partial
 from itertools import product
 from math import prod
+from typing import Any
 
 from flint import fmpz
 
 from hfield.core.factorisation import factorise
-from hfield.orders.invariants import eichler_symbol, is_eichler
+from hfield.orders import elliptic_points as over_fields
+from hfield.orders.invariants import eichler_symbol, is_eichler, level
+from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
-from hfield.orders.z_order import ZOrder
+from hfield.orders.orders_at_primes import OrderAtPrime
 
 
-def area(order: ZOrder) -> Fraction:
+def area(order: LatticeValue) -> Fraction:
     """Return the area of the plane modulo the units of norm 1, in units of 2π.
 
-    Shimizu's formula, φ(D)·ψ(N)/6 for Eichler orders; for others by the local index of the units, divided
-    by that of their norms (Voight, theorem 39.1.8 and lemma 26.6.7).
+    Shimizu's formula, φ(D)·ψ(N)/6 for Eichler orders over ℤ; for others by the local index of the units,
+    divided by that of their norms (Voight, theorem 39.1.8 and lemma 26.6.7).
     """
-    found = Fraction(order.discriminant, 6)
-    for p in factorise(order.discriminant):
-        symbol = eichler_symbol(order, p)
+    base, whole = order.ambient.base, discriminant(order)
+    found = abs(base.zeta_minus_one) * Fraction(4, 2**base.degree) * base.absolute_norm(whole)
+    for P, _ in base.factorisation(whole):
+        q, symbol = base.absolute_norm(base.prime_ideal(P)), eichler_symbol(order, P)
         assert symbol is not None
-        found *= (1 - Fraction(1, p * p)) / (1 - Fraction(symbol, p))
+        found *= (1 - Fraction(1, q * q)) / (1 - Fraction(symbol, q))
         if symbol == 0:
-            found /= _norm_index(order, p)
+            found /= norm_index(order, P)
     return found
 
 
-def _norm_index(order: ZOrder, p: int) -> int:
-    """Return the index of the norms of local units in the units of ℤₚ, where the residue ring is 𝔽ₚ."""
-    if p > 2:
+def norm_index(order: LatticeValue, prime: Any) -> int:
+    """Return the index of the norms of local units in all local units, for an order with the symbol 0."""
+    if not order.ambient.base.is_rational:
+        return OrderAtPrime(order, prime).norm_index()
+    if prime > 2:
         return 2  # modulo p the norm is a square
-    norms = {order.trace_and_norm(x)[1] % 8 for x in product(range(8), repeat=4)}
+    at = OrderAtPrime(order, prime)
+    norms = {at.norm_of(x)[0] % 8 for x in product(range(8), repeat=4)}
     return 4 // len(norms & {1, 3, 5, 7})
 
 
-def elliptic_points(order: ZOrder) -> dict[int, int] | None:
+def elliptic_points(order: LatticeValue) -> dict[int, int] | None:
     """Return how many elliptic points there are of each order; None for an order that is not Eichler.
 
-    They are counted by optimal embeddings of ℤ[i] or ℤ[ω] into an Eichler order (Voight, section 39.4).
+    Over ℤ they are counted by optimal embeddings of ℤ[i] or ℤ[ω] (Voight, section 39.4).
     """
+    base = order.ambient.base
     if not is_eichler(order):
         return None
-    D, level = order.ambient.discriminant, order.level
-    return {
-        m: prod(1 - kronecker(d, p) for p in factorise(D))
-        * prod(1 + kronecker(d, q) for q in factorise(level))
-        for m, d in ((2, -4), (3, -3))
-        if level % (m * m)
-    }
+    if base.degree > 1:
+        return over_fields.elliptic_points(order)
+    found, primes = {}, base.factorisation(level(order))
+    for m, trace in ((2, 0), (3, 1)):
+        if base.absolute_norm(level(order)) % (m * m):
+            symbol = partial(base.quadratic_symbol, base.inside(trace), base.inside(1))
+            found[m] = prod(1 - symbol(P) for P in order.ambient.ramified)
+            found[m] *= prod(1 + symbol(P) for P, _ in primes)
+    return found
 
 
-def cusps(order: ZOrder) -> int | None:
+def cusps(order: LatticeValue) -> int | None:
     """Return how many cusps there are; None for an order in M₂(ℚ) that is not Eichler."""
-    if order.ambient.discriminant > 1:
+    ambient, base = order.ambient, order.ambient.base
+    if ambient.ramified or ambient.degree > 1:  # a division algebra
         return 0
     if not is_eichler(order):
         return None
     # Σ φ(gcd(d, N/d)) over the divisors d of the level
     return prod(
-        sum(int(fmpz(p ** min(k, e - k)).euler_phi()) for k in range(e + 1))
-        for p, e in factorise(order.level).items()
+        sum(int(fmpz(base.absolute_norm(P) ** min(k, e - k)).euler_phi()) for k in range(e + 1))
+        for P, e in ((base.prime_ideal(P), e) for P, e in base.factorisation(level(order)))
     )
 
 
-def is_hyperbolic_trace(order: ZOrder, t: int) -> bool:
+def is_hyperbolic_trace(order: LatticeValue, t: int) -> bool:
     """Tell whether an Eichler order has a unit of norm 1 with the trace t, |t| > 2.
 
     By strong approximation it does where ℤ[x]/(x² − tx + 1) embeds locally: no prime of D splits in its
@@ -84,5 +96,5 @@ def is_hyperbolic_trace(order: ZOrder, t: int) -> bool:
             return False
     return all(
         any((x * x - t * x + 1) % p**e == 0 for x in range(p**e))
-        for p, e in factorise(order.level).items()
+        for p, e in factorise(int(level(order))).items()
     )

@@ -23,7 +23,7 @@ from hfield.fuchsian.plane import Plane, apply, same_point
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, distinct, free_centers
 from hfield.fuchsian.side_search import Shape, grown
-from hfield.fuchsian.split_order import RationalOrder, SplitOrder
+from hfield.fuchsian.split_order import SplitOrder
 from hfield.orders import maximal_orders
 from hfield.orders.invariants import is_eichler
 
@@ -90,14 +90,14 @@ def domain(order: SplitOrder, center: Quaternion, area: Fraction, given: Any = N
     )
 
 
-def order_above(order: SplitOrder) -> RationalOrder | None:
+def order_above(order: SplitOrder) -> SplitOrder | None:
     """Return a maximal order above one over ℤ of large index that is not Eichler; None for others.
 
     Raises :class:`TooLargeError` where the index is very large, or what would be searched.
     """
     found, index = None, Fraction(1)
-    if isinstance(order, RationalOrder) and not is_eichler(order.order):
-        found = RationalOrder(maximal_orders.overorder(order.order))
+    if order.base.is_rational and not is_eichler(order.order):
+        found = SplitOrder(maximal_orders.overorder(order.order))
         index = order.area() / found.area()
     if index > MAX_COSETS:
         raise TooLargeError(
@@ -114,7 +114,7 @@ def order_above(order: SplitOrder) -> RationalOrder | None:
     return None  # the search finds what is needed
 
 
-def generators_by_cosets(order: SplitOrder, above: RationalOrder) -> Rows:
+def generators_by_cosets(order: SplitOrder, above: SplitOrder) -> Rows:
     """Return units that generate the group of an order in a maximal one, in coordinates of the smaller.
 
     The images of the larger group's domain under representatives of the cosets are a domain of the smaller

@@ -14,7 +14,7 @@ from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.fuchsian import area, presentation
 from hfield.fuchsian.presentation import Word
-from hfield.fuchsian.split_order import RationalOrder, SplitOrder
+from hfield.fuchsian.split_order import SplitOrder
 from hfield.hints import GROUP, Hinted
 from hfield.orders.invariants import is_eichler
 
@@ -246,7 +246,7 @@ class NormOneGroup(Certified, Hinted):
         raise TooLargeError("no centre that units do not fix was found; try center=")
 
     @cached_property
-    def _above(self) -> RationalOrder | None:
+    def _above(self) -> SplitOrder | None:
         """A maximal order above, where the index is so large that its domain is needed."""
         from hfield.fuchsian import dirichlet
 
@@ -295,7 +295,7 @@ class NormOneGroup(Certified, Hinted):
         >>> G.traces(17), round(G.systole, 6)
         ((5, 10, 11, 13, 16, 17), 3.133598)
         """
-        if not isinstance(self.order, RationalOrder) or not is_eichler(self.order.order):
+        if not (self.order.base.is_rational and is_eichler(self.order.order)):
             raise LatticeError("traces and the systole are known here for Eichler orders over ZZ")
         if most > MAX_TRACE:
             raise TooLargeError(
@@ -310,7 +310,7 @@ class NormOneGroup(Certified, Hinted):
 
         Raises :class:`LatticeError` for orders that are not Eichler, with cusps.
         """
-        if not isinstance(self.order, RationalOrder) or not is_eichler(self.order.order):
+        if not (self.order.base.is_rational and is_eichler(self.order.order)):
             length = 1.0
             while not (closed := self.geodesics(length)):
                 length += 1

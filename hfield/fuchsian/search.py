@@ -22,6 +22,7 @@ from flint import fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.split_order import SplitOrder
+from hfield.orders.lattice_values import LatticeValue
 
 Rows = Any
 """An array of integers: coordinates with respect to the basis of the order, one element a row."""
@@ -154,6 +155,20 @@ def element_of_norm(order: SplitOrder, basis: Sequence[Quaternion], norm: Any) -
             if order.scalar(found.norm()) == norm:
                 return found
     return None
+
+
+def split_order(order: LatticeValue) -> SplitOrder:
+    """Return an order for its group, with a basis in which products have small coordinates.
+
+    Over ℤ that is the basis of its normal form; elsewhere it looks short from a point. Raises
+    :class:`IndefiniteError`.
+    """
+    plain = SplitOrder(order)
+    if plain.degree == 1:
+        return plain
+    sight = Sight(first_plane(plain), order.basis)
+    steps = reduction(sight.forms(np.zeros(1), 1.0)[0]).tolist()
+    return SplitOrder(order, order.elements(fmpz_mat(steps) * order.matrix))
 
 
 def is_fixed(order: SplitOrder, center: Quaternion) -> bool:

@@ -2,121 +2,126 @@
 
 from __future__ import annotations
 
-import math
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
+from math import prod
 from typing import Any
 
 from flint import arb, fmpq, fmpq_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.checker.glossary import BY_AREA, SHIMIZU
-from hfield.core.factorisation import factorise
-from hfield.errors import IndefiniteError, LatticeError
+from hfield.errors import IndefiniteError, LatticeError, TooLargeError, shorten
 from hfield.evidence import Claim
 from hfield.fuchsian import area
-from hfield.orders import lattice_values
-from hfield.orders.certificates import element_json, text
+from hfield.orders import certificates
 from hfield.orders.ideals_of_norm import two_sided_prime
-from hfield.orders.z_order import ZOrder
+from hfield.orders.invariants import is_eichler, level
+from hfield.orders.lattice_values import (
+    LatticeValue,
+    contains,
+    discriminant,
+    multiple,
+    product,
+    scalars_into,
+    times_ideal,
+)
 
+MAX_IDEALS = 10_000
+"""Products of a class of ideals and of two-sided primes, at most."""
+SCALES = 20
+"""So many numbers are looked at to find one of small norm in an ideal."""
 TwoSided = tuple[Sequence[Quaternion], Any]
 """A basis over ℤ of a two-sided ideal, and an exact number that generates its norm."""
 
 
-class SplitOrder(ABC):
+class SplitOrder:
     """An order in an algebra that splits at one real place and at no other infinite one.
 
-    Exact numbers of the field are scalars with ``+ − × /`` and equality; here are their values at that place.
+    Exact numbers are elements of ``base.field``; here are their values at that place, and coordinates with
+    respect to ``basis``, a basis of the order over ℤ. Raises :class:`IndefiniteError` for other algebras.
     """
 
-    algebra: Any
-    basis: tuple[Quaternion, ...]
-    """A basis over ℤ."""
-    title: str
-    """Such as "maximal order"."""
-    level: Any
-    degree: int
-    """The degree of the field."""
+    def __init__(self, order: LatticeValue, basis: Sequence[Quaternion] | None = None) -> None:
+        ambient = order.ambient
+        _expect_one_split_place(order)
+        self.order, self.algebra, self.base = order, order.algebra, ambient.base
+        self.basis = order.basis if basis is None else tuple(basis)
+        self.degree, (self.place,) = ambient.degree, ambient.split_places
+        self.level = level(order)
+        shown = self.base.shown_index(self.level)
+        self.title = "maximal order" if self.level == 1 else f"order of level {shown}"
 
     def __str__(self) -> str:
         article = "an" if self.title[0] in "aeio" else "a"
         return f"{article} {self.title} in {self.algebra}"
 
-    @abstractmethod
     def __contains__(self, x: Quaternion) -> bool:
         """Tell whether an element of the algebra lies in the order."""
+        return contains(self.order, x)
 
-    @abstractmethod
+    # --- formulas ----------------------------------------------------------------------------------
+
     def area(self) -> Fraction:
         """Return the area of the plane modulo the units of norm 1, in units of 2π."""
+        return area.area(self.order)
 
-    @abstractmethod
     def elliptic_points(self) -> dict[int, int] | None:
         """Return how many elliptic points there are of each order, where a formula tells."""
+        return area.elliptic_points(self.order)
 
     def cusps(self) -> int | None:
         """Return how many cusps there are, where a formula tells."""
-        return 0
+        return area.cusps(self.order)
 
-    @abstractmethod
+    # --- numbers -----------------------------------------------------------------------------------
+
     def scalar(self, x: Any) -> Any:
         """Return a number of the base field as an exact number."""
+        return self.base.inside(x)
 
-    @abstractmethod
     def sign(self, x: Any) -> int:
         """Return the sign of an exact number at the place, −1, 0 or 1."""
+        return self.base.sign(x, self.place)
 
-    @abstractmethod
     def real(self, x: Any) -> float:
         """Return about the value of an exact number at the place."""
+        return self.base.real(x, self.place)
 
-    @abstractmethod
     def ball(self, x: Any) -> arb:
         """Return a ball around the value, with flint's present precision."""
+        return self.base.ball(x, self.place)
 
     def elsewhere(self, x: Any) -> list[float]:
         """Return about the values at the other real places, where the norm is definite."""
-        return []
+        return [self.base.real(x, v) for v in self.base.real_places if v != self.place]
 
-    @abstractmethod
     def root(self, x: Any) -> Any:
         """Return a square root of an exact number, as one of the base ring, or None."""
+        return self.base.square_root(x)
 
-    @abstractmethod
+    # --- elements ----------------------------------------------------------------------------------
+
     def primitive(self, x: Quaternion) -> Quaternion:
         """Return a multiple, by a number, that lies in the order, without what divides it."""
+        into = scalars_into(multiple(self.order, x, "left"), self.order)
+        scales, base = self.base.short_elements(into, SCALES), self.base
+        norm = self.scalar(x.norm())
 
-    @abstractmethod
-    def normalising(self, norms: Sequence[object]) -> list[TwoSided]:
-        """Return two-sided ideals and norms whose generators, with numbers and units of norm 1, generate
-        all elements of totally positive norm that normalise the order; or those with some norms.
+        def size(c: Any) -> tuple[int, fmpq]:
+            return base.absolute_norm(base.principal(c) / into), base.trace(c * c * norm)
 
-        Raises :class:`LatticeError`, and :class:`TooLargeError`.
-        """
-
-    @abstractmethod
-    def flat(self, q: Quaternion) -> list[fmpq]:
-        """Return rational coordinates of an element."""
-
-    @abstractmethod
-    def written(self, g: Quaternion) -> Any:
-        """Return an element as evidence has it."""
-
-    @abstractmethod
-    def claim(self, word: str, parts: list[str], shown: dict[str, Any], *cited: str) -> Claim:
-        """Return a statement about the order that begins with a word, with its evidence."""
+        found: Quaternion = x * base.outside(min(scales, key=size))
+        return found
 
     @cached_property
-    def inverse(self) -> fmpq_mat:
-        """The matrix from these coordinates to those with respect to the basis."""
-        return fmpq_mat([self.flat(x) for x in self.basis]).inv()
+    def _inverse(self) -> fmpq_mat:
+        """The matrix from the coordinates in the ambient basis to those with respect to this one."""
+        return self.order.ambient.rows(self.basis).inv()
 
     def rows(self, elements: list[Quaternion]) -> list[list[int]]:
         """Return the coordinates of elements of the order with respect to the basis."""
-        found = fmpq_mat([self.flat(x) for x in elements]) * self.inverse
+        found = self.order.ambient.rows(elements) * self._inverse
         return [[int(c.p) for c in row] for row in found.tolist()]
 
     @cached_property
@@ -139,80 +144,115 @@ class SplitOrder(ABC):
         terms = [x * c for x, c in zip(self.basis, row, strict=True) if c]
         return sum(terms, self.algebra(0))
 
-
-class RationalOrder(SplitOrder):
-    """An order over ℤ in an indefinite algebra over ℚ."""
-
-    degree = 1
-
-    def __init__(self, order: ZOrder) -> None:
-        if order.ambient.definite:
-            raise IndefiniteError(
-                f"the units of an order in {order.algebra}, which is definite, are finitely many: "
-                "norm_one_group() asks for an algebra that splits at the real place, units() lists these"
-            )
-        self.order, self.algebra, self.basis, self.level = (
-            order, order.algebra, order.basis, order.level,
-        )  # fmt: skip
-        self.title = "maximal order" if self.level == 1 else f"order of level {self.level}"
-
-    def __contains__(self, x: Quaternion) -> bool:
-        return lattice_values.contains(self.order, x)
-
-    def area(self) -> Fraction:
-        return area.area(self.order)
-
-    def elliptic_points(self) -> dict[int, int] | None:
-        return area.elliptic_points(self.order)
-
-    def cusps(self) -> int | None:
-        return area.cusps(self.order)
-
-    def scalar(self, x: Any) -> fmpq:
-        return x if isinstance(x, fmpq) else fmpq(int(x.numerator), int(x.denominator))
-
-    def sign(self, x: fmpq) -> int:
-        return int(x > 0) - int(x < 0)
-
-    def real(self, x: fmpq) -> float:
-        return int(x.p) / int(x.q)
-
-    def ball(self, x: fmpq) -> arb:
-        return arb(x)
-
-    def root(self, x: fmpq) -> Fraction | None:
-        p, q = int(x.p), int(x.q)
-        r, s = math.isqrt(max(p, 0)), math.isqrt(q)
-        return Fraction(r, s) if r * r == p and s * s == q else None
-
-    def primitive(self, x: Quaternion) -> Quaternion:
-        row = fmpq_mat([self.flat(x)]) * self.inverse
-        whole, denominator = row.numer_denom()
-        return x * Fraction(int(denominator), math.gcd(*map(int, whole.entries())))
+    # --- the normaliser, and certificates ----------------------------------------------------------
 
     def normalising(self, norms: Sequence[object]) -> list[TwoSided]:
-        """Return for each norm m, or each pᵉ, the product of the two-sided primes (Atkin and Lehner)."""
-        order, whole, found = self.order, self.order.discriminant, []
-        for m in norms or [p**e for p, e in factorise(whole).items()]:
-            if not isinstance(m, int) or m < 1 or whole % m or math.gcd(m, whole // m) != 1:
+        """Return two-sided ideals and norms whose generators, with numbers and units of norm 1, generate
+        all elements of totally positive norm that normalise the order; or those with some norms.
+
+        They are O with units, 𝔞·O for ideals 𝔞 of the field, and what the norms, or all, need. Raises
+        :class:`LatticeError`, and :class:`TooLargeError`.
+        """
+        ideals = TwoSidedIdeals(self.order)
+        chosen = [ideals.primes_of(m) for m in norms]
+        units = self.base.positive_units
+        # each bit of a number is a generator
+        found: list[TwoSided] = [
+            (self.basis, units[1 << k]) for k in range(len(units).bit_length() - 1)
+        ]
+        found += ideals.generated(0)[1:]
+        reached = [0]
+        for primes in chosen or range(1 << len(ideals.primes)):
+            if primes in reached:
+                continue
+            some = ideals.generated(primes)[:1]
+            if some:
+                reached += [primes ^ other for other in reached]
+            elif chosen:
                 raise LatticeError(
-                    f"{m} is no exact divisor of {whole}, the discriminant of the order: "
-                    "an involution belongs to a divisor that is coprime to its cofactor"
+                    f"no element of totally positive norm generates a two-sided ideal of norm "
+                    f"{ideals.norm(primes)}, not even times an ideal of the field"
                 )
-            ideal: Any = order
-            for p in factorise(m) if m > 1 else ():
-                ideal = lattice_values.meet(ideal, two_sided_prime(order, p))
-            found.append((ideal.basis, self.scalar(Fraction(m))))
+            found += some
         return found
 
-    def flat(self, q: Quaternion) -> list[fmpq]:
-        return [self.scalar(x) for x in q.coordinates]
-
-    def written(self, g: Quaternion) -> list[str]:
-        return element_json(g)
+    def written(self, g: Quaternion) -> Any:
+        """Return an element as evidence has it."""
+        return certificates.element_json(self.order.ambient, g)
 
     def claim(self, word: str, parts: list[str], shown: dict[str, Any], *cited: str) -> Claim:
-        statement = f"{word}{{{'; '.join([text(self.order), *parts])}}}"
-        return Claim(
-            self.algebra, statement, {"kind": word, **shown}, BY_AREA, assumes=(SHIMIZU, *cited)
+        """Return a statement about the order that begins with a word, with its evidence."""
+        return certificates.of_units(self.order, word, parts, shown, *cited)
+
+
+def _expect_one_split_place(order: LatticeValue) -> None:
+    """Raise :class:`IndefiniteError` unless the field is totally real and one real place splits."""
+    ambient, base = order.ambient, order.ambient.base
+    if ambient.definite:
+        raise IndefiniteError(
+            f"the units of an order in {order.algebra}, which is definite, are finitely many modulo numbers: "
+            "norm_one_group() asks for one that splits at exactly one real place, units() lists these"
         )
+    if not ambient.is_fuchsian:
+        real = len(base.real_places)
+        complex_ones = (base.degree - real) // 2
+        raise IndefiniteError(
+            f"{shorten(order.algebra)} splits at {len(ambient.split_places)} of the {real} real places"
+            + (f" and the field has {complex_ones} complex ones" if complex_ones else "")
+            + "; norm_one_group() asks for a totally real field and exactly one real place that splits"
+        )
+
+
+class TwoSidedIdeals:
+    """The invertible two-sided ideals of an Eichler order: 𝔞·∏J_P, 𝔞 of the field, P over the discriminant.
+
+    J_P² = Pᵉ·O. Sets of primes are numbers: bit k is the k-th prime of the discriminant. Modulo numbers
+    and units of norm 1, elements that normalise the order are known by such an ideal and a generator of
+    its norm.
+    """
+
+    def __init__(self, order: LatticeValue) -> None:
+        if not is_eichler(order):
+            raise LatticeError("the normaliser is known here for Eichler orders, and this is none")
+        self.order, self.base, self._whole = order, order.ambient.base, discriminant(order)
+        factors = self.base.factorisation(self._whole)
+        self.primes = [P for P, _ in factors]
+        self.powers = [self.base.prime_ideal(P) ** e for P, e in factors]
+        self.classes = self.base.ideal_classes(MAX_IDEALS)
+        if len(self.classes) << len(self.primes) > MAX_IDEALS:
+            raise TooLargeError(
+                f"the field has {len(self.classes)} classes of ideals and the discriminant "
+                f"{len(self.primes)} prime ideals: products up to {MAX_IDEALS} are looked at"
+            )
+
+    def norm(self, chosen: int) -> Any:
+        """Return the norm of a product of J_P."""
+        some = (p for k, p in enumerate(self.powers) if chosen >> k & 1)
+        return prod(some, start=self.base.one)
+
+    def primes_of(self, norm: object) -> int:
+        """Return the set of primes with a norm. Raises :class:`LatticeError` where there is none."""
+        ideal = self.base.integral_ideal(norm)
+        chosen = sum(1 << k for k, P in enumerate(self.primes) if self.base.valuation(ideal, P) > 0)
+        if self.norm(chosen) != ideal:
+            raise LatticeError(
+                f"{ideal} is no exact divisor of {self._whole}, the discriminant of the order: "
+                "an involution belongs to a divisor that is coprime to its cofactor"
+            )
+        return chosen
+
+    def generated(self, chosen: int) -> list[TwoSided]:
+        """Return the 𝔞·∏J_P of a set, one for each class of 𝔞, whose norm has a totally positive generator.
+
+        With the generator. Of the empty set O is the first.
+        """
+        norm = self.norm(chosen)
+        found: list[TwoSided] = []
+        for a in self.classes:
+            for generator in self.base.generators(a * a * norm, self.base.real_places)[:1]:
+                ideal = times_ideal(self.order, a)
+                for k, P in enumerate(self.primes):
+                    if chosen >> k & 1:
+                        ideal = product(ideal, two_sided_prime(self.order, P))
+                found.append((ideal.basis, generator))
+        return found

@@ -6,38 +6,43 @@ positive rational numbers. Only this module and ``kernels`` distinguish the two 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import lru_cache
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_poly
+from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
 
 from hfield.core.factorisation import factorise, remove
-from hfield.core.primality import WORD
 from hfield.core.product import Constants
 from hfield.errors import LatticeError, RingError, TooLargeError, shorten
 from hfield.fields.number_fields import ideals
 from hfield.fields.number_fields.classes.class_groups import class_group
+from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-from hfield.fields.number_fields.residues import local_place
+from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified
 from hfield.fields.rationals.places import INFINITE
+from hfield.fields.rationals.residues import PrimePlace
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.orders import validation
+from hfield.orders import positive_generators, validation
 from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.rings.base import Ring
 from hfield.rings.integers import QQ
-from hfield.rings.whole_numbers import fraction
+from hfield.rings.residue_polynomials import coefficients, residues
+from hfield.rings.whole_numbers import fraction, square_root
+from hfield.structure.finite_places import FinitePlace
 from hfield.structure.forms import discriminant, normal_form
 
 if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
+    from hfield.rings.flint_types import Polynomial
 
 Quadruple = tuple[Any, Any, Any, Any]
 
@@ -51,6 +56,20 @@ class QuaternionBasis(NamedTuple):
     constants: Constants
     into: Callable[[Sequence[Any]], Quadruple]
     back: Callable[[Sequence[Any]], Quadruple]
+
+
+class Counts(NamedTuple):
+    """Numbers of elements by their norms, which are given by coordinates over a denominator."""
+
+    numbers: dict[tuple[int, ...], int]
+    den: int
+
+
+class ResiduePlace(FinitePlace, Protocol):
+    """The residue field of a prime above the prime number ``below``, of valuation ``index`` there."""
+
+    below: int
+    index: int
 
 
 class Base(Protocol):
@@ -75,6 +94,8 @@ class Base(Protocol):
         """Return the basis in which lattices of an algebra are kept."""
 
     is_totally_real: bool
+    real_places: tuple[int, ...]
+    """The numbers of the real places."""
 
     @property
     def one(self) -> Any:
@@ -88,6 +109,10 @@ class Base(Protocol):
 
     def prime_ideal(self, prime: Any) -> Any:
         """Return a prime as an ideal."""
+
+    @property
+    def zeta_minus_one(self) -> Fraction:
+        """The value ζ(−1) of the zeta function of a totally real field."""
 
     @property
     def mass_factor(self) -> Fraction:
@@ -105,20 +130,54 @@ class Base(Protocol):
     def residues(self, prime: Any) -> list[Any]:
         """Return integers of the field, one of each class modulo a prime, 0 first."""
 
-    def lift(self, prime: Any, residue: nmod_poly) -> Any:
+    def place(self, prime: Any) -> ResiduePlace:
+        """Return the residue field of a prime, with the arithmetic in it."""
+
+    def digits(self, prime: Any, residue: Any) -> list[int]:
+        """Return the coordinates of a residue over the prime field."""
+
+    def residue(self, prime: Any, digits: Sequence[int]) -> Any:
+        """Return the residue with these coordinates."""
+
+    def lift(self, prime: Any, residue: Any) -> Any:
         """Return an integer of the field with a given residue modulo a prime."""
+
+    def root_modulo_4(self, d: Any) -> Any:
+        """Return t with t² ≡ d modulo 4, over ℤ d itself; None where there is none."""
 
     def integer_near(self, x: Any, modulus: int) -> Any:
         """Return an integer of the field that is x modulo a power of p, where x is integral at p."""
 
-    def integral_ideal(self, x: object) -> Any:
-        """Return what a user gives as a norm. Raises :class:`LatticeError` for what is no integral ideal."""
+    def integral_ideal(self, x: object, what: str = "norm") -> Any:
+        """Return what a user gives as a norm, or a level.
+
+        Raises :class:`LatticeError` for what is no integral ideal.
+        """
 
     def ideal_text(self, ideal: Any) -> int | str:
         """Return an integral ideal for JSON."""
 
     def classes_modulo_signs(self, ambient: AlgebraBasis) -> Any:
         """Return the group of ideals modulo generators positive at the real places that ramify."""
+
+    def generators(self, ideal: Any, places: tuple[int, ...]) -> list[Any]:
+        """Return the generators of an ideal, in the field, that are positive at some real places.
+
+        One for each coset of the squares of units; none where there are none.
+        """
+
+    @property
+    def positive_units(self) -> tuple[Any, ...]:
+        """The totally positive units, one for each coset of the squares of units, 1 first.
+
+        The numbers of units are words of bits: each bit is a generator.
+        """
+
+    def is_integral(self, ideal: Any) -> bool:
+        """Tell whether all elements of an ideal are integers."""
+
+    def are_coprime(self, first: Any, second: Any) -> bool:
+        """Tell whether the sum of two integral ideals is 1."""
 
     def quadratic_symbol(self, trace: Any, norm: Any, prime: Any) -> int:
         """Return 1, 0 or −1 where x² − trace·x + norm has two roots, one or none modulo a prime."""
@@ -147,6 +206,24 @@ class Base(Protocol):
     def is_totally_positive(self, x: Any) -> bool:
         """Tell whether an element is positive at all infinite places."""
 
+    def sign(self, x: Any, place: int) -> int:
+        """Return the sign of an element at a real place, −1, 0 or 1."""
+
+    def real(self, x: Any, place: int) -> float:
+        """Return about the value of an element at a real place."""
+
+    def ball(self, x: Any, place: int) -> arb:
+        """Return a ball around the value, with flint's present precision."""
+
+    def square_root(self, x: Any) -> Any:
+        """Return a square root of an element, as one of ``ring``, or None."""
+
+    def short_elements(self, ideal: Any, count: int) -> Iterable[Any]:
+        """Return up to so many elements of an ideal that are short; over ℤ its generator."""
+
+    def ideal_classes(self, most: int) -> list[Any]:
+        """Return one ideal of each class, 1 first. Raises :class:`TooLargeError` for more than ``most``."""
+
     def as_rational(self, x: Any) -> fmpq | None:
         """Return an element of the field as a rational number, None for one that is none."""
 
@@ -165,6 +242,15 @@ class Base(Protocol):
     def shown_index(self, ideal: Any) -> Any:
         """Return an ideal as an index that a user sees."""
 
+    def theta_step(self, lattice: LatticeValue) -> Fraction:
+        """Return the number of whose multiples a theta series counts: the norm over ℤ, elsewhere 1."""
+
+    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> Any:
+        """Return numbers of elements of norms as a user sees them.
+
+        It is a list over ℤ, for the multiples of a step up to a bound, and elsewhere a dict.
+        """
+
 
 class RationalIntegers:
     """The integers ℤ; the coordinates of quaternions are those over (1, i, j, k)."""
@@ -175,6 +261,7 @@ class RationalIntegers:
     symbol = "ℤ"
     is_rational = True
     is_totally_real = True
+    real_places: tuple[int, ...] = (0,)
     one = 1
 
     def prime(self, x: object) -> int:
@@ -186,6 +273,7 @@ class RationalIntegers:
     def prime_ideal(self, prime: int) -> int:
         return prime
 
+    zeta_minus_one = Fraction(-1, 12)
     mass_factor = Fraction(1, 12)
 
     def absolute_norm(self, ideal: Fraction | int) -> int:
@@ -203,20 +291,44 @@ class RationalIntegers:
     def residues(self, prime: int) -> list[fmpq]:
         return list(map(fmpq, range(prime)))
 
-    def lift(self, prime: int, residue: nmod_poly) -> fmpq:
-        return fmpq(int(residue[0]))
+    def place(self, prime: int) -> PrimePlace:
+        return PrimePlace(prime, fmpq)
+
+    def digits(self, prime: int, residue: int) -> list[int]:
+        return [residue]
+
+    def residue(self, prime: int, digits: Sequence[int]) -> int:
+        return digits[0]
+
+    def lift(self, prime: int, residue: int) -> fmpq:
+        return fmpq(residue)
+
+    def root_modulo_4(self, d: fmpq) -> fmpq | None:
+        return d if d.q == 1 and int(d.p) % 4 in (0, 1) else None
 
     def integer_near(self, x: fmpq, modulus: int) -> fmpq:
         return fmpq(int(x.p) * pow(int(x.q), -1, modulus) % modulus)
 
-    def integral_ideal(self, x: object) -> int:
-        return validation.positive(x, "norm")
+    def integral_ideal(self, x: object, what: str = "norm") -> int:
+        return validation.positive(x, what)
 
     def ideal_text(self, ideal: Fraction | int) -> int:
         return int(ideal)
 
     def classes_modulo_signs(self, ambient: AlgebraBasis) -> OneClass:
         return OneClass()
+
+    def generators(self, ideal: Fraction | int, places: tuple[int, ...]) -> list[fmpq]:
+        x = self.inside(ideal)
+        return [x] if places else [x, -x]
+
+    positive_units: tuple[Any, ...] = (fmpq(1),)
+
+    def is_integral(self, ideal: Fraction | int) -> bool:
+        return ideal.denominator == 1
+
+    def are_coprime(self, first: Fraction | int, second: Fraction | int) -> bool:
+        return math.gcd(first.numerator, second.numerator) == 1
 
     def quadratic_symbol(self, trace: fmpq, norm: fmpq, prime: int) -> int:
         return kronecker(int(trace.p) ** 2 - 4 * int(norm.p), prime)  # both are integers
@@ -262,6 +374,24 @@ class RationalIntegers:
     def is_totally_positive(self, x: Any) -> bool:
         return bool(x > 0)
 
+    def sign(self, x: fmpq, place: int) -> int:
+        return int(x > 0) - int(x < 0)
+
+    def real(self, x: fmpq, place: int) -> float:
+        return int(x.p) / int(x.q)
+
+    def ball(self, x: fmpq, place: int) -> arb:
+        return arb(x)
+
+    def square_root(self, x: fmpq) -> Fraction | None:
+        return square_root(fraction(x))
+
+    def short_elements(self, ideal: Fraction | int, count: int) -> list[fmpq]:
+        return [self.inside(ideal)]
+
+    def ideal_classes(self, most: int) -> list[int]:
+        return [self.one]
+
     def as_rational(self, x: Any) -> fmpq | None:
         return self.inside(x)
 
@@ -283,6 +413,15 @@ class RationalIntegers:
 
     def shown_index(self, ideal: Fraction) -> int | Fraction:
         return ideal.numerator if ideal.denominator == 1 else ideal
+
+    def theta_step(self, lattice: LatticeValue) -> Fraction:
+        return Fraction(lattice.norm)
+
+    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> list[int]:
+        unit, found = int(step * counts.den), [0] * (bound + 1)
+        for (norm,), count in counts.numbers.items():
+            found[norm // unit] = count
+        return found
 
 
 class OneClass:
@@ -315,9 +454,10 @@ class NumberFieldIntegers:
     def __init__(self, ring: NumberField) -> None:
         self.ring, self.integers = ring, ideals.integers(ring)
         self.field = ring
-        self.degree = ring.degree
+        self.degree = self.field.degree
         self.integral_basis: tuple[Any, ...] = self.field.integral_basis()
         self.is_totally_real = self.field.signature == (self.degree, 0)
+        self.real_places = tuple(range(self.field.signature[0]))
 
     symbol = "ℤ_K"
     is_rational = False
@@ -335,9 +475,13 @@ class NumberFieldIntegers:
         return self.integers.prime(prime)
 
     @property
+    def zeta_minus_one(self) -> Fraction:
+        return Fraction(self.ring.zeta_minus_one())
+
+    @property
     def mass_factor(self) -> Fraction:
         classes = self.ring.class_group().order
-        return Fraction(abs(self.ring.zeta_minus_one()) * classes, 2 ** (self.degree - 1))
+        return Fraction(abs(self.zeta_minus_one) * classes, 2 ** (self.degree - 1))
 
     def absolute_norm(self, ideal: ideals.Ideal) -> int:
         return int(ideal.norm())
@@ -350,31 +494,59 @@ class NumberFieldIntegers:
 
     def residues(self, prime: PrimeIdeal) -> list[Any]:
         digits = product(range(prime.p), repeat=prime.f)
-        return [self.lift(prime, nmod_poly(list(c), prime.p)) for c in digits]
+        return [self.lift(prime, self.residue(prime, c)) for c in digits]
 
-    def lift(self, prime: PrimeIdeal, residue: nmod_poly) -> Any:
+    def place(self, prime: PrimeIdeal) -> LocalPlace:
+        return local_place(prime)
+
+    def digits(self, prime: PrimeIdeal, residue: Polynomial) -> list[int]:
+        found = coefficients(residue)
+        return found + [0] * (prime.f - len(found))
+
+    def residue(self, prime: PrimeIdeal, digits: Sequence[int]) -> Polynomial:
+        return residues(prime.p, digits)
+
+    def lift(self, prime: PrimeIdeal, residue: Polynomial) -> Any:
         return self.integer_near(prime.lift(residue), prime.p)
+
+    def root_modulo_4(self, d: Any) -> Any:
+        for digits in product((0, 1), repeat=self.degree):
+            t = self.element_of(list(map(fmpq, digits)))
+            if self.field.is_integral((t * t - d) * fmpq(1, 4)):
+                return t
+        return None
 
     def integer_near(self, x: Any, modulus: int) -> Any:
         (row,) = self.coordinate_rows([x]).tolist()
         digits = [int(c.p) * pow(int(c.q), -1, modulus) % modulus for c in row]
         return self.element_of([fmpq(c) for c in digits])
 
-    def integral_ideal(self, x: object) -> ideals.Ideal:
+    def integral_ideal(self, x: object, what: str = "norm") -> ideals.Ideal:
         found = self.ideal(x)
         if not found.is_integral():
-            raise LatticeError(f"expected an ideal of integers as the norm, not {found}")
+            raise LatticeError(f"expected an ideal of integers as the {what}, not {found}")
         return found
 
     def ideal_text(self, ideal: ideals.Ideal) -> str:
         return str(ideal)
 
     def classes_modulo_signs(self, ambient: AlgebraBasis) -> Any:
-        signs = (v.index for v in self.field.real_places() if v not in ambient.split_places)
-        return class_group(self.ring, tuple(signs))
+        return class_group(self.ring, ambient.ramified_real_places)
+
+    def generators(self, ideal: ideals.Ideal, places: tuple[int, ...]) -> list[Any]:
+        return positive_generators.generators(ideal, places)
+
+    @property
+    def positive_units(self) -> tuple[Any, ...]:
+        return positive_generators.units_modulo_squares(self.ring)
+
+    def is_integral(self, ideal: ideals.Ideal) -> bool:
+        return ideal.is_integral()
+
+    def are_coprime(self, first: ideals.Ideal, second: ideals.Ideal) -> bool:
+        return bool(first + second == self.one)
 
     def quadratic_symbol(self, trace: Any, norm: Any, prime: PrimeIdeal) -> int:
-        expect_small(prime)
         place, t, n = local_place(prime), prime.residue_of(trace), prime.residue_of(norm)
         if (t if place.even else (t * t - n * 4) % place.modulus) == 0:
             return 0
@@ -455,6 +627,35 @@ class NumberFieldIntegers:
         signs = self.field.multiplication(x).charpoly().coeffs()
         return all(c * (-1) ** (len(signs) - 1 - k) > 0 for k, c in enumerate(signs))
 
+    def sign(self, x: Any, place: int) -> int:
+        return int(self.field.sign_at(x, place))
+
+    def real(self, x: Any, place: int) -> float:
+        return float(self.field.embeddings.close(x.poly, place, 15).real.mid()) if x else 0.0
+
+    def ball(self, x: Any, place: int) -> arb:
+        found: arb = self.field.embeddings.value(x.poly, place, ctx.prec).real
+        return found
+
+    def square_root(self, x: Any) -> Any:
+        found = x.sqrt()
+        return None if found is None else self.outside(found)
+
+    def short_elements(self, ideal: ideals.Ideal, count: int) -> Iterable[Any]:
+        return s_units(self.ring).short(ideal, count)
+
+    def ideal_classes(self, most: int) -> list[ideals.Ideal]:
+        group = self.ring.class_group()
+        if group.order > most:
+            raise TooLargeError(
+                f"{shorten(self.ring.name)} has {group.order} classes of ideals, and at most {most} are "
+                "looked at here"
+            )
+        found = [self.one]
+        for a, d in zip(group.generators, group.invariants, strict=True):
+            found = [a**k * b for k in range(d) for b in found]
+        return found
+
     def as_rational(self, x: Any) -> fmpq | None:
         return x.poly[0] if x.poly.degree() < 1 else None
 
@@ -468,13 +669,16 @@ class NumberFieldIntegers:
     def shown_index(self, ideal: ideals.Ideal) -> ideals.Ideal:
         return ideal
 
+    def theta_step(self, lattice: LatticeValue) -> Fraction:
+        return Fraction(1)
 
-def expect_small(prime: PrimeIdeal) -> None:
-    """Raise :class:`TooLargeError` for a prime ideal whose residues exceed a machine's word."""
-    if prime.p >= WORD:
-        raise TooLargeError(
-            f"orders are not computed at {shorten(prime)}, whose residues exceed a machine's word"
-        )
+    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> dict[Any, int]:
+        norms = {
+            self.element_of([fmpq(x, counts.den) for x in values]): count
+            for values, count in counts.numbers.items()
+        }
+        ordered = sorted(norms.items(), key=lambda pair: (self.trace(pair[0]), str(pair[0])))
+        return {self.outside(norm): count for norm, count in ordered}
 
 
 INTEGERS = RationalIntegers()

@@ -107,13 +107,20 @@ class AlgebraBasis:
 
     def row(self, x: Any) -> fmpq_mat:
         """Return what the algebra reads as an element, a matrix of one row."""
-        q = x if getattr(x, "algebra", None) is self.algebra else self.algebra(x)
-        if q.is_batch:
-            raise LatticeError(
-                "a lattice is spanned by single elements, and this is an array of them"
-            )
-        parts = self._quaternions.into([self.base.inside(c) for c in q.coordinates])
-        return fmpq_mat(1, self.size, self.base.coordinate_rows(parts).entries())
+        return self.rows([x])
+
+    def rows(self, elements: Sequence[Any]) -> fmpq_mat:
+        """Return what the algebra reads as elements, one a row."""
+        inside, into, numbers = self.base.inside, self._quaternions.into, list[Any]()
+        for x in elements:
+            q = x if getattr(x, "algebra", None) is self.algebra else self.algebra(x)
+            if q.is_batch:
+                raise LatticeError(
+                    "a lattice is spanned by single elements, and this is an array of them"
+                )
+            numbers += into([inside(c) for c in q.coordinates])
+        entries = self.base.coordinate_rows(numbers).entries()
+        return fmpq_mat(len(elements), self.size, entries)
 
     def integral_row(self, x: object) -> tuple[int, list[fmpz]]:
         """Return the same as integers over a denominator."""
@@ -122,12 +129,16 @@ class AlgebraBasis:
 
     def is_integral(self, row: Sequence[fmpq]) -> bool:
         """Tell whether an element has an integral trace and norm."""
-        numbers = [trace(self.constants, self.parts(row)), self.norm(row)]
+        numbers = [self.trace(row), self.norm(row)]
         return bool(self.base.coordinate_rows(numbers).numer_denom()[1] == 1)
 
     def norm(self, row: Sequence[fmpq]) -> Any:
         """Return the reduced norm of an element, a number of the field."""
         return norm(self.constants, self.parts(row))
+
+    def trace(self, row: Sequence[fmpq]) -> Any:
+        """Return the reduced trace of an element, a number of the field."""
+        return trace(self.constants, self.parts(row))
 
     # --- products ----------------------------------------------------------------------------------
 
@@ -169,6 +180,12 @@ class AlgebraBasis:
     def scalar_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
         """Return the same for integer coordinates of a number in the integral basis."""
         return _combined(self.scalars, row)
+
+    def times_scalar(self, rows: fmpz_mat, number: Sequence[int | fmpz]) -> fmpz_mat:
+        """Return rows times a number, given by its coordinates in the integral basis."""
+        if any(number[1:]):
+            return rows * self.scalar_matrix(number)
+        return rows * number[0]
 
     @cached_property
     def identity(self) -> fmpz_mat:
@@ -247,7 +264,7 @@ class AlgebraBasis:
                 f"{self.algebra} is not totally definite: over a field other than QQ bases are reduced in "
                 "totally definite algebras"
             )
-        a, t, b = self.constants
+        a, t, b = (self.base.trace(x) for x in self.constants)  # of degree 1
         h, s = t / 2, abs(a + t * t / 4)
         # over 1, i − t/2, j and their product the norm is diagonal
         rows = fmpq_mat([[1, h, 0, 0], [0, 1, 0, 0], [0, 0, 1, h], [0, 0, 0, 1]])
@@ -274,12 +291,16 @@ class AlgebraBasis:
         return self.base.principal((t * t + a * 4) * b)
 
     @cached_property
-    def split_places(self) -> tuple[Any, ...]:
-        """The real places at which the algebra splits."""
+    def split_places(self) -> tuple[int, ...]:
+        """The numbers of the real places at which the algebra splits."""
         a, t, b = self.constants
-        square = a + t * t / 4
-        places = self.base.field.real_places()
-        return tuple(v for v in places if max(v.sign(square), v.sign(b)) > 0)
+        square, sign = a + t * t / 4, self.base.sign
+        return tuple(v for v in self.base.real_places if max(sign(square, v), sign(b, v)) > 0)
+
+    @property
+    def ramified_real_places(self) -> tuple[int, ...]:
+        """The numbers of the other real places."""
+        return tuple(v for v in self.base.real_places if v not in self.split_places)
 
     @property
     def is_fuchsian(self) -> bool:

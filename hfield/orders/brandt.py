@@ -10,7 +10,7 @@ from flint import fmpz_mat, fmpz_poly, nmod_mat
 from hfield.core.factorisation import factorise
 from hfield.core.primality import is_prime, primes
 from hfield.core.progress import track
-from hfield.orders.ideals_of_norm import MOST, number_maximal
+from hfield.orders.ideals_of_norm import MAX_LISTED_IDEALS, number_maximal
 from hfield.orders.invariants import eichler_symbol
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def _few(classes: Classes, p: int, e: int) -> bool:
         return False
     h, number = len(classes), number_maximal(p, e)
     # a theta series takes as long as some five intersections or classes looked up
-    return number**2 <= MOST and number**2 + 6 * h * number <= 5 * h * h
+    return number**2 <= MAX_LISTED_IDEALS and number**2 + 6 * h * number <= 5 * h * h
 
 
 def _identity(classes: Classes) -> fmpz_mat:

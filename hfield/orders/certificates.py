@@ -1,39 +1,209 @@
-"""Answers about lattices, and what they and other claims say as certificates ``hfield-cert/2``."""
+"""Orders, ideals and answers about them as certificates ``hfield-cert/2``.
+
+Statements over ℤ and over the integers of a number field have words and evidence of their own, which
+docs/certificates.md lists. ``_Rational`` and ``_OverField`` are these two vocabularies.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+import math
 from fractions import Fraction
-from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
-from hfield.algebra.quaternion import Quaternion
-from hfield.checker.glossary import MASS
+import flint
+
+from hfield.checker.glossary import (
+    BY_AREA,
+    BY_MASS,
+    DISCRIMINANT,
+    ELEMENT,
+    ENUMERATION,
+    IDEAL,
+    MASS,
+    MASS_OVER_FIELDS,
+    NORM,
+    ORDER,
+    SHIMIZU,
+    SIEGEL,
+)
+from hfield.core.factorisation import factorise
+from hfield.core.primality import is_prime
+from hfield.errors import LatticeError
 from hfield.evidence import Claim
+from hfield.fields.number_fields.classes import evidence
+from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.orders import enumeration
-from hfield.orders.hermite import tuples
-from hfield.orders.lattice_values import LatticeValue
-from hfield.orders.z_order import ZOrder
+from hfield.orders.conjugators import two_generators
+from hfield.orders.invariants import level
+from hfield.orders.lattice_values import LatticeValue, colon, conjugate, discriminant, index
+from hfield.orders.positive_generators import totally_positive_generator
+from hfield.orders.short_elements import reduced
+from hfield.rings.whole_numbers import square_root
 
+if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
+    from hfield.fields.number_fields.ideals import Ideal
+    from hfield.orders.basis import AlgebraBasis
+    from hfield.orders.equivalence_result import EquivalenceResult
+
+REFUSAL = "the checker does not know that strong approximation decides"
+EQUIVALENT, ISOMORPHIC = "equivalent", "isomorphic"
 DOUBLINGS = 6
-MOST = 10**5
+MAX_COUNTED = 10**5
 """So many elements, about, are counted to tell two orders apart."""
 
+Refutation = tuple[str, dict[str, Any]]
+"""A method, and evidence without its kind."""
 
-def of_order(order: ZOrder) -> Claim:
-    """Return that this is an order of this discriminant; and maximal, if the checker can tell."""
-    whole = f"order{{{text(order)}; {order.discriminant}"
-    if order.level == 1:
-        claim = Claim(order.algebra, whole + "; maximal}", {"kind": "order"}, "order")
+
+# --- statements ------------------------------------------------------------------------------------
+
+
+def of_order(order: LatticeValue) -> Claim:
+    """Return that this is an order of its discriminant; and maximal, if the checker can tell."""
+    words = _words(order.ambient)
+    about = f"{text(order)}; {words.size(discriminant(order))}"
+    if words.states_maximality and level(order) == 1:
+        claim = words.claim(ORDER, f"{about}; maximal", ORDER)
         if claim.certificate is not None:
             return claim
-    return Claim(order.algebra, whole + "}", {"kind": "order"}, "order")
+    return words.claim(ORDER, about, ORDER)
 
 
-def of_ideal(ideal: LatticeValue, side: str, order: ZOrder) -> Claim:
+def of_ideal(ideal: LatticeValue, side: str, order: LatticeValue) -> Claim:
     """Return that this is a locally principal ideal of its order, and its norm."""
-    statement = f"ideal{{{text(ideal)}; {_side(side)}; {text(order)}; {ideal.norm}}}"
-    return Claim(ideal.algebra, statement, {"kind": "ideal"}, "ideal")
+    words = _words(ideal.ambient)
+    about = f"{text(ideal)}; {_side(side)}; {text(order)}; {words.size(ideal.norm)}"
+    return words.claim(IDEAL, about, IDEAL)
+
+
+def of_equivalence(
+    side: str,
+    first: LatticeValue,
+    second: LatticeValue,
+    between: LatticeValue | None,
+    result: EquivalenceResult,
+) -> Claim:
+    """Return that an element carries one ideal to another, or that none does.
+
+    ``between`` has the c with first·c in second, or c·first on the right; without it, it is computed.
+    """
+    about = f"{_side(side)}; {text(first)}; {text(second)}"
+    words = _words(first.ambient)
+    if result.holds:
+        return _proved(words, EQUIVALENT, about, result)
+    if between is None:
+        between = colon(second, first, "left" if side == "right" else "right")
+    found = words.no_equivalence(_side(side), first, second, between)
+    return _refuted(words, EQUIVALENT, about, found)
+
+
+def of_isomorphism(first: LatticeValue, second: LatticeValue, result: EquivalenceResult) -> Claim:
+    """Return that an element conjugates one order into another, or that the orders are not isomorphic."""
+    about = f"{text(first)}; {text(second)}"
+    words = _words(first.ambient)
+    if result.holds:
+        return _proved(words, ISOMORPHIC, about, result)
+    found: Refutation | None = DISCRIMINANT, {}
+    if words.size(discriminant(first)) == words.size(discriminant(second)):
+        found = words.no_isomorphism(first, second) if first.ambient.definite else None
+    return _refuted(words, ISOMORPHIC, about, found)
+
+
+def _proved(words: _Words, word: str, about: str, result: EquivalenceResult) -> Claim:
+    """Return that there is an element; without it the checker is not asked."""
+    if result.element is None:
+        return words.claim(word, about, "strong approximation", refusal=REFUSAL)
+    return words.claim(word, about, ELEMENT, element=words.element(result.element))
+
+
+def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> Claim:
+    """Return that there is no element; the checker is not asked where nothing shows it."""
+    if found is None:
+        reason = "nothing that the checker follows was found to tell them apart"
+        return words.claim(word, about, ENUMERATION, "refuted", refusal=reason)
+    method, shown = found
+    return words.claim(word, about, method, "refuted", **shown)
+
+
+def of_unit_index(order: LatticeValue, number: int) -> Claim:
+    """Return how many units there are modulo those of the field, for an order over ℤ_K."""
+    ambient = order.ambient
+    shown = {**_units(ambient), "order": _basis(order, ambient.base.field.one)}
+    statement = f"unit-index{{{text(order)}; {number}}}"
+    data = {"kind": "unit-index", **shown}
+    cited = evidence.cited(s_units(ambient.base.ring))
+    return Claim(order.algebra, statement, data, ENUMERATION, assumes=cited)
+
+
+def of_units(
+    order: LatticeValue, word: str, parts: list[str], shown: dict[str, Any], *cited: str
+) -> Claim:
+    """Return a statement about the units of norm 1 of an order that splits at one real place."""
+    words = _words(order.ambient)
+    kind = words.names.get(word, word)
+    data = {"kind": kind, **words.of_mass(order), **shown}
+    statement = f"{kind}{{{'; '.join([text(order), *parts])}}}"
+    return Claim(order.algebra, statement, data, BY_AREA, assumes=(*words.area_theorems, *cited))
+
+
+def of_class_set(order: LatticeValue, classes: list[LatticeValue]) -> Claim:
+    """Return how many right ideal classes an order over ℤ has, with one ideal of each."""
+    statement = f"class-set{{{text(order)}; {len(classes)}}}"
+    shown = {
+        "kind": "class-set",
+        "classes": [_basis(I, order.ambient.base.inside(I.norm)) for I in classes],
+    }
+    return Claim(order.algebra, statement, shown, BY_MASS, assumes=(MASS,))
+
+
+def of_ideal_classes(classes: Any) -> Claim:
+    """Return how many right ideal classes an order over ℤ_K has, with one ideal of each."""
+    order, ambient = classes.order.value, classes.ambient
+    ring, algebra = ambient.base.ring, ambient.algebra
+    statement = f"ideal-classes{{{text(order)}; {len(classes)}}}"
+    shown = {
+        "kind": "ideal-classes",
+        **_units(ambient),
+        "narrow": [_product(ring, a) for a in classes.keys.narrow.ideals],
+        "primes": _primes(order),
+        "classes": [_class(classes, n) for n in range(len(classes))],
+    }
+    cited = (*evidence.cited(s_units(ring)), SIEGEL, MASS_OVER_FIELDS)
+    return Claim(algebra, statement, shown, BY_MASS, assumes=cited)
+
+
+def of_embedding(order: LatticeValue, d: object, element: Quaternion | None) -> Claim:
+    """Return that a quadratic order is, or is not, optimally embedded in an order over ℤ.
+
+    Raises :class:`LatticeError` over another base.
+    """
+    if not order.ambient.base.is_rational:
+        raise LatticeError(
+            "embeddings are certified over ℤ only, where statements about them exist"
+        )
+    words = _words(order.ambient)
+    statement = f"embedding{{{text(order)}; {d}}}"
+    shown: dict[str, Any] = {"kind": "embedding"}
+    if element is None:
+        shown["basis"] = _basis(order, order.ambient.base.field.one)
+        return Claim(order.algebra, statement, shown, ENUMERATION, "refuted")
+    shown["element"] = words.element(element)
+    return Claim(order.algebra, statement, shown, ELEMENT)
+
+
+# --- how values are written ------------------------------------------------------------------------
+
+
+def text(lattice: LatticeValue) -> str:
+    """Write a basis over ℤ as statements do."""
+    write = lattice.algebra.ring.text
+    return " | ".join(",".join(map(write, q.coordinates)) for q in lattice.basis)
+
+
+def element_json(ambient: AlgebraBasis, q: Quaternion) -> Any:
+    """Return an element as evidence has it."""
+    return _words(ambient).element(q)
 
 
 def _side(side: str) -> str:
@@ -41,149 +211,234 @@ def _side(side: str) -> str:
     return "right" if side == "right" else "left"
 
 
-def of_class_set(order: ZOrder, classes: list[LatticeValue]) -> Claim:
-    """Return how many right ideal classes an order has, with one ideal of each."""
-    statement = f"class-set{{{text(order)}; {len(classes)}}}"
-    evidence = {"kind": "class-set", "classes": [basis_json(I) for I in classes]}
-    return Claim(order.algebra, statement, evidence, "mass", assumes=(MASS,))
+def _basis(lattice: LatticeValue, norm: Any) -> dict[str, Any]:
+    """Return a basis of a lattice that is reduced for Tr(N(x)/ν): it is run through quickly."""
+    if lattice.ambient.base.as_rational(norm) is not None:  # the form is a multiple of Tr(N(x))
+        rows = lattice.reduced[0] * flint.fmpq(1, lattice.den)
+    else:
+        rows = reduced(lattice.ambient, lattice.rows, 1 / norm)[1]
+    den, table = _coordinates(lattice.ambient, rows)
+    return {"den": den, "rows": table}
 
 
-def of_answer(answer: Answer) -> Claim | None:
-    """Return what an answer says, or None where it has nothing to show."""
-    kind = answer.evidence["kind"]
-    first, second, *between = answer.lattices
-    about = f"{text(first)}; {text(second)}}}"
-    if kind == "equivalent":
-        about = f"{_side(answer.evidence['side'])}; {about}"
-    statement = f"{kind}{{{about}"
-    if answer.element is not None:
-        shown = {"kind": kind, "element": element_json(answer.element)}
-        return Claim(first.algebra, statement, shown, "element")
-    if answer.holds:
-        return None
-    found = (
-        _none_carries(between[0], answer.evidence.get("norm"))
-        if kind == "equivalent"
-        else _different_invariants(first, second)
-    )
-    if found is None:
-        return None
-    method, evidence = found
-    return Claim(first.algebra, statement, {"kind": kind, **evidence}, method, "refuted")
+def _coordinates(ambient: AlgebraBasis, rows: flint.fmpq_mat) -> tuple[int, list[list[int]]]:
+    """Return elements w + x·i + y·j + z·k as rows over a denominator: w, x, y, z in the integral basis."""
+    base = ambient.base
+    numbers = [base.inside(x) for row in rows.tolist() for x in ambient.quaternion(row).coordinates]
+    entries = base.coordinate_rows(numbers).entries()
+    whole, den = flint.fmpq_mat(rows.nrows(), ambient.size, entries).numer_denom()
+    return int(den), [list(map(int, row)) for row in whole.tolist()]
 
 
-def _none_carries(between: LatticeValue, size: str | None) -> tuple[str, dict[str, object]]:
-    """Return the method and the evidence that no element of a lattice has a norm."""
-    if size is None or (Fraction(size) / between.norm).denominator != 1:
-        return "norm", {}
-    return "enumeration", {"between": basis_json(between)}
+# --- the two vocabularies --------------------------------------------------------------------------
 
 
-def _different_invariants(*orders: LatticeValue) -> tuple[str, dict[str, object]] | None:
-    """Return the method and the evidence that two orders are not isomorphic: what one has more elements of.
+class _Words(Protocol):
+    """How statements and evidence over a base are written."""
 
-    Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far enough.
-    """
-    rings = [order for order in orders if isinstance(order, ZOrder)]
-    if len({order.discriminant for order in rings}) == 2:
-        return "discriminant", {}
-    if not orders[0].ambient.definite:
-        return None
-    grams = [order.reduced_ternary[2] for order in rings]
-    reach = min(gram[n][n] for gram in grams for n in range(3)) // 2
-    for _ in range(DOUBLINGS):
-        if max(enumeration.volume(gram, 2 * reach, 3) for gram in grams) > MOST:
-            return None
-        both = zip(*(enumeration.theta_series(gram, reach) for gram in grams), strict=True)
-        for m, (one, other) in enumerate(both):
-            if one != other:  # x of trace 0 or 1 and discriminant −m
-                bases = [basis_json(order) for order in orders]
-                data = {"trace": m % 2, "norm": (m + m % 2) // 4, "bases": bases}
-                return "enumeration", data
-        reach *= 2
-    return None
+    names: ClassVar[dict[str, str]]
+    """The words that are not the plain ones."""
+    states_maximality: ClassVar[bool]
+    area_theorems: ClassVar[tuple[str, ...]]
 
+    def size(self, ideal: Any) -> Fraction | int:
+        """Return the number by which statements name an ideal of the base."""
 
-def of_embedding(order: ZOrder, d: int, element: Quaternion | None) -> Claim:
-    """Return that a quadratic order is, or is not, optimally embedded."""
-    statement = f"embedding{{{text(order)}; {d}}}"
-    evidence: dict[str, Any] = {"kind": "embedding"}
-    if element is None:
-        evidence["basis"] = basis_json(order)
-        return Claim(order.algebra, statement, evidence, "enumeration", "refuted")
-    evidence["element"] = element_json(element)
-    return Claim(order.algebra, statement, evidence, "element")
+    def element(self, q: Quaternion) -> Any:
+        """Return an element of the algebra."""
 
+    def of_mass(self, order: LatticeValue) -> dict[str, Any]:
+        """Return what a formula for a mass or an area needs besides the order."""
 
-def text(lattice: LatticeValue) -> str:
-    """Write the Hermite form of a lattice as statements do."""
-    den, rows = lattice.hnf
-    return " | ".join(",".join(str(Fraction(x, den)) for x in row) for row in rows)
+    def claim(
+        self,
+        word: str,
+        about: str,
+        method: str,
+        verdict: str = "proved",
+        refusal: str | None = None,
+        **shown: Any,
+    ) -> Claim:
+        """Return a statement with its evidence."""
+
+    def no_equivalence(
+        self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
+    ) -> Refutation | None:
+        """Return what shows that no element carries one ideal to another, if something does."""
+
+    def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation | None:
+        """Return what shows that definite orders of one discriminant are not isomorphic, if it is found."""
 
 
-@dataclass(frozen=True)
-class Answer:
-    """True or false in an ``if``; ``element`` proves a true answer, ``reason`` says how it was decided.
+def _words(ambient: AlgebraBasis) -> _Words:
+    if ambient.base.is_rational:
+        return _Rational(ambient)
+    return _OverField(ambient)
 
-    ``theorem`` names the theorem that decided where nothing was enumerated; then a true answer may come
-    without its element, which was not found within a bound. ``evidence`` is what a program needs to check it.
-    """
 
-    holds: bool
-    reason: str
-    element: Quaternion | None = None
-    theorem: str | None = None
-    evidence: dict[str, Any] = field(default_factory=dict, compare=False)
-    lattices: tuple[LatticeValue, ...] = field(default=(), compare=False, repr=False)
-    """The two that were compared, and that which was run through, if any: as values."""
+class _Rational:
+    """Statements over ℤ."""
 
-    @property
-    def certificate(self) -> dict[str, object] | None:
-        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None.
+    names: ClassVar = {ISOMORPHIC: "isomorphic-orders"}
+    states_maximality: ClassVar = True
+    area_theorems: ClassVar[tuple[str, ...]] = (SHIMIZU,)
 
-        There is none where a theorem decided and the element is missing, nor where the checker would have to
-        do too much; :attr:`why_no_certificate` says which.
+    def __init__(self, ambient: AlgebraBasis) -> None:
+        self.ambient = ambient
+
+    def size(self, ideal: Fraction | int) -> Fraction | int:
+        return ideal
+
+    def element(self, q: Quaternion) -> list[str]:
+        return [q.ring.text(x) for x in q.coordinates]
+
+    def of_mass(self, order: LatticeValue) -> dict[str, Any]:
+        return {}
+
+    def claim(
+        self,
+        word: str,
+        about: str,
+        method: str,
+        verdict: str = "proved",
+        refusal: str | None = None,
+        **shown: Any,
+    ) -> Claim:
+        name, algebra = self.names.get(word, word), self.ambient.algebra
+        data = {"kind": name, **shown}
+        return Claim(algebra, f"{name}{{{about}}}", data, method, verdict, refusal=refusal)
+
+    def no_equivalence(
+        self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
+    ) -> Refutation:
+        size = square_root(index(first, second))
+        if size is None or (size / between.norm).denominator != 1:
+            return NORM, {}
+        return ENUMERATION, {"between": _basis(between, self.ambient.base.inside(size))}
+
+    def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation | None:
+        """Return a trace and norm of which one order has more elements.
+
+        Ternary theta series tell all orders apart (Schiemann, *Math. Ann.* 308, 1997), if one goes far
+        enough.
         """
-        claim = self._claim
-        return None if claim is None else claim.certificate
+        orders = [first, second]
+        grams = [order.reduced_ternary[2] for order in orders]
+        reach = min(gram[n][n] for gram in grams for n in range(3)) // 2
+        for _ in range(DOUBLINGS):
+            if max(enumeration.volume(gram, 2 * reach, 3) for gram in grams) > MAX_COUNTED:
+                return None
+            both = zip(*(enumeration.theta_series(gram, reach) for gram in grams), strict=True)
+            for m, (one, other) in enumerate(both):
+                if one != other:  # x of trace 0 or 1 and discriminant −m
+                    one_of_field = self.ambient.base.field.one
+                    bases = [_basis(order, one_of_field) for order in orders]
+                    return ENUMERATION, {
+                        "trace": m % 2,
+                        "norm": (m + m % 2) // 4,
+                        "bases": bases,
+                    }
+            reach *= 2
+        return None
+
+
+class _OverField:
+    """Statements over the integers of a number field."""
+
+    names: ClassVar = {
+        word: f"{word}-over-integers"
+        for word in (ORDER, IDEAL, EQUIVALENT, ISOMORPHIC, "dirichlet-domain", "norm-one-group")
+    }
+    states_maximality: ClassVar = False
+    area_theorems: ClassVar[tuple[str, ...]] = (SIEGEL, SHIMIZU)
+
+    def __init__(self, ambient: AlgebraBasis) -> None:
+        self.ambient = ambient
+
+    def size(self, ideal: Ideal) -> Fraction | int:
+        return ideal.norm()
+
+    def element(self, q: Quaternion) -> dict[str, Any]:
+        return self._row(self.ambient.row(q))
+
+    def _row(self, row: flint.fmpq_mat) -> dict[str, Any]:
+        den, table = _coordinates(self.ambient, row)
+        return {"den": den, "row": table[0]}
 
     @property
-    def why_no_certificate(self) -> str | None:
-        """Why there is no certificate, in a line; None where there is one."""
-        claim = self._claim
-        if claim is None:
-            return (
-                "the element is missing"
-                if self.holds
-                else "nothing was found that tells them apart"
-            )
-        return claim.why_no_certificate
+    def _integral_basis(self) -> list[Any]:
+        base = self.ambient.base
+        return [base.field.coordinates(w) for w in base.integral_basis]
 
-    @cached_property
-    def _claim(self) -> Claim | None:
-        return of_answer(self)
+    def of_mass(self, order: LatticeValue) -> dict[str, Any]:
+        return {"basis": self._integral_basis, "primes": _primes(order)}
 
-    def __bool__(self) -> bool:
-        """Tell whether it holds."""
-        return self.holds
+    def claim(
+        self,
+        word: str,
+        about: str,
+        method: str,
+        verdict: str = "proved",
+        refusal: str | None = None,
+        **shown: Any,
+    ) -> Claim:
+        name, algebra = self.names.get(word, word), self.ambient.algebra
+        cited: tuple[str, ...] = ()
+        if "units" in shown:
+            cited = evidence.cited(s_units(self.ambient.base.ring))
+        else:
+            shown["basis"] = self._integral_basis
+        data = {"kind": name, **shown}
+        return Claim(algebra, f"{name}{{{about}}}", data, method, verdict, cited, refusal=refusal)
 
-    def __repr__(self) -> str:
-        shown = "" if self.element is None else f" with {self.element}"
-        return f"{'yes' if self.holds else 'no'}{shown}: {self.reason}"
+    def no_equivalence(
+        self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
+    ) -> Refutation | None:
+        ambient = self.ambient
+        quotient = second.norm / first.norm
+        nu, shown = totally_positive_generator(quotient), _units(ambient)
+        if nu is None:
+            return NORM, {**shown, "quotient": _product(ambient.base.ring, quotient)}
+        if not ambient.definite:
+            return None
+        if side == "right":
+            between = conjugate(between)
+        norm = ambient.base.field.coordinates(nu)
+        return ENUMERATION, {**shown, "norm": norm, "between": _basis(between, nu)}
+
+    def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation:
+        pair = [self._row(x) for x in two_generators(first)]
+        return ENUMERATION, {"pair": pair, "order": _basis(second, self.ambient.base.field.one)}
 
 
-STRONG_APPROXIMATION = (
-    "Eichler's theorem, from strong approximation: in an indefinite algebra over QQ an order whose local "
-    "units have all unit norms has one ideal class (Voight, Quaternion Algebras, chapter 28)"
-)
+def _primes(order: LatticeValue) -> list[Any]:
+    """Return the prime ideals that the mass formula and Siegel's ask for."""
+    s = s_units(order.ambient.base.ring)
+    # σ₁ is summed over ideals of norm at most the discriminant, whose square factors have to be known
+    wanted = {p for p in range(2, math.isqrt(s.field.discriminant()) + 1) if is_prime(p)}
+    wanted |= set(factorise(order.ambient.base.absolute_norm(discriminant(order))))
+    return [[p, evidence.seconds_above(s, p)] for p in sorted(wanted)]
 
 
-def element_json(q: Quaternion) -> list[str]:
-    """Return an element as four texts."""
-    return [q.ring.text(x) for x in q.coordinates]
+def _product(ring: Any, a: Ideal) -> list[Any]:
+    """Return x and exponents with a = x·∏P^e, P in S."""
+    x, exponents = ring.class_group().factors(a)
+    return [x.field.coordinates(x), list(map(int, exponents))]
 
 
-def basis_json(lattice: LatticeValue) -> dict[str, object]:
-    """Return a reduced basis of a lattice: what is run through quickly."""
-    rows, _ = lattice.reduced
-    return {"den": lattice.den, "rows": [list(row) for row in tuples(rows)]}
+def _units(ambient: AlgebraBasis) -> dict[str, Any]:
+    """Return what shows the units of the field."""
+    ring = ambient.base.ring
+    units = [ambient.base.inside(u) for u in ring.unit_group().generators]
+    shown = evidence.evidence(s_units(ring))
+    return {"units": shown, "fundamental": [ambient.base.field.coordinates(u) for u in units]}
+
+
+def _class(classes: Any, n: int) -> dict[str, Any]:
+    """Return a basis in which short vectors are found quickly, and what generates the norm."""
+    norm = classes.norms[n]
+    return {
+        **_basis(classes.lattices[n], norm.element),
+        "norm": classes.ambient.base.field.coordinates(norm.element),
+        "narrow": norm.number,
+    }

@@ -26,6 +26,7 @@ from hfield.errors import IndefiniteError, LatticeError, TooLargeError
 from hfield.evidence import Certified, Claim
 from hfield.orders import brandt, certificates, enumeration, hermite
 from hfield.orders.class_number import mass
+from hfield.orders.conjugators import conjugator
 from hfield.orders.ideals_of_norm import (
     is_maximal_or_eichler,
     of_prime_power_norm,
@@ -33,7 +34,6 @@ from hfield.orders.ideals_of_norm import (
     right_subideals,
     two_sided_prime,
 )
-from hfield.orders.isomorphic_orders import isomorphism
 from hfield.orders.lattice_values import (
     LatticeValue,
     conjugate,
@@ -103,13 +103,13 @@ def _expect_few_neighbours(count: int, p: int) -> None:
 class Classes(Certified):
     """The classes as values: their lattices, units and neighbours."""
 
-    def __init__(self, ring: ZOrder) -> None:
+    def __init__(self, ring: LatticeValue) -> None:
         if not ring.ambient.definite:
             raise IndefiniteError(
                 f"{ring.algebra} is indefinite: by strong approximation an Eichler order has one right ideal "
                 "class there; class_set() enumerates in definite algebras"
             )
-        self.ring = ring
+        self.ring = ZOrder.of(ring)
         self.mass = mass(ring)
         if self.mass > MOST_CLASSES:
             raise TooLargeError(
@@ -369,7 +369,9 @@ def types_by_isomorphism(classes: Classes) -> list[int]:
     kinds: list[int] = []
     for n in range(len(classes)):
         order = ZOrder.of(order_of(classes._representative(n), "left"))
-        known = next((n for n, other in enumerate(found) if isomorphism(order, other)), None)
+        known = next(
+            (n for n, other in enumerate(found) if conjugator(order, other)[0] is not None), None
+        )
         if known is None:
             known = len(found)
             found.append(order)

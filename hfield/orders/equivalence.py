@@ -1,145 +1,154 @@
-"""Whether two ideals differ by an element, and whether an ideal is principal.
+"""Whether two ideals differ by an element, over any base, and which element that is.
 
-``J = I·c`` means that c lies in ``I⁻¹·J`` and has the norm ``N(J)/N(I)``. In a definite algebra that is a
-vector of least conceivable length in a positive definite lattice: it is there, or an exhausted enumeration
-says that it is not (Kirschmer and Voight, *SIAM J. Comput.* 39, 2010). In an indefinite algebra strong
-approximation decides, and the element is looked for among short vectors of a form that majorises the norm,
-then among what is short from other points of the hyperbolic plane (``hfield.fuchsian.search``, which stands
-above and comes as an argument).
+``J = I·c`` means that c lies in ``I⁻¹·J`` and that N(c) generates ``N(J)/N(I)``. Up to squares of units there
+are finitely many such norms. In a totally definite algebra an element of such a norm is a vector of least
+conceivable length in a positive definite lattice. It is there, or an exhausted enumeration says that it is
+not (Kirschmer and Voight, *SIAM J. Comput.* 39, 2010). In other algebras strong approximation decides. Where
+one real place splits and no other infinite one, the element is looked for, among short vectors of a form that
+majorises the norm, then among what is short from points of the hyperbolic plane.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-from fractions import Fraction
+from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from itertools import islice
+from typing import Any
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.core.factorisation import factorise
 from hfield.errors import UndecidedError
-from hfield.orders import enumeration, hermite, ideal_products
-from hfield.orders.certificates import STRONG_APPROXIMATION, Answer, element_json
-from hfield.orders.invariants import eichler_symbol
+from hfield.fuchsian.search import element_of_norm, split_order
+from hfield.orders import certificates, enumeration, hermite, ideal_products
+from hfield.orders.equivalence_result import EquivalenceResult
+from hfield.orders.invariants import has_all_unit_norms
 from hfield.orders.lattice_values import (
     LatticeValue,
     colon,
     conjugate,
     index,
     is_locally_principal,
-    product,
-    rows_json,
-    scaled,
+    times_ideal,
 )
-from hfield.orders.short_elements import up_to
-from hfield.orders.z_order import ZOrder
+from hfield.orders.short_elements import first_of_norm, multiple_of_content
 
 TRIED = 4_000
 """Short vectors tried for an element of given norm in an indefinite algebra, before others."""
-Search = Callable[[LatticeValue, Fraction], Quaternion | None]
-"""What looks for an element of norm ±n in a lattice of an indefinite algebra."""
+STRONG_APPROXIMATION = (
+    "Eichler's theorem, from strong approximation: in an algebra that splits at an infinite place, ideals of "
+    "an order whose local units have all unit norms are equivalent where the quotient of their norms has a "
+    "generator that is positive where the algebra ramifies (Voight, Quaternion Algebras, chapter 28)"
+)
 
 
 def equivalence(
-    first: LatticeValue, second: LatticeValue, order: ZOrder, side: str, search: Search
-) -> Answer:
+    first: LatticeValue, second: LatticeValue, order: LatticeValue, side: str
+) -> EquivalenceResult:
     """Return c with ``second = first·c`` (left ideals) or ``c·first`` (right ones), or why there is none.
 
-    Raises :class:`UndecidedError` in an indefinite algebra, where strong approximation does not decide.
+    ``order`` is that of which they are ideals. Raises :class:`UndecidedError` in an indefinite algebra, where
+    strong approximation does not decide.
     """
-    left = side != "right"
     invertible = is_locally_principal(first, order) and is_locally_principal(second, order)
-    size: Fraction | None
-    if invertible:
-        bar = conjugate(first)
-        pair = (bar, second) if left else (second, bar)
-        # an ideal on the right may be given beside a two-sided one
-        compatible = side != "two-sided"
-        found = ideal_products.product(*pair, order) if compatible else product(*pair)
-        bridge = scaled(found, 1 / first.norm)
-        size = second.norm / first.norm
+    norm, between = second.norm / first.norm, None
+    if invertible or index(first, second) == norm * norm:
+        between = _between(first, second, order, side, invertible)
+        found = element_generating(between, norm, order, invertible)
     else:
-        bridge = colon(second, first, "right" if left else "left")
-        size = root(index(first, second))
-    lattices = (first, second, bridge)
-    evidence = {
-        "kind": "equivalent",
-        "algebra": str(first.algebra),
-        "side": side,
-        **dict(zip(("first", "second", "between"), map(rows_json, lattices), strict=True)),
-    }
-    answer = partial(Answer, evidence=evidence, lattices=lattices)
-    if size is None:
-        return answer(False, "the index of one in the other is no square")
-    evidence["norm"] = str(size)
-    element, reason = element_of_norm(bridge, size, search)
-    if element is not None:
-        evidence["element"] = element_json(element)
-        return answer(True, "the element is multiplied out", element)
-    if first.ambient.definite:
-        return answer(False, reason)
-    if not (invertible and one_class(order)):
-        raise UndecidedError(
-            f"whether these ideals of an indefinite algebra are equivalent is not decided: {reason}, and "
-            "strong approximation decides for invertible ideals of orders with Eichler symbols 1 and −1"
+        found = EquivalenceResult(
+            False, "the index of one in the other is not the square of the quotient of their norms"
         )
-    return answer(True, f"{reason}, but there is one", theorem=STRONG_APPROXIMATION)
-
-
-def one_class(order: ZOrder) -> bool:
-    """Tell whether the local units of an order are known to have all unit norms as norms."""
-    primes = factorise(order.discriminant)
-    return all(
-        (order.ambient.discriminant % p == 0 and order.discriminant % (p * p))
-        or eichler_symbol(order, p) in (1, -1)
-        for p in primes
+    return replace(
+        found, make_claim=partial(certificates.of_equivalence, side, first, second, between)
     )
 
 
-def element_of_norm(
-    lattice: LatticeValue, size: Fraction, search: Search
-) -> tuple[Quaternion | None, str]:
-    """Return an element of norm ``size`` (±size in an indefinite algebra), or None and what was tried."""
-    multiple = size / lattice.norm
-    if multiple.denominator != 1:
-        return None, f"no element has norm {size}, as all norms are multiples of {lattice.norm}"
-    m = multiple.numerator
-    if lattice.ambient.definite:
-        rows, gram = lattice.reduced
-        for n in range(4):  # in a reduced basis a vector of least length is usually there
-            if gram[n][n] == 2 * m:
-                return lattice.element(hermite.tuples(rows)[n]), ""
-        tried = 0
-        for row, value in up_to(lattice, m):
-            tried += 1
-            if value == m:
-                return lattice.element(row), ""
-        if not tried:
-            return None, f"no element but 0 has norm at most {size}"
-        return None, f"none of the {2 * tried} elements of norm at most {size} has this norm"
-    found = _among_short(lattice, m) or search(lattice, size)
-    where = f"{TRIED} short ones, nor among those short from points of the hyperbolic plane"
-    return found, "" if found else f"no element of norm ±{size} is among {where}"
+def _between(
+    first: LatticeValue, second: LatticeValue, order: LatticeValue, side: str, invertible: bool
+) -> LatticeValue:
+    """Return the c with first·c in second, or c·first for right ideals."""
+    if not invertible:
+        return colon(second, first, "left" if side == "right" else "right")
+    bar = conjugate(first)
+    found = ideal_products.product(*((second, bar) if side == "right" else (bar, second)), order)
+    return times_ideal(found, first.ambient.base.inverse(first.norm))
 
 
-def _among_short(lattice: LatticeValue, m: int) -> Quaternion | None:
-    """Return an element whose norm is ±m times that of the lattice, if one is among short vectors."""
+def element_generating(
+    lattice: LatticeValue, norm: Any, order: LatticeValue, invertible: bool = True
+) -> EquivalenceResult:
+    """Return an element of a lattice whose norm generates an ideal, or why there is none.
+
+    ``invertible`` says that the lattice is locally principal, and ``order`` is one of its orders.
+    Raises :class:`UndecidedError`.
+    """
+    ambient, base = lattice.ambient, lattice.ambient.base
+    norms = base.generators(norm, ambient.ramified_real_places)
+    if not norms:
+        kind = (
+            "totally positive generator"
+            if ambient.definite
+            else "generator, positive where the algebra ramifies,"
+        )
+        return EquivalenceResult(False, f"the norm would be a {kind} of {norm}, which has none")
+    found = None
+    if ambient.definite:
+        found = _shortest(lattice, norms)
+    elif ambient.is_fuchsian:
+        found = _among_short(lattice, norms) or _in_the_plane(lattice, norms, order)
+    if found is not None:
+        return EquivalenceResult(True, "the element is multiplied out", found)
+    shown = _norms_text(base, norms)
+    if ambient.definite:
+        return EquivalenceResult(False, f"no element of {shown} lies between them")
+    reason = f"no element of {shown} was found among short ones"
+    if not (invertible and has_all_unit_norms(order)):
+        raise UndecidedError(
+            f"whether ideals of an indefinite algebra are equivalent is not decided: {reason}, and strong "
+            "approximation decides for invertible ideals of orders with Eichler symbols 1 and −1"
+        )
+    return EquivalenceResult(True, f"{reason}, but there is one", theorem=STRONG_APPROXIMATION)
+
+
+def _norms_text(base: Any, norms: Sequence[Any]) -> str:
+    shown = ", ".join(base.ring.text(base.outside(x)) for x in norms)
+    return f"norm {shown}" if len(norms) == 1 else f"a norm among {shown}, up to squares of units,"
+
+
+def _shortest(lattice: LatticeValue, norms: Sequence[Any]) -> Quaternion | None:
+    """Return an element of one of these norms in a definite algebra, or None where there is none."""
+    for x in norms:
+        row = first_of_norm(lattice, x)
+        if row is not None:
+            return lattice.element(hermite.tuples(row)[0])
+    return None
+
+
+def _among_short(lattice: LatticeValue, norms: Sequence[Any]) -> Quaternion | None:
+    """Return an element of norm ±n, if one is among short vectors, over the field of degree 1."""
+    ambient = lattice.ambient
+    if ambient.degree > 1:
+        return None
+    wanted = multiple_of_content(lattice, abs(ambient.base.trace(norms[0])))
     rows, _ = lattice.reduced
-    size = hermite.tuples(rows * lattice.ambient.majorant * rows.transpose())
+    size = hermite.tuples(rows * ambient.majorant * rows.transpose())
     bound, tried = max(size[n][n] for n in range(4)), 0
     while tried < TRIED:
         vectors = enumeration.short_vectors(size, bound)
         tried = 0
         for tried, (x, _) in enumerate(islice(vectors, TRIED), 1):  # noqa: B007
             row = hermite.combination(x, rows)
-            if abs(lattice.multiple(row)) == m:
+            if abs(lattice.multiple(row)) == wanted:
                 return lattice.element(row)
         bound *= 2
     return None
 
 
-def root(x: Fraction) -> Fraction | None:
-    """Return the square root of a rational number, or None."""
-    p, q = math.isqrt(x.numerator), math.isqrt(x.denominator)
-    return Fraction(p, q) if (p * p, q * q) == (x.numerator, x.denominator) else None
+def _in_the_plane(
+    lattice: LatticeValue, norms: Sequence[Any], order: LatticeValue
+) -> Quaternion | None:
+    """Return an element of one of these norms that is short from some point of the plane."""
+    split = split_order(order)
+    short = lattice.ambient.degree == 1
+    basis = lattice.elements(lattice.reduced[0]) if short else lattice.basis
+    return next((q for x in norms if (q := element_of_norm(split, basis, x)) is not None), None)

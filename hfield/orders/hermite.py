@@ -117,6 +117,8 @@ def tuples(matrix: fmpz_mat) -> Rows:
 
 def stacked(*matrices: fmpz_mat) -> fmpz_mat:
     """Return the rows of several matrices, one below the other."""
+    if len(matrices) == 1:
+        return matrices[0]
     entries = [x for m in matrices for x in m.entries()]
     size = matrices[0].ncols()
     return fmpz_mat(len(entries) // size, size, entries)

@@ -30,6 +30,8 @@ def modulo_norm(
 ) -> LatticeValue | None:
     """Return the same product by linear algebra, or None where this way does not do."""
     r = first.ambient
+    if r.degree > 1:  # the rank is not 4
+        return None
     n = _index_root(second, order)
     # with 1 in n⁻¹·J the index tells that J is O wherever n is a unit, and O·α elsewhere
     if n is None or not hermite.contains(second.den, second.matrix, 1, (int(n), 0, 0, 0)):

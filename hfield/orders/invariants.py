@@ -8,7 +8,6 @@ from itertools import count
 from typing import Any
 
 from hfield.core.primality import primes
-from hfield.core.product import trace
 from hfield.orders.lattice_values import LatticeValue, discriminant, dual
 
 
@@ -27,8 +26,7 @@ def eichler_symbol(order: LatticeValue, prime: Any) -> int | None:
     if not base.valuation(discriminant(order), prime):
         return None
     for row in order.rows.tolist():
-        t = trace(ambient.constants, ambient.parts(row))
-        symbol = base.quadratic_symbol(t, ambient.norm(row), prime)
+        symbol = base.quadratic_symbol(ambient.trace(row), ambient.norm(row), prime)
         if symbol:
             return symbol
     return 0
@@ -40,6 +38,18 @@ def is_eichler(order: LatticeValue) -> bool:
     return all(
         P not in ramified and eichler_symbol(order, P) == 1
         for P, _ in order.ambient.base.factorisation(level(order))
+    )
+
+
+def has_all_unit_norms(order: LatticeValue) -> bool:
+    """Tell whether the local units of an order are known to have all local units as norms.
+
+    They have where the Eichler symbols are 1 and −1.
+    """
+    ambient, base, whole = order.ambient, order.ambient.base, discriminant(order)
+    return all(
+        (e == 1 and P in ambient.ramified) or eichler_symbol(order, P) != 0
+        for P, e in base.factorisation(whole)
     )
 
 

@@ -14,80 +14,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import partial
-from typing import Any
 
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.core.factorisation import factorise
-from hfield.errors import LatticeError, UndecidedError
 from hfield.orders import enumeration, hermite
-from hfield.orders.certificates import STRONG_APPROXIMATION, Answer, element_json
 from hfield.orders.enumeration import Gram, Vector
-from hfield.orders.equivalence import Search, element_of_norm, root
-from hfield.orders.invariants import conductor, is_eichler
-from hfield.orders.lattice_values import (
-    LatticeValue,
-    add,
-    meet,
-    product,
-    rows_json,
-    scalars_into,
-    scaled,
-)
-from hfield.orders.maximal_orders import endpoints
-from hfield.orders.z_order import ZOrder, gorenstein_closure
+from hfield.orders.lattice_values import LatticeValue
 
 
-def isomorphism(
-    first: ZOrder, second: ZOrder, search: Search = lambda lattice, size: None
-) -> Answer:
-    """Return an answer with an element x such that ``x·first·x⁻¹ = second``.
-
-    Raises :class:`UndecidedError` for orders of an indefinite algebra that are not Eichler orders, unless
-    they are equal or their discriminants differ.
-    """
-    evidence: dict[str, Any] = {
-        "kind": "isomorphic-orders",
-        "algebra": str(first.algebra),
-        "first": rows_json(first),
-        "second": rows_json(second),
-    }
-    answer = partial(Answer, evidence=evidence, lattices=(first, second))
-
-    def yes(x: Quaternion, reason: str) -> Answer:
-        evidence["element"] = element_json(x)
-        return answer(True, reason, x)
-
-    if first == second:
-        return yes(first.algebra(1), "they are equal")
-    if first.discriminant != second.discriminant:
-        return answer(
-            False, f"their discriminants are {first.discriminant} and {second.discriminant}"
-        )
-    if first.ambient.definite:
-        row, reason = _conjugator(first, second)
-        if row is None:
-            return answer(False, reason)
-        return yes(first.element(row, 1), "the element conjugates one into the other")
-    if conductor(first) != conductor(second):
-        return answer(False, "their conductors differ")
-    first, second = gorenstein_closure(first), gorenstein_closure(second)
-    if not (is_eichler(first) and is_eichler(second)):
-        raise UndecidedError(
-            "whether two orders of an indefinite algebra are isomorphic is decided where their "
-            "Gorenstein closures are Eichler orders, and one of these is none"
-        )
-    bridge = connecting_ideal(first, second)
-    found, reason = element_of_norm(bridge, bridge.norm, search)
-    if found is not None:
-        return yes(found.inverse(), "the element conjugates one into the other")
-    return answer(True, f"{reason}, but there is one", theorem=STRONG_APPROXIMATION)
-
-
-def _conjugator(first: ZOrder, second: ZOrder) -> tuple[list[int] | None, str]:
-    """Return a primitive row x with ``x·first = second·x``, or None and why."""
+def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
+    """Return x with ``x·first·x⁻¹ = second``, primitive, for definite orders over ℤ, or None and why."""
     den, rows, gram = first.reduced_ternary
     other_den, other_rows, other_gram = second.reduced_ternary
     steps, form = next(reduced_bases(gram))
@@ -104,10 +41,11 @@ def _conjugator(first: ZOrder, second: ZOrder) -> tuple[list[int] | None, str]:
             "and Zolotarev has the inner products that one has for the other order"
         )
     sources, targets = fmpz_mat(steps) * rows, fmpz_mat(found) * other_rows
-    return _conjugating(first, sources * other_den, targets * den), ""
+    row = _conjugating(first, sources * other_den, targets * den)
+    return first.element(row, 1), ""
 
 
-def _conjugating(order: ZOrder, sources: fmpz_mat, targets: fmpz_mat) -> list[int]:
+def _conjugating(order: LatticeValue, sources: fmpz_mat, targets: fmpz_mat) -> list[int]:
     """Return x ≠ 0 with x·s = ±t·x for the three rows s and t, one sign for all."""
     r = order.ambient
     s, t = hermite.tuples(sources), hermite.tuples(targets)
@@ -120,37 +58,6 @@ def _conjugating(order: ZOrder, sources: fmpz_mat, targets: fmpz_mat) -> list[in
             content = math.gcd(*x)
             return [n // content for n in x]
     raise AssertionError("an isometry, or its negative, is a conjugation")
-
-
-def connecting_ideal(first: ZOrder, second: ZOrder) -> LatticeValue:
-    """Return the primitive integral ideal with left order ``first`` and right order ``second``.
-
-    For maximal orders it is the only one up to two-sided ideals. Raises :class:`LatticeError` unless both
-    are Eichler orders of one level.
-    """
-    if first.discriminant != second.discriminant or not (is_eichler(first) and is_eichler(second)):
-        raise LatticeError(
-            "connecting ideals exist here between Eichler orders of one level, and these are none"
-        )
-    ideals = [product(x, y) for x, y in zip(_ends(first), _ends(second), strict=True)]
-    if first.level == 1:
-        found = ideals[0]
-    else:
-        # locally both are generated by one element, up to numbers
-        scale = root(ideals[0].norm / ideals[1].norm)
-        if scale is None:
-            raise AssertionError("the distances of the two ends have the same parity")
-        found = meet(ideals[0], scaled(ideals[1], scale))
-    return scaled(found, scalars_into(found, first))
-
-
-def _ends(order: ZOrder) -> list[LatticeValue]:
-    """Return two maximal orders with the given one as their intersection."""
-    ends: list[LatticeValue] = [order, order]
-    for p, e in factorise(order.level).items():
-        # locally at p the sum is the end at p, as all other summands are the order there
-        ends = [add(x, y) for x, y in zip(ends, endpoints(order, p, e), strict=True)]
-    return ends
 
 
 Basis = tuple[Vector, Vector, Vector]

@@ -19,11 +19,22 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.core.primality import is_prime, is_probable_prime
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders import hermite
-from hfield.orders.lattice_values import LatticeValue, includes, multiple, spanning_rows
+from hfield.orders.invariants import level
+from hfield.orders.lattice_values import (
+    LatticeValue,
+    discriminant,
+    includes,
+    multiple,
+    spanning_rows,
+)
 from hfield.orders.linear_algebra_mod_p import kernel
-from hfield.orders.quadratic_orders import Frame, extremal_frame, in_frame, represent
+from hfield.orders.quadratic_frames import (
+    QuadraticFrame,
+    extremal_frame,
+    in_frame,
+    represent,
+)
 from hfield.orders.short_elements import expect_definite, least_norm, up_to
-from hfield.orders.z_order import ZOrder
 from hfield.rings.whole_numbers import sqrt_mod
 
 DOUBLINGS = 12
@@ -75,15 +86,15 @@ ATTEMPTS = 60
 
 
 def to_power_norm(
-    ideal: LatticeValue, order: ZOrder, side: str, prime: int, seed: int
+    ideal: LatticeValue, order: LatticeValue, side: str, prime: int, seed: int
 ) -> tuple[Quaternion, int]:
     """Return (c, e) with I·c of norm primeᵉ, for a left ideal of a p-extremal order.
 
     Raises :class:`LatticeError` for an order that is not p-extremal, :class:`UndecidedError`.
     """
     expect_definite(ideal.ambient, "equivalent_of_power_norm()")
-    p = order.discriminant
-    f = extremal_frame(order, LARGEST) if order.level == 1 else None
+    p = int(discriminant(order))
+    f = extremal_frame(order, LARGEST) if level(order) == 1 else None
     if prime == p:
         raise LatticeError(f"the norm is to be a power of a prime other than the discriminant {p}")
     if side == "right" or f is None:
@@ -115,7 +126,7 @@ def to_power_norm(
 
 
 def _from_prime(
-    ideal: LatticeValue, f: Frame, norm: int, prime: int, rng: random.Random
+    ideal: LatticeValue, f: QuadraticFrame, norm: int, prime: int, rng: random.Random
 ) -> tuple[Quaternion, int] | None:
     """Return an element of norm N·primeᵉ in a left ideal of prime norm N, and e."""
     p = f.norm
@@ -150,7 +161,7 @@ def _ratio(ideal: LatticeValue, u: Quaternion, v: Quaternion, norm: int) -> tupl
 
 
 def _strong_approximation(
-    f: Frame, norm: int, prime: int, ratio: tuple[int, int], rng: random.Random
+    f: QuadraticFrame, norm: int, prime: int, ratio: tuple[int, int], rng: random.Random
 ) -> tuple[Quaternion, int] | None:
     """Return μ ≡ λ·(C + D·s)·β modulo N of norm primeᵇ, and b."""
     n, p, d = norm, f.norm, -f.discriminant
@@ -175,7 +186,7 @@ def _strong_approximation(
     return None
 
 
-def _lift(f: Frame, n: int, target: int, c0: int, d0: int) -> Quaternion | None:
+def _lift(f: QuadraticFrame, n: int, target: int, c0: int, d0: int) -> Quaternion | None:
     """Return ``N·(x + y·s) + (c₀ + N·c + (d₀ + N·e)·s)·β`` of norm ``target``.
 
     Modulo N² that is one linear condition on (c, e); they are taken close to −(c₀, d₀)/N.

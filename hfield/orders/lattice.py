@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self, overload
 
 from flint import fmpq
@@ -26,6 +26,7 @@ from hfield.errors import (
 )
 from hfield.evidence import Certified, Claim
 from hfield.fuchsian.group import NormOneGroup
+from hfield.fuchsian.search import split_order
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
 from hfield.orders import (
     certificates,
@@ -35,27 +36,29 @@ from hfield.orders import (
     ideal_products,
     ideals_of_norm,
     invariants,
+    isomorphisms,
     klpt,
     lattice_values,
+    maximal_orders,
     pseudo_bases,
+    quadratic_orders,
+    related_orders,
     rings,
     short_elements,
     ternary_forms,
+    units,
 )
 from hfield.orders.basis import basis_of
-from hfield.orders.certificates import Answer
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import WithForms
+from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.hecke_modules import RationalModule
 from hfield.orders.lattice_values import LatticeValue, rows_json
-from hfield.orders.order_functions import from_the_plane, functions
-from hfield.orders.over_integers import certificates as certificates_over_fields
-from hfield.orders.over_integers import class_sets, local_orders, related_orders
-from hfield.orders.over_integers import equivalence as equivalence_over_fields
-from hfield.orders.over_integers import ideals_of_norm as ideals_over_fields
+from hfield.orders.orders_at_primes import OrderAtPrime
+from hfield.orders.over_integers import class_sets, stable_classes
 from hfield.orders.over_integers.hecke_modules import IntegersModule
-from hfield.orders.over_integers.local_orders import Local
+from hfield.orders.quadratic_orders import Embeddings
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.ternary_forms import TernaryForm
 from hfield.orders.validation import checked_side, listed, natural
@@ -65,7 +68,6 @@ from hfield.rings.whole_numbers import fraction
 from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
-    from hfield.fields.number_fields.ideals import Ideal as FieldIdeal
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
     from hfield.orders.over_integers.indefinite_classes import IndefiniteClassSet
     from hfield.orders.pseudo_bases import PseudoBasis
@@ -395,10 +397,6 @@ class Order(WithStableClasses, Certified, Lattice):
 
     foreign_names = ORDER
 
-    def __init__(self, value: LatticeValue) -> None:
-        super().__init__(ZOrder.of(value) if value.ambient.base.is_rational else value)
-        self._functions = functions(value)
-
     @classmethod
     def generated(cls, algebra: Parent, elements: Iterable[object]) -> Order:
         """Return the ring that elements generate over the integers of the field.
@@ -416,7 +414,7 @@ class Order(WithStableClasses, Certified, Lattice):
         missing.
         """
         basis = listed(elements)
-        if basis_of(algebra).base.is_rational and len(basis) != 4:
+        if basis_of(algebra).degree == 1 and len(basis) != 4:
             raise LatticeError(
                 f"a basis of an order has four elements, and {len(basis)} were given"
             )
@@ -439,7 +437,7 @@ class Order(WithStableClasses, Certified, Lattice):
     @cached_property
     def claim(self) -> Claim:
         """That this is an order of its discriminant, as a statement with its evidence."""
-        return self._functions.claim(self)
+        return certificates.of_order(self.value)
 
     @property
     def evidence(self) -> dict[str, object]:
@@ -519,7 +517,7 @@ class Order(WithStableClasses, Certified, Lattice):
 
     def is_bass(self) -> bool:
         """Tell whether every order that contains this one is Gorenstein (Voight, section 24.5)."""
-        return invariants.is_bass(self.value, self._functions.larger_at)
+        return invariants.is_bass(self.value, lambda O, P: OrderAtPrime(O, P).larger)
 
     def is_hereditary(self) -> bool:
         """Tell whether all ideals are invertible: whether no square divides the discriminant."""
@@ -538,7 +536,7 @@ class Order(WithStableClasses, Certified, Lattice):
         {0: 1, 5/2+1/2*sqrt(5): 12, 5/2-1/2*sqrt(5): 12, 3: 20}
         """
         expect_definite(self.value.ambient, "ternary_theta_series()")
-        return self._functions.ternary_theta_series(self.value, n)
+        return short_elements.ternary_theta_series(self.value, n)
 
     def ternary_form(self) -> TernaryForm:
         """Return a form whose even Clifford algebra is the order; up to units its discriminant is that.
@@ -554,7 +552,7 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> f.order().is_maximal().holds, f.ring.norm(f.discriminant())
         (True, 1)
         """
-        basis = self._functions.ternary_basis(self.value)
+        basis = pseudo_bases.basis_modulo_numbers(self.value)
         found = ternary_forms.form_of(basis, type(self.algebra))
         reducible = self.value.ambient.base.is_rational and found.is_definite()
         return found.reduced() if reducible else found
@@ -564,13 +562,13 @@ class Order(WithStableClasses, Certified, Lattice):
     def maximal_overorder(self) -> Order:
         """Return a maximal order that contains this one, always the same.
 
-        Raises :class:`UnfactoredError`, and over ℤ_K :class:`TooLargeError` at primes of 64 bits and more.
+        Raises :class:`UnfactoredError`.
         """
-        return Order(self._functions.maximal_overorder(self.value))
+        return Order(maximal_orders.overorder(self.value))
 
     def gorenstein_closure(self) -> Order:
         """Return the Gorenstein order G with O = R + f·G, f the conductor (Voight, section 24.2)."""
-        return Order(self._functions.gorenstein_closure(self.value))
+        return Order(related_orders.gorenstein_closure(self.value))
 
     def suborders(self, prime: object, k: int = 1) -> list[Order]:
         """Return all orders of index Pᵏ in this one. Raises :class:`TooLargeError` for many candidates.
@@ -596,14 +594,14 @@ class Order(WithStableClasses, Certified, Lattice):
         found = search(self.value, P, natural(k, "the exponent of an index is"))
         return [Order(value) for value in found]
 
-    def isomorphism(self, other: Lattice) -> Any:
+    def isomorphism(self, other: Lattice) -> EquivalenceResult:
         """Return an answer with an ``element`` x, x·O·x⁻¹ being the other order, or the ``reason`` why none.
 
-        Over ℤ decided for all orders of definite algebras, and for ℤ + f·Eichler orders of indefinite ones,
-        where the element may be missing; others raise :class:`UndecidedError`. Over ℤ_K raises
-        :class:`IndefiniteError` unless the algebra is totally definite.
+        Decided for all orders of totally definite algebras, and for R + f·Eichler orders of indefinite ones,
+        where the element may be missing; others raise :class:`UndecidedError`. Where not every ideal of the
+        field has a generator positive where an indefinite algebra ramifies, :class:`IndefiniteError`.
         """
-        return self._functions.isomorphism(self, self._order_like(other))
+        return isomorphisms.isomorphism(self.value, self._order_like(other).value)
 
     def is_isomorphic(self, other: Lattice) -> bool:
         """Tell whether two orders are isomorphic. Raises as :meth:`isomorphism` does."""
@@ -622,7 +620,7 @@ class Order(WithStableClasses, Certified, Lattice):
         :meth:`units_modulo_scalars` is the same over both. Raises :class:`IndefiniteError` where they are
         infinitely many, as in an indefinite algebra.
         """
-        return self._functions.units(self.value)
+        return units.units(self.value)
 
     def units_modulo_scalars(self) -> tuple[Quaternion, ...]:
         """Return one unit of each coset of ℤˣ or ℤ_Kˣ. Raises as :meth:`units` does.
@@ -631,8 +629,8 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> len(QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().units_modulo_scalars())
         60
         """
-        units = self.units()
-        return tuple(u for n, u in enumerate(units) if -u not in units[:n])
+        found = self.units()
+        return tuple(u for n, u in enumerate(found) if -u not in found[:n])
 
     def unit_index(self) -> int:
         """Return [Oˣ : ±1], over ℤ_K [Oˣ : ℤ_Kˣ]. Raises as :meth:`units` does.
@@ -644,7 +642,7 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> O.unit_index(), O.unit_group()
         (60, 'A5')
         """
-        return self._functions.unit_index(self.value)
+        return units.unit_index(self.value)
 
     def unit_count(self) -> int:
         """Return how many units there are, at most 24. Raises as :meth:`units` does.
@@ -661,10 +659,10 @@ class Order(WithStableClasses, Certified, Lattice):
     def unit_group(self) -> str:
         """Return the name of the group of units: ``C2 C4 C6 Q8 Dic3`` or ``SL(2,3)``.
 
-        Of an indefinite algebra over ℚ, ``"infinite"``: a finitely presented group that is not written down.
-        Over ℤ_K, of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on; :class:`IndefiniteError` where it is infinite.
+        Over ℤ_K, of Oˣ/ℤ_Kˣ: ``C4 D2 D6 A4 S4 A5`` and so on. ``"infinite"`` in an indefinite algebra: a
+        finitely presented group that is not written down.
         """
-        return self._functions.unit_group(self.value)
+        return units.unit_group(self.value)
 
     def norm_one_group(self) -> NormOneGroup:
         """Return the units of norm 1 modulo ±1 as a group of motions of the hyperbolic plane.
@@ -678,33 +676,31 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> G = A.maximal_order().norm_one_group(); G.area, G.signature
         (Fraction(1, 42), Signature(genus=0, orders=(2, 3, 7), cusps=0))
         """
-        return NormOneGroup(self._functions.split_order(self))
+        return NormOneGroup(split_order(self.value))
 
     # --- ideals ------------------------------------------------------------------------------------
 
-    def left_ideal(self, generators: Iterable[object]) -> Any:
+    def left_ideal(self, generators: Iterable[object]) -> Ideal:
         """Return the left ideal ``O·gens``. Raises :class:`LatticeError` when its rank is below 4."""
         return self._generated(generators, "left")
 
-    def right_ideal(self, generators: Iterable[object]) -> Any:
+    def right_ideal(self, generators: Iterable[object]) -> Ideal:
         """Return the right ideal ``gens·O``. Raises :class:`LatticeError` when its rank is below 4."""
         return self._generated(generators, "right")
 
-    def two_sided_ideal(self, generators: Iterable[object]) -> Any:
+    def two_sided_ideal(self, generators: Iterable[object]) -> Ideal:
         """Return the ideal ``O·gens·O``. Raises :class:`LatticeError` for a rank below 4."""
         return self._generated(generators, "two-sided")
 
-    def _generated(self, generators: Iterable[object], side: str) -> Any:
+    def _generated(self, generators: Iterable[object], side: str) -> Ideal:
         found = lattice_values.generated_ideal(self.value, listed(generators), side)
         return self._ideal(found, side)
 
-    def _ideal(self, value: LatticeValue, side: str) -> Any:
+    def _ideal(self, value: LatticeValue, side: str) -> Ideal:
         """Return a lattice that is known to be an ideal of this order on a side as one."""
-        if self.value.ambient.base.is_rational:
-            return Ideal(value, side, self)
-        return IntegersIdeal(value, "left" if side == "left" else "right", self)
+        return Ideal(value, side, self)
 
-    def two_sided_prime(self, prime: object) -> Any:
+    def two_sided_prime(self, prime: object) -> Ideal:
         """Return the two-sided ideal at P that generates, with the scalars, all invertible ones there.
 
         Its square is Pᵉ·O, the part of the discriminant at P; it is P·O where P does not divide that.
@@ -713,7 +709,7 @@ class Order(WithStableClasses, Certified, Lattice):
         P = self.value.ambient.base.prime(prime)
         return self._ideal(ideals_of_norm.two_sided_prime(self.value, P), "two-sided")
 
-    def ideals_of_norm(self, n: object, side: str = "left") -> list[Any]:
+    def ideals_of_norm(self, n: object, side: str = "left") -> list[Ideal]:
         """Return all invertible integral ideals of norm n on a side.
 
         Of prime norm P, off the discriminant, they are N(P) + 1. Over ℤ_K n is an ideal or a prime of the
@@ -725,11 +721,11 @@ class Order(WithStableClasses, Certified, Lattice):
         [1, 5, 19]
         """
         norm, side = self.value.ambient.base.integral_ideal(n), checked_side(side)
-        values = self._functions.ideals_of_norm(self.value, norm)
+        values = ideals_of_norm.ideals_of_norm(self.value, norm)
         found = [self._ideal(J, "right") for J in values]
         return found if side == "right" else [J.conjugate() for J in found]
 
-    def subideals(self, ideal: Lattice, prime: object) -> list[Any]:
+    def subideals(self, ideal: Lattice, prime: object) -> list[Ideal]:
         """Return all invertible right ideals of relative norm P in an invertible right ideal of this order.
 
         They are N(P) + 1 where P does not divide the discriminant. Raises :class:`LatticeError` for another
@@ -745,14 +741,13 @@ class Order(WithStableClasses, Certified, Lattice):
             lattice_values.product(value, self.value) != value
         ):
             raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of the order")
-        values = self._functions.subideals(self.value, value, P)
+        values = ideals_of_norm.subideals(self.value, value, P)
         return [self._ideal(J, "right") for J in values]
 
-    def random_ideal(self, n: object, side: str = "left", seed: int | None = None) -> Any:
+    def random_ideal(self, n: object, side: str = "left", seed: int | None = None) -> Ideal:
         """Return a random ideal of norm n, prime to the discriminant, which no prime divides.
 
-        The same for the same seed. Raises :class:`LatticeError`, and over ℤ_K :class:`TooLargeError` for
-        primes of 64 bits and more.
+        The same for the same seed. Raises :class:`LatticeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
@@ -760,17 +755,17 @@ class Order(WithStableClasses, Certified, Lattice):
         (ideal(49), ideal(1))
         """
         norm, side = self.value.ambient.base.integral_ideal(n), checked_side(side)
-        value = self._functions.random_ideal(self.value, norm, random.Random(seed))
+        value = ideals_of_norm.random_ideal(self.value, norm, random.Random(seed))
         found = self._ideal(value, "left")
         return found if side == "left" else found.conjugate()
 
-    def connecting_ideal(self, other: Lattice) -> Any:
+    def connecting_ideal(self, other: Lattice) -> Ideal:
         """Return the primitive integral ideal with this left order and the right order ``other``.
 
         Raises :class:`LatticeError` unless both are Eichler orders of one level.
         """
         second = self._order_like(other).value
-        return self._ideal(self._functions.connecting_ideal(self.value, second), "left")
+        return self._ideal(related_orders.connecting(self.value, second), "left")
 
     # --- elements ----------------------------------------------------------------------------------
 
@@ -785,9 +780,9 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> A.order(["i", "j"]).represent_integer(2 + s), M.represent_integer(2 + s).norm()
         (None, 2+sqrt(2))
         """
-        return self._functions.represent_integer(self.value, n, seed)
+        return quadratic_orders.represent_integer(self.value, n, seed)
 
-    def embeddings(self, discriminant: object) -> Any:
+    def embeddings(self, discriminant: object) -> Embeddings:
         """Return the optimal embeddings of the quadratic order of a totally negative discriminant.
 
         Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
@@ -797,7 +792,9 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> len(found), found.orbits, found.element**3
         (20, 1, −1)
         """
-        return self._functions.embeddings(self, discriminant)
+        return Embeddings(
+            self, discriminant, *quadratic_orders.embeddings(self.value, discriminant)
+        )
 
     # --- classes -----------------------------------------------------------------------------------
 
@@ -836,7 +833,9 @@ class Order(WithStableClasses, Certified, Lattice):
 
     @cached_property
     def _stable(self) -> StableClasses:
-        return self._functions.stable_classes(self)
+        if self.value.ambient.base.is_rational:
+            return class_number.over_z(ZOrder.of(self.value))
+        return stable_classes.stable_classes(self)
 
     def mass(self) -> Fraction:
         """Return Σ 1/[O_L(I)ˣ : ℤ_Kˣ], over ℤ modulo ±1, over the right ideal classes, by a formula.
@@ -847,7 +846,7 @@ class Order(WithStableClasses, Certified, Lattice):
 
     def _expect_right_ideal(self, ideal: object) -> None:
         """Raise :class:`LatticeError` unless this is an invertible right ideal of the order."""
-        if not isinstance(ideal, Ideal | IntegersIdeal) or ideal.side == "left":
+        if not isinstance(ideal, Ideal) or ideal.side == "left":
             raise LatticeError(f"expected a right ideal of the order, not {shorten(repr(ideal))}")
         if ideal.order != self or not ideal.is_invertible():
             raise LatticeError(f"{shorten(repr(ideal))} is no invertible right ideal of {self}")
@@ -863,6 +862,10 @@ class Ideal(Certified, Lattice):
     (3, True)
     >>> I * I.inverse() == O
     True
+    >>> O = QuaternionAlgebra("QQ(sqrt(10))", -1, -1).maximal_order()
+    >>> I = O.left_ideal([3, "1 + i + j"])
+    >>> I.norm(), I.left_order() == O, I * I.inverse() == O, I.side
+    (ideal(3), True, True, 'left')
     """
 
     foreign_names = IDEAL
@@ -894,10 +897,17 @@ class Ideal(Certified, Lattice):
     @classmethod
     def like(cls, lattice: Lattice, order: Order, side: str) -> Self:
         """Return a lattice as an ideal of an order. Raises :class:`LatticeError` where it is none."""
-        pair = (lattice.value, order.value) if side == "right" else (order.value, lattice.value)
-        if lattice_values.product(*pair) != lattice.value:
+        value, product = lattice.value, lattice_values.product
+        on_left = side == "right" or product(order.value, value) == value
+        on_right = side == "left" or product(value, order.value) == value
+        if not (on_left and on_right):
             raise LatticeError(f"{shorten(lattice)} is no {side} ideal of {shorten(order)}")
-        return cls(lattice.value, side, order)
+        return cls(value, side, order)
+
+    def __repr__(self) -> str:
+        if len(self.basis) == 4:
+            return super().__repr__()
+        return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
 
     # --- its orders ------------------------------------------------------------------------------
 
@@ -936,6 +946,23 @@ class Ideal(Certified, Lattice):
 
     # --- arithmetic ------------------------------------------------------------------------------
 
+    def __add__(self, other: object) -> Lattice:
+        """Return the sum, an ideal where both are ideals of one order on one side."""
+        return self._ideal_with(other, super().__add__(other))
+
+    def __and__(self, other: object) -> Lattice:
+        """Return the intersection, an ideal where both are ideals of one order on one side."""
+        return self._ideal_with(other, super().__and__(other))
+
+    def _ideal_with(self, other: object, found: Lattice) -> Lattice:
+        """Return a lattice made of this ideal and another one as an ideal, where it is one."""
+        if not isinstance(other, Ideal):
+            return found
+        side = self.side if other.side == "two-sided" else other.side
+        if self.side not in (side, "two-sided") or self.order != other.order:
+            return found
+        return Ideal(found.value, side, self.order)
+
     def conjugate(self) -> Ideal:
         """Return the ideal of the conjugates, on the other side."""
         return Ideal.of(super().conjugate(), OTHER[self.side], self._order)
@@ -945,14 +972,15 @@ class Ideal(Certified, Lattice):
         return Ideal.of(super().inverse(), OTHER[self.side], self._order)
 
     def __truediv__(self, n: object) -> Ideal:
-        """Return the ideal divided by a rational number."""
+        """Return the ideal divided by a number or an ideal of the field."""
         return Ideal.of(super().__truediv__(n), self.side, self._order)
 
     def __mul__(self, other: object) -> Lattice:
-        """Return the product with a lattice, or the multiple by an element or a number."""
-        if self.side != "right" or _is_number(other):
-            side = "right" if self.side == "right" else "left"
-            return Ideal.of(super().__mul__(other), side, self._order)
+        """Return the product with a lattice, an element, a number or an ideal of the field."""
+        if _is_scalar(other):
+            return Ideal.of(super().__mul__(other), self.side, self._order)
+        if self.side != "right":
+            return Ideal.of(super().__mul__(other), "left", self._order)
         if isinstance(other, Ideal) and other.side == "left" and self.order == other.order:
             pair = self.value, other.value
             return Ideal(ideal_products.product(*pair, self.order.value), "right")
@@ -961,18 +989,29 @@ class Ideal(Certified, Lattice):
 
     def __rmul__(self, other: object) -> Lattice:
         found = super().__rmul__(other)
-        known = self._order if self.side == "right" or _is_number(other) else None
-        return Ideal.of(found, "right" if self.side == "right" else "left", known)
+        if _is_scalar(other):
+            return Ideal.of(found, self.side, self._order)
+        if self.side == "right":
+            return Ideal.of(found, "right", self._order)
+        return Ideal.of(found, "left")
 
-    def primitive_part(self) -> tuple[Ideal, int]:
-        """Return (J, m) with I = m·J and m the largest integer for which J is integral.
+    def primitive_part(self) -> tuple[Ideal, Any]:
+        """Return (J, m) with I = m·J, J integral, and in no m·O but for m = 1; m is an int or an ideal.
 
         Raises :class:`LatticeError` unless the ideal is integral.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(10))", -1, -1).maximal_order(); I = O.left_ideal([3, "1 + i + j"])
+        >>> (6 * I).primitive_part()[1], (6 * I).primitive_part()[0] == I
+        (ideal(6), True)
         """
-        m = 1 / lattice_values.scalars_into(self.value, self.order.value)
-        if m.denominator != 1:
+        base = self.value.ambient.base
+        inverse = lattice_values.scalars_into(self.value, self.order.value)
+        m = base.inverse(inverse)
+        if not base.is_integral(m):
             raise LatticeError("only an integral ideal has a primitive part, and this one is none")
-        return self / m, m.numerator
+        found = Ideal(lattice_values.times_ideal(self.value, inverse), self.side, self._order)
+        return found, base.shown_index(m)
 
     def pushforward(self, other: Ideal) -> Ideal:
         """Return ``I⁻¹·(I ∩ J)`` for J = other: a left ideal of the right order of I, of norm N(J).
@@ -995,14 +1034,15 @@ class Ideal(Certified, Lattice):
             )
         self._coprime(other)
         order = self.order
-        rest = lattice_values.scaled(order.value, other.value.norm)
+        rest = lattice_values.times_ideal(order.value, other.value.norm)
         found = lattice_values.add(lattice_values.product(self.value, other.value), rest)
         return Ideal(found, "left", order)
 
     def _coprime(self, other: Ideal) -> None:
         n, m = self.value.norm, other.value.norm
-        if n.denominator != 1 or m.denominator != 1 or math.gcd(n.numerator, m.numerator) != 1:
-            raise LatticeError(f"the norms {n} and {m} are not coprime integers")
+        base = self.value.ambient.base
+        if not (base.is_integral(n) and base.is_integral(m) and base.are_coprime(n, m)):
+            raise LatticeError(f"the norms {n} and {m} are not coprime and integral")
 
     def _joint(self, other: object) -> Ideal:
         """Return ``other`` if it is an ideal on the same side of the same order."""
@@ -1024,7 +1064,7 @@ class Ideal(Certified, Lattice):
     @cached_property
     def claim(self) -> Claim:
         """What there is to certify, as a statement with its evidence."""
-        return certificates.of_ideal(self.value, self.side, ZOrder.of(self.order.value))
+        return certificates.of_ideal(self.value, self.side, self.order.value)
 
     @property
     def evidence(self) -> dict[str, object]:
@@ -1040,32 +1080,40 @@ class Ideal(Certified, Lattice):
 
     # --- classes ---------------------------------------------------------------------------------
 
-    def equivalence(self, other: Ideal) -> Answer:
+    def equivalence(self, other: Ideal) -> EquivalenceResult:
         """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
 
-        Where there is none it is false, and ``reason`` says what was exhausted. In an indefinite
-        algebra a theorem may decide, and the element be missing. Raises :class:`LatticeError` for an
-        ideal of another order, and :class:`UndecidedError`.
+        Two-sided ideals are compared as left ones, or on the side of the other. Where there is none the
+        answer is false, and ``reason`` says why. In an indefinite algebra a theorem may decide, and the
+        element be missing: it is looked for where one real place splits and no other infinite one. Raises
+        :class:`LatticeError` for ideals of different orders or sides, and :class:`UndecidedError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order()
+        >>> I = O.left_ideal([11, "1 + 3*i + j"]); answer = I.is_principal()
+        >>> I.norm(), bool(answer), O.left_ideal([answer.element]) == I
+        (ideal(11), True, True)
         """
-        second = self._joint(other).value
-        order = ZOrder.of(self.order.value)
-        return equivalence.equivalence(self.value, second, order, self.side, from_the_plane(order))
+        second = self._joint(other)
+        side = second.side if self.side == "two-sided" else self.side
+        return equivalence.equivalence(self.value, second.value, self.order.value, side)
 
     def is_equivalent(self, other: Ideal) -> bool:
         """Tell whether ``J = I·c`` (or ``c·I``) for some c. Raises as :meth:`equivalence` does."""
         return bool(self.equivalence(other))
 
-    def is_principal(self) -> Answer:
+    def is_principal(self) -> EquivalenceResult:
         """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
-        order = ZOrder.of(self.order.value)
-        return equivalence.equivalence(order, self.value, order, self.side, from_the_plane(order))
+        order = self.order.value
+        return equivalence.equivalence(order, self.value, order, self.side)
 
     def equivalent_of_prime_norm(self, avoid: Iterable[int] = ()) -> tuple[Ideal, Quaternion]:
         """Return (J, c) with J equivalent to I of the least prime norm that is not in ``avoid``.
 
         J = I·c for a left ideal, c·I for a right one, with c = conj(x)/N(I) for a short x in I
-        (Kohel, Lauter, Petit and Tignol, 2014).
+        (Kohel, Lauter, Petit and Tignol, 2014). Raises :class:`LatticeError` over another field than ℚ.
         """
+        self._expect_rational("equivalent_of_prime_norm()")
         c = klpt.to_prime_norm(self.value, frozenset(avoid))
         found = lattice_values.multiple(self.value, c, "left" if self.side == "right" else "right")
         return Ideal(found, self.side, self.order), c
@@ -1073,11 +1121,21 @@ class Ideal(Certified, Lattice):
     def equivalent_of_power_norm(self, prime: int, seed: int = 0) -> tuple[Ideal, Quaternion, int]:
         """Return (J, c, e), J = I·c of norm primeᵉ, for a left ideal of a p-extremal order: KLPT.
 
-        Raises :class:`LatticeError` for another order, and :class:`UndecidedError`.
+        Raises :class:`LatticeError` for another order, or over another field than ℚ, and
+        :class:`UndecidedError`.
         """
+        self._expect_rational("equivalent_of_power_norm()")
         p = checked_prime(prime)
-        c, e = klpt.to_power_norm(self.value, ZOrder.of(self.order.value), self.side, p, seed)
+        c, e = klpt.to_power_norm(self.value, self.order.value, self.side, p, seed)
         return Ideal.of(self * c, "left", self.order), c, e
+
+    def _expect_rational(self, what: str) -> None:
+        """Raise :class:`LatticeError` where the base is not ℤ."""
+        if not self.value.ambient.base.is_rational:
+            raise LatticeError(
+                f"{what} is for ideals of orders over ZZ, and this algebra is over {self.algebra.ring.name}: "
+                "there norms are ideals, which need not be principal"
+            )
 
 
 class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
@@ -1095,7 +1153,7 @@ class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
     order: Order
 
     def __init__(self, order: Order) -> None:
-        super().__init__(ZOrder.of(order.value))
+        super().__init__(order.value)
         self.order = order
 
     def __getitem__(self, n: int) -> Ideal:
@@ -1145,171 +1203,9 @@ class ClassSet(Classes, ByStableClasses, WithForms, Hinted):
         return f"{len(self)} right ideal classes, mass {self.mass}, of {self.order}"
 
 
-def _is_number(x: object) -> bool:
+def _is_scalar(x: object) -> bool:
+    """Tell whether a lattice is multiplied by x as by a number, or an ideal of the field."""
     return not isinstance(x, (Lattice, Quaternion, tuple, list, str))
-
-
-class IntegersIdeal(Lattice, Certified):
-    """A lattice with O·I = I for the order O (``side="left"``), or I·O = I (``side="right"``).
-
-    >>> from hfield import QuaternionAlgebra
-    >>> O = QuaternionAlgebra("QQ(sqrt(10))", -1, -1).maximal_order()
-    >>> I = O.left_ideal([3, "1 + i + j"])
-    >>> I.norm(), I.left_order() == O, I * I.inverse() == O, I.side
-    (ideal(3), True, True, 'left')
-    """
-
-    foreign_names = IDEAL
-
-    def __init__(self, value: LatticeValue, side: str, order: Order | None = None) -> None:
-        super().__init__(value)
-        self.side, self._order = side, order
-
-    @property
-    def _arguments(self) -> tuple[object, ...]:
-        return self.value, self.side, self._order
-
-    @classmethod
-    def generated(cls, order: Order, generators: Iterable[object], side: str) -> Self:
-        """Return the ideal O·x + O·y + …, or x·O + y·O + …. Raises :class:`LatticeError`."""
-        return cls(
-            lattice_values.generated_ideal(order.value, listed(generators), side), side, order
-        )
-
-    @property
-    def order(self) -> Order:
-        """The order of which this is an ideal."""
-        if self._order is None:
-            self._order = self._order_on(self.side)
-        return self._order
-
-    def left_order(self) -> Order:
-        """Return the x with x·I ⊂ I; for an invertible left ideal it is :attr:`order`."""
-        known = self.side == "left" and self.is_invertible()
-        return self.order if known else super().left_order()
-
-    def right_order(self) -> Order:
-        """Return the x with I·x ⊂ I; for an invertible right ideal it is :attr:`order`."""
-        known = self.side == "right" and self.is_invertible()
-        return self.order if known else super().right_order()
-
-    def is_invertible(self) -> bool:
-        """Tell whether the ideal is locally principal."""
-        return lattice_values.is_locally_principal(self.value, self.order.value)
-
-    def is_integral(self) -> bool:
-        """Tell whether the ideal lies in its order."""
-        return self <= self.order
-
-    def is_two_sided(self) -> bool:
-        """Tell whether the left and the right order are the same."""
-        return self.left_order() == self.right_order()
-
-    def primitive_part(self) -> tuple[IntegersIdeal, FieldIdeal]:
-        """Return (J, a) with I = a·J, a an ideal of the field, and J integral and not in b·O for any other b.
-
-        Raises :class:`LatticeError` unless the ideal is integral.
-        """
-        inverse = lattice_values.scalars_into(self.value, self.order.value)
-        if not self.is_integral():
-            raise LatticeError("only an integral ideal has a primitive part, and this one is none")
-        return self._with(self * inverse), inverse.inverse()
-
-    # --- arithmetic --------------------------------------------------------------------------------
-
-    def _with(self, lattice: Lattice) -> IntegersIdeal:
-        return IntegersIdeal(lattice.value, self.side, self._order)
-
-    def __add__(self, other: object) -> Lattice:
-        return self._joint(other, super().__add__(other))
-
-    def __and__(self, other: object) -> Lattice:
-        return self._joint(other, super().__and__(other))
-
-    def _joint(self, other: object, found: Lattice) -> Lattice:
-        """Return a lattice made of two ideals as an ideal, where they are of one side and order."""
-        if isinstance(other, IntegersIdeal) and (self.side, self.order) == (
-            other.side,
-            other.order,
-        ):
-            return IntegersIdeal(found.value, self.side, self.order)
-        return found
-
-    def __mul__(self, other: object) -> Lattice:
-        """Return the product with a lattice, an element, a number or an ideal of the field."""
-        known = self._order
-        if self.side == "right" and isinstance(other, Lattice | Quaternion):
-            known = None
-            if isinstance(other, IntegersIdeal) and other.side == "right":
-                known = other.order
-        return IntegersIdeal(self._times(other, "right"), self.side, known)
-
-    def __rmul__(self, other: object) -> Lattice:
-        known = self.side == "right" or not isinstance(other, Quaternion)
-        return IntegersIdeal(self._times(other, "left"), self.side, self._order if known else None)
-
-    def conjugate(self) -> IntegersIdeal:
-        """Return the ideal of the conjugates, on the other side."""
-        return IntegersIdeal(super().conjugate().value, OTHER[self.side], self._order)
-
-    def inverse(self) -> IntegersIdeal:
-        """Return ``conj(I)/N(I)``. Raises :class:`LatticeError` unless I is locally principal."""
-        return IntegersIdeal(super().inverse().value, OTHER[self.side], self._order)
-
-    # --- classes, in a totally definite algebra ----------------------------------------------------
-
-    def is_principal(self) -> equivalence_over_fields.Comparison:
-        """Return an answer with a generator as ``element``: I = O·c for a left ideal, c·O for a right one."""
-        return IntegersIdeal(self.order.value, self.side, self.order).equivalence(self)
-
-    def equivalence(self, other: IntegersIdeal) -> equivalence_over_fields.Comparison:
-        """Return an answer with ``element`` c such that J = I·c for left ideals, J = c·I for right ones.
-
-        Where there is none it is false, and ``reason`` says why. Where the algebra splits at several infinite
-        places, or at a complex one, strong approximation decides, and no element is told. Raises
-        :class:`LatticeError` for ideals that are not invertible, or of different orders or sides,
-        :class:`IndefiniteError` where an Eichler symbol is 0 in such an algebra.
-
-        >>> from hfield import QuaternionAlgebra
-        >>> O = QuaternionAlgebra("QQ(sqrt(3))", -1, -1).maximal_order()
-        >>> I = O.left_ideal([11, "1 + 3*i + j"]); answer = I.is_principal()
-        >>> I.norm(), bool(answer), O.left_ideal([answer.element]) == I
-        (ideal(11), True, True)
-        """
-        same = isinstance(other, IntegersIdeal) and (self.side, self.order) == (
-            other.side,
-            other.order,
-        )
-        if not same or not (self.is_invertible() and other.is_invertible()):
-            raise LatticeError(
-                f"expected two invertible {self.side} ideals of one order, not {shorten(repr(other))}"
-            )
-        norm = other.norm() / self.norm()
-        if not (self.value.ambient.definite or self.value.ambient.is_fuchsian):
-            from hfield.orders.over_integers import indefinite_classes
-
-            return indefinite_classes.equivalence(self.order, norm)
-        pair = (self.inverse(), other) if self.side == "left" else (other, self.inverse())
-        between = pair[0] * pair[1]
-        if self.value.ambient.definite:
-            found = equivalence_over_fields.element_generating(between.value, norm)
-        else:
-            from hfield.orders.over_integers.split_order import element_generating
-
-            found = element_generating(self.order, between.value, norm)
-        return replace(found, claimed=partial(certificates_over_fields.of_equivalence, self, other))
-
-    def is_equivalent(self, other: IntegersIdeal) -> bool:
-        """Tell whether J = I·c, or c·I, for some c. Raises as :meth:`equivalence` does."""
-        return bool(self.equivalence(other))
-
-    @property
-    def claim(self) -> Claim:
-        """That this is a locally principal ideal of its order, as a statement with its evidence."""
-        return certificates_over_fields.of_ideal(self)
-
-    def __repr__(self) -> str:
-        return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
 
 
 class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified, Hinted):
@@ -1331,20 +1227,20 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
     @property
     def claim(self) -> Claim:
         """How many classes there are, as a statement with its evidence."""
-        return certificates_over_fields.of_class_set(self)
+        return certificates.of_ideal_classes(self)
 
-    def __getitem__(self, n: int) -> IntegersIdeal:
+    def __getitem__(self, n: int) -> Ideal:
         """Return the representative of class n, a right ideal that contains 1; class 0 is that of O."""
-        return IntegersIdeal(self.lattices[n], "right", self.order)
+        return Ideal(self.lattices[n], "right", self.order)
 
-    def __iter__(self) -> Iterator[IntegersIdeal]:
+    def __iter__(self) -> Iterator[Ideal]:
         return (self[n] for n in range(len(self)))
 
-    def left_ideals(self) -> Iterator[IntegersIdeal]:
+    def left_ideals(self) -> Iterator[Ideal]:
         """Yield representatives of the left ideal classes, the conjugates of the right ones."""
         return (I.conjugate() for I in self)
 
-    def index(self, ideal: IntegersIdeal) -> int:
+    def index(self, ideal: Ideal) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
         self.order._expect_right_ideal(ideal)
         return self.class_of(ideal.value)
@@ -1356,8 +1252,7 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
     def _stable_class(self, n: int) -> tuple[int, int]:
         stable, norm, ambient = self.order._stable, self.norms[n], self.ambient
         local = (
-            ideals_over_fields.local_generator(Local(ambient, place.prime), self.lattices[n])
-            for place in stable.places
+            ideals_of_norm.local_generator(self.lattices[n], place.prime) for place in stable.places
         )
         values = (ambient.norm(x.entries()) / norm.element for x in local)
         return norm.number, stable.reduced(values)
@@ -1370,7 +1265,9 @@ class IntegersClassSet(class_sets.Classes, ByStableClasses, WithForms, Certified
         def of_level(level: list[tuple[PrimeIdeal, int]]) -> IntegersClassSet:
             primes = [ambient.base.prime_ideal(P) ** e for P, e in level]
             ideal = math.prod(primes, start=ambient.base.one)
-            return IntegersClassSet(Order(local_orders.eichler(self._maximal.value, ideal)))
+            return IntegersClassSet(
+                Order(maximal_orders.eichler_suborder(self._maximal.value, ideal))
+            )
 
         return IntegersModule(self, of_level)
 

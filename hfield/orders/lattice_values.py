@@ -91,6 +91,11 @@ class LatticeValue:
         return self.ambient.grams(self.matrix)
 
     @cached_property
+    def integral_grams(self) -> list[fmpz_mat]:
+        """The same, of an order, not scaled: traces and norms of elements of an order are integral."""
+        return [hermite.divided(g, self.ambient.scale * self.den**2) for g in self.grams]
+
+    @cached_property
     def norm(self) -> Any:
         """The ideal that the reduced norms of the elements generate; over ℤ their gcd."""
         return self.ambient.kernels.norm(self.ambient, self.grams, self.content, self.den)
@@ -134,6 +139,31 @@ class LatticeValue:
             _, steps = (rows * ambient.majorant * rows.transpose()).lll(transform=True, rep="gram")
             reduced = steps * gram * steps.transpose()
         return steps * self.matrix, list(map(list, hermite.tuples(reduced)))
+
+    @cached_property
+    def ternary(self) -> tuple[int, fmpz_mat, fmpz_mat]:
+        """The elements 2x − tr(x), of an order those of trace 0 in R + 2O (Voight, chapter 22).
+
+        A denominator, rows over it that are a basis over ℤ, and their matrix of ``Tr(tr(x·conj(y)))``, which
+        is integral for an order.
+        """
+        ambient, n = self.ambient, self.ambient.degree
+        rank = 3 * n
+        vectors = fmpz_mat([row[n:] for row in self.matrix.tolist()]).hnf().tolist()[:rank]
+        without_scalars = fmpz_mat([[0] * n + row for row in vectors])
+        c = ambient.conjugate_scale
+        rows = without_scalars * (ambient.identity * c - ambient.conjugation)
+        den = self.den * c
+        gram = rows * ambient.trace_form * rows.transpose()
+        scale = ambient.scale * den * den
+        return den, rows, fmpz_mat(rank, rank, [x // scale for x in gram.entries()])
+
+    @cached_property
+    def reduced_ternary(self) -> tuple[int, fmpz_mat, list[list[int]]]:
+        """The same with an LLL-reduced basis, in a definite algebra."""
+        den, rows, gram = self.ternary
+        reduced, steps = gram.lll(transform=True, rep="gram")
+        return den, steps * rows, list(map(list, hermite.tuples(reduced)))
 
     @cached_property
     def volume(self) -> Any:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import flint
-from flint import fmpz_mod_ctx, fmpz_mod_mat
+from flint import fmpz_mat, fmpz_mod_ctx, fmpz_mod_mat
 
+from hfield.core.primality import WORD
 from hfield.rings.whole_numbers import sqrt_mod
 
 
@@ -21,10 +22,15 @@ def lead(row: Sequence[int], p: int) -> int:
     return next((n for n, x in enumerate(row) if x % p), len(row))
 
 
-def kernel(rows: Sequence[Sequence[int]], p: int) -> list[list[int]]:
-    """Return a basis of the vectors v with row·v ≡ 0 for every row."""
-    pivots = {lead(row, p): row for row in echelon(rows, p)}
-    width = range(len(rows[0]))
+def kernel(rows: fmpz_mat | Sequence[Sequence[int]], p: int) -> list[list[int]]:
+    """Return a basis of the vectors v with row·v ≡ 0 for every row of a matrix."""
+    matrix = rows if isinstance(rows, fmpz_mat) else fmpz_mat([list(row) for row in rows])
+    if p < WORD:
+        found, size = flint.nmod_mat(matrix, p).nullspace()
+        return [[int(x) for x in row] for row in found.transpose().tolist()[:size]]
+    table = matrix.tolist()
+    pivots = {lead(row, p): row for row in echelon(table, p)}
+    width = range(matrix.ncols())
     return [
         [-pivots[n][free] % p if n in pivots else int(n == free) for n in width]
         for free in width

@@ -13,6 +13,7 @@ import flint
 from hfield.errors import LatticeError, UndecidedError
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.orders.base import Base
+from hfield.orders.hermite import tuples
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
@@ -90,6 +91,22 @@ def _pseudo_basis(base: Base, rows: flint.fmpq_mat) -> list[tuple[tuple[Any, ...
 def _turned(row: list[flint.fmpq], n: int) -> list[flint.fmpq]:
     """Return the coordinates, n numbers each, in the opposite order."""
     return [c for k in range(len(row) - n, -1, -n) for c in row[k : k + n]]
+
+
+def basis_modulo_numbers(order: LatticeValue) -> tuple[Quaternion, Quaternion, Quaternion]:
+    """Return i, j, k with which 1 is a basis of an order, up to numbers of the field that may be added.
+
+    In degree 1 it is reduced where the algebra is definite. Raises :class:`LatticeError` for an order that is
+    no free module.
+    """
+    ambient = order.ambient
+    if ambient.degree == 1:
+        den, rows, _ = order.reduced_ternary if ambient.definite else order.ternary
+        i, j, k = (order.element(row, 2 * den) for row in tuples(rows))
+    else:
+        _, *pairs = pseudo_basis(order)  # the first are the integers of the field
+        i, j, k = free_basis(ambient, tuple(pairs))
+    return i, j, k
 
 
 def free_basis(ambient: AlgebraBasis, pairs: PseudoBasis) -> tuple[Quaternion, ...]:

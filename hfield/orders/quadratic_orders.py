@@ -1,50 +1,65 @@
-"""Quadratic orders inside a quaternion order: embeddings, and a frame ``ℤ[α] + ℤ[α]·β`` with α small.
+"""Quadratic orders inside an order of a totally definite algebra, and elements of given norm.
 
-The elements ``s = 2x − tr(x)`` are those of trace 0 in ``ℤ + 2O``, and s² is the discriminant of ``ℤ[x]``;
-so the quadratic orders of discriminant d in O are vectors of norm −d of a ternary lattice. They are
-embedded optimally when the vector is primitive (Voight, *Quaternion Algebras*, chapter 30; Gross, 1987).
-
-Inside O lies ``ℤ[α] + ℤ[α]·β``, of norm form ``f(x, y) + N(β)·f(z, w)``. For random z, w the rest is a
-prime about once in as many times as it has digits, and Cornacchia's algorithm represents it by f: so elements
-are found whose norm has hundreds of digits (Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny
-path problem", 2014, section 3.2). Small norms are decided by enumeration.
+The elements s = 2x − tr(x) are those of trace 0 in R + 2O, R being the integers of the base, and s² is the
+discriminant of R[x]. So the quadratic orders of discriminant d in O are vectors of norm −d of a ternary
+lattice. They are embedded optimally where no number outside of R takes the vector into the lattice
+(J. Voight, *Quaternion Algebras*, chapter 30; B. Gross, "Heights and the special values of L-series", 1987).
 """
 
 from __future__ import annotations
 
 import math
-import random
 from collections.abc import Iterator
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import cached_property, lru_cache
-from itertools import product
-from operator import mul
-from typing import Any
+from functools import cached_property
+from itertools import count, product
+from random import Random
+from typing import TYPE_CHECKING, Any
 
-from flint import fmpz, fmpz_mat
+from flint import fmpq, fmpq_mat, fmpz_mat
 
-from hfield.algebra.quaternion import Quaternion
-from hfield.core.factorisation import factorise, remove
-from hfield.core.primality import is_probable_prime, primes
 from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.evidence import Certified, Claim
-from hfield.orders import certificates, enumeration, hermite
+from hfield.orders import certificates, enumeration, hermite, quadratic_frames
+from hfield.orders.ideals_of_norm import of_prime_norm, random_ideal
 from hfield.orders.invariants import is_eichler
-from hfield.orders.short_elements import expect_affordable, expect_definite, of_norm
-from hfield.orders.z_order import ZOrder
-from hfield.rings.whole_numbers import sqrt_mod
+from hfield.orders.lattice_values import LatticeValue, conjugate, discriminant
+from hfield.orders.orders_at_primes import OrderAtPrime
+from hfield.orders.short_elements import (
+    expect_affordable,
+    expect_definite,
+    form_of_norm,
+    reduced,
+    rows_of_norm,
+    ternary_rows,
+)
+from hfield.orders.units import units_modulo_scalars
+
+if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
+    from hfield.orders.basis import AlgebraBasis
+
+MAX_ENUMERATED = 2 * 10**5
+"""Norms are decided by enumeration where about so many steps do it."""
+TRIALS = 100
+"""So many random ideals are tried."""
+MAX_CLASSES = 20_000
+"""No more classes of elements modulo powers of a prime than this are tried for a local obstruction."""
+
+
+# --- embeddings ------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
 class Embeddings(Certified):
-    """The optimal embeddings of the quadratic order of ``discriminant`` in an order of a definite algebra.
+    """The optimal embeddings of the quadratic order of ``discriminant`` d in an order.
 
-    ``elements`` are the images of ``(d + √d)/2``; ``orbits`` counts them up to conjugation by units.
+    ``elements`` are the images of ``(t + √d)/2``, t² ≡ d modulo 4, where over ℤ t is d; ``orbits`` counts
+    them up to conjugation by units of the order.
     """
 
     order: Any  # an Order, whose class stands above
-    discriminant: int
+    discriminant: Any
     elements: tuple[Quaternion, ...]
     orbits: int
 
@@ -55,7 +70,7 @@ class Embeddings(Certified):
 
     @cached_property
     def claim(self) -> Claim:
-        """What there is to certify, as a statement with its evidence."""
+        """The answer as a statement with its evidence. Raises :class:`LatticeError` over ℤ_K."""
         return certificates.of_embedding(self.order.value, self.discriminant, self.element)
 
     def __len__(self) -> int:
@@ -66,255 +81,189 @@ class Embeddings(Certified):
         return bool(self.elements)
 
 
-def embeddings(order: ZOrder, d: int) -> tuple[tuple[Quaternion, ...], int]:
-    """Return the images of (d + √d)/2 under the optimal embeddings of an order, d < 0, and their orbits.
+def embeddings(order: LatticeValue, d: Any) -> tuple[tuple[Quaternion, ...], int]:
+    """Return the elements and the number of orbits of :class:`Embeddings`, for a discriminant d.
 
-    Raises :class:`LatticeError` for a d that is no negative discriminant, :class:`IndefiniteError`.
+    Raises :class:`LatticeError` where d is no totally negative discriminant, :class:`IndefiniteError`.
     """
-    expect_definite(order.ambient, "embeddings()")
-    if d >= 0 or d % 4 not in (0, 1):
+    ambient, base = order.ambient, order.ambient.base
+    expect_definite(ambient, "embeddings()")
+    x = base.inside(d)
+    t = base.root_modulo_4(x)
+    if t is None or not base.is_totally_positive(-x):
         raise LatticeError(
-            f"{d} is no discriminant of an imaginary quadratic order: expected d < 0, 0 or 1 modulo 4"
+            f"{shorten(d)} is no discriminant of a totally imaginary quadratic order over the integers of "
+            f"{shorten(base.ring.name)}: expected a totally negative integer, a square modulo 4"
         )
-    den, rows, gram = order.reduced_ternary
-    expect_affordable(enumeration.volume(gram, -2 * d, 2), "elements of norm at most")
-    found = []
-    for x in enumeration.vectors_of_length(gram, -2 * d):
-        if math.gcd(*x) == 1:
-            row = hermite.combination(x, rows)
-            found += [row, tuple(-c for c in row)]
-    elements = tuple((d + order.element(row, den)) / 2 for row in sorted(found, reverse=True))
-    units = of_norm(order, Fraction(1)) if elements else ()
-    left, orbits = set(elements), 0
+    vectors = list(_of_trace_zero(order, -x))
+    both = sorted((*vectors, *(-s for s in vectors)), key=fmpq_mat.entries, reverse=True)
+    shift = ambient.row(1) * ambient.scalar(t)
+    images = [(shift + s) * fmpq(1, 2) for s in both]
+    elements = tuple(ambient.quaternion(row.entries()) for row in images)
+    return elements, _orbits(order, both)
+
+
+def _of_trace_zero(order: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
+    """Yield one of ±s for each primitive s of trace 0 in R + 2O with a norm, totally positive."""
+    ambient, n = order.ambient, order.ambient.degree
+    rational = ambient.base.as_rational(norm)
+    if rational is not None:  # Tr(N(s)/ν) is a multiple of Tr(N(s))
+        den, rows, gram = order.reduced_ternary
+        length = 2 * n * rational
+    else:
+        gram, basis, scale = reduced(ambient, ternary_rows(order), 1 / norm)
+        den, rows = hermite.rational(basis)
+        length = fmpq(2 * n * scale)
+    if length.q != 1:
+        return
+    bound = int(length.p)
+    expect_affordable(enumeration.volume(gram, bound, len(gram) - 1), "elements of norm at most")
+    multiplications = _multiplications(ambient, rows)
+    for v in enumeration.vectors_of_length(gram, bound):
+        vector = fmpz_mat([list(v)])
+        row = (vector * rows) * fmpq(1, den)
+        if n > 1 and ambient.norm(row.entries()) != norm:
+            continue
+        multiples = hermite.stacked(*(vector * m for m in multiplications))
+        # c·s is in the lattice for numbers c of the field only that are in R
+        if hermite.volume(multiples.transpose().hnf()) == 1:
+            yield row
+
+
+def _multiplications(ambient: AlgebraBasis, rows: fmpz_mat) -> list[fmpz_mat]:
+    """Return the matrices of the multiplication by the integral basis on rows of trace 0."""
+    n = ambient.degree
+    pure = fmpz_mat([row[n:] for row in rows.tolist()])
+    blocks = (fmpz_mat([row[n:] for row in m.tolist()[n:]]) for m in ambient.scalars)
+    inverse = pure.inv()
+    return [(fmpq_mat(pure * block) * inverse).numer_denom()[0] for block in blocks]
+
+
+def _orbits(order: LatticeValue, elements: list[fmpq_mat]) -> int:
+    """Return how many orbits there are under conjugation by the units of an order."""
+    if not elements:
+        return 0
+    times = order.ambient.times
+    maps = [times(u, "left") * times(u).inv() for u in units_modulo_scalars(order)]
+    left, orbits = {tuple(s.entries()): s for s in elements}, 0
     while left:
-        q = left.pop()
-        left -= {u * q * u.conjugate() for u in units}
+        s = next(iter(left.values()))
+        for m in maps:
+            left.pop(tuple((s * m).entries()), None)
         orbits += 1
-    return elements, orbits
+    return orbits
 
 
-@dataclass(frozen=True)
-class Frame:
-    """α and β in O with N(β) = ``norm`` and s·β = −β·s for s = 2α − t, s² = d, t = d modulo 2."""
-
-    discriminant: int
-    norm: int
-    alpha: Quaternion
-    beta: Quaternion
-
-    @property
-    def t(self) -> int:
-        """The trace of α."""
-        return self.discriminant % 2
-
-    @property
-    def n(self) -> int:
-        """The norm of α."""
-        return (self.t - self.discriminant) // 4
-
-    def binary(self, x: int, y: int) -> int:
-        """Return the norm of x + y·α."""
-        return x * x + self.t * x * y + self.n * y * y
-
-    def element(self, x: int, y: int, z: int, w: int) -> Quaternion:
-        """Return x + y·α + (z + w·α)·β."""
-        return x + y * self.alpha + (z + w * self.alpha) * self.beta
+# --- norm equations --------------------------------------------------------------------------------
 
 
-@lru_cache(maxsize=64)
-def frame(order: ZOrder) -> Frame:
-    """Return the frame for a quadratic order of least discriminant in an order of a definite algebra."""
-    _, _, gram = order.reduced_ternary
-    return next(frames(order, min(gram[n][n] for n in range(3)) // 2))
+def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -> Quaternion | None:
+    """Return an element of an order with norm n, or None where there is none.
 
-
-@lru_cache(maxsize=64)
-def extremal_frame(order: ZOrder, largest: int) -> Frame | None:
-    """Return a frame with d ≥ −largest and N(β) = p, the discriminant of the order, or None."""
-    p = order.discriminant
-    return next((f for f in frames(order, largest) if f.norm == p), None)
-
-
-def frames(order: ZOrder, largest: int) -> Iterator[Frame]:
-    """Yield the frames for all optimally embedded quadratic orders with d ≥ −largest, by |d|."""
-    _, _, gram = order.reduced_ternary
-    short = sorted((value, v) for v, value in enumeration.short_vectors(gram, 2 * largest))
-    yield from (_frame(order, v) for _, v in short if math.gcd(*v) == 1)
-
-
-def _frame(order: ZOrder, x: tuple[int, ...]) -> Frame:
-    den, rows, _ = order.reduced_ternary
-    s = hermite.combination(x, rows)
-    element = order.element(s, den)
-    d = -int(str(element.norm()))
-    alpha = (element + d % 2) / 2
-    # elements with trace 0 and orthogonal to s
-    r = order.ambient
-    forms = order.matrix * r.trace_form
-    conditions = forms * fmpz_mat([[1, s[0]], [0, s[1]], [0, s[2]], [0, s[3]]])
-    stacked = [
-        [*row, *(int(m == n) for n in range(4))] for m, row in enumerate(conditions.tolist())
-    ]
-    h = fmpz_mat(stacked).hnf()
-    kernel = fmpz_mat([row[2:] for row in h.tolist()[2:]])
-    plane = kernel * order.matrix
-    small, steps = (plane * r.trace_form * plane.transpose()).lll(transform=True, rep="gram")
-    rows2 = hermite.tuples(steps * plane)
-    beta = order.element(rows2[0] if small[0, 0] <= small[1, 1] else rows2[1])
-    return Frame(d, int(str(beta.norm())), alpha, beta)
-
-
-SMALL = (2, 3, 5, 7, 11, 13)
-
-
-def represent(d: int, m: int) -> tuple[int, int] | None:
-    """Return (x, y) with ``x² + t·xy + n·y² = m``, t = d modulo 2, n = (t − d)/4, or None if none was found.
-
-    For m a prime times a product of primes up to 13 only.
+    Small n are decided by enumeration. For others an obstruction at a prime is looked for, and then an
+    element: over ℤ in the frame of a quadratic order, elsewhere in random ideals. Raises
+    :class:`IndefiniteError`, and :class:`UndecidedError`.
     """
-    t = d % 2
-    n = (t - d) // 4
-    x, y = 1, 0
-    for p in SMALL:
-        while m % p == 0:
-            m //= p
-            root = _small(d, p)
-            if root is None:  # inert: only squares are norms
-                if m % p:
-                    return None
-                m //= p
-                root = (p, 0)
-            x, y = x * root[0] - n * y * root[1], x * root[1] + y * root[0] + t * y * root[1]
-    if m == 1:
-        return x, y
-    if not likely(m):
+    ambient, base = order.ambient, order.ambient.base
+    expect_definite(ambient, "represent_integer()")
+    norm = base.inside(n)
+    if not norm:
+        return ambient.quaternion([fmpq(0)] * ambient.size)
+    integral = base.coordinate_rows([norm]).numer_denom()[1] == 1
+    form = form_of_norm(order, norm) if integral and base.is_totally_positive(norm) else None
+    if form is None:
         return None
-    last = cornacchia(d, m)
-    if last is None:
+    gram, _, length = form
+    if enumeration.volume(gram, length, len(gram) - 1) < MAX_ENUMERATED:
+        return _first_of_norm(order, norm)
+    if not is_eichler(order) and any(
+        is_obstructed(order, P, norm) for P, e in base.factorisation(discriminant(order)) if e > 1
+    ):
         return None
-    return x * last[0] - n * y * last[1], x * last[1] + y * last[0] + t * y * last[1]
-
-
-@lru_cache(maxsize=1024)
-def _small(d: int, p: int) -> tuple[int, int] | None:
-    t = d % 2
-    n = (t - d) // 4
-    span = range(-p, p + 1)
-    return next(
-        ((x, y) for y in range(p) for x in span if x * x + t * x * y + n * y * y == p), None
+    rng = Random(0 if seed is None else seed)
+    if base.is_rational:
+        return quadratic_frames.represent_integer(order, int(norm.p), rng)
+    for ideal in _random_ideals(order, norm, rng):
+        x = _first_of_norm(ideal, norm)
+        if x is not None:
+            return x
+    raise UndecidedError(
+        f"whether the norm of an element is {shorten(n)} was not decided: no prime forbids it, and of "
+        f"{TRIALS} random ideals of this norm none has such a generator"
     )
 
 
-SMALL_PRIMES = math.prod(p for p in primes(200) if p >= 17)
+def _first_of_norm(lattice: LatticeValue, norm: Any) -> Quaternion | None:
+    row = next(rows_of_norm(lattice, norm), None)
+    return None if row is None else lattice.ambient.quaternion(row.entries())
 
 
-def likely(m: int) -> bool:
-    """Tell whether m is a probable prime; most composite numbers are sorted out by their small factors.
+def _random_ideals(order: LatticeValue, norm: Any, rng: Random) -> Iterator[LatticeValue]:
+    """Yield some right ideals of an order whose norm is generated by a number."""
+    base, whole = order.ambient.base, discriminant(order)
+    factors = base.factorisation(base.principal(norm))
+    bad, good = [], base.one
+    for P, e in factors:
+        if base.valuation(whole, P):
+            bad += [of_prime_norm(order, P)] * e
+        else:
+            good *= base.prime_ideal(P) ** e
+    for _ in range(TRIALS):
+        ideal = conjugate(random_ideal(order, good, rng))
+        for ideals in bad:
+            ideal = ideals.random_inside(ideal, rng)
+        yield ideal
 
-    No proof is needed: what is represented is an element, and its norm is known.
+
+def is_obstructed(order: LatticeValue, prime: Any, norm: Any) -> bool:
+    """Tell whether no element of the order has this norm in the completion at P; False where it is not seen.
+
+    An element outside of P·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one
+    of norm n (Hensel); one in P·O has the norm of one of norm n/π².
     """
-    return (m < 40_000 or math.gcd(m, SMALL_PRIMES) == 1) and is_probable_prime(m)
-
-
-def cornacchia(d: int, m: int) -> tuple[int, int] | None:
-    """Return (x, y) with ``x² + t·xy + n·y² = m`` for a prime m > 13, or None.
-
-    Cornacchia's algorithm (Cohen, *A Course in Computational Algebraic Number Theory*, 1.5.3).
-    """
-    t, absolute = d % 2, -d
-    a, b, limit = 2 * m, 0, math.isqrt(4 * m)
-    if d % m:
-        if fmpz(d % m).jacobi(m) != 1:
-            return None
-        b = sqrt_mod(d, m)
-    if (b - d) % 2:
-        b = m - b
-    while b > limit:
-        a, b = b, a % b
-    c, rest = divmod(4 * m - b * b, absolute)
-    y = math.isqrt(c)
-    if rest or y * y != c:
-        return None
-    return (b - t * y) // 2, y
-
-
-ENUMERATED = 2 * 10**5
-TRIALS = 50_000
-
-
-def represent_integer(order: ZOrder, n: int, seed: int | None = None) -> Quaternion | None:
-    """Return an element of O of norm n, or None where an enumeration, or a prime, shows that there is none.
-
-    Raises :class:`IndefiniteError`, and :class:`UndecidedError` where n is too large to enumerate and nothing
-    was found.
-    """
-    expect_definite(order.ambient, "represent_integer()")
-    rows, gram = order.reduced
-    if enumeration.volume(gram, 2 * n, 3) < ENUMERATED:
-        for x in enumeration.vectors_of_length(gram, 2 * n):
-            return order.element(hermite.combination(x, rows))
-        return None
-    if not is_eichler(order) and any(
-        is_obstructed(order, p, n) for p in factorise(order.discriminant)
-    ):
-        return None
-    found = in_frame(frame(order), n, random.Random(0 if seed is None else seed))
-    if found is None:
-        raise UndecidedError(
-            f"no element of norm {shorten(n)} was found in {TRIALS} trials; the order contains quadratic "
-            f"orders of discriminant {shorten(frame(order).discriminant)} and beyond only"
-        )
-    return found
-
-
-TRIED = 20_000
-"""No more classes of elements modulo powers of a prime than this are tried for a local obstruction."""
-
-
-def is_obstructed(order: ZOrder, p: int, n: int) -> bool:
-    """Tell whether no element has the norm n in the completion at p; False where that is not seen.
-
-    An x outside of p·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one of norm
-    n (Hensel); one in p·O has the norm of one of norm n/p².
-    """
-    if p**4 > TRIED:
+    at = OrderAtPrime(order, prime)
+    if at.norm**4 > MAX_CLASSES:
         return False
-    classes = list(product(range(p), repeat=4))
-    level, k = classes[1:], 1
-    while level:
-        rest = []
-        for x in level:
-            difference = order.trace_and_norm(x)[1] - n
-            if difference % p**k:
-                continue
-            slopes = (sum(map(mul, row, x)) for row in order.gram)
-            slope = min((remove(s, p)[0] for s in slopes if s), default=math.inf)
-            if not difference or remove(difference, p)[0] > 2 * slope:
-                return False
-            rest.append(x)
-        if len(rest) * len(classes) > TRIED:
-            return False
-        level = [
-            tuple(a + p**k * b for a, b in zip(x, v, strict=True)) for x in rest for v in classes
-        ]
-        k += 1
-    return bool(n % p**2) or is_obstructed(order, p, n // p**2)
+    place, number = at.place, at.base.element_of
+    classes = list(_classes(at))
+    uniformiser = at.coordinates(order.rows * at.ambient.scalar(place.uniformiser))
+
+    def solvable(target: Any) -> bool:
+        power = at.ambient.identity
+        level = classes[1:]  # but 0
+        for k in count(1):
+            rest = []
+            for x in level:
+                images = [form * x.transpose() for form in at.traces]
+                value = number([fmpq((x * image)[0, 0], 2) for image in images])
+                if value != target and place.valuation(value - target) < k:
+                    continue
+                slopes = (
+                    number([fmpq(image[m, 0]) for image in images]) for m in range(at.ambient.size)
+                )
+                slope = min((place.valuation(s) for s in slopes if s), default=math.inf)
+                if value == target or place.valuation(value - target) > 2 * slope:
+                    return True
+                rest.append(x)
+            if len(rest) * len(classes) > MAX_CLASSES:
+                return True  # not known
+            power = power * uniformiser
+            shifts = [c * power for c in classes]
+            level = [x + v for x in rest for v in shifts]
+            if not level:
+                break
+        lower = target / (place.uniformiser * place.uniformiser)
+        return place.valuation(lower) >= 0 and solvable(lower)
+
+    return not solvable(norm)
 
 
-def in_frame(f: Frame, n: int, rng: random.Random, trials: int = TRIALS) -> Quaternion | None:
-    """Return an element of norm n of ``ℤ[α] + ℤ[α]·β``, or None after so many trials."""
-    bound = n // f.norm
-    # f(z, w) ≥ |d|/(4·n)·z² and ≥ |d|/4·w²
-    widest = math.isqrt(4 * bound // -f.discriminant)
-    for _ in range(trials):
-        w = rng.randint(-widest, widest)
-        rest = bound + f.discriminant * w * w // 4
-        half = math.isqrt(max(rest, 0))
-        z = rng.randint(-half, half) - f.t * w // 2
-        m = n - f.norm * f.binary(z, w)
-        if m <= 0:
-            continue
-        found = represent(f.discriminant, m)
-        if found is not None:
-            return f.element(*found, z, w)
-    return None
+def _classes(at: OrderAtPrime) -> Iterator[fmpz_mat]:
+    """Yield the coordinates of one element of each class of an order modulo P times it, 0 first."""
+    scalars = [at.ambient.scalar(c) for c in at.representatives]
+    multiples = [[at.coordinates(b * c) for c in scalars] for b in at.basis_modulo_prime]
+    for chosen in product(*multiples):
+        total = chosen[0]
+        for x in chosen[1:]:
+            total = total + x
+        yield total

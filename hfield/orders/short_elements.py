@@ -12,14 +12,15 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from fractions import Fraction
 from typing import Any
 
-from flint import fmpq, fmpq_mat, fmpz_mat
+from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, TooLargeError, shorten
 from hfield.orders import enumeration, hermite
-from hfield.orders.base import Base
+from hfield.orders.base import Counts
 from hfield.orders.basis import AlgebraBasis
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.validation import natural
@@ -83,7 +84,7 @@ def shortest(lattice: LatticeValue) -> tuple[Quaternion, ...]:
     )
 
 
-def _multiple_of_content(lattice: LatticeValue, n: Any) -> fmpq:
+def multiple_of_content(lattice: LatticeValue, n: Any) -> fmpq:
     """Return a rational number as a multiple of the content of Tr(N(x))."""
     ambient = lattice.ambient
     return (
@@ -98,7 +99,7 @@ def of_norm(lattice: LatticeValue, norm: Any) -> tuple[Quaternion, ...]:
         return (lattice.element([0] * lattice.ambient.size),)
     if not base.is_totally_positive(norm):
         return ()
-    form = _form_of_norm(lattice, norm)
+    form = form_of_norm(lattice, norm)
     if form is None:
         return ()
     gram, _, length = form
@@ -109,7 +110,7 @@ def of_norm(lattice: LatticeValue, norm: Any) -> tuple[Quaternion, ...]:
 Form = tuple[list[list[int]], fmpz_mat, int]
 
 
-def _form_of_norm(lattice: LatticeValue, norm: Any) -> Form | None:
+def form_of_norm(lattice: LatticeValue, norm: Any) -> Form | None:
     """Return a multiple of Tr(N(x)/ν) on a reduced basis, rows over the denominator, and its value.
 
     The value is that for N(x) = ν; None where there is no such x.
@@ -118,7 +119,7 @@ def _form_of_norm(lattice: LatticeValue, norm: Any) -> Form | None:
     rational = ambient.base.as_rational(norm)
     if rational is not None:  # the form is a multiple of Tr(N(x))
         rows, gram = lattice.reduced
-        length = 2 * ambient.degree * _multiple_of_content(lattice, rational)
+        length = 2 * ambient.degree * multiple_of_content(lattice, rational)
         return (gram, rows, int(length.p)) if length.q == 1 else None
     gram, basis, den = reduced(ambient, lattice.rows, 1 / norm)
     return gram, (basis * lattice.den).numer_denom()[0], 2 * ambient.degree * den
@@ -134,16 +135,31 @@ def _rows(lattice: LatticeValue, norm: Any, form: Form) -> Iterator[fmpz_mat]:
             yield row
 
 
+def first_of_norm(lattice: LatticeValue, norm: Any) -> fmpz_mat | None:
+    """Return an element with a norm, totally positive, as a row over the denominator, or None."""
+    form = form_of_norm(lattice, norm)
+    if form is None:
+        return None
+    gram, basis, length = form
+    ambient, below = lattice.ambient, fmpq(1, lattice.den)
+    for n in range(len(gram)):  # in a reduced basis a vector of least length is usually there
+        if gram[n][n] == length:
+            row = fmpz_mat([basis.tolist()[n]])
+            if ambient.degree == 1 or ambient.norm((row * below).entries()) == norm:
+                return row
+    return next(_rows(lattice, norm, form), None)
+
+
 def rows_of_norm(lattice: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
     """Yield one of ±x for each x with a norm, totally positive."""
-    form = _form_of_norm(lattice, norm)
+    form = form_of_norm(lattice, norm)
     if form is not None:
         yield from (row * fmpq(1, lattice.den) for row in _rows(lattice, norm, form))
 
 
 def of_norm_at_most(lattice: LatticeValue, n: Any) -> tuple[Quaternion, ...]:
     """Return all x with Tr(N(x)) at most a rational number, 0 too, ascending. Raises likewise."""
-    bound = math.floor(_multiple_of_content(lattice, n))
+    bound = math.floor(multiple_of_content(lattice, n))
     if bound < 0:
         return ()
     base = lattice.ambient.base
@@ -170,27 +186,47 @@ def theta_series(lattice: LatticeValue, n: object) -> Any:
     Over ℤ it is the list [r(0), …, r(n)], r(m) for the norm ``m·norm``; else {ν: r(ν)} for the norms of trace
     at most n, ascending by traces.
     """
-    if lattice.ambient.base.is_rational:
-        return theta_series_of_form(lattice.reduced[1], n)
-    bound = natural(n, "a theta series goes up to the trace")
-    base = lattice.ambient.base
-    counts = norm_counts(lattice, bound)
-    return _by_traces(base, {base.element_of(values): count for values, count in counts.items()})
+    bound, base = natural(n, "a theta series goes up to"), lattice.ambient.base
+    step, (rows, gram) = base.theta_step(lattice), lattice.reduced
+    counts = _norm_counts(lattice.ambient, lattice.den, rows, gram, lattice.content, bound * step)
+    return base.shown_counts(counts, step, bound)
 
 
-def _by_traces(base: Base, norms: dict[Any, int]) -> dict[Any, int]:
-    """Return numbers of elements by their norms as a user sees them, ascending by traces."""
-    ordered = sorted(norms.items(), key=lambda pair: (base.trace(pair[0]), str(pair[0])))
-    return {base.outside(norm): count for norm, count in ordered}
+def ternary_theta_series(order: LatticeValue, n: object) -> Any:
+    """Return the same for the elements of trace 0 in R + 2O, R being the integers of the base."""
+    bound, base = natural(n, "a theta series goes up to"), order.ambient.base
+    den, rows, gram = order.reduced_ternary
+    unit = fmpz(order.ambient.scale * den**2)
+    counts = _norm_counts(order.ambient, den, rows, gram, unit, Fraction(bound))
+    return base.shown_counts(counts, Fraction(1), bound)
 
 
-def norm_counts(lattice: LatticeValue, bound: int) -> dict[tuple[fmpq, ...], int]:
-    """Return how many elements have each norm of trace at most a bound, by its coordinates."""
-    ambient = lattice.ambient
-    rows, gram = lattice.reduced
-    length = math.floor(2 * _multiple_of_content(lattice, bound))
-    _expect_countable(gram, length, bound)
-    forms = [[list(map(int, row)) for row in form.tolist()] for form in ambient.grams(rows)]
+def _norm_counts(
+    ambient: AlgebraBasis,
+    den: int,
+    rows: fmpz_mat,
+    gram: enumeration.Gram,
+    unit: fmpz,
+    bound: Fraction,
+) -> Counts:
+    """Return how many combinations of rows over ``den`` have each norm of trace at most a bound.
+
+    Norms are given by coordinates in the integral basis; ``gram`` is the matrix of ``Tr(tr(x·conj(y)))``,
+    scaled, over a unit.
+    """
+    below = ambient.scale * den**2
+    length = int(2 * bound * below / int(unit))
+    if ambient.degree == 1:  # the trace of the norm is the norm
+        expect_affordable(enumeration.volume(gram, length, len(gram)), "elements as short as")
+        numbers = enumerate(enumeration.theta_series(gram, length // 2))
+        content = int(unit)
+        return Counts({(m * content,): number for m, number in numbers if number}, below)
+    if (estimate := enumeration.volume(gram, length, len(gram))) > 8 * MAX_LISTED:
+        raise TooLargeError(
+            f"about {estimate:.0e} elements have norms of trace at most {bound}, and at most "
+            f"{2 * MAX_LISTED} are counted; expected a smaller bound"
+        )
+    forms = [hermite.tuples(form) for form in ambient.grams(rows)]
     counts = Counter({(0,) * len(forms): 1})
     for number, (x, _) in enumerate(enumeration.short_vectors(gram, length), 1):
         if number > MAX_LISTED:
@@ -200,44 +236,13 @@ def norm_counts(lattice: LatticeValue, bound: int) -> dict[tuple[fmpq, ...], int
         places = [(k, c) for k, c in enumerate(x) if c]
         values = (sum(c * d * form[k][m] for k, c in places for m, d in places) for form in forms)
         counts[tuple(values)] += 2
-    below = 2 * ambient.scale * lattice.den**2
-    return {tuple(fmpq(v, below) for v in values): count for values, count in counts.items()}
-
-
-def _expect_countable(gram: enumeration.Gram, length: int, bound: int) -> None:
-    """Raise :class:`TooLargeError` where too many elements have norms of trace at most a bound."""
-    if (estimate := enumeration.volume(gram, length, len(gram))) > 8 * MAX_LISTED:
-        raise TooLargeError(
-            f"about {estimate:.0e} elements have norms of trace at most {bound}, and at most "
-            f"{2 * MAX_LISTED} are counted; expected a smaller bound"
-        )
-
-
-def ternary_theta_series(order: LatticeValue, n: object) -> dict[Any, int]:
-    """Return how many elements of trace 0 in ℤ_K + 2O have each norm of trace at most n, by traces."""
-    ambient, bound = order.ambient, natural(n, "a theta series goes up to the trace")
-    gram, basis, den = reduced(ambient, ternary_rows(order), ambient.base.field.one)
-    _expect_countable(gram, 2 * den * bound, bound)
-    counts = Counter({ambient.base.field.zero: 1})
-    for x, _ in enumeration.short_vectors(gram, 2 * den * bound):
-        counts[ambient.norm((fmpz_mat(1, len(x), x) * basis).entries())] += 2
-    return _by_traces(ambient.base, counts)
+    return Counts(counts, 2 * below)
 
 
 def ternary_rows(order: LatticeValue) -> fmpq_mat:
     """Return a basis of the elements 2x − tr(x), of rank 3n over ℤ."""
-    n = order.ambient.degree
-    doubled = [[0] * n + [2 * c for c in row[n:]] for row in order.rows.tolist()]
-    whole, den = fmpq_mat(doubled).numer_denom()
-    table = whole.hnf().tolist()[: 3 * n]
-    return fmpq_mat(fmpz_mat(table)) * fmpq(1, int(den))
-
-
-def theta_series_of_form(gram: enumeration.Gram, n: object) -> list[int]:
-    """Return [r(0), …, r(n)], where r(m) vectors have the value 2m. Raises :class:`TooLargeError`."""
-    m = natural(n, "a theta series goes up to")
-    expect_affordable(enumeration.volume(gram, 2 * m, len(gram)), "elements as short as")
-    return enumeration.theta_series(gram, m)
+    den, rows, _ = order.ternary
+    return rows * fmpq(1, den)
 
 
 # --- rows of any rank, other forms -----------------------------------------------------------------
@@ -251,12 +256,3 @@ def reduced(ambient: AlgebraBasis, rows: fmpq_mat, c: Any) -> tuple[list[list[in
     whole, den = (rows * ambient.form(c) * rows.transpose()).numer_denom()
     gram, change = whole.lll(transform=True, rep="gram")
     return [list(map(int, row)) for row in gram.tolist()], change * rows, int(den)
-
-
-def of_norm_among(ambient: AlgebraBasis, rows: fmpq_mat, norm: Any) -> Iterator[fmpq_mat]:
-    """Yield one of ±x for each x with a norm, totally positive, among the combinations of rows."""
-    gram, basis, den = reduced(ambient, rows, 1 / norm)
-    for x in enumeration.vectors_of_length(gram, 2 * ambient.degree * den):
-        row = fmpz_mat(1, len(x), x) * basis
-        if ambient.norm(row.entries()) == norm:
-            yield row

@@ -1,28 +1,68 @@
-"""The units of an order over ℤ of a definite algebra: at most 24."""
+"""The units of an order of a totally definite algebra, modulo those of the field, over any base."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from flint import fmpq_mat
+
 from hfield.algebra.quaternion import Quaternion
 from hfield.orders import short_elements
+from hfield.orders.basis import AlgebraBasis
 from hfield.orders.lattice_values import LatticeValue
-from hfield.orders.short_elements import expect_definite
+from hfield.orders.short_elements import expect_definite, rows_of_norm
 
 UNIT_GROUPS = {1: "C2", 2: "C4", 3: "C6", 4: "Q8", 6: "Dic3", 12: "SL(2,3)"}
-"""Which group the units are, by their number modulo ±1 (Voight, section 11.5)."""
+"""Which group the units of an order over ℤ are, by their number modulo ±1 (Voight, section 11.5)."""
 
 
 def units(order: LatticeValue) -> tuple[Quaternion, ...]:
-    """Return all units. Raises :class:`IndefiniteError` where they are infinitely many."""
+    """Return all units over ℤ, elsewhere one of each coset of the units of the base.
+
+    Raises :class:`IndefiniteError` where they are infinitely many.
+    """
     expect_definite(order.ambient, "units()")
-    return short_elements.of_norm(order, order.ambient.base.inside(1))
+    if order.ambient.base.is_rational:
+        return short_elements.of_norm(order, order.ambient.base.field.one)
+    return tuple(order.ambient.quaternion(row.entries()) for row in units_modulo_scalars(order))
+
+
+def units_modulo_scalars(order: LatticeValue) -> Iterator[fmpq_mat]:
+    """Yield one of each coset of the units of the base in those of an order. Raises likewise."""
+    expect_definite(order.ambient, "units()")
+    for u in order.ambient.base.positive_units:
+        yield from rows_of_norm(order, u)
 
 
 def unit_index(order: LatticeValue) -> int:
-    """Return how many units there are modulo ±1. Raises likewise."""
-    expect_definite(order.ambient, "unit_index()")
-    return sum(1 for _ in short_elements.up_to(order, 1))
+    """Return how many units there are modulo those of the base. Raises likewise."""
+    return sum(1 for _ in units_modulo_scalars(order))
 
 
 def unit_group(order: LatticeValue) -> str:
-    """Return the name of the group of units; ``"infinite"`` in an indefinite algebra."""
-    return UNIT_GROUPS[unit_index(order)] if order.ambient.definite else "infinite"
+    """Return the name of the group of units over ℤ, elsewhere modulo those of the base.
+
+    Over ℤ ``C2 C4 C6 Q8 Dic3 SL(2,3)``; else ``C4 D2 D6 A4 S4 A5`` and so on: a finite group of rotations is
+    known by its order and the largest order of an element. ``"infinite"`` in an indefinite algebra.
+    """
+    ambient = order.ambient
+    if not ambient.definite:
+        return "infinite"
+    found = list(units_modulo_scalars(order))
+    size = len(found)
+    if ambient.base.is_rational:
+        return UNIT_GROUPS[size]
+    largest = max(_order(ambient, row) for row in found)
+    if largest == size:
+        return f"C{size}"
+    if 2 * largest == size:
+        return f"D{largest}"
+    return {12: "A4", 24: "S4", 60: "A5"}[size]
+
+
+def _order(ambient: AlgebraBasis, row: fmpq_mat) -> int:
+    """Return the order of a unit modulo the field."""
+    matrix, power, n = ambient.times(row.entries()), row, 1
+    while any(power.entries()[ambient.degree :]):
+        power, n = power * matrix, n + 1
+    return n

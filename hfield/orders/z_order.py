@@ -6,12 +6,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 
-from flint import fmpz_mat
-
-from hfield.orders import hermite, lattice_values
-from hfield.orders.invariants import conductor
+from hfield.orders import hermite
 from hfield.orders.lattice_values import LatticeValue, discriminant
-from hfield.rings.whole_numbers import fraction
 
 
 class ZOrder(LatticeValue):
@@ -48,39 +44,3 @@ class ZOrder(LatticeValue):
     def row(self, x: Sequence[int]) -> tuple[int, ...]:
         """Return the row, over the denominator of the order, of an element with these coordinates."""
         return hermite.combination(x, self.matrix)
-
-    @cached_property
-    def ternary(self) -> tuple[int, fmpz_mat, fmpz_mat]:
-        """The trace-0 part of ℤ + 2O: a denominator, three rows, and their matrix of tr(x·conj(y))."""
-        r, t = self.ambient, fraction(self.ambient.constants.t)
-        vectors = fmpz_mat([row[1:] for row in self.hnf[1]]).hnf()
-        # 2x − tr(x) has the coordinates −t·x₁, 2x₁, 2x₂, 2x₃
-        d = t.denominator
-        forms = fmpz_mat(3, 4, [-t.numerator, 2 * d, 0, 0, 0, 0, 2 * d, 0, 0, 0, 0, 2 * d])
-        rows = fmpz_mat(3, 3, vectors.entries()[:9]) * forms
-        den = self.den * d
-        scale = r.scale * den * den
-        gram = [x // scale for x in (rows * r.trace_form * rows.transpose()).entries()]
-        return den, rows, fmpz_mat(3, 3, gram)
-
-    @cached_property
-    def reduced_ternary(self) -> tuple[int, fmpz_mat, list[list[int]]]:
-        """The same with a reduced basis."""
-        den, rows, gram = self.ternary
-        reduced, steps = gram.lll(transform=True, rep="gram")
-        return den, steps * rows, [[int(x) for x in row] for row in reduced.tolist()]
-
-
-# --- what an order is ------------------------------------------------------------------------------
-
-
-def gorenstein_closure(order: ZOrder) -> ZOrder:
-    """Return the Gorenstein order G with O = ℤ + f·G, f the conductor (Voight, section 24.2)."""
-    f = int(conductor(order))
-    den, rows, gram = order.ternary
-    # ℤ + 2G has the trace-0 part of ℤ + 2O, divided by f
-    found = [[2 * f * den, 0, 0, 0]]
-    for n, row in enumerate(hermite.tuples(rows)):
-        odd = int(gram[n, n]) // 2 // f**2 % 2
-        found.append([row[0] + odd * f * den, *row[1:]])
-    return ZOrder.of(lattice_values.hermite_form(order.ambient, 2 * f * den, fmpz_mat(found)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -41,6 +42,14 @@ def square_class(x: Rational) -> int:
             "a Hilbert symbol is defined for nonzero numbers only, and one of these is 0"
         )
     return n
+
+
+def square_root(x: Fraction) -> Fraction | None:
+    """Return the nonnegative square root of a rational number, or None where there is none in ℚ."""
+    if x < 0:
+        return None
+    p, q = math.isqrt(x.numerator), math.isqrt(x.denominator)
+    return Fraction(p, q) if (p * p, q * q) == (x.numerator, x.denominator) else None
 
 
 def squarefree(n: int) -> tuple[int, int, list[int]]:

@@ -11,7 +11,9 @@ import pytest
 from hfield import QuaternionAlgebra
 from hfield.checker.check import ExpectedClaim
 from hfield.cli import main
-from hfield.orders.over_integers import certificates
+from hfield.evidence import Claim
+from hfield.orders import certificates
+from hfield.orders.equivalence_result import EquivalenceResult
 from tests.checker.cases import Certificate
 from tests.checker.order_certificates import changed_and_passed, established, rejects
 from tests.subcases import first_quick
@@ -33,7 +35,8 @@ def genuine(field: str) -> tuple[Certificate, ...]:
     moved = conjugated(order, x)
     smaller = order.suborders(order.algebra.ring.primes_above(3)[0])[0]
     claims = [
-        order.claim, certificates.of_unit_index(order), ideal.claim, ideal.conjugate().claim,
+        order.claim, certificates.of_unit_index(order.value, order.unit_index()),
+        ideal.claim, ideal.conjugate().claim,
         ideal.is_principal().claim,
         ideal.conjugate().is_principal().claim, ideal.equivalence(x * ideal).claim,
         order.isomorphism(moved).claim,
@@ -46,6 +49,18 @@ def genuine(field: str) -> tuple[Certificate, ...]:
 
 def conjugated(order: Any, x: Any) -> Any:
     return (x * order * x.inverse()).left_order()
+
+
+def equivalence_claim(first: Any, second: Any, element: Any) -> Claim:
+    """That this element carries one ideal to the other; without one, that none does."""
+    result = EquivalenceResult(element is not None, "", element)
+    return certificates.of_equivalence(first.side, first.value, second.value, None, result)
+
+
+def isomorphism_claim(first: Any, second: Any, element: Any) -> Claim:
+    """That this element conjugates one order into the other; without one, that none does."""
+    result = EquivalenceResult(element is not None, "", element)
+    return certificates.of_isomorphism(first.value, second.value, result)
 
 
 @pytest.mark.slow
@@ -72,14 +87,14 @@ def test_what_is_equivalent_is_not_shown_to_be_none(field: str) -> None:
     """The evidence of a false refusal is made as for a true one."""
     order, ideal, x = ideals(field)
     for first, second in ((ideal, x * ideal), (ideal.conjugate(), ideal.conjugate() * x)):
-        why = certificates.of_equivalence(first, second, None).why_no_certificate
+        why = equivalence_claim(first, second, None).why_no_certificate
         assert "lies between" in str(why)
     for P in (order, ideal.left_order()):
-        why = certificates.of_isomorphism(P, conjugated(P, x), None).why_no_certificate
+        why = isomorphism_claim(P, conjugated(P, x), None).why_no_certificate
         assert "there is an isomorphism" in str(why)
-    wrong = certificates.of_equivalence(ideal, x * ideal, x + 1).why_no_certificate
+    wrong = equivalence_claim(ideal, x * ideal, x + 1).why_no_certificate
     assert "does not carry" in str(wrong)
-    wrong = certificates.of_isomorphism(order, conjugated(order, x), x + 1).why_no_certificate
+    wrong = isomorphism_claim(order, conjugated(order, x), x + 1).why_no_certificate
     assert "does not conjugate" in str(wrong)
 
 
@@ -103,7 +118,7 @@ def test_a_quotient_of_norms_with_a_generator_is_found_out() -> None:
     squared = {**claim.evidence, "quotient": [[1, 0], quotient[1]]}
     rejects({**claim.certificate, "evidence": squared}, "another ideal")
     one = order.right_ideal([1])
-    lie = certificates.of_equivalence(one, one, None)
+    lie = equivalence_claim(one, one, None)
     forged = {k: v for k, v in lie.evidence.items() if k not in ("norm", "between")}
     forged["quotient"] = [[1, 0], [0] * len(quotient[1])]
     data = {**claim.certificate, "statement": lie.statement, "evidence": forged}
@@ -114,10 +129,10 @@ def test_what_is_run_through_is_all() -> None:
     """A sublattice has no such element, and an element outside the order no image, though there is one."""
     order, ideal, x = ideals("QQ(sqrt(5))")
     moved = conjugated(order, x)
-    lie = established_data(certificates.of_equivalence(ideal, x * ideal, None))
+    lie = established_data(equivalence_claim(ideal, x * ideal, None))
     for key, data in (
         ("between", lie),
-        ("order", established_data(certificates.of_isomorphism(order, moved, None))),
+        ("order", established_data(isomorphism_claim(order, moved, None))),
     ):
         basis = data["evidence"][key]
         twice = {**basis, "rows": [[2 * c for c in row] for row in basis["rows"]]}
@@ -148,7 +163,7 @@ def test_norms_that_are_not_totally_positive_need_a_definite_algebra() -> None:
     c = A("1/2 + 1/2*sqrt(3)", "1/2*sqrt(3) - 1/2", 0, 0)
     assert c.norm() == A.ring.gen
     one = order.left_ideal([1])
-    lie = certificates.of_equivalence(one, order.left_ideal([c]), None)
+    lie = equivalence_claim(one, order.left_ideal([c]), None)
     assert lie.method == "norm"
     rejects(established_data(lie), "indefinite")
 
@@ -160,7 +175,7 @@ def test_lattices_that_are_compared_are_modules() -> None:
     basis += [f"{'0,' * k}{w}{',0' * (3 - k)}" for k in (1, 2, 3) for w in ("1", "sqrt(3)")]
     moved = ["2+sqrt(3),0,0,0", "15+10*sqrt(3),0,0,0", *basis[2:]]
     one = order.right_ideal([1])
-    lie = established_data(certificates.of_equivalence(one, one, None))
+    lie = established_data(equivalence_claim(one, one, None))
     about = f"left; {' | '.join(basis)}; {' | '.join(moved)}"
     rejects({**lie, "statement": f"equivalent-over-integers{{{about}}}"}, "no module")
 
@@ -168,8 +183,8 @@ def test_lattices_that_are_compared_are_modules() -> None:
 def test_nothing_is_exhausted_in_an_indefinite_algebra() -> None:
     order, ideal, _ = ideals("QQ(sqrt(5))")
     for claim in (
-        certificates.of_unit_index(order),
-        certificates.of_isomorphism(order, ideal.left_order(), None),
+        certificates.of_unit_index(order.value, order.unit_index()),
+        isomorphism_claim(order, ideal.left_order(), None),
     ):
         data = {**established_data(claim), "algebra": "(1,-1|QQ(sqrt(5)))"}
         rejects(data)

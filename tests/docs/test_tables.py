@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+from scripts import list_methods
 from tests.subcases import subcases
 
 ROOT = Path(__file__).parents[2]
@@ -29,6 +30,13 @@ def torn(text: str) -> list[str]:
 @subcases("page", [ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md"))])
 def test_no_row_is_torn(page: Path) -> None:
     assert torn(page.read_text(encoding="utf-8")) == []
+
+
+def test_the_table_of_methods_is_that_of_the_code() -> None:
+    """``python tasks.py methods`` writes it."""
+    page = list_methods.PAGE.read_text(encoding="utf-8")
+    assert list_methods.written(page) == page
+    assert page.count("`O.is_gorenstein()`") == 1
 
 
 def test_torn_rows_are_found() -> None:

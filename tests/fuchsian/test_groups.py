@@ -158,9 +158,9 @@ def test_some_involutions(monkeypatch: pytest.MonkeyPatch) -> None:
     assert found == {2: (3, 4, 4), 3: (2, 6, 6), 6: (2, 2, 2, 3)}  # of index 2 in (2, 4, 6)
     assert len(G.quotient(2, 3).elements) == len(G.quotient(2, 3, 6).elements) == 4
     for m in (4, 5, 0):
-        with pytest.raises(LatticeError, match="exact divisor"):
+        with pytest.raises(LatticeError, match=r"exact divisor|no positive integer"):
             G.quotient(m)
-    monkeypatch.setattr(normaliser, "MOST", 8)
+    monkeypatch.setattr(normaliser, "MAX_COORDINATES", 8)
     assert len(G.quotient(2).elements) == 2
     with pytest.raises(TooLargeError, match="up to 2 are within reach"):
         G.quotient()
@@ -258,7 +258,7 @@ def test_products_of_a_basis_stay_small_over_a_field() -> None:
     A = over_field("QQ[s]/(s^3-7*s-5)", [1, 2])
     order = A.eichler_order(3).norm_one_group().order
     assert max(abs(c) for row in order.products for c in row) < 50
-    assert order.order == A.order(order.basis)
+    assert order.order == A.order(order.basis).value
 
 
 def test_some_involutions_over_a_field() -> None:
@@ -295,7 +295,7 @@ def test_principal_ideals_over_fields() -> None:
             left = I.conjugate().is_principal()
             assert not left or O.left_ideal([left.element]) == I.conjugate()
     assert not answer
-    assert "not principal" in answer.reason
+    assert "has none" in answer.reason
 
 
 def test_units_of_norms() -> None:

@@ -13,7 +13,8 @@ from hfield import Lattice, Order, QuaternionAlgebra, ring
 from hfield.core.factorisation import factorise
 from hfield.core.primality import is_prime
 from hfield.errors import IndefiniteError, LatticeError, NotFiniteError, TooLargeError
-from hfield.orders import class_number
+from hfield.fuchsian import area
+from hfield.orders import class_number, elliptic_points
 
 VECTORS = Path(__file__).parent.parent / "vectors"
 K = ring("QQ[s]/(s-1)")
@@ -150,6 +151,26 @@ def test_signatures_of_shimura_curves(d: int, n: int) -> None:
     assert (G.area, G.signature) == (H.area, H.signature)
 
 
+def test_formulas_for_groups_over_both() -> None:
+    """Areas, elliptic points, by embedding numbers in two ways, and cusps."""
+    several = set()
+    for a, b in ((1, 1), (-1, 3), (2, 5), (-1, 7)):
+        A, B = QuaternionAlgebra("QQ", a, b), QuaternionAlgebra(K, a, b)
+        for n in (1, 2, 3, 4, 5, 9, 25, 12, 36, 45):
+            if math.gcd(A.discriminant(), n) == 1:
+                P, O = A.eichler_order(n).value, B.eichler_order(n).value
+                counts = area.elliptic_points(P)
+                assert (counts, area.cusps(P)) == (area.elliptic_points(O), area.cusps(O))
+                assert elliptic_points.elliptic_points(O) == {q: m for q, m in counts.items() if m}
+                assert area.area(P) == area.area(O)
+                several.add(sum(counts.values()))
+        for gens in (("i", "4*j"), ("2*i", "3*j"), ("5*i", "j"), ("i + j", "9*i*j")):
+            P, O = A.order(gens).value, B.order(gens).value
+            assert area.area(P) == area.area(O)
+            assert area.elliptic_points(P) is area.elliptic_points(O) is None
+    assert len(several) > 3
+
+
 def test_ternary_forms() -> None:
     for d in (11, 37, 30):
         f, g = (
@@ -204,6 +225,21 @@ def test_orders_are_one_class_over_both() -> None:
     O, P = algebra(11).maximal_order(), QuaternionAlgebra(11).maximal_order()
     assert type(O) is type(P)
     assert dir(O) == dir(P)
+
+
+def test_ideals_are_one_class_over_both() -> None:
+    *_, maximal = pairs_of_orders()
+    (I, J), x = (O.left_ideal([3, "1 + j"]) for O in maximal), 2
+    assert type(I) is type(J)
+    assert dir(I) == dir(J)
+    assert I.side == J.side
+    for one, other in (
+        (I.is_principal(), J.is_principal()),
+        ((I * x).is_principal(), (J * x).is_principal()),
+    ):
+        assert type(one) is type(other)
+        assert (one.holds, one.reason) == (other.holds, other.reason)
+        assert one.claim.verdict == other.claim.verdict
 
 
 def pairs_of_orders() -> Iterator[tuple[Order, Order]]:

@@ -8,7 +8,8 @@ import pytest
 from hfield import H, QuaternionAlgebra
 from hfield.core.primality import is_prime
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError
-from hfield.orders.quadratic_orders import frame, is_obstructed, represent
+from hfield.orders.quadratic_frames import frame, represent
+from hfield.orders.quadratic_orders import is_obstructed
 from hfield.orders.standard_orders import quadratic_part
 from tests.orders.random_lattices import algebra
 from tests.subcases import subcases

@@ -59,6 +59,6 @@ def test_all_cases_have_time_left_when_ideals_take_theirs(monkeypatch):
         return prove_clauses(problem, p)
 
     monkeypatch.setattr(one_field, "prove_clauses", slow)
-    monkeypatch.setattr(one_field, "SHORT", 0.1)
+    monkeypatch.setattr(one_field, "FIRST_ATTEMPT_SECONDS", 0.1)
     text = "q*q*q == q => q*q == 1 or norm(q)*q == 0 or q[1] == 1 or trace(q) == 1"
     assert prove(text, "GF(3)", timeout=3).decision.method == "exhaustion"

@@ -362,7 +362,7 @@ def test_threads_share_long_arrays(name, number, count, monkeypatch):
     A, rng = H(name), np.random.default_rng(1)
     p, q = (A.from_array(rng.integers(0, 7, (4, count), dtype=np.uint8)) for _ in range(2))
     alone = p * q, p * q[0]
-    for limit, size in (("MANY", 500), ("SHORTEST", 100), ("PIECE", 64)):
+    for limit, size in (("THREADED_ELEMENTS", 500), ("ELEMENTS_PER_THREAD", 100), ("PIECE", 64)):
         monkeypatch.setattr(calling, limit, size)
     before = threads()
     try:

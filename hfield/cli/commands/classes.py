@@ -194,7 +194,7 @@ def _over_integers(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[
 def _indefinite(args: Namespace, O: Any) -> tuple[OutputDocument, Callable[[], Claim]]:
     """Answer by strong approximation where an infinite place splits: over QQ there is one class."""
     from hfield.evidence import Claim
-    from hfield.orders.over_integers.indefinite_classes import REFUSAL
+    from hfield.orders.certificates import REFUSAL
 
     A, over_integers = O.algebra, O.algebra.over_integers
     if args.newforms:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.cli.orders import (
     add_answers,
@@ -21,9 +21,8 @@ from hfield.cli.output_document import OutputDocument, of_parts
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
-    from hfield.orders.certificates import Answer as Verdict
-    from hfield.orders.lattice import Ideal, IntegersIdeal
-    from hfield.orders.over_integers.equivalence import Comparison
+    from hfield.orders.equivalence_result import EquivalenceResult
+    from hfield.orders.lattice import Ideal, Lattice
     from hfield.presenting import Part
 
 HELP = (
@@ -63,18 +62,15 @@ def run(args: Namespace) -> int:
     return answer_certified(args, _answer)
 
 
-def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim | Verdict]]:
-    I, answer = _asked(args)
-    if I.algebra.over_integers:
-        data, pages = data_over_integers, parts_over_integers
-        shown = of_parts(lambda: data(I, answer), lambda: pages(I, answer))
-        return shown, lambda: (I if answer is None else answer).claim
-    found = of_parts(lambda: to_json(I, answer), lambda: parts(I, answer))
-    return found, lambda: I.claim if answer is None else answer
+def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
+    I, answer = _ideal_and_answer(args)
+    question = "principal" if args.principal else "equivalent"
+    found = of_parts(lambda: to_json(I, answer), lambda: parts(I, answer, question))
+    return found, lambda: (I if answer is None else answer).claim
 
 
-def _asked(args: Namespace) -> tuple[Any, Any]:
-    """Return the ideal and what was asked about it, over ℤ or the integers of a number field."""
+def _ideal_and_answer(args: Namespace) -> tuple[Ideal, EquivalenceResult | None]:
+    """Return the ideal, and the answer to the question about it, if there is one."""
     A = algebra_of(args.algebra)
     O = A.eichler_order(level_of(args.level, A))
     make = O.left_ideal if args.side == "left" else O.right_ideal
@@ -86,22 +82,37 @@ def _asked(args: Namespace) -> tuple[Any, Any]:
     return I, I.equivalence(make(elements_of(A, args.other, "--with")))
 
 
-def to_json(I: Ideal, answer: Verdict | None) -> dict[str, object]:
+def to_json(I: Ideal, answer: EquivalenceResult | None) -> dict[str, object]:
     """Return what programs read."""
     data = {
         "schema": "hfield-ideal/1",
-        **I.evidence,
+        **_lattice_json(I),
         "integral": I.is_integral(),
         "invertible": I.is_invertible(),
         "two_sided": I.is_two_sided(),
     }
     if answer is not None:
+        q, text = answer.element, I.algebra.ring.text
         data |= {"holds": answer.holds, "reason": answer.reason, "theorem": answer.theorem}
-        data["element"] = answer.evidence.get("element")
+        data["element"] = None if q is None else [text(x) for x in q.coordinates]
     return data
 
 
-def _kinds(I: Any) -> str:
+def _lattice_json(I: Ideal) -> dict[str, object]:
+    """Return the ideal: its rows over ℤ, over the integers of a number field a pseudo-basis."""
+    if I.value.ambient.base.is_rational:
+        return I.evidence
+    return {
+        "kind": "ideal",
+        "algebra": str(I.algebra),
+        "side": I.side,
+        "pseudo_basis": summands(I),
+        "order": summands(I.order),
+        "norm": ideal_json(I.norm()),
+    }
+
+
+def _kinds(I: Ideal) -> str:
     """Return what an ideal is, after a colon."""
     held = (
         ("integral", I.is_integral()),
@@ -112,59 +123,34 @@ def _kinds(I: Any) -> str:
     return f"{': ' * bool(words)}{', '.join(words)}"
 
 
-def parts(I: Ideal, answer: Verdict | None) -> list[Part]:
+def parts(I: Ideal, answer: EquivalenceResult | None, question: str) -> list[Part]:
     """Return what people read."""
     from hfield.presenting import Facts
 
     other = I.right_order() if I.side == "left" else I.left_order()
+    bases = _bases(I)
     facts = [
         (f"{I.side} ideal of", str(I.order)),
-        ("basis", ", ".join(map(str, I.basis))),
-        ("reduced basis", ", ".join(map(str, I.reduced_basis()))),
+        *bases,
         ("reduced norm", f"{I.norm()}{_kinds(I)}"),
-        ("right order" if I.side == "left" else "left order", ", ".join(map(str, other.basis))),
+        ("right order" if I.side == "left" else "left order", _basis_text(other)),
     ]
     if answer is not None:
-        question = "principal" if answer.lattices[0] == I.order.value else "equivalent"
         facts.append((question, repr(answer)))
-    if answer is not None and answer.theorem is not None:
-        facts.append(("theorem", answer.theorem))
-    formulas = {f"{I.side} ideal of": f"${I.order.latex()}$", "basis": f"${I.latex()}$"}
+        if answer.theorem is not None:
+            facts.append(("theorem", answer.theorem))
+    formulas = {f"{I.side} ideal of": f"${I.order.latex()}$", bases[0][0]: f"${I.latex()}$"}
     return [Facts(facts, 22, formulas=formulas)]
 
 
-def data_over_integers(I: IntegersIdeal, answer: Comparison | None) -> dict[str, object]:
-    """Return what programs read of an ideal over the integers of a number field."""
-    data = {
-        "schema": "hfield-ideal/1",
-        "kind": "ideal",
-        "algebra": str(I.algebra),
-        "side": I.side,
-        "pseudo_basis": summands(I),
-        "order": summands(I.order),
-        "norm": ideal_json(I.norm()),
-        "integral": I.is_integral(),
-        "invertible": I.is_invertible(),
-        "two_sided": I.is_two_sided(),
-    }
-    if answer is not None:
-        q, text = answer.element, I.algebra.ring.text
-        data |= {"holds": answer.holds, "reason": answer.reason}
-        data["element"] = None if q is None else [text(x) for x in q.coordinates]
-    return data
+def _bases(I: Ideal) -> list[tuple[str, str]]:
+    """Return the lattice as facts: over ℤ by its bases, else as a sum of ideals times elements."""
+    if not I.value.ambient.base.is_rational:
+        return [("sum of", sum_text(I))]
+    reduced = ", ".join(map(str, I.reduced_basis()))
+    return [("basis", _basis_text(I)), ("reduced basis", reduced)]
 
 
-def parts_over_integers(I: IntegersIdeal, answer: Comparison | None) -> list[Part]:
-    """Return what people read of it."""
-    from hfield.presenting import Facts
-
-    other = I.right_order() if I.side == "left" else I.left_order()
-    facts = [
-        (f"{I.side} ideal of", str(I.order)),
-        ("sum of", sum_text(I)),
-        ("reduced norm", f"{I.norm()}{_kinds(I)}"),
-        ("right order" if I.side == "left" else "left order", sum_text(other)),
-    ]
-    if answer is not None:
-        facts.append(("answer", repr(answer)))
-    return [Facts(facts, 22, formulas={"sum of": f"${I.latex()}$"})]
+def _basis_text(lattice: Lattice) -> str:
+    rational = lattice.value.ambient.base.is_rational
+    return ", ".join(map(str, lattice.basis)) if rational else sum_text(lattice)

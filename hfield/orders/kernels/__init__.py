@@ -18,6 +18,7 @@ class Kernels:
         def choose(name: str) -> Any:
             return getattr(rank4 if rational else general, name, getattr(general, name))
 
+        self.first_order = choose("first_order")
         self.norm = choose("norm")
         self.content = choose("content")
         self.volume = choose("volume")

@@ -16,6 +16,11 @@ if TYPE_CHECKING:
     from hfield.orders.lattice_values import LatticeValue
 
 
+def first_order(ambient: AlgebraBasis) -> tuple[int, fmpz_mat]:
+    """Return rows over a denominator that span an order, from which a maximal one is made: 1, I, J, IJ."""
+    return 1, ambient.identity
+
+
 def norm(ambient: AlgebraBasis, grams: Sequence[fmpz_mat], content: fmpz, den: int) -> Any:
     """Return the ideal that norms generate, by the coordinates of ``tr(x·conj(y))`` on a basis."""
     size = range(ambient.size)
@@ -49,7 +54,7 @@ def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> Any:
 def ideal_multiples(ambient: AlgebraBasis, rows: fmpz_mat, ideal: Any) -> tuple[int, fmpz_mat]:
     """Return rows over a denominator: those given, times a basis of an ideal of the base."""
     den, table = ambient.base.ideal_rows(ideal)
-    return den, stacked(*(rows * ambient.scalar_matrix(c) for c in table))
+    return den, stacked(*(ambient.times_scalar(rows, c) for c in table))
 
 
 def order_rows(lattice: LatticeValue, pairs: fmpz_mat) -> tuple[int, fmpz_mat]:

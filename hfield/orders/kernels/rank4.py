@@ -8,9 +8,21 @@ from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat, fmpz_poly
 
+from hfield.core.product import Constants
+from hfield.orders.hermite import integral
+from hfield.rings.whole_numbers import fraction
+
 if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
+
+
+def first_order(ambient: AlgebraBasis) -> tuple[int, fmpz_mat]:
+    """Return rows over a denominator that span a maximal order: the even Clifford algebra of a form."""
+    from hfield.orders.kernels.even_clifford import maximal_basis
+
+    den, rows = integral(maximal_basis(Constants(*map(fraction, ambient.constants))))
+    return den, fmpz_mat(rows)
 
 
 def content(gram: fmpz_mat) -> fmpz:

@@ -26,9 +26,11 @@ import flint
 
 from hfield.core.progress import report, track
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.orders import ideals_of_norm
 from hfield.orders.brandt import of_power
 from hfield.orders.class_number import mass
 from hfield.orders.classes import orbits, renumbered
+from hfield.orders.conjugators import conjugator
 from hfield.orders.enumeration import Vector, least_vectors
 from hfield.orders.invariants import good_primes
 from hfield.orders.lattice_values import (
@@ -38,10 +40,7 @@ from hfield.orders.lattice_values import (
     product,
     times_ideal,
 )
-from hfield.orders.over_integers import ideals_of_norm
-from hfield.orders.over_integers.equivalence import conjugator
-from hfield.orders.over_integers.local_orders import Local
-from hfield.orders.over_integers.positive_generators import (
+from hfield.orders.positive_generators import (
     narrow_classes,
     totally_positive_generator,
     units_modulo_squares,
@@ -259,7 +258,7 @@ class Classes:
         self._numbers: dict[Key, int] = {}
         self._rows: dict[PrimeIdeal, list[Counter[int]]] = {}
         self._exchanged: dict[PrimeIdeal, list[int]] = {}
-        self._local: dict[PrimeIdeal, tuple[Local, list[flint.fmpq_mat]]] = {}
+        self._local: dict[PrimeIdeal, list[flint.fmpq_mat]] = {}
         self._steps: dict[tuple[PrimeIdeal, int], Norm] = {}
         self._enumerate()
 
@@ -310,19 +309,16 @@ class Classes:
         """Return the classes of the ideals of relative norm P in class n, in the order of `generators`."""
         lattice = self.lattices[n]
         around = Around(self.keys, self._step(prime, n), lattice)
-        inside = ideals_of_norm.coordinates_of_subideals(*self._inside(prime), lattice)
+        inside = ideals_of_norm.coordinates_of_subideals(prime, self._inside(prime), lattice)
         return [self._look_up(around, J) for J in inside]
 
-    def _inside(self, prime: PrimeIdeal) -> tuple[Local, list[flint.fmpq_mat]]:
+    def _inside(self, prime: PrimeIdeal) -> list[flint.fmpq_mat]:
         """Return what :func:`coordinates_of_subideals` asks, for a prime."""
         if prime not in self._local:
-            found = ideals_of_norm.generators(local := Local(self.ambient, prime), self.ring.value)
+            found = ideals_of_norm.of_prime_norm(self.ring.value, prime).generators
             scalars = self.ambient.scalars
-            spans = [
-                [(flint.fmpq_mat([x]) * m).entries() for x in pair for m in scalars]
-                for pair in found
-            ]
-            self._local[prime] = local, list(map(flint.fmpq_mat, spans))
+            spans = [[x for m in scalars for x in (pair * m).tolist()] for pair in found]
+            self._local[prime] = list(map(flint.fmpq_mat, spans))
         return self._local[prime]
 
     def _step(self, prime: PrimeIdeal, n: int) -> Norm:
@@ -396,7 +392,7 @@ class Classes:
                 (
                     other
                     for other, (count, known) in firsts.items()
-                    if count == units and conjugator(known, order)
+                    if count == units and conjugator(known, order)[0] is not None
                 ),
                 kind,
             )
@@ -477,7 +473,7 @@ class Classes:
         N(x) generates norm·N(I_i)/N(I_j), and of all x·u, u a unit of the field, one of ±x has one of the
         totally positive generators modulo squares of units as its norm. Raises :class:`TooLargeError`.
         """
-        if norm.norm() > ideals_of_norm.MOST:
+        if norm.norm() > ideals_of_norm.MAX_LISTED_IDEALS:
             raise TooLargeError(
                 f"there are too many ideals of norm {shorten(norm)} in an order neither maximal nor of "
                 "level P at its primes: there they are counted by their elements"

@@ -9,34 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import flint
 
 from hfield.errors import IndefiniteError, LatticeError
-from hfield.evidence import Claim
 from hfield.hints import CLASSES, Hinted
 from hfield.orders.invariants import eichler_symbol, good_primes
 from hfield.orders.lattice_values import discriminant
-from hfield.orders.over_integers.equivalence import Comparison
-
-if TYPE_CHECKING:
-    from hfield.fields.number_fields.ideals import Ideal
-
-REFUSAL = "the checker does not know that strong approximation decides"
-
-
-def equivalence(order: Any, norm: Ideal) -> Comparison:
-    """Tell whether right, or left, ideals of which the norms have this quotient are in one class.
-
-    No element is told. Raises :class:`IndefiniteError` for a totally definite algebra, or where an Eichler
-    symbol is 0.
-    """
-    holds = not any(IndefiniteClassSet(order).group.class_of(norm))
-    has = "has a generator" if holds else "has no generator"
-    why = f"{norm}, the quotient of the norms, {has} that is positive where the algebra ramifies"
-    claim = Claim(order.algebra, "equivalent", {}, "strong approximation", refusal=REFUSAL)
-    return Comparison(holds, f"by strong approximation, as {why}", claimed=lambda _: claim)
 
 
 class IndefiniteClassSet(Hinted):

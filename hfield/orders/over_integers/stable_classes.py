@@ -16,8 +16,8 @@ import flint
 from hfield.fields.number_fields.symbols import square_class
 from hfield.orders.class_number import LocalNorms, StableClasses
 from hfield.orders.lattice_values import LatticeValue, includes, product, times_ideal
-from hfield.orders.over_integers.local_orders import Local
-from hfield.orders.over_integers.positive_generators import units_modulo_squares
+from hfield.orders.orders_at_primes import OrderAtPrime
+from hfield.orders.positive_generators import units_modulo_squares
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
@@ -43,7 +43,7 @@ def _norms(order: LatticeValue, P: PrimeIdeal) -> Iterator[FieldElement]:
         return
     ambient = order.ambient
     one, bound = ambient.row(1), times_ideal(order, ambient.base.prime_ideal(P) ** (2 * P.e + 1))
-    radical = power = Local(ambient, P).radical(order)
+    radical = power = OrderAtPrime(order, P).radical
     while not includes(bound, power):
         for row in power.rows.tolist():
             yield ambient.norm((flint.fmpq_mat([row]) + one).entries())

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 from hfield import QuaternionAlgebra, ring
-from hfield.orders.over_integers import certificates
+from hfield.orders import certificates
 from tests.adversary.hostile.writing import Hostile
 
 
@@ -69,7 +69,9 @@ FILES: dict[str, Hostile] = {
         401,
     ),
     "unit-index: a large level": (
-        over_integers(lambda order, *_: certificates.of_unit_index(order)),
+        over_integers(
+            lambda order, *_: certificates.of_unit_index(order.value, order.unit_index())
+        ),
         11,
         401,
     ),

@@ -1,4 +1,4 @@
-"""Orders above and below an order at a prime; over ℤ_K Gorenstein closures and connecting ideals.
+"""Orders above and below an order at a prime, its Gorenstein closure, and ideals that connect two orders.
 
 A maximal suborder of O contains P·O, and is of index P or P², so that subalgebras of O/P·O give all of them.
 A minimal overorder is O[x] for an x in P⁻¹·O whose products with O have integral traces.
@@ -8,49 +8,70 @@ quaternion orders", 2021.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import product as tuples
 from typing import Any
 
-import flint
+from flint import fmpq_mat
 
 from hfield.errors import LatticeError, TooLargeError
+from hfield.orders import hermite
 from hfield.orders.invariants import conductor, is_eichler, level
+from hfield.orders.kernels.general import ideal_multiples
 from hfield.orders.lattice_values import (
     LatticeValue,
     add,
     add_elements,
-    add_rows,
     dual,
+    hermite_form,
     includes,
     meet,
     product,
     scalars_into,
     times_ideal,
 )
-from hfield.orders.maximal_orders import MOST, in_steps
-from hfield.orders.over_integers.local_orders import Local, independent
+from hfield.orders.orders_at_primes import OrderAtPrime, independent
+
+MAX_CANDIDATES = 10_000
+"""No more candidates for orders at one prime than this are tried."""
 
 # --- below and above -------------------------------------------------------------------------------
 
 
 def suborders(order: LatticeValue, prime: Any, k: int) -> list[LatticeValue]:
     """Return the orders of index Pᵏ in an order. Raises :class:`TooLargeError`."""
-    return in_steps(order, k, lambda O: _maximal_suborders(O, prime), lambda O: O.hnf)
+    return in_steps(order, k, lambda O: _maximal_suborders(O, prime))
 
 
 def overorders(order: LatticeValue, prime: Any, k: int) -> list[LatticeValue]:
     """Return the orders in which an order has the index Pᵏ. Raises :class:`TooLargeError`."""
     if order.ambient.base.valuation(level(order), prime) < k:
         return []
-    return in_steps(order, k, lambda O: _minimal_overorders(O, prime), lambda O: O.hnf)
+    return in_steps(order, k, lambda O: _minimal_overorders(O, prime))
 
 
-def _digits(order: LatticeValue, prime: Any, dimension: int) -> list[flint.fmpq_mat]:
+def in_steps(
+    start: LatticeValue,
+    k: int,
+    around: Callable[[LatticeValue], Iterator[tuple[int, LatticeValue]]],
+) -> list[LatticeValue]:
+    """Return what is reached in steps whose lengths add up to k. Raises :class:`TooLargeError`."""
+    reached: list[dict[LatticeValue, LatticeValue]] = [{start: start}, *({} for _ in range(k))]
+    for n in range(k):
+        for order in reached[n].values():
+            for length, other in around(order):
+                if n + length <= k:
+                    reached[n + length].setdefault(other, other)
+        if sum(map(len, reached)) > MAX_CANDIDATES:
+            raise TooLargeError("there are too many orders of this index to list them")
+    return list(reached[k].values())
+
+
+def _digits(order: LatticeValue, prime: Any, dimension: int) -> list[fmpq_mat]:
     """Return residues modulo a prime as matrices. Raises :class:`TooLargeError` for too many lines."""
     base = order.ambient.base
     q = base.absolute_norm(base.prime_ideal(prime))
-    if sum(q**n for n in range(dimension)) > MOST:
+    if sum(q**n for n in range(dimension)) > MAX_CANDIDATES:
         raise TooLargeError(f"there are too many candidates for orders at {prime} to try them")
     if dimension == 1:  # of one line
         return []
@@ -62,25 +83,25 @@ def _maximal_suborders(order: LatticeValue, prime: Any) -> Iterator[tuple[int, L
     ambient, digits = order.ambient, _digits(order, prime, 3)
     below = times_ideal(order, ambient.base.prime_ideal(prime))
     one = ambient.row(1).entries()
-    basis = independent(flint.fmpq_mat([one, *order.rows.tolist()]), below)[1:]
-    b, c, d = (flint.fmpq_mat([row]) for row in basis)
+    basis = independent(fmpq_mat([one, *order.rows.tolist()]), below)[1:]
+    b, c, d = basis
     planes = [(b + d * x, c + d * y) for x in digits for y in digits]
     planes += [*((b + c * x, d) for x in digits), (c, d)]
     for pair in planes:
-        found = add_elements(below, flint.fmpq_mat([one, *(x.entries() for x in pair)]))
+        found = add_elements(below, fmpq_mat([one, *(x.entries() for x in pair)]))
         products = (x * ambient.times(y) * found.inverse_rows for x in pair for y in pair)
         if all(z.numer_denom()[1] == 1 for z in products):
             yield 1, found
     lines = [b + c * x + d * y for x in digits for y in digits]
     for x in (*lines, *(c + d * y for y in digits), d):
-        yield 2, add_elements(below, flint.fmpq_mat([one, x.entries()]))
+        yield 2, add_elements(below, fmpq_mat([one, x.entries()]))
 
 
 def _minimal_overorders(order: LatticeValue, prime: Any) -> Iterator[tuple[int, LatticeValue]]:
     """Yield all minimal overorders at P, and perhaps others, with the exponents of the indices."""
     ambient, base, limit = order.ambient, order.ambient.base, dual(order)
     around = meet(times_ideal(order, base.inverse(base.prime_ideal(prime))), limit)
-    basis = [flint.fmpq_mat([row]) for row in independent(around.rows, order)]
+    basis = independent(around.rows, order)
     if not basis:
         return
     digits = _digits(order, prime, len(basis))
@@ -110,54 +131,42 @@ def _generated(lattice: LatticeValue, limit: LatticeValue) -> LatticeValue | Non
 
 
 def gorenstein_closure(order: LatticeValue) -> LatticeValue:
-    """Return the Gorenstein order G with O = ℤ_K + f·G, f the conductor."""
-    ambient, found = order.ambient, order
-    for place, m in conductor(order).factorisation():
-        P = ambient.base.prime(place)
-        local = Local(ambient, P)
-        rows = (flint.fmpq_mat([row]) for row in order.rows.tolist())
-        shifted = flint.fmpq_mat([_without_scalar(local, row, m).entries() for row in rows])
-        for c in (ambient.base.prime_ideal(P) ** -m).basis:
-            found = add_rows(found, shifted * ambient.scalar(c))
+    """Return the Gorenstein order G with O = R + f·G, f the conductor.
+
+    R + 2G has the elements of trace 0 in R + 2O, divided by f. So where 2 is a unit G is R and what f⁻¹
+    multiplies of these; elsewhere a number is taken off each element of O first.
+    """
+    ambient, base, found = order.ambient, order.ambient.base, order
+    for prime, m in base.factorisation(conductor(order)):
+        at = OrderAtPrime(order, prime)
+        rows = (fmpq_mat([row]) for row in order.rows.tolist())
+        shifted = fmpq_mat([_without_number(at, row, m).entries() for row in rows])
+        den, whole = hermite.rational(shifted)
+        below, multiples = ideal_multiples(ambient, whole, base.inverse(at.ideal**m))
+        joined = hermite.joined(found.den, found.matrix, den * below, multiples)
+        found = hermite_form(ambient, *joined)
     return found
 
 
-def _without_scalar(local: Local, y: flint.fmpq_mat, m: int) -> flint.fmpq_mat:
-    """Return y − a in f·G at P, where y is in ℤ_K + f·G and f = Pᵐ there: N(y − a) ∈ P²ᵐ tells a."""
-    ambient, P = local.ambient, local.prime
+def _without_number(at: OrderAtPrime, y: fmpq_mat, m: int) -> fmpq_mat:
+    """Return y − a in f·G at P, where y is in R + f·G and f = Pᵐ there: N(y − a) ∈ P²ᵐ tells a."""
+    ambient, base, place = at.ambient, at.base, at.place
     one = ambient.row(1)
-    if P.p > 2:
-        half = ambient.base.field(pow(2, -1, P.p**m))
-        return y - one * ambient.scalar(ambient.parts(y.entries())[0] * 2 * half)
-    power = ambient.base.field.one
+    if at.p > 2:
+        half = pow(2, -1, at.p**m)
+        return y - one * ambient.scalar(ambient.trace(y.entries()) * half)
+    power = base.field.one
     for j in range(m):
-        for r in local.representatives:
+        for r in at.representatives:
             found = y - one * ambient.scalar(r * power)
             norm = ambient.norm(found.entries())
-            if not norm or P.valuation(norm) >= 2 * j + 2:
+            if not norm or place.valuation(norm) >= 2 * j + 2:
                 break
-        y, power = found, ambient.base.integer_near(power * P.uniformiser, P.p**m)
+        y, power = found, base.integer_near(power * place.uniformiser, at.p**m)
     return y
 
 
 # --- what connects two orders ----------------------------------------------------------------------
-
-
-Ends = tuple[LatticeValue, LatticeValue]
-
-
-def _ends(local: Local, order: LatticeValue, k: int) -> Ends:
-    """Return the two orders, maximal at P, whose intersection is an order, Eichler of level Pᵏ at P."""
-    ambient = local.ambient
-    corners = local.corners(order, local.idempotent(order, k))
-    factors = [ambient.scalar(c) for c in (ambient.base.prime_ideal(local.prime) ** -k).basis]
-    ends = []
-    for corner in corners:
-        larger = order
-        for factor in factors:
-            larger = add_rows(larger, corner * factor)
-        ends.append(larger)
-    return ends[0], ends[1]
 
 
 def connecting(first: LatticeValue, second: LatticeValue) -> LatticeValue:
@@ -166,26 +175,36 @@ def connecting(first: LatticeValue, second: LatticeValue) -> LatticeValue:
     It is the intersection of those that connect their ends, multiplied so that they have one norm. Raises
     :class:`LatticeError` for other orders.
     """
-    ambient, whole = first.ambient, level(first)
+    base, whole = first.ambient.base, level(first)
     if level(second) != whole or not (is_eichler(first) and is_eichler(second)):
         raise LatticeError(
             "connecting ideals exist here between Eichler orders of one level, and these are none"
         )
-    ideals = [product(first, second)] * 2
-    for place, k in whole.factorisation():
-        local = Local(ambient, ambient.base.prime(place))
-        (a, b), (c, d) = _ends(local, first, k), _ends(local, second, k)
-        # of the two ways to match the ends the one that makes the norm smaller
-        ways = [[(a, c), (b, d)], [(a, d), (b, c)]]
-        products = [[product(*pair) for pair in way] for way in ways]
-        sums = [sum(x.norm.valuation(place) for x in way) for way in products]
-        better = products[sums[1] > sums[0]]
-        ideals = [add(x, y) for x, y in zip(ideals, better, strict=True)]
-    found, other = ideals
+    sources, targets = (first, first), (second, second)
+    for prime, k in base.factorisation(whole):
+        a, b = OrderAtPrime(first, prime).ends(k)
+        c, d = OrderAtPrime(second, prime).ends(k)
+        straight, crossed = (
+            sum(_distance(x, y, prime) for x, y in way)
+            for way in (((a, c), (b, d)), ((a, d), (b, c)))
+        )
+        if crossed < straight:
+            c, d = d, c
+        # at a prime all other summands are the order there
+        sources = add(sources[0], a), add(sources[1], b)
+        targets = add(targets[0], c), add(targets[1], d)
+    found = product(sources[0], targets[0])
     if whole != 1:
-        root = ambient.base.one
-        for P, e in (found.norm / other.norm).factorisation():
+        other = product(sources[1], targets[1])
+        root = base.one
+        for prime, e in base.factorisation(found.norm / other.norm):
             assert e % 2 == 0, "the distances of the two ends have the same parity"
-            root = root * ambient.base.ideal(P) ** (e // 2)
+            power = base.prime_ideal(prime) ** (abs(e) // 2)
+            root = root * (power if e > 0 else base.inverse(power))
         found = meet(found, times_ideal(other, root))
     return times_ideal(found, scalars_into(found, first))
+
+
+def _distance(first: LatticeValue, second: LatticeValue, prime: Any) -> int:
+    """Return v_P of the index of the intersection of two lattices in one of them."""
+    return first.ambient.base.valuation(meet(first, second).volume / first.volume, prime)

@@ -8,7 +8,6 @@ ideal, and the totally positive units modulo the squares.
 from __future__ import annotations
 
 from functools import lru_cache
-from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from hfield.fields.number_fields.ideals import Ideal, integers
@@ -18,42 +17,50 @@ if TYPE_CHECKING:
 
 
 @lru_cache(maxsize=256)
-def units_modulo_squares(ring: Any) -> tuple[FieldElement, ...]:
-    """Return the totally positive units, one for each coset of the squares of units; 1 comes first."""
+def _units_by_signs(
+    ring: Any, places: tuple[int, ...]
+) -> dict[tuple[int, ...], list[FieldElement]]:
+    """Return one unit for each coset of the squares of units, by their signs at real places, 1 first."""
     frame = integers(ring)
-    found = [frame.field.one]
-    for g in ring.totally_positive_units():
-        if all((g * u).sqrt() is None for u in found):
-            found += [g * u for u in found]
-    return tuple(found)
-
-
-@lru_cache(maxsize=256)
-def _units_by_signs(ring: Any) -> dict[tuple[int, ...], FieldElement]:
-    """Return one unit for each pattern of signs at the real places that units have."""
-    frame = integers(ring)
-    units = [-frame.field.one, *ring.unit_group().generators]
-    found: dict[tuple[int, ...], FieldElement] = {}
-    for exponents in product((0, 1), repeat=len(units)):
-        u = frame.field.one
-        for e, g in zip(exponents, units, strict=True):
-            u = u * g if e else u
-        found.setdefault(_signs(u), u)
+    found: dict[tuple[int, ...], list[FieldElement]] = {}
+    units = [frame.field.one]
+    # the root of unity is −1 where there are real places
+    for g in (ring.unit_group().torsion, *ring.unit_group().generators):
+        units += [g * u for u in units]
+    for u in units:
+        found.setdefault(_signs(u, places), []).append(u)
     return found
 
 
-def _signs(x: FieldElement) -> tuple[int, ...]:
-    return tuple(x.field.sign_at(x, k) for k in range(x.field.degree))
+def _signs(x: FieldElement, places: tuple[int, ...]) -> tuple[int, ...]:
+    return tuple(x.field.sign_at(x, k) for k in places)
+
+
+def generators(ideal: Ideal, places: tuple[int, ...]) -> list[FieldElement]:
+    """Return the generators of a fractional ideal that are positive at some real places.
+
+    One for each coset of the squares of units; none where there are none.
+    """
+    generator = ideal.is_principal().generator
+    if generator is None:
+        return []
+    x = ideal.frame.field(generator)
+    return [x * u for u in _units_by_signs(ideal.ring, places).get(_signs(x, places), ())]
+
+
+def units_modulo_squares(ring: Any) -> tuple[FieldElement, ...]:
+    """Return the totally positive units, one for each coset of the squares of units; 1 comes first."""
+    places = _all_places(ring)
+    return tuple(_units_by_signs(ring, places)[(1,) * len(places)])
+
+
+def _all_places(ring: Any) -> tuple[int, ...]:
+    return tuple(range(integers(ring).field.signature[0]))
 
 
 def totally_positive_generator(ideal: Ideal) -> FieldElement | None:
     """Return a totally positive generator of a fractional ideal, or None where there is none."""
-    generator = ideal.is_principal().generator
-    if generator is None:
-        return None
-    x = ideal.frame.field(generator)
-    unit = _units_by_signs(ideal.ring).get(_signs(x))
-    return None if unit is None else x * unit
+    return next(iter(generators(ideal, _all_places(ideal.ring))), None)
 
 
 class NarrowClasses:

@@ -17,7 +17,7 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import product
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
@@ -25,9 +25,11 @@ from hfield.errors import TooLargeError
 from hfield.fields.names import ring
 from hfield.fields.number_fields.classes.class_groups import class_group, unit_group
 from hfield.fields.number_fields.ideals import integers
+from hfield.fields.number_fields.residues import local_place
 from hfield.fields.number_fields.sums import roots_in, sums_of_roots
 from hfield.fields.number_fields.symbols import DyadicPrime
-from hfield.orders.over_integers.local_orders import Local
+from hfield.orders.invariants import level
+from hfield.orders.lattice_values import LatticeValue
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
@@ -39,14 +41,12 @@ MAX_RESIDUES = 10_000
 """At primes whose square divides the level, roots of polynomials are listed modulo primes up to this norm."""
 
 
-def elliptic_points(order: Any) -> dict[int, int] | None:
-    """Return how many elliptic points there are of each order; None for an order that is not Eichler.
+def elliptic_points(order: LatticeValue) -> dict[int, int]:
+    """Return how many elliptic points there are of each order, for an Eichler order.
 
     The algebra is a division algebra over a totally real field and splits at one real place.
     """
-    if not order.is_eichler():
-        return None
-    found = [_Rotations(order, q, t) for q, t in _traces(order.value.ambient.base.field)]
+    found = [_Rotations(order, q, t) for q, t in _traces(order.ambient.base.field)]
     counts = {x.q: x.count([y for y in found if y.q % x.q == 0 and y.q > x.q]) for x in found}
     return {q: n for q, n in counts.items() if n}
 
@@ -65,11 +65,11 @@ def _traces(field: NumberField) -> Iterator[tuple[int, FieldElement]]:
 class _Rotations:
     """The embeddings of the orders with a root of unity of order 2q, of trace t."""
 
-    def __init__(self, order: Any, q: int, t: FieldElement) -> None:
-        ambient = order.value.ambient
+    def __init__(self, order: LatticeValue, q: int, t: FieldElement) -> None:
+        ambient = order.ambient
         self.ambient, self.q, self.d = ambient, q, t * t - 4
         several = [P for P, e in ambient.base.principal(self.d).factorisation() if e > 1]
-        self.level = {ambient.base.prime(P): e for P, e in order.level.factorisation()}
+        self.level = dict(ambient.base.factorisation(level(order)))
         primes = [*ambient.ramified, *self.level, *map(ambient.base.prime, several)]
         self.primes = {P: _LocalField(ambient, P, self.d) for P in primes}
 
@@ -124,14 +124,14 @@ class _LocalField:
             self.symbol = {2 * e: -1, 2 * e + 1: 1}.get(defect, 0)
             exponent = 0 if self.symbol else 2 * e + 1 - defect
         else:
-            place = self.local.place
+            place = local_place(P)
             root = place.quadratic_root(place.one, place.zero, place.zero - P.residue_of(unit))
             self.symbol, exponent = -1 if root is None else 1, 0
         self.conductor = (v - exponent) // 2
 
     @cached_property
-    def local(self) -> Local:
-        return Local(self.ambient, self.P)
+    def representatives(self) -> list[FieldElement]:
+        return self.ambient.base.residues(self.P)
 
     def embeddings(self, k: int, e: int) -> int:
         """Return how many classes of optimal embeddings Eichler's order of level Pᵉ has, for a conductor Pᵏ.
@@ -152,7 +152,7 @@ class _LocalField:
                 [
                     y
                     for x in roots[-1]
-                    for r in self.local.representatives
+                    for r in self.representatives
                     for y in [x + r * step]
                     if self._is_root(y * 2 - trace, d, s + 1 + 2 * self.e)
                 ]
@@ -165,7 +165,7 @@ class _LocalField:
     def _residues(self, count: int) -> Iterator[FieldElement]:
         """Yield numbers, one of each class modulo P^count."""
         steps = [self.P.uniformiser**s for s in range(count)]
-        for digits in product(self.local.representatives, repeat=count):
+        for digits in product(self.representatives, repeat=count):
             pairs = zip(digits, steps, strict=True)
             yield sum((r * step for r, step in pairs), self.ambient.base.field.zero)
 

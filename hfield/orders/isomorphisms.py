@@ -1,0 +1,57 @@
+"""Whether two orders are isomorphic, and by which conjugation, over any base."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+
+from hfield.errors import IndefiniteError, UndecidedError
+from hfield.orders import certificates
+from hfield.orders.conjugators import conjugator
+from hfield.orders.equivalence import element_generating
+from hfield.orders.equivalence_result import EquivalenceResult
+from hfield.orders.invariants import conductor, is_eichler
+from hfield.orders.lattice_values import LatticeValue, discriminant
+from hfield.orders.related_orders import connecting, gorenstein_closure
+
+
+def isomorphism(first: LatticeValue, second: LatticeValue) -> EquivalenceResult:
+    """Return an answer with an element x such that ``x·first·x⁻¹ = second``.
+
+    Of an indefinite algebra, orders are decided where they are equal, or their discriminants or conductors
+    differ, or their Gorenstein closures are Eichler orders; others raise :class:`UndecidedError`. There every
+    ideal of the base has to have a generator that is positive where the algebra ramifies, else
+    :class:`IndefiniteError` is raised.
+    """
+    found = _decide(first, second)
+    return replace(found, make_claim=partial(certificates.of_isomorphism, first, second))
+
+
+def _decide(first: LatticeValue, second: LatticeValue) -> EquivalenceResult:
+    ambient, conjugates = first.ambient, "the element conjugates one into the other"
+    if first == second:
+        return EquivalenceResult(True, "they are equal", first.algebra(1))
+    both = discriminant(first), discriminant(second)
+    if both[0] != both[1]:
+        return EquivalenceResult(False, f"their discriminants are {both[0]} and {both[1]}")
+    if ambient.definite:
+        x, reason = conjugator(first, second)
+        return EquivalenceResult(x is not None, reason or conjugates, x)
+    if conductor(first) != conductor(second):
+        return EquivalenceResult(False, "their conductors differ")
+    if ambient.base.classes_modulo_signs(ambient).order > 1:
+        raise IndefiniteError(
+            f"isomorphisms of orders in {first.algebra}, which is indefinite, are decided where every ideal "
+            "of the field has a generator that is positive where the algebra ramifies"
+        )
+    one, other = gorenstein_closure(first), gorenstein_closure(second)
+    if not (is_eichler(one) and is_eichler(other)):
+        raise UndecidedError(
+            "whether two orders of an indefinite algebra are isomorphic is decided where their "
+            "Gorenstein closures are Eichler orders, and one of these is none"
+        )
+    bridge = connecting(one, other)
+    found = element_generating(bridge, bridge.norm, one)
+    if found.element is None:
+        return found
+    return EquivalenceResult(True, conjugates, found.element.inverse())

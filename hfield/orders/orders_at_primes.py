@@ -1,0 +1,331 @@
+"""An order at one prime P of its base: its radical, larger orders, idempotents and zero divisors.
+
+The left order of the radical at P, the x with tr(x·O) ⊂ P and N(x) ∈ P, is larger until the order is
+hereditary at P. Then it is maximal, or an Eichler order of level P, the intersection of two maximal ones
+(Voight, *Quaternion Algebras*, 15.5, 21.2, 24.4). All is linear algebra modulo the prime number p below P,
+whatever its size.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property
+from itertools import count, islice, product
+from typing import Any
+
+from flint import fmpq, fmpq_mat, fmpz_mat
+
+from hfield.errors import LatticeError
+from hfield.fields.number_fields.symbols import square_class
+from hfield.orders import hermite
+from hfield.orders.kernels.general import ideal_multiples
+from hfield.orders.lattice_values import (
+    LatticeValue,
+    add_elements,
+    hermite_form,
+    order_of,
+    times_ideal,
+)
+from hfield.orders.lattice_values import product as lattice_product
+from hfield.orders.linear_algebra_mod_p import kernel
+
+Vector = Sequence[int]
+Rows = list[list[fmpq]]
+Line = tuple[int, Vector]
+"""A number of a basis element, and coordinates of another element, with 0 there."""
+TRIALS = 1_000
+
+
+class OrderAtPrime:
+    """An order at a prime P above the prime number p, with ``norm`` residues.
+
+    Vectors are coordinates in the basis of the order over ℤ.
+    """
+
+    def __init__(self, order: LatticeValue, prime: Any) -> None:
+        self.order, self.prime, self.ambient = order, prime, order.ambient
+        self.base = base = order.ambient.base
+        self.place = base.place(prime)
+        self.p = self.place.below
+        self.ideal = base.prime_ideal(prime)
+        self.norm = base.absolute_norm(self.ideal)
+        self.traces = order.integral_grams
+
+    # --- traces, norms and residues --------------------------------------------------------------
+
+    @cached_property
+    def _one(self) -> fmpz_mat:
+        """The coordinates of 1, a column."""
+        row = self.ambient.row(1) * self.order.inverse_rows
+        return row.numer_denom()[0].transpose()
+
+    def trace(self, v: Vector) -> list[int]:
+        """Return the coordinates of the trace of an element."""
+        row = fmpz_mat([list(v)])
+        return [int((row * form * self._one)[0, 0]) for form in self.traces]
+
+    def norm_of(self, v: Vector) -> list[int]:
+        """Return the coordinates of the norm of an element."""
+        row = fmpz_mat([list(v)])
+        column = row.transpose()
+        return [int((row * form * column)[0, 0]) // 2 for form in self.traces]
+
+    @cached_property
+    def _basis_residues(self) -> list[Any]:
+        """The residues of the integral basis."""
+        return [self.place.reduce(w) for w in self.base.integral_basis]
+
+    def residue(self, coordinates: Iterable[int]) -> Any:
+        """Return the residue of an integer of the base with these coordinates."""
+        pairs = zip(coordinates, self._basis_residues, strict=True)
+        total = sum((w * (c % self.p) for c, w in pairs), self.place.zero)
+        return total % self.place.modulus
+
+    def digits(self, residue: Any) -> list[int]:
+        """Return the coordinates of a residue over the prime field."""
+        return self.base.digits(self.prime, residue)
+
+    def lift(self, residue: Any) -> Any:
+        """Return an integer of the field with a given residue."""
+        return self.base.lift(self.prime, residue)
+
+    @cached_property
+    def representatives(self) -> list[Any]:
+        """Integers of the field, one of each class modulo P, 0 first."""
+        return self.base.residues(self.prime)
+
+    def power_of_p(self, k: int) -> int:
+        """Return the least power of p that lies in Pᵏ."""
+        return int(self.p ** -(-k // self.place.index))
+
+    # --- larger orders ---------------------------------------------------------------------------
+
+    @cached_property
+    def radical(self) -> LatticeValue:
+        """The x with tr(x·O) ⊂ P and N(x) ∈ P, a lattice between O and p·O; P·O where O is M₂(ℤ_P)."""
+        digits = zip(*map(self.digits, self._basis_residues), strict=True)
+        # tr(x·conj(O)) is the same, as conj(O) = O
+        forms = [self._combined(c) for c in digits]
+        vectors = kernel(hermite.stacked(*forms), self.p)
+        if self.p == 2 and vectors:  # N is additive on these, and so is the root of its residue
+            roots = (self.place.sqrt(self.residue(self.norm_of(v))) for v in vectors)
+            columns = list(zip(*map(self.digits, roots), strict=True))
+            chosen = kernel(fmpz_mat(columns), 2)
+            vectors = (fmpz_mat(chosen) * fmpz_mat(vectors)).tolist() if chosen else []
+        own = self.order.matrix
+        rows = [fmpz_mat(vectors) * own] if vectors else []
+        return hermite_form(self.ambient, self.order.den, hermite.stacked(*rows, own * self.p))
+
+    def _combined(self, factors: Sequence[int]) -> fmpz_mat:
+        """Return a combination of the matrices of traces."""
+        total = self.traces[0] * factors[0]
+        for form, c in zip(self.traces[1:], factors[1:], strict=True):
+            total += form * c
+        return total
+
+    @cached_property
+    def larger(self) -> LatticeValue:
+        """The left order of the radical; it is O where O is hereditary at P."""
+        return order_of(self.radical, "left")
+
+    # --- elements with two eigenvalues modulo P --------------------------------------------------
+
+    @cached_property
+    def split_element(self) -> tuple[fmpq_mat, Any, Any]:
+        """An element x, one row, and distinct roots r, s of its characteristic polynomial modulo P.
+
+        The order is M₂(ℤ_P) or has the Eichler symbol 1 at P, else :class:`LatticeError` is raised.
+        """
+        rng, size = random.Random(1), self.ambient.size
+        small = islice(product(range(min(self.p, 3)), repeat=size), TRIALS)
+        others = ([rng.randrange(self.p) for _ in range(size)] for _ in range(TRIALS))
+        for vectors in (small, others):
+            for v in vectors:
+                roots = self._roots(v)
+                if roots is not None:
+                    return self.order_row(v), *roots
+        raise LatticeError(f"this order is not an Eichler order at {self.prime}")
+
+    def coordinates(self, rows: fmpq_mat) -> fmpz_mat:
+        """Return the coordinates of elements of the order."""
+        return (rows * self.order.inverse_rows).numer_denom()[0]
+
+    def order_row(self, v: Vector) -> fmpq_mat:
+        """Return the element with these coordinates, a row of rational numbers."""
+        return (fmpz_mat([list(v)]) * self.order.matrix) * fmpq(1, self.order.den)
+
+    def _roots(self, v: Vector) -> tuple[Any, Any] | None:
+        """Return the two roots modulo P of x² − tr(x)·x + N(x), or None where there are not two."""
+        place, trace = self.place, self.residue(self.trace(v))
+        found = place.quadratic_root(place.one, place.zero - trace, self.residue(self.norm_of(v)))
+        if found is None or found[1] == 0:
+            return None
+        root = place.multiply(found[0], place.inverse(found[1]))
+        other = (trace - root) % place.modulus
+        if (other - root) % place.modulus == 0:
+            return None
+        first, second = sorted((root, other), key=self.digits)
+        return first, second
+
+    def idempotent(self, k: int) -> fmpq_mat:
+        """Return e in the order with e² ≡ e modulo Pᵏ that is neither 0 nor 1 modulo P.
+
+        Raises :class:`LatticeError` as :attr:`split_element` does.
+        """
+        ambient, place = self.ambient, self.place
+        x, r, s = self.split_element
+        modulus = self.power_of_p(k)
+        scale = self.lift(place.inverse((r - s) % place.modulus))
+        e = self._small((x - self._number(self.lift(s))) * ambient.scalar(scale), modulus)
+        known = 1
+        while known < k:  # e ↦ 3e² − 2e³ doubles what is known
+            square = e * ambient.times(e)
+            e = self._small(square * 3 - square * ambient.times(e) * 2, modulus)
+            known *= 2
+        return e
+
+    def _number(self, x: Any) -> fmpq_mat:
+        """Return a number of the field as an element, one row."""
+        return self.ambient.row(1) * self.ambient.scalar(x)
+
+    def _small(self, x: fmpq_mat, modulus: int) -> fmpq_mat:
+        """Return an element of the order with coordinates reduced modulo a number."""
+        coordinates = (x * self.order.inverse_rows).entries()
+        return self.order_row([int(c.p) % modulus for c in coordinates])
+
+    def corners(self, e: fmpq_mat) -> tuple[fmpq_mat, fmpq_mat]:
+        """Return e·b·(1 − e) and (1 − e)·b·e for the basis b of the order."""
+        ambient, rows = self.ambient, self.order.rows
+        left = rows * ambient.times(e, "left")
+        return left * ambient.times(ambient.row(1) - e), (rows - left) * ambient.times(e)
+
+    def ends(self, k: int) -> tuple[LatticeValue, LatticeValue]:
+        """Return the two orders, maximal at P, whose intersection is the order, Eichler of level Pᵏ."""
+        first, second = self.corners(self.idempotent(k))
+        above = self.base.inverse(self.ideal**k)
+        return self._with(second, above), self._with(first, above)
+
+    def _with(self, rows: fmpq_mat, ideal: Any) -> LatticeValue:
+        """Return the sum of the order and an ideal times what rows span."""
+        den, whole = hermite.rational(rows)
+        below, multiples = ideal_multiples(self.ambient, whole, ideal)
+        own = self.order
+        joined = hermite.joined(own.den, own.matrix, den * below, multiples)
+        return hermite_form(self.ambient, *joined)
+
+    # --- zero divisors ---------------------------------------------------------------------------
+
+    def zero_divisor(self, e: int, lines: Iterable[Line]) -> fmpz_mat:
+        """Return an element that is not in P·O and has a norm in Pᵉ, over the denominator; O is M₂(ℤ_P).
+
+        It is on one of some lines. On these the norm is a quadratic polynomial, and its simple roots give no
+        element of P·O.
+        """
+        size = self.ambient.size
+        squares = [[int(form[n, n]) // 2 for form in self.traces] for n in range(size)]
+        for n, v in lines:
+            row = fmpz_mat(1, size, list(v))
+            column = row.transpose()
+            images = [form * column for form in self.traces]
+            norm = [int((row * image)[0, 0]) // 2 for image in images]
+            polynomial = squares[n], [int(image[n, 0]) for image in images], norm
+            root = self._simple_root(*map(self.residue, polynomial))
+            if root is not None:
+                x = self._lifted(polynomial, self.lift(root), e)
+                factor, _ = self.base.coordinate_rows([x]).numer_denom()
+                own = fmpz_mat(1, size, [int(m == n) for m in range(size)]) * self.order.matrix
+                return self.ambient.times_scalar(own, factor.entries()) + row * self.order.matrix
+        raise AssertionError(
+            "the norm form modulo P is that of 2 × 2 matrices, which has such zeros"
+        )
+
+    def _simple_root(self, a: Any, b: Any, c: Any) -> Any:
+        """Return the first simple root of a·x² + b·x + c among the residues, or None."""
+        place = self.place
+        if a == 0:
+            return (
+                place.multiply(place.zero - c, place.inverse(b)) % place.modulus if b != 0 else None
+            )
+        found = place.quadratic_root(a, b, c)
+        if found is None:
+            return None
+        root = place.multiply(found[0], place.inverse(found[1]))
+        other = (place.zero - place.multiply(b, place.inverse(a)) - root) % place.modulus
+        return min(root, other, key=self.digits) if root != other else None
+
+    def _lifted(self, polynomial: Sequence[list[int]], root: Any, e: int) -> Any:
+        """Return the root of a·x² + b·x + c modulo Pᵉ above a simple root modulo P (Hensel)."""
+        if e == 1:
+            return root
+        a, b, c = (self.base.element_of([fmpq(x) for x in number]) for number in polynomial)
+        near, modulus = self.base.integer_near, self.power_of_p(e)
+        slope = self.place.reduce(a * root * 2 + b)
+        inverse, known = self.lift(self.place.inverse(slope)), 1
+        while known < e:
+            root = near(root - (a * root * root + b * root + c) * inverse, modulus)
+            inverse = near(inverse * 2 - (a * root * 2 + b) * inverse * inverse, modulus)
+            known *= 2
+        return root
+
+    # --- what is not in P times a lattice --------------------------------------------------------
+
+    def times_prime(self, lattice: LatticeValue) -> LatticeValue:
+        """Return P·L."""
+        return times_ideal(lattice, self.ideal)
+
+    @cached_property
+    def basis_modulo_prime(self) -> list[fmpq_mat]:
+        """Elements, one row each, that are a basis of the order modulo P."""
+        return independent(self.order.rows, self.times_prime(self.order))
+
+    def norm_index(self) -> int:
+        """Return the index of the norms of units of an order with the symbol 0 in the units of ℤ_P.
+
+        With J the radical they are, modulo squares, the norms of 1 + J, which the 1 + b for bases of all Jᵏ
+        generate. J⁴ is in P·O, so the last ones are 1 modulo 4P, and the norms are squares there.
+        """
+        prime = self.prime
+        digits, e = (prime.e * prime.f + 1, prime.e) if self.p == 2 else (1, 0)
+        radical, classes = self.radical, [0]
+        power, one = radical, self.ambient.row(1)
+        for _ in range(4 * (2 * e + 1)):
+            for row in power.rows.tolist():
+                unit = (fmpq_mat([row]) + one).entries()
+                c = square_class(prime, self.ambient.norm(unit))
+                if c not in classes:
+                    classes += [c ^ other for other in classes]
+            if self.p > 2 or len(classes) == 2**digits:
+                break
+            power = lattice_product(power, radical)
+        return int(2**digits // len(classes))
+
+
+def independent(larger: fmpq_mat, below: LatticeValue) -> list[fmpq_mat]:
+    """Return some rows that are a basis of what rows span modulo a lattice, over the residues of a prime."""
+    found = []
+    for row in larger.tolist():
+        x = fmpq_mat([row])
+        if (x * below.inverse_rows).numer_denom()[1] != 1:
+            found.append(x)
+            below = add_elements(below, x)
+    return found
+
+
+def small_lines(size: int) -> Iterator[Line]:
+    """Run through a coordinate and small values for the others, growing without end."""
+    for largest in count(1):
+        for rest in product(range(-largest, largest + 1), repeat=size - 1):
+            if max(map(abs, rest)) == largest:
+                for n in range(size):
+                    yield n, [*rest[:n], 0, *rest[n:]]
+
+
+def random_lines(rng: random.Random, modulus: int, size: int) -> Iterator[Line]:
+    """Yield some random lines modulo a number, and then small ones."""
+    for _ in range(200):
+        n = rng.randrange(size)
+        v = [rng.randrange(modulus) for _ in range(size)]
+        v[n] = 0
+        yield n, v
+    yield from small_lines(size)
