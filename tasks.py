@@ -9,7 +9,7 @@ import sys
 TASKS = {
     "format": ["ruff", "format", "--check", "."],
     "lint": ["ruff", "check", "."],
-    "migration": ["scripts.check_migration"],
+    "names": ["scripts.check_names"],
     "types": ["mypy"],
     "test": ["pytest", "-n", "auto"],
     "coverage": ["coverage", "run", "-m", "pytest", "--runslow"],
@@ -33,7 +33,7 @@ TASKS = {
 
 def main(names: list[str]) -> int:
     """Run the tasks named, all of them without a name; stop at the first that fails."""
-    for name in names or ("format", "lint", "migration", "types", "test"):
+    for name in names or ("format", "lint", "names", "types", "test"):
         if name not in TASKS:
             print(f"there is no task {name!r}; the tasks are {', '.join(TASKS)}", file=sys.stderr)
             return 2

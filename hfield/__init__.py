@@ -9,8 +9,12 @@
 import lazy_loader
 
 import hfield.core.locks  # noqa: F401  # a fork may come while the names below are imported
+from hfield.fields.provided import provide
+from hfield.rings.registry import REGISTRY
 
 __version__ = "0.3.0"
+
+provide(REGISTRY)
 
 # The public names are said once, in the stub beside this file, and imported on first use.
 _attribute, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

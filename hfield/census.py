@@ -20,8 +20,8 @@ from hfield.algebra import QuaternionAlgebra
 from hfield.core.executors import unordered
 from hfield.core.factorisation import factorise
 from hfield.errors import HFieldError
+from hfield.fields.names import ring
 from hfield.orders import class_number
-from hfield.rings import ring
 
 Pair = tuple[Any, Any]
 Row = dict[str, Any]

@@ -15,7 +15,7 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from hfield.cli.commands.check import ACCEPTED, NOT_JUDGED, REJECTED
+from hfield.cli.commands.check_with_coq import ACCEPTED, NOT_JUDGED, REJECTED
 from hfield.errors import HFieldError
 from hfield.export.coq.coqc import Coqc, NotJudgedError
 from hfield.export.coq.theorem import Theorem, theorem

@@ -130,7 +130,7 @@ class Splitting:
     of e, i, j, k; ``zero_divisor`` is an element of norm 0, and ``reason`` says why there is one.
     """
 
-    def __init__(self, algebra: Parent, found: splitting.Splitting) -> None:
+    def __init__(self, algebra: Parent, found: splitting.CoordinateSplitting) -> None:
         self.algebra, self.reason, self._found = algebra, found.reason, found
         self.images = found.images
         self.i, self.j = found.i, found.j

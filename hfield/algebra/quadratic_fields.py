@@ -18,25 +18,21 @@ from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms.residue_forms import no_zero
 from hfield.structure.single_elements.trace_and_norm import element_of, obstruction
 from hfield.syntax import plain_element
+from hfield.verdicts import Verdict
 
 EXPECTED = "a quadratic extension of {}, its polynomial, as in 'x^2+x+3', or d for F(√d)"
 
 
-@dataclass(frozen=True)
-class Embedding:
-    """A root of x² − trace·x + norm in the algebra, ``element``; or none, and then it is false.
+@dataclass(frozen=True, eq=False, repr=False)
+class Embedding(Verdict[Quaternion]):
+    """Whether x² − trace·x + norm has a root in the algebra, ``element``.
 
-    ``place`` is then one at which there is none locally, where the field has places.
+    Where it has none, ``place`` is one at which there is none locally, if the field has places.
     """
 
-    trace: Any
-    norm: Any
-    element: Quaternion | None
+    trace: Any = None
+    norm: Any = None
     place: Hashable | None = None
-    reason: str = ""
-
-    def __bool__(self) -> bool:
-        return self.element is not None
 
 
 def embed(A: Parent, extension: object) -> Embedding:
@@ -55,7 +51,7 @@ def embed(A: Parent, extension: object) -> Embedding:
     place = None if F.order is not None else obstruction(F, A.constants, t, n)
     if place is not None:
         why = f"{_shown(A, t, n)}, not even over the completion at {place}"
-        return Embedding(t, n, None, place, why)
+        return Embedding(False, why, trace=t, norm=n, place=place)
     try:
         q = element_of(F, A.constants, t, n)
     except UndecidedError:
@@ -63,7 +59,9 @@ def embed(A: Parent, extension: object) -> Embedding:
         if found is None:
             raise
         return found
-    return Embedding(t, n, None, None, _shown(A, t, n)) if q is None else Embedding(t, n, A(*q))
+    if q is None:
+        return Embedding(False, _shown(A, t, n), trace=t, norm=n)
+    return Embedding(True, witness=A(*q), trace=t, norm=n)
 
 
 def _shown(A: Any, t: Any, n: Any) -> str:
@@ -81,9 +79,11 @@ def _by_search(A: Parent, t: Any, n: Any) -> Embedding | None:
         square = -x.norm()
         root = None if F.is_zero(square) else F.sqrt(F.divide(d, square))
         if root is not None:
-            return Embedding(t, n, x * root + A.scalar(half))
+            return Embedding(True, witness=x * root + A.scalar(half), trace=t, norm=n)
     reason = no_zero(F, [*pure_form(F, A.constants), -d])
-    return None if reason is None else Embedding(t, n, None, None, f"{_shown(A, t, n)}: {reason}")
+    if reason is None:
+        return None
+    return Embedding(False, f"{_shown(A, t, n)}: {reason}", trace=t, norm=n)
 
 
 def _trace_and_norm(A: Any, given: object) -> tuple[Any, Any]:

@@ -26,13 +26,14 @@ from hfield.rings.holding import Batch, Holding
 from hfield.structure.single_elements import analysis
 from hfield.symbols import element_to_sympy, values_given, variable_name
 from hfield.sympy_printing import PrintedBySympy
+from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
     import numpy as np
     import sympy
 
     from hfield.rings.arrays import Index
-    from hfield.structure.single_elements.square_roots import SquareRoots as Found
+    from hfield.structure.single_elements.square_roots import RootCoordinates as Found
 
 
 _blank: Any = object.__new__
@@ -740,8 +741,8 @@ class Quaternion(Hinted, PrintedBySympy):
         """
         return SquareRoots(self, structure.square_roots(*self._single()))
 
-    def conjugacy(self, other: object) -> Conjugacy:
-        """Return x with ``x·q·x⁻¹ = other``, or the reason why there is none, as evidence.
+    def conjugacy(self, other: object) -> Verdict[Quaternion]:
+        """Return whether ``x·q·x⁻¹ = other`` has a solution; ``element`` is one, ``reason`` says why not.
 
         Raises :class:`MixedParentsError` for elements of two algebras, and :class:`UndecidedError`
         over a ring that is not a field.
@@ -756,7 +757,7 @@ class Quaternion(Hinted, PrintedBySympy):
             )
         found = structure.conjugator(ring, c, q, other._single()[2])
         x = None if found.element is None else self.algebra(*found.element)
-        return Conjugacy(x, found.reason)
+        return Verdict(found.value, found.reason, x)
 
     def conjugator(self, other: object) -> Quaternion | None:
         """Return a unit x with ``x·q·x⁻¹ = other``, or None; :meth:`conjugacy` tells why.
@@ -915,17 +916,6 @@ class Polar(NamedTuple):
     modulus: Any
     axis: Quaternion
     angle: Any
-
-
-class Conjugacy(NamedTuple):
-    """Whether ``x·p·x⁻¹ = q`` is solvable: ``element`` is such an x or None, ``reason`` says why."""
-
-    element: Quaternion | None
-    reason: str
-
-    def __bool__(self) -> bool:
-        """Tell whether there is one."""
-        return self.element is not None
 
 
 class TooManyError(NotFiniteError, OverflowError):

@@ -668,7 +668,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     @cached_property
     def _split_or_not(self) -> Splitting | Division:
         from hfield.algebra.maps import Division, Splitting
-        from hfield.structure.isomorphisms.splitting import Splitting as Found
+        from hfield.structure.isomorphisms.splitting import CoordinateSplitting as Found
 
         if not self.ring.is_exact:
             raise UndecidedError(

@@ -28,25 +28,30 @@ from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.linear_algebra.syzygies import Row
 from hfield.syntax import Reader
 from hfield.syntax.brackets import split
+from hfield.verdicts import Verdict
 
 Vector = tuple[Scalar, ...]
 KEYWORDS = frozenset(("and", "or", "not", "exists"))
 
 
-@dataclass(frozen=True)
-class Associativity:
-    """Whether an algebra is associative; its truth value says so.
+Triple = tuple["AlgebraElement", "AlgebraElement", "AlgebraElement"]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Associativity(Verdict[Triple]):
+    """Whether an algebra is associative.
 
     Where it is not, ``triple`` is the first triple of basis vectors with (xy)z ≠ x(yz), and ``left`` and
     ``right`` are the two products. By Lemma 1 of the thesis the triples of basis vectors decide.
     """
 
-    triple: tuple[AlgebraElement, AlgebraElement, AlgebraElement] | None = None
     left: AlgebraElement | None = None
     right: AlgebraElement | None = None
 
-    def __bool__(self) -> bool:
-        return self.triple is None
+    @property
+    def triple(self) -> Triple | None:
+        """The triple of basis vectors that fails, if any."""
+        return self.witness
 
     def __str__(self) -> str:
         if self.triple is None:
@@ -253,8 +258,8 @@ class StructureAlgebra:
         for x, y, z in itertools.product(self.basis, repeat=3):
             left, right = (x * y) * z, x * (y * z)
             if left != right:
-                return Associativity((x, y, z), left, right)
-        return Associativity()
+                return Associativity(False, witness=(x, y, z), left=left, right=right)
+        return Associativity(True)
 
     def is_commutative(self) -> bool:
         """Tell whether x·y = y·x always: whether the table is symmetric."""

@@ -13,7 +13,7 @@ from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.exploring.labels import LabelledAlgebra, labelled, order_of_ring
 from hfield.rings.coefficients import Coefficients
-from hfield.structure.isomorphisms.splitting import Splitting
+from hfield.structure.isomorphisms.splitting import CoordinateSplitting
 from hfield.structure.single_elements.trace_and_norm import element_of
 
 if TYPE_CHECKING:
@@ -156,13 +156,13 @@ class TransvectionClass(SplitClass):
         return ring.sqrt(value * self._factor) is not None
 
 
-def splitting(algebra: Parent) -> Splitting:
+def splitting(algebra: Parent) -> CoordinateSplitting:
     """Return an isomorphism with M₂(F) over a finite field, the same for the same algebra."""
     return _splitting(algebra.ring, algebra.constants)
 
 
 @lru_cache(maxsize=8)
-def _splitting(ring: Any, constants: Any) -> Splitting:
+def _splitting(ring: Any, constants: Any) -> CoordinateSplitting:
     found = structure.split(ring, constants)
     assert found is not None, "over a finite field every central simple algebra splits"
     return found

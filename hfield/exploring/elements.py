@@ -24,7 +24,7 @@ from hfield.errors import CoercionError, HFieldError, TooLargeError, UndecidedEr
 from hfield.exploring.formulas import expanded, trace_count
 from hfield.exploring.labels import MAX_ORDER, LabelledAlgebra, labelled, order_of_ring
 from hfield.exploring.properties import CONDITIONS, Condition, has_property
-from hfield.structure.linear_algebra.radical import is_nilpotent as is_nilpotent_scalar
+from hfield.structure.linear_algebra.finite_radical import is_nilpotent as is_nilpotent_scalar
 
 if TYPE_CHECKING:
     import numpy as np

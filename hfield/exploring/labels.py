@@ -14,12 +14,12 @@ from hfield.algebra.quaternion import Parent, Quaternion, held_by
 from hfield.core import product
 from hfield.core.product import Constants
 from hfield.errors import NotFiniteError, TooLargeError, shorten
-from hfield.structure.counting.tally import MIN_COMPILED, Indices, Tables, compiled_loops
+from hfield.structure.counting.tally import MIN_COMPILED, Indices, RingTables, compiled_loops
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from hfield.rings.array_held.finite import LabelArrays
+    from hfield.rings.array_held.labels import LabelArrays
     from hfield.rings.base import Ring
 
 Rows = tuple["np.ndarray", "np.ndarray", "np.ndarray", "np.ndarray"]
@@ -43,7 +43,7 @@ class LabelledAlgebra:
                 f"{shorten(self.q)}"
             )
         self.size = self.q**4
-        self.tables = Tables(self.ring)
+        self.tables = RingTables(self.ring)
         self.constants = Constants(*map(self.tables.of, algebra.constants))
         self._parts = [algebra.holding.hold((x, x, x, x)) for x in self.tables.elements]
 
@@ -91,7 +91,7 @@ class LabelledAlgebra:
         """Return numbered elements as one array of quaternions."""
         import numpy as np
 
-        from hfield.rings.array_held.finite import LabelArrays
+        from hfield.rings.array_held.labels import LabelArrays
 
         rows = self.rows(numbers)
         if isinstance(self.algebra.array_holding, LabelArrays):

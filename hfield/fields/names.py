@@ -14,11 +14,12 @@ from typing import TypeAlias
 from hfield.checker.glossary import GREEK
 from hfield.errors import NotationError, RingError, shorten
 from hfield.fields.foreign_rings import name_of_foreign_ring
-from hfield.fields.number_fields.texts import NUMBER, ReducibleError
+from hfield.fields.number_fields.texts import NUMBER
 from hfield.rings.base import Ring, shared
 from hfield.rings.printing import from_unicode
-from hfield.rings.variables import variables
-from hfield.syntax.brackets import is_balanced, last_group, outside, split
+from hfield.rings.registry import REGISTRY
+from hfield.rings.variables import names_in, variables
+from hfield.syntax.brackets import last_group, outside, split
 
 KNOWN = (
     "QQ", "ZZ", "RR", "CC", "RDF", "CDF", "ZZ/6", "GF(9)", "GF(2^8)", "GF(9, x^2+1)", "QQ(sqrt(2))",
@@ -54,12 +55,6 @@ _NAMED = {
 }
 _LONG = {"Q": "QQ", "Z": "ZZ", "R": "RR", "C": "CC"}
 _MAX_LENGTH = 10_000
-
-# number fields, and numbers that name them
-_QUOTIENT = re.compile(r"QQ?\[([^\[\],]*)\]/\((.*)\)")
-_REAL = re.compile(r"QQ?\(zeta_?(\d+|\(\d+\))\)\+")
-_SPELLED = re.compile(r"QQ?\(((?:(?:sqrt|cbrt|root)\(|zeta[_(]?\d|I[,)]).*)\)")
-_SUM = re.compile(rf"QQ?\(([^,]*(?:{NUMBER})[^,]*)\)")
 
 RingName: TypeAlias = object  # a Ring, a text, a domain of sympy, a field class of galois
 Groups = list[tuple[str, str]]  # what stands in each pair of brackets, with the bracket that opens
@@ -134,14 +129,14 @@ def build(text: str) -> Ring:
         return shared(base.completion, place[1:-1] if bare else place)
     if re.match(r"QQ?[(\[]", s):
         above, opening, inner = last_group(s)
-        constants = _number_field(above) if above else None
+        constants = REGISTRY.read(above) if above else None
         if constants is not None:
             return (
                 _polynomials(constants, inner) if opening == "[" else _extension(constants, inner)
             )
-        number_field = _number_field(s)
-        if number_field is not None:
-            return number_field
+    found_field = REGISTRY.read(s)
+    if found_field is not None:
+        return found_field
     if m := re.fullmatch(r"(.+)\[([^\W\d_]\w*)\]/\((.+)\)", s):
         return _quotient(build(m[1]), m[2], m[3])
     head, groups = _split(s)
@@ -166,36 +161,6 @@ def _without_latex(s: str) -> str:
         s = _BLACKBOARD.sub(lambda found: _BLACKBOARD_NAMES[found[1]], s)
         s = _ROOT.sub(r"sqrt(\1)", s)
     return re.sub(r"_\{(\d+)\}", r"_\1", s)
-
-
-def _number_field(s: str) -> Ring | None:
-    """Return the number field that a text without spaces names; None for a text of another kind.
-
-    Raises :class:`RingError`.
-    """
-    if m := _QUOTIENT.fullmatch(s):
-        from hfield.fields.number_fields.ring import NumberField
-
-        try:
-            return shared(NumberField, m[2], m[1])
-        except ReducibleError:
-            if m[1] not in _variables_of(m[2]):
-                raise
-            return _quotient(build("QQ"), m[1], m[2])
-    if _REAL.fullmatch(s) or any(
-        (m := form.fullmatch(s)) and is_balanced(m[1]) and not _is_quadratic(m[1])
-        for form in (_SPELLED, _SUM)
-    ):
-        from hfield.fields.number_fields.spelled_names import spelled
-
-        return shared(spelled, s)
-    return None
-
-
-def _is_quadratic(text: str) -> bool:
-    """Tell whether a text is one square root, whose field is a quadratic one."""
-    m = re.fullmatch(r"sqrt\((.*)\)", text)
-    return text == "I" or (m is not None and is_balanced(m[1]))
 
 
 def _completed(s: str) -> tuple[str, str]:
@@ -279,11 +244,6 @@ def _quotient(base: Ring, variable: str, polynomial: str) -> Ring:
     return build_extension(base, name, polynomial)
 
 
-def _variables_of(text: str) -> set[str]:
-    """Return the names in a text."""
-    return set(re.findall(r"[^\W\d]\w*", text))
-
-
 def _p_adic(groups: Groups) -> Ring:
     if not groups:
         raise RingError("Qp needs its prime: write Qp(5) for the 5-adic numbers")
@@ -361,7 +321,7 @@ def _unknown(s: str) -> RingError:
     close = get_close_matches(s.upper(), [name.replace(" ", "") for name in KNOWN], 1, 0.6)
     did = f"did you mean {close[0]}? " if close else ""
     if (
-        (letters := _variables_of(s))
+        (letters := names_in(s))
         and len(letters) == len(min(letters)) == 1
         and re.search(r"\^[2-9]", s)
     ):

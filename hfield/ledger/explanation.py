@@ -18,7 +18,7 @@ from hfield.ledger.wording import over, pretty, witness_text
 from hfield.prover.decision import Decision
 from hfield.prover.statements.printing import to_latex
 from hfield.prover.statements.trees import conjuncts
-from hfield.rings.printing import latex_name
+from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
 
 SCHEMA = "hfield-explain/1"

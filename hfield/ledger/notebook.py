@@ -16,7 +16,7 @@ from hfield.ledger.report import report
 from hfield.ledger.run import decide_rows
 from hfield.ledger.selection import rows_to_decide
 from hfield.rings.base import Ring
-from hfield.rings.printing import latex_name
+from hfield.rings.latex_names import latex_name
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from hfield.ledger.wording import witness_text
 from hfield.prover.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
 from hfield.prover.statements.printing import to_latex
 from hfield.prover.statements.trees import conjuncts
-from hfield.rings.printing import latex_name
+from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
 
 MAX_STEPS, MAX_LETTERS = 12, 600  # of one proof; its certificate has it whole

@@ -24,8 +24,6 @@ from hfield.fields.number_fields.classes.class_groups import class_group
 from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-from hfield.fields.number_fields.quadratic.places import QuadraticPlace
-from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified, square_class
@@ -501,20 +499,25 @@ def _as_it_is(coordinates: Sequence[Any]) -> Quadruple:
 class NumberFieldIntegers:
     """The integers ℤ_K of a number field K; I and J anticommute and have integral squares."""
 
-    def __init__(self, ring: NumberField | QuadraticField) -> None:
+    def __init__(self, ring: NumberField) -> None:
         self.ring, self.integers = ring, ideals.integers(ring)
-        self.field = self.integers.field
+        self.field = ring
         self.degree = self.field.degree
         self.integral_basis: tuple[Any, ...] = self.field.integral_basis()
         self.is_totally_real = self.field.signature == (self.degree, 0)
         self.real_places = tuple(range(self.field.signature[0]))
-        self.inside, self.outside = self.integers.inside, self.integers.outside
 
     symbol = "ℤ_K"
     is_rational = False
 
+    def inside(self, x: object) -> Any:
+        return self.field(x)
+
+    def outside(self, x: Any) -> Any:
+        return x
+
     def primes_above(self, p: int) -> list[tuple[Any, PrimeIdeal]]:
-        return self.integers.primes_above(p)
+        return [(P, P) for P in self.field.primes_above(p)]
 
     def prime_ideal(self, prime: PrimeIdeal) -> ideals.Ideal:
         return self.integers.prime(prime)
@@ -625,12 +628,12 @@ class NumberFieldIntegers:
         Raises :class:`LatticeError` for what is none.
         """
         place = x
-        if not isinstance(x, QuadraticPlace | PrimeIdeal):
+        if not isinstance(x, PrimeIdeal):
             factors = self.ideal(x).factorisation()
             if len(factors) == 1 and factors[0][1] == 1:
                 place = factors[0][0]
         with suppress(RingError):
-            return self.integers.prime_inside(place)
+            return self.integers.prime_ideal(place)
         raise LatticeError(
             f"{shorten(x)} is no prime ideal of {shorten(self.ring.name)}; see primes_above(p) of the field"
         )
@@ -690,7 +693,7 @@ class NumberFieldIntegers:
         return all(c * (-1) ** (len(signs) - 1 - k) > 0 for k, c in enumerate(signs))
 
     def sign(self, x: Any, place: int) -> int:
-        return int(self.field.sign(x, place))
+        return int(self.field.sign_at(x, place))
 
     def real(self, x: Any, place: int) -> float:
         return float(self.field.embeddings.close(x.poly, place, 15).real.mid()) if x else 0.0
@@ -751,7 +754,7 @@ def base_of(ring: Ring) -> Base:
     """Return the integers of a field. Raises :class:`RingError` for a field over which no orders are."""
     if ring == QQ:
         return INTEGERS
-    if isinstance(ring, NumberField | QuadraticField):
+    if isinstance(ring, NumberField):
         return NumberFieldIntegers(ring)
     raise RingError(
         f"lattices, orders and ideals are not defined over {shorten(ring.name)}: expected an algebra over "

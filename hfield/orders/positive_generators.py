@@ -25,7 +25,7 @@ def _units_by_signs(
     found: dict[tuple[int, ...], list[FieldElement]] = {}
     units = [frame.field.one]
     # the root of unity is −1 where there are real places
-    for g in map(frame.inside, (ring.unit_group().torsion, *ring.unit_group().generators)):
+    for g in (ring.unit_group().torsion, *ring.unit_group().generators):
         units += [g * u for u in units]
     for u in units:
         found.setdefault(_signs(u, places), []).append(u)
@@ -33,7 +33,7 @@ def _units_by_signs(
 
 
 def _signs(x: FieldElement, places: tuple[int, ...]) -> tuple[int, ...]:
-    return tuple(x.field.sign(x, k) for k in places)
+    return tuple(x.field.sign_at(x, k) for k in places)
 
 
 def generators(ideal: Ideal, places: tuple[int, ...]) -> list[FieldElement]:
@@ -44,7 +44,7 @@ def generators(ideal: Ideal, places: tuple[int, ...]) -> list[FieldElement]:
     generator = ideal.is_principal().generator
     if generator is None:
         return []
-    x = ideal.frame.inside(generator)
+    x = ideal.frame.field(generator)
     return [x * u for u in _units_by_signs(ideal.ring, places).get(_signs(x, places), ())]
 
 

@@ -146,11 +146,11 @@ def free_basis(ambient: AlgebraBasis, pairs: PseudoBasis) -> tuple[Quaternion, .
 
 def _combination(ambient: AlgebraBasis, I: Ideal, J: Ideal) -> tuple[Any, Any, Any, Any]:
     """Return a in I, b in J, s in I⁻¹ and t in J⁻¹ with a·s + b·t = 1."""
-    a = I.elements[0]
+    a = I.basis[0]
     U, inverse = ambient.base.principal(a) / I, J.inverse()
     digits = sorted(range(-COEFFICIENTS, COEFFICIENTS + 1), key=abs)
     for c in product(digits, repeat=ambient.degree):
-        b = sum((y * n for y, n in zip(J.elements, c, strict=True)), ambient.base.field.zero)
+        b = sum((y * n for y, n in zip(J.basis, c, strict=True)), ambient.base.field.zero)
         if b == ambient.base.field.zero:
             continue
         V = ambient.base.principal(b) * inverse

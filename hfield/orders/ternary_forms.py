@@ -297,7 +297,7 @@ def form_of(basis: Triple, algebras: Callable[..., Any]) -> TernaryForm:
     A = basis[0].algebra
     F: Any = A.ring
     dual, scale = dual_basis(basis)
-    if (scale if F == QQ else integers(F).inside(scale).trace()) < 0:
+    if (scale if F == QQ else F.trace(scale)) < 0:
         scale = -scale  # of the basis in another order
     values = [scale * d.norm() for d in dual]
     pairs = [scale * (dual[m] * dual[n].conjugate()).trace() for m, n in ((1, 2), (0, 2), (0, 1))]
@@ -316,7 +316,7 @@ def _is_integer(ring: Any, x: Any) -> bool:
     if ring == QQ:
         return bool(x.q == 1)
     frame = integers(ring)
-    return bool(frame.field.is_integral(frame.inside(x)))
+    return bool(frame.field.is_integral(frame.field(x)))
 
 
 def _added(u: Sequence[Any], v: Sequence[Any], c: Any = 1) -> list[Any]:

@@ -41,6 +41,7 @@ from hfield.structure.linear_algebra.echelon import null_space, solution
 from hfield.symbols import coordinates_in, is_quaternion, of_coordinates
 from hfield.sympy_printing import PrintedBySympy
 from hfield.syntax import Reader
+from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
     import sympy
@@ -103,16 +104,6 @@ class Polynomials:
         )
         found: Polynomial = reader.read_typed(text)
         return found
-
-
-@dataclass(frozen=True)
-class NoFactors:
-    """No product of linear factors; false. ``reason`` says why."""
-
-    reason: str
-
-    def __bool__(self) -> bool:
-        return False
 
 
 @dataclass(frozen=True, eq=False)
@@ -421,7 +412,7 @@ class Polynomial(PrintedBySympy):
             return Roots(spheres, alone, (), scalars, self)
         return Roots(spheres, (), (family,), scalars, self)
 
-    def linear_factors(self) -> tuple[Quaternion, tuple[Quaternion, ...]] | NoFactors:
+    def linear_factors(self) -> tuple[Quaternion, tuple[Quaternion, ...]] | Verdict[None]:
         """Return (c, (q₁, …, qₙ)) with f = c·(x − q₁)⋯(x − qₙ), or a false answer that says there is none.
 
         Over a division algebra any root may be the last: factors are unique up to similarity and order
@@ -442,8 +433,9 @@ class Polynomial(PrintedBySympy):
             return c, factors
         if search.is_whole:
             each = "" if search.division else ", as after every other choice of roots"
-            return NoFactors(
-                f"{search.rest} has no root in {A}, and f is its product with linear factors{each}"
+            return Verdict(
+                False,
+                f"{search.rest} has no root in {A}, and f is its product with linear factors{each}",
             )
         raise UndecidedError("of some roots one in a family or sphere was tried, and others may do")
 

@@ -12,8 +12,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, lru_cache
-from importlib import import_module
+from functools import lru_cache
 from random import Random
 from typing import TYPE_CHECKING, Any, Generic, Protocol, runtime_checkable
 
@@ -31,6 +30,7 @@ from hfield.rings.holding import Batch, Holding
 from hfield.rings.owners import describe
 from hfield.rings.powers import power
 from hfield.rings.printing import from_unicode, number_text
+from hfield.rings.registry import REGISTRY
 
 if TYPE_CHECKING:
     import numpy as np
@@ -48,16 +48,6 @@ R = TypeVar("R", bound="Ring")
 INFINITY = float("inf")
 ROUNDING = 1e-9  # numbers of an inexact ring that differ by less, relatively, agree
 FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers take log n steps
-
-
-@cache
-def of_fields(where: str) -> Any:
-    """Return what a module of :mod:`hfield.fields` has: ``rationals.arithmetic.RationalArithmetic``.
-
-    So a ring names what lies above it, which is imported when it is asked for.
-    """
-    module, _, name = where.rpartition(".")
-    return getattr(import_module(f"hfield.fields.{module}"), name)
 
 
 @dataclass(frozen=True)
@@ -326,7 +316,7 @@ class Named(Core[E]):
     @property
     def latex_name(self) -> str:
         """The name in LaTeX's mathematics."""
-        from hfield.rings.printing import latex_name
+        from hfield.rings.latex_names import latex_name
 
         return latex_name(self.name)
 
@@ -555,8 +545,8 @@ class WithVariables(Core[E]):
 
         Raises :class:`CoercionError` where the ring does not have them.
         """
-        pair: tuple[E, E] = of_fields("circles.angles.cosine_and_sine_of")(self, angle, parts)
-        return pair
+        ring: Any = self  # all rings are of the class Ring
+        return REGISTRY.functions.cosine_and_sine(ring, angle, parts)
 
     def derivative(self, x: E, variable: str) -> E:
         """Return the derivative of x by a variable. Raises :class:`CoercionError` for what is none."""
@@ -573,8 +563,7 @@ class WithVariables(Core[E]):
 class WithPlaces(Core[E]):
     """What a field with places says of them, and who knows their theory."""
 
-    arithmetic: str = ""  # what in hfield.fields knows the theory of a field with places
-    completions: str = ""  # what in hfield.fields completes it at a place
+    theory: str = ""  # of a field with places: the name of its theory in hfield.rings.registry
 
     def places(self) -> Iterator[Hashable]:
         """Run through the places of a global field without end, infinite ones first; texts read back.
@@ -605,12 +594,8 @@ class WithPlaces(Core[E]):
         >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")
         (Qp(5), QQ(I)_(5, I-2), RR)
         """
-        if not self.completions:
-            raise UndecidedError(
-                f"{self.name} is not a global field: it has no places to complete it at"
-            )
-        completed: Ring = of_fields(self.completions)(self, place)
-        return completed
+        ring: Any = self  # all rings are of the class Ring
+        return REGISTRY.completion(ring, place)
 
 
 class Ring(

@@ -15,7 +15,7 @@ from hfield.core.product import Constants
 from hfield.errors import NotInvertibleError, shorten
 from hfield.rings.base import FINITE_LIMIT, Known, Ring, shared
 from hfield.rings.held import tables
-from hfield.rings.held.quotients import Polynomials
+from hfield.rings.held.quotients import PolynomialRepresentation
 from hfield.rings.holding import Batch, Holding
 from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
@@ -251,10 +251,10 @@ class ExtensionField(FiniteField):
         """Elements over a small field are held as labels, over a large one as polynomials."""
         if self.order < tables.BELOW:
             return tables.Labels(self, constants)
-        return Polynomials(self, constants)
+        return PolynomialRepresentation(self, constants)
 
     @cached_property
-    def tables(self) -> tables.Tables:
+    def tables(self) -> tables.ElementTables:
         """What a small field knows by heart: its sums, products and inverses, of labels."""
         return tables.tables(self)
 

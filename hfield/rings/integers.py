@@ -108,9 +108,9 @@ class Integers(_Ordered):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints, as those over ℚ are."""
-        from hfield.rings.held.fractions import Fractions
+        from hfield.rings.held.fractions import FractionRepresentation
 
-        return Fractions(
+        return FractionRepresentation(
             self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _=1: flint.fmpz(n)
         )
 
@@ -162,8 +162,7 @@ class Rationals(_Ordered):
 
     name = "QQ"
     is_field = True
-    arithmetic = "rationals.arithmetic.RationalArithmetic"
-    completions = "rationals.completions.completion_of_rationals"
+    theory = "rationals"
 
     def in_words(self) -> str:
         """Say what ℚ is."""
@@ -191,7 +190,7 @@ class Rationals(_Ordered):
 
     def array_holding(self, constants: Constants) -> Batch:
         """Hold arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
-        from hfield.rings.array_held.words import FractionArrays
+        from hfield.rings.array_held.fractions import FractionArrays
 
         return FractionArrays(self, constants)
 
@@ -231,9 +230,9 @@ class Rationals(_Ordered):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints over one denominator."""
-        from hfield.rings.held.fractions import Fractions
+        from hfield.rings.held.fractions import FractionRepresentation
 
-        return Fractions(self, constants, (0,), lambda x: (x,), flint.fmpq)
+        return FractionRepresentation(self, constants, (0,), lambda x: (x,), flint.fmpq)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""

@@ -223,9 +223,9 @@ class Modular(ValueRing):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints between 0 and n − 1."""
-        from hfield.rings.held.quotients import Residues
+        from hfield.rings.held.quotients import ResidueRepresentation
 
-        return Residues(self, constants)
+        return ResidueRepresentation(self, constants)
 
     def elements(self) -> Iterator[flint.nmod | flint.fmpz_mod]:
         """Run through 0, 1, …, n − 1."""

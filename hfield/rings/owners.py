@@ -23,7 +23,7 @@ def owner(x: Any) -> str | None:
         return str(x.field)
     if kind.endswith("_mpoly"):
         return f"the polynomials in {','.join(x.context().names())} ({kind})"
-    if kind in ("Surd", "Closed", "InField"):
+    if kind in ("Surd", "Closed", "NumberInField"):
         return "the algebraic numbers"
     if hasattr(type(x), "irreducible_poly"):
         return f"galois's {type(x).name} modulo {type(x).irreducible_poly}"

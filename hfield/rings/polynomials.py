@@ -19,13 +19,14 @@ from hfield.errors import (
     TooLargeError,
     shorten,
 )
-from hfield.rings.base import INFINITY, Known, Ring, of_fields, shared
+from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.expressions import is_of_sympy
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
 from hfield.rings.powers import polynomial_power
 from hfield.rings.printing import blackboard, from_unicode, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.registry import REGISTRY
 
 if TYPE_CHECKING:
     import sympy
@@ -88,8 +89,7 @@ class PolynomialRing(Ring):
         if len(self.variables) > 1:
             return None
         base, name = self.base.fractions or self.base, self.variables[0]
-        found: Ring = shared(of_fields("function_fields.ring.FunctionField"), base, name)
-        return found
+        return REGISTRY.functions.rational_functions(base, name)
 
     @property
     def constants(self) -> Ring:

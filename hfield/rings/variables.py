@@ -48,3 +48,8 @@ def variables(
 def _free(base: Ring | None) -> str:
     """Return a letter that names nothing in the ring."""
     return next(x for x in "tsuvxyz" if base is None or x not in base.names())
+
+
+def names_in(text: str) -> set[str]:
+    """Return the names in a text."""
+    return set(re.findall(r"[^\W\d]\w*", text))

@@ -1,6 +1,6 @@
 """What structure asks of a field with places: one protocol, one object for each kind of field.
 
-A kind is a class of rings that names, as its ``arithmetic``, the class of :class:`GlobalField` that knows it;
+A kind is a class of rings that names its ``theory``: the registry has the :class:`GlobalField` of that name.
 ``docs/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
 """
 
@@ -15,7 +15,8 @@ from hfield.core.factorisation import Factors, known_primes, shared_primes
 from hfield.core.primality import WORD
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import RingError, UndecidedError, shorten
-from hfield.rings.base import Ring, of_fields
+from hfield.rings.base import Ring
+from hfield.rings.registry import REGISTRY
 from hfield.structure.forms import NormalForm
 from hfield.structure.minimal_conics import Vector
 from hfield.structure.norm_forms.local_order import hyperbolic_plane, unit_and_prime
@@ -27,8 +28,11 @@ if TYPE_CHECKING:
 
 def global_field(ring: Ring) -> GlobalField | None:
     """Return the arithmetic of a field with places, or None for a ring of any other kind."""
-    kind: type[GlobalField] | None = of_fields(ring.arithmetic) if ring.arithmetic else None
-    return None if kind is None else kind.of(ring)
+    theory = REGISTRY.theory_of(ring)
+    if theory is None:
+        return None
+    kind: type[GlobalField] = theory.arithmetic()
+    return kind.of(ring)
 
 
 def known_field(ring: Ring) -> GlobalField:
@@ -42,13 +46,15 @@ def known_field(ring: Ring) -> GlobalField:
 def field_named_by(*things: object) -> Ring | None:
     """Return the field with places that the first of some elements and places belongs to.
 
-    Numbers of no field say what finds a common one. Raises :class:`RingError` where there is none.
+    Numbers of no field have a function ``common_field`` that returns one. Raises :class:`RingError` where
+    there is none.
     """
     fields = (getattr(x, "field", None) for x in things)
-    named = next((F for F in fields if isinstance(F, Ring) and F.arithmetic), None)
+    named = next((F for F in fields if isinstance(F, Ring) and F.theory), None)
     finders = (x.common_field for x in things if hasattr(x, "common_field"))
     finder = None if named else next(finders, None)
-    return of_fields(finder)(*things) if finder else named
+    found: Ring | None = finder(*things) if finder else named
+    return found
 
 
 def no_flag(ring: Ring) -> RingError:

@@ -27,7 +27,7 @@ Form = tuple[Any, Any, Any, Any, Any, Any]
 
 
 @dataclass
-class Lattice:
+class ConicLattice:
     """A basis of a lattice in k(t)³ and the scale by which the form is multiplied."""
 
     basis: list[Vector]
@@ -44,7 +44,7 @@ class Conic:
         """Return f(v)."""
         return dot(v, self._half(v))
 
-    def coefficients(self, lattice: Lattice) -> Form:
+    def coefficients(self, lattice: ConicLattice) -> Form:
         """Return the coefficients of the scaled form on the basis."""
         s, basis = lattice.scale, lattice.basis
         halves = [self._half(v) for v in basis]
@@ -61,10 +61,10 @@ class Conic:
         a, b, c, r, s, t = self.form
         return [a * x + t * y + s * z, b * y + r * z, c * z]
 
-    def start(self) -> Lattice:
+    def start(self) -> ConicLattice:
         """Return the standard lattice."""
         o, e = self.zero, self.one
-        return Lattice([[e, o, o], [o, e, o], [o, o, e]], e)
+        return ConicLattice([[e, o, o], [o, e, o], [o, o, e]], e)
 
 
 def dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
@@ -89,7 +89,7 @@ def half_discriminant(form: Form) -> Any:
     return four + four + r * s * t - a * (r * r) - b * (s * s) - c * (t * t)
 
 
-def minimise(conic: Conic, lattice: Lattice, place: FinitePlace) -> bool:
+def minimise(conic: Conic, lattice: ConicLattice, place: FinitePlace) -> bool:
     """Change the lattice at a place until the half-discriminant is a unit there, and return True.
 
     Where the place is ramified that is impossible: then the half-discriminant is left with
@@ -187,7 +187,7 @@ def _combination(scalars: Vector, basis: list[Vector]) -> Vector:
 
 
 def _split_complement(
-    conic: Conic, lattice: Lattice, kappa: FinitePlace, vertex: int
+    conic: Conic, lattice: ConicLattice, kappa: FinitePlace, vertex: int
 ) -> list[int] | None:
     """Find a line of the form modulo p through its vertex; return the places of both vectors."""
     form = conic.coefficients(lattice)

@@ -30,8 +30,9 @@ from hfield.syntax.building import (
     unequal,
     vector,
 )
+from hfield.syntax.parser import MAX_DIGITS, parse
 from hfield.syntax.products import MAX_DEPTH, Vocabulary
-from hfield.syntax.reader import MAX_DIGITS, OfTrees, Reader, parse, weight
+from hfield.syntax.reader import OfTrees, Reader, weight
 from hfield.syntax.spelling import MAX_LENGTH, plain, plain_element, spell
 from hfield.syntax.tree import (
     ORDER,

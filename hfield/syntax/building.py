@@ -7,7 +7,7 @@ True
 
 from functools import reduce
 
-from hfield.syntax.reader import parse
+from hfield.syntax.parser import parse
 from hfield.syntax.tree import Call, Compare, Logic, Name, Node, Not, Operand, number
 
 

@@ -55,7 +55,7 @@ def written(F: Any, c: Constants, system: str) -> str:
         return whole.format(F=f"GF({F.order})", a=a, b=b)
     if not F.is_zero(c.t) or kind not in ("number field", "quadratic field", "cyclotomic field"):
         raise RingError(f"an algebra with t ≠ 0, or over {F.name}, is not written for {system}")
-    modulus = [-F.data["d"], 0, 1] if kind == "quadratic field" else F.polynomial.coeffs()
+    modulus = F.polynomial.coeffs()
     a, b = (x.replace(F.gen_name, letter) for x in (a, b))
     f = "+".join(f"({x})*{letter}^{n}" for n, x in enumerate(modulus) if x)
     return extended.format(a=a, b=b, f=f, c=", ".join(map(str, modulus)))

@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 from hfield.errors import HFieldError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from tests.adversary.grammar import NotRead
 
 PLAIN = {

@@ -12,7 +12,7 @@ import pytest
 
 from hfield.checker.scalars.fields import read_ring
 from hfield.errors import HFieldError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from tests.adversary.names import pari, some_data
 from tests.adversary.names.arithmetic import real_roots
 from tests.adversary.names.campaign import (

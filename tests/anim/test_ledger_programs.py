@@ -15,9 +15,9 @@ from anim.ledger import CLAIMS, optimised
 from anim.ledger.turning import UP, rotation, turned
 from hfield.cli import main
 from hfield.core.product import Constants, conjugate, multiply
+from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, decide
 from hfield.prover.statements.printing import to_text
-from hfield.rings import ring
 from hfield.syntax import number
 from rotation.ledger.entries import vector
 from rotation.ledger.symbolic_runs import code

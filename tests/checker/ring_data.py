@@ -6,7 +6,7 @@ from typing import Any
 from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.ring import Ring
 from hfield.errors import RingError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.structure import place as place_of
 
 Data = dict[str, Any]

@@ -6,7 +6,7 @@ import pytest
 
 from hfield.checker.rejection import Rejected
 from hfield.checker.scalars.fields import read_ring
-from hfield.rings import ring
+from hfield.fields.names import ring
 from tests.checker import ring_data as data
 from tests.subcases import subcases
 

@@ -15,7 +15,7 @@ from hfield.checker.scalars.quotients import Quotient
 from hfield.checker.scalars.rationals import has_no_rational_root
 from hfield.checker.scalars.residues import jacobi
 from hfield.core.product import Constants
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.structure import norm_evidence, place, ramified_places, zero_norm
 from hfield.structure.norm_forms.zero_norms import evidence_at
 from tests.checker.ring_data import (

@@ -8,13 +8,13 @@ import pytest
 from hfield.checker.check import ExpectedClaim, check
 from hfield.checker.glossary import CIRCLE, CITED_BY_NAME, REAL_ROOTS
 from hfield.checker.rejection import Rejected
+from hfield.fields.names import ring
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import Proposition
 from hfield.ledger.modulus import ModulusDefined
 from hfield.ledger.propositions import Equivalence, Every, Implication, Statement
 from hfield.ledger.real_geometry import Analysis, Angles
 from hfield.ledger.scopes import InField, Negation
-from hfield.rings import ring
 from tests.checker.cases import with_rings
 from tests.checker.ring_data import data_of
 

@@ -12,7 +12,7 @@ from hfield.checker import glossary
 from hfield.checker.check import check
 from hfield.checker.rejection import Rejected
 from hfield.checker.scalars.fields import KINDS, read_ring
-from hfield.rings import ring, ring_of_data
+from hfield.fields.names import ring, ring_of_data
 from tests.checker import ring_data as made
 from tests.checker.cases import about_field, certified
 from tests.checker.ring_data import Data, data_of

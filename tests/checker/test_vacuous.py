@@ -4,8 +4,8 @@ import pytest
 
 from hfield import prove
 from hfield.checker.check import Rejected, check
+from hfield.fields.names import ring
 from hfield.prover.methods.presentations import decide_presentation, presentation_text
-from hfield.rings import ring
 from tests.checker.cases import certified
 
 NEVER = [

@@ -11,11 +11,11 @@ from functools import cache
 from itertools import product
 
 from hfield import H
+from hfield.fields.names import ring
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import UNIVERSAL
 from hfield.ledger.registry import find
 from hfield.prover.prove import prove
-from hfield.rings import ring
 from tests.checker.cases import about_field, certified
 
 # Statements, fields, algebras: one of every kind that is translated.

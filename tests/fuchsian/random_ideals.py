@@ -35,7 +35,7 @@ def divisor(rng: random.Random, K: Any, norm: Any) -> list[Any]:
     for P, e in K.ideal(norm).factorisation():
         for _ in range(rng.randint(0, e)):
             J = J * P if (J * P).norm() <= MOST else J
-    return [1] if J.norm() == 1 else list(J.elements)
+    return [1] if J.norm() == 1 else list(J.basis)
 
 
 def absolute(norm: Any) -> Any:
@@ -51,7 +51,7 @@ def has_positive_generator(order: Any, norm: Any) -> bool | None:
         ramified = {v.index for v in order.algebra.ramified_places() if v in K.real_places()}
         signs = [int(v.index in ramified) for v in K.real_places()]
         f = K.name.partition("/(")[2][:-1]
-        elements = [K.text(x) for x in norm.elements]
+        elements = [K.text(x) for x in norm.basis]
         script = f"{{my(b = bnrinit(bnfinit(subst({f}, s, 'x)), [1, {signs}]), I = 0);"
         script += "".join(f"I = idealadd(b, I, subst({x}, s, 'x));" for x in elements)
         return bool(pari(f"{script} bnrisprincipal(b, I, 0) == 0}}"))

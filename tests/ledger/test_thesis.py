@@ -8,10 +8,10 @@ import pytest
 
 from hfield.checker.check import ExpectedClaim, check_text
 from hfield.checker.glossary import METHODS, THEOREMS, UNCERTIFIED
+from hfield.fields.names import ring
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL, Claim, Computed, decide
 from hfield.ledger.registry import claims, find
-from hfield.rings import ring
 from tests.subcases import first_quick, subcases
 
 PARTS = 6

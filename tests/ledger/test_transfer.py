@@ -1,9 +1,9 @@
 """What a proof over every commutative ring says of one field is what the prover finds there."""
 
+from hfield.fields.names import ring
 from hfield.ledger.propositions import Statement
 from hfield.ledger.transfer import from_general_proof
 from hfield.prover.decide import decide
-from hfield.rings import ring
 from tests.subcases import subcases
 
 FIELDS = ("QQ", "GF(2)", "GF(3)", "GF(9)", "QQ(sqrt(-7))", "GF(2)(t)", "RR")

@@ -39,7 +39,7 @@ class Case:
         if F.name == "QQ(x)":
             return [[ring("QQ").parse(F.text(x).replace("x", "(10007/3)"))]]
         if F.name == "QQ(sqrt(-7))":
-            a, b = x.terms.get(1, flint.fmpq(0)), x.terms.get(-7, flint.fmpq(0))
+            a, b = F.coefficients_of(x)
             return [[a, -7 * b], [b, a]]
         if F.name == "GF(2)(t)":
             F = ring("GF(2^13)")

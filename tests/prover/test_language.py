@@ -3,9 +3,9 @@
 import pytest
 
 from hfield.errors import HFieldError, NotationError
+from hfield.fields.names import ring
 from hfield.prover.statements.language import Sort, read_statement
 from hfield.prover.statements.printing import to_latex, to_text, to_unicode
-from hfield.rings import ring
 from hfield.syntax import parse
 from tests.adversary.statement_generator import plain_statements
 from tests.prover.statements import DEPENDS, FALSE, FIELDS, UNIVERSAL

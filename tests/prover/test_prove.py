@@ -9,9 +9,9 @@ import pytest
 
 from hfield.algebra import H
 from hfield.errors import HFieldError, NotationError, RingError, UndecidedError
+from hfield.fields.names import ring
 from hfield.prover.decide import decide
 from hfield.prover.prove import prove
-from hfield.rings import ring
 from tests.subcases import subcases
 
 

@@ -16,7 +16,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, UndecidedError
-from hfield.rings import CDF, INFINITY, Ring, ring
+from hfield.fields.names import ring
+from hfield.rings import CDF, INFINITY, Ring
 from hfield.rings.checking import AXIOMS
 from tests.thorough import cases
 

@@ -3,7 +3,7 @@
 import pytest
 
 from hfield.errors import CoercionError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.rings.base import WithIntegers
 from tests.subcases import subcases
 
@@ -66,7 +66,8 @@ def test_maps_that_no_text_gives():
     K, L = ring("QQ[s]/(s^2-2)"), ring("QQ(sqrt(2),I)")
     root = L.embed_from(K)(K.gen)
     assert root * root == 2
-    assert L.embed_from(ring("QQ(I)")) is None
+    assert L.embed_from(ring("QQ(I)"))(ring("QQ(I)").gen) == L("I")
+    assert L.embed_from(ring("QQ")) is None
     with pytest.raises(CoercionError, match="no root"):
         L.embed_from(ring("QQ[s]/(s^3-2)"))
     M = ring("QQ[s]/(s^4+1)")

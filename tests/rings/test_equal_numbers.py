@@ -6,7 +6,7 @@ from fractions import Fraction
 import sympy
 
 from hfield import H, QuaternionAlgebra
-from hfield.rings import ring
+from hfield.fields.names import ring
 from tests.subcases import subcases
 
 EQUAL = [

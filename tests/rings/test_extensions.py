@@ -8,7 +8,7 @@ import pytest
 
 from hfield.errors import HFieldError, NotInvertibleError
 from hfield.fields.function_fields.extensions import ExtensionElement
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.rings.roots import divided, stripped
 from tests.subcases import subcases
 from tests.thorough import quick_part

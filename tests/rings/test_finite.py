@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError
-from hfield.rings import GF, Zmod, ring
+from hfield.fields.names import ring
+from hfield.rings import GF, Zmod
 from tests.galois_classes import galois_class
 from tests.subcases import subcases
 

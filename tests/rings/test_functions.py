@@ -14,7 +14,8 @@ from hfield.errors import (
     RingError,
     TooLargeError,
 )
-from hfield.rings import INFINITY, ring
+from hfield.fields.names import ring
+from hfield.rings import INFINITY
 from hfield.rings.roots import divided, multiplied, stripped
 from tests.steps import steps
 from tests.subcases import subcases

@@ -7,7 +7,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, UndecidedError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from tests.subcases import share_quick, subcases
 
 FIELDS = (

@@ -9,9 +9,10 @@ from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, HFieldError, RingError
 from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.names import ring
 from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
-from hfield.rings import CC, GF, QQ, RDF, RR, ZZ, Zmod, ring
+from hfield.rings import CC, GF, QQ, RDF, RR, ZZ, Zmod
 from hfield.rings.finite import ExtensionField
 from hfield.rings.polynomials import PolynomialRing
 from tests.steps import steps

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from hfield.errors import HFieldError
+from hfield.fields.names import ring
 from hfield.fields.number_fields.places import all_places
-from hfield.rings import ring
 from hfield.rings.galois_arrays import of_labels
 from hfield.rings.roots import rational_roots, residue_roots
 from hfield.rings.squares import three_squares, two_squares

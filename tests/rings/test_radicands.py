@@ -9,7 +9,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from hfield.errors import CoercionError, NotInvertibleError, RingError, TooLargeError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.rings.closed_fields.algebraic import CC, RR
 from hfield.rings.closed_fields.radicands import independent, odd, product, ratio, reduced
 from hfield.rings.closed_fields.surds import Surd

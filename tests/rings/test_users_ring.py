@@ -6,9 +6,10 @@ import pytest
 
 from hfield import H, QuaternionAlgebra, check_ring, info, prove
 from hfield.errors import CoercionError, HFieldError, UndecidedError
+from hfield.fields.names import ring
 from hfield.prover.evaluation import all_cases
 from hfield.prover.problem import MEMORY
-from hfield.rings import Ring, ring
+from hfield.rings import Ring
 from tests.subcases import subcases
 
 from .axioms import CHECKS

@@ -16,7 +16,7 @@ import numpy as np
 import sympy
 
 from hfield.errors import HFieldError
-from hfield.rings import ring
+from hfield.fields.names import ring
 
 FILE = Path(__file__).with_name("told.json")
 RINGS = (

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 from hfield.errors import HFieldError
-from hfield.rings import ring
+from hfield.fields.names import ring
 
 FILE = Path(__file__).with_name("ring_names.json")
 

@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hfield.checker.check import check_text
+from hfield.fields.names import ring
 from hfield.ledger.certificate import certificate
 from hfield.ledger.claim import NO_FIELD, Claim, decide
-from hfield.rings import ring
 from hfield.syntax import names, parse
 from rotation.ledger import generator, printed_times
 from rotation.ledger.inequalities import Less, between

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from hfield.core.product import Constants
-from hfield.rings import ring
+from hfield.fields.names import ring
 
 FOLDER = Path(__file__).parent.parent / "vectors"
 

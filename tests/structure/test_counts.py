@@ -6,7 +6,7 @@ import pytest
 from structure_cases import cases, constants
 
 from hfield.errors import CoercionError, NotFiniteError, TooLargeError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.structure.counting.formulas_finite import count
 from hfield.structure.counting.tally import confirm, tally
 from tests.subcases import first_quick

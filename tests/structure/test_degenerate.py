@@ -7,7 +7,7 @@ from structure_cases import constants
 
 from hfield.core.product import Constants, multiply, norm, trace
 from hfield.fields.function_fields.artin_schreier import artin_schreier
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.structure import is_isomorphic, isomorphism
 from hfield.structure.forms import discriminant
 from hfield.structure.single_elements.square_roots import square_roots

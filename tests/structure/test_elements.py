@@ -6,7 +6,7 @@ from structure_cases import constants
 
 from hfield.core.product import multiply, norm, trace
 from hfield.errors import NotInvertibleError, UndecidedError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.structure.single_elements.properties import (
     characteristic_polynomial,
     conjugator,

@@ -8,7 +8,7 @@ import pytest
 
 from hfield import H, QuaternionAlgebra
 from hfield.errors import NotFiniteError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from tests.subcases import subcases
 
 NONE = [

@@ -6,8 +6,8 @@ import pytest
 from structure_cases import constants
 
 from hfield.core.product import Constants, multiply, norm, trace
-from hfield.fields.function_fields.symbols import common_slot_functions
-from hfield.rings import ring
+from hfield.fields.function_fields.common_slots import common_slot_functions
+from hfield.fields.names import ring
 from hfield.structure import is_division, isomorphism, ramified_places
 from hfield.structure.forms import discriminant
 from hfield.structure.ramification import hilbert_symbol

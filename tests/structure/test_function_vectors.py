@@ -4,7 +4,7 @@ import pytest
 from structure_cases import cases, constants
 
 from hfield.errors import UndecidedError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.structure import is_division
 
 CASES = cases("function_division")

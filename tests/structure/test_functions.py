@@ -8,7 +8,7 @@ from hfield.errors import RingError, UndecidedError
 from hfield.fields.function_fields.conics import RamifiedError, solve_conic_functions
 from hfield.fields.function_fields.residues import ResidueField
 from hfield.fields.function_fields.symbols import ramified_places_functions
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.structure import hilbert_symbol, is_division, zero_norm
 from hfield.structure.forms import discriminant, normal_form
 from hfield.structure.ramification import place, ramified_places, reduced_discriminant

@@ -7,7 +7,7 @@ from structure_cases import constants
 
 from hfield.core.product import Constants, multiply, norm
 from hfield.errors import UndecidedError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.structure.linear_algebra.centre import basis_of, centre
 from hfield.structure.linear_algebra.kernels import apply
 from hfield.structure.linear_algebra.radical import (

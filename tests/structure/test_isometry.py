@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import pytest
 
-import hfield.fields.rationals.embedding as lattices
+import hfield.fields.rationals.isometries as lattices
 from hfield import QuaternionAlgebra
 from hfield.core.product import Constants, multiply
 from hfield.errors import RingError, UndecidedError

@@ -6,13 +6,14 @@ import pytest
 from structure_cases import cases, constants
 
 from hfield.core.product import norm
-from hfield.errors import RingError, UndecidedError
-from hfield.fields.number_fields.quadratic.arithmetic import (
+from hfield.errors import CoercionError, RingError, UndecidedError
+from hfield.fields.names import ring
+from hfield.fields.number_fields.quadratic.ring import QuadraticField
+from hfield.fields.number_fields.quadratic.symbols import (
     hilbert_symbol_quadratic,
     ramified_places_quadratic,
 )
-from hfield.fields.number_fields.quadratic.ring import QuadraticField
-from hfield.rings import ring
+from hfield.rings import RR
 from hfield.structure import hilbert_symbol, is_division, zero_norm
 from hfield.structure.ramification import place, places, ramified_places
 from tests.subcases import subcases
@@ -74,6 +75,9 @@ def test_symbols_of_surds_find_their_field():
     assert hilbert_symbol(F.gen, -1, "inf+") == 1
     assert hilbert_symbol(-1, -1, place(F, "inf+")) == -1
     with pytest.raises(RingError, match="no common"):
+        hilbert_symbol(RR("sqrt(2)"), RR("sqrt(3)"), 5)
+    assert hilbert_symbol(RR("sqrt(2)"), -1, "inf-") == -1
+    with pytest.raises(CoercionError, match="different rings do not mix"):
         hilbert_symbol(F.gen, ring("QQ(sqrt(3))").gen, 5)
     with pytest.raises(RingError, match="nonzero"):
         hilbert_symbol(F.gen, 0, "inf+")

@@ -11,20 +11,13 @@ from hfield.core.factorisation import known_primes, remove
 from hfield.core.primality import is_prime
 from hfield.core.product import Constants, multiply
 from hfield.errors import UndecidedError
-from hfield.fields.number_fields.arithmetic import common_slot, is_local_square
+from hfield.fields.names import ring
 from hfield.fields.number_fields.conics import good_module, solve_conic_number_field
+from hfield.fields.number_fields.given_symbols import common_slot, is_local_square
 from hfield.fields.number_fields.integral_basis import coordinate_rows
-from hfield.fields.number_fields.quadratic.arithmetic import hilbert_symbol_quadratic, pair
-from hfield.fields.number_fields.quadratic.as_number_field import (
-    as_number_field,
-    from_number_field,
-    into_number_field,
-    place_in_number_field,
-)
-from hfield.fields.number_fields.quadratic.places import places_above
 from hfield.fields.number_fields.quadratic.residues import Inert, prime_at
+from hfield.fields.number_fields.quadratic.symbols import hilbert_symbol_quadratic, pair
 from hfield.fields.number_fields.symbols import candidates
-from hfield.rings import ring
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
 from hfield.structure.minimal_conics import Conic
 from hfield.structure.single_elements.square_roots import square_roots
@@ -65,15 +58,8 @@ def other_basis(F, c: Constants, rng: random.Random) -> Constants:
 
 
 def point(F, a, b):
-    """Return (x, y, z) with ``a·x² + b·y² = z²``, as it is found in ℚ[s]/(s² − d)."""
-    K = as_number_field(F)
-    found = solve_conic_number_field(K, *(into_number_field(F, x) for x in (a, b)))
-    return [from_number_field(F, x) for x in found]
-
-
-def is_square_at(v, x):
-    """Tell whether x is a square in the completion at a place."""
-    return is_local_square(place_in_number_field(v), into_number_field(v.field, x))
+    """Return (x, y, z) with ``a·x² + b·y² = z²``."""
+    return solve_conic_number_field(F, a, b)
 
 
 @subcases("d", FIELDS)
@@ -135,7 +121,7 @@ def test_rational_constants_over_a_field_of_any_discriminant():
 def test_prime_ideals(d):
     F, rng = field(d), random.Random(d)
     for p in (2, 3, 5, 7, 163, 10**20 + 39):
-        above = [prime_at(v) for v in places_above(F, p)]
+        above = [prime_at(v) for v in F.primes_above(p)]
         for _ in range(10):
             x, y = (number(F, rng, 60) * rng.choice((1, p, p * p)) for _ in range(2))
             weights = [2 if isinstance(v, Inert) else 1 for v in above]
@@ -159,18 +145,17 @@ def test_prime_ideals(d):
 def test_a_good_lattice_is_a_module_of_least_discriminant(d):
     F, rng = field(d), random.Random(d)
     c = algebra(F, rng, 30, division=False)
-    K = as_number_field(F)
-    a, b = (into_number_field(F, x) for x in (c.a * 36, c.b * 25 * (F.gen + 3) * (F.gen + 3)))
-    basis = good_module(K, [K.one, -a, -b], sorted({2} | candidates(K, a) | candidates(K, b)))
-    o = K.zero
-    conic = Conic((K.one, -a, -b, o, o, o), o, K.one)
-    matrix = _matrix(K, basis)
-    turned = _matrix(K, [[K.integral_basis()[1] * x for x in v] for v in basis])
+    a, b = c.a * 36, c.b * 25 * (F.gen + 3) * (F.gen + 3)
+    basis = good_module(F, [F.one, -a, -b], sorted({2} | candidates(F, a) | candidates(F, b)))
+    o = F.zero
+    conic = Conic((F.one, -a, -b, o, o, o), o, F.one)
+    matrix = _matrix(F, basis)
+    turned = _matrix(F, [[F.integral_basis()[1] * x for x in v] for v in basis])
     assert all(x.q == 1 for x in (turned * matrix.inv()).entries())
     # s the ideal of values: the half-discriminant 4ab, times the index squared, is the cube of s
     sums = [[x + y for x, y in zip(u, v, strict=True)] for u, v in itertools.combinations(basis, 2)]
     values = [conic.value(u) for u in (*basis, *sums)]
-    least = _index(K, values)
+    least = _index(F, values)
     assert matrix.det() ** 2 * abs((4 * a * b).norm()) == least**3
 
 
@@ -199,15 +184,14 @@ def test_common_slots(d):
 
 def slot(F, c, numbers):
     """Return an e such that each (x, e) is isomorphic to an algebra."""
-    places = [place_in_number_field(v) for v in ramified_places(F, c)]
-    return from_number_field(F, common_slot([into_number_field(F, x) for x in numbers], places))
+    return common_slot(numbers, ramified_places(F, c))
 
 
 def test_no_common_slot():
     # ℚ₅ contains a root of −1, so that no (−1, e) ramifies at a place above 5
     F = field(11)
     c = constants(F.name, 5, 0, 2)
-    assert [v.prime for v in ramified_places(F, c)] == [5, 5]
+    assert [v.p for v in ramified_places(F, c)] == [5, 5]
     with pytest.raises(UndecidedError, match="above 5"):
         slot(F, c, [F(-1)])
 
@@ -240,7 +224,7 @@ def test_square_roots_of_scalars_in_division_algebras(d):
         assert multiply(c, x, x) == (s, F.zero, F.zero, F.zero)
         s = number(F, rng, 30)
         x = square_roots(F, c, (s, F.zero, F.zero, F.zero)).quadric
-        assert (x is None) == any(is_square_at(v, s) for v in ramified_places(F, c))
+        assert (x is None) == any(is_local_square(v, s) for v in ramified_places(F, c))
         if x is not None:
             assert multiply(c, x, x) == (s, F.zero, F.zero, F.zero)
 
@@ -251,13 +235,13 @@ def test_local_squares(d):
     F, rng = field(d), random.Random(d)
     some = [number(F, rng, 60) for _ in range(25)]
     for p in (0, 2, 3, 5):
-        for v in places_above(F, p):
-            others = [pair(F, y) for z in some for y in (z, z * (p or 1), z * F.gen)]
+        for v in F.primes_above(p) if p else F.infinite_places():
+            others = [pair(y) for z in some for y in (z, z * (p or 1), z * F.gen)]
             for _ in range(cases(20)):
                 x = number(F, rng, 20) * F(rng.choice((1, 2, 4, 3, 9)))
-                symbols = [hilbert_symbol_quadratic(F, pair(F, x), y, v) for y in others]
-                assert is_square_at(v, x) == (min(symbols) == 1)
-                assert is_square_at(v, x * x)
+                symbols = [hilbert_symbol_quadratic(F, pair(x), y, v) for y in others]
+                assert is_local_square(v, x) == (min(symbols) == 1)
+                assert is_local_square(v, x * x)
 
 
 def test_norm_and_trace():

@@ -11,7 +11,7 @@ from hfield.errors import RingError, UndecidedError
 from hfield.structure import zero_norm
 from hfield.structure.forms import normal_form
 from hfield.structure.global_field import known_field
-from hfield.structure.norm_forms.zeros_over_fields import by_leading_terms
+from hfield.structure.norm_forms.leading_terms import by_leading_terms
 
 
 @pytest.mark.parametrize(

@@ -5,10 +5,15 @@ from structure_cases import constants
 
 from hfield.core.product import Constants, multiply, norm
 from hfield.errors import CoercionError, MixedParentsError, UndecidedError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.structure.forms import discriminant
 from hfield.structure.isomorphisms.isomorphic import is_isomorphic, isomorphism, same_parent
-from hfield.structure.isomorphisms.splitting import Splitting, division_or_splitting, product, split
+from hfield.structure.isomorphisms.splitting import (
+    CoordinateSplitting,
+    division_or_splitting,
+    product,
+    split,
+)
 from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
 from tests.subcases import subcases
 
@@ -68,7 +73,7 @@ def test_no_splitting():
     with pytest.raises(UndecidedError, match="fields only"):
         split(ring("ZZ"), constants("ZZ", 1, 0, 3))
     assert isinstance(
-        division_or_splitting(ring("GF(3)"), constants("GF(3)", -1, 0, -1)), Splitting
+        division_or_splitting(ring("GF(3)"), constants("GF(3)", -1, 0, -1)), CoordinateSplitting
     )
 
 

@@ -5,7 +5,7 @@ from structure_cases import cases, constants
 
 from hfield.core.product import norm
 from hfield.errors import UndecidedError
-from hfield.rings import ring
+from hfield.fields.names import ring
 from hfield.structure import centre, is_commutative, is_division, zero_norm
 from hfield.structure.norm_forms.zero_norm_answer import found
 from tests.subcases import subcases

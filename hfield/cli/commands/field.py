@@ -42,7 +42,7 @@ def run(args: Namespace) -> int:
 
 
 def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
-    from hfield.rings import ring
+    from hfield.fields.names import ring
 
     K: Any = ring(args.field)
     if not hasattr(K, "class_group"):

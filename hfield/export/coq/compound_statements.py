@@ -7,10 +7,12 @@ commutative ring (docs/certificates.md).
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from hfield.checker.glossary import PROVED, REFUTED, VACUOUS
+from hfield.checker.rejection import Rejected
+from hfield.checker.vocabulary.logic import Proposition, read_proposition
 from hfield.evidence import Kind
 from hfield.export.coq.base_rings import base_ring_of
 from hfield.export.coq.cofactors import MismatchError
@@ -21,28 +23,17 @@ from hfield.fields.names import ring
 from hfield.prover.statements.setting import Setting
 from hfield.rings import Ring
 from hfield.syntax import Binary, Compare, Logic, Name, Negate, Node, Number, Power, parse
-from hfield.syntax.brackets import split
 
 LOGIC = ("every", "implies", "iff", "not-everywhere", "over", "angles", "citing")
 MAX_DEPTH = 6
 
 
-@dataclass(frozen=True)
-class Whole:
-    """A word of the vocabulary with the texts between its braces."""
-
-    word: str
-    parts: tuple[str, ...]
-
-
-def read_whole(text: str) -> Whole | None:
-    """Read a statement of the vocabulary; None for one of the language."""
-    m = re.fullmatch(r"\s*([a-z]+(?:-[a-z]+)*)\s*\{(.*)\}\s*", text, re.DOTALL)
-    if m is None:
-        word = text.strip()
-        words = ("division", "formally-real", "modulus-exists")
-        return Whole(word, ()) if word in words else None
-    return Whole(m[1], tuple(split(m[2], ";")))
+def read(text: str) -> Proposition | None:
+    """Read a statement of the vocabulary as the checker does; None for one of the language."""
+    try:
+        return read_proposition(text)
+    except Rejected as error:
+        raise MismatchError(str(error)) from error
 
 
 def judge(
@@ -56,7 +47,7 @@ def judge(
     """Prove what a verdict on any statement says. Raises NotCoveredError and MismatchError."""
     if depth > MAX_DEPTH:
         raise MismatchError("the statement nests too deeply")
-    whole = read_whole(text)
+    whole = read(text)
     if whole is not None:
         return _Logic(name, whole, setting, depth).judge(verdict, evidence)
     if is_presentation(text):
@@ -76,7 +67,7 @@ def _over(evidence: Mapping[str, Any]) -> Mapping[str, Any]:
 
 def claimed(text: str, setting: Setting) -> str:
     """Return what a statement says as a proposition, whether it is true or not."""
-    whole = read_whole(text)
+    whole = read(text)
     if whole is None:
         if is_presentation(text):
             field = setting.field
@@ -108,7 +99,7 @@ def _named(name: str) -> Ring:
     return found
 
 
-def _core_alone(angles: Whole, setting: Setting) -> bool:
+def _core_alone(angles: Proposition, setting: Setting) -> bool:
     """Tell whether ``angles{P; Q}`` says P alone: Q is said of RR, which is among all fields."""
     if setting.field is None:
         return len(angles.parts) == 1
@@ -122,14 +113,14 @@ def _no_word(word: str) -> NotCoveredError:
 class _Logic:
     """One statement made of others."""
 
-    def __init__(self, name: str, whole: Whole, setting: Setting, depth: int) -> None:
+    def __init__(self, name: str, whole: Proposition, setting: Setting, depth: int) -> None:
         self.name, self.whole, self.setting, self.depth = name, whole, setting, depth
 
     def part(self, n: int, verdict: str, evidence: Mapping[str, Any]) -> tuple[Proved, str]:
         """Prove a part as a lemma; return it and its name."""
         name = f"{self.name}_{n + 1}"
         text = self.whole.parts[n]
-        if verdict == "vacuous" and read_whole(text) is None:
+        if verdict == "vacuous" and read(text) is None:
             return Judgement(name, text, self.setting).true_vacuously(evidence), name
         own = judge(name, text, self.setting, verdict, evidence, self.depth + 1)
         if verdict == "vacuous":  # of implies{P; Q} it says that P is false

@@ -22,7 +22,7 @@ from hfield.fields.circles.angles import PI, Angle, WithAngles, rotated
 from hfield.fields.circles.ring import CircleFunctions, in_latex, pole
 from hfield.fields.circles.ring import build as build_circles
 from hfield.fields.function_fields.ring import FunctionField
-from hfield.fields.number_fields.spelled_names import Number, SpelledField
+from hfield.fields.number_fields.spelled_names import NamedNumber, SpelledField
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.closed_fields.algebraic import RR
 from hfield.rings.closed_fields.surds import Surd
@@ -94,13 +94,13 @@ def number_field(texts: Texts) -> Any:
 
 
 @cache
-def _number(text: str) -> Number:
+def _number(text: str) -> NamedNumber:
     import sympy
 
     x: Any = RR(text)
     polynomial = sympy.Poly(sympy.minimal_polynomial(RR.to_sympy(x, {}), sympy.Symbol("x")))
     rationals = [flint.fmpq(int(c.p), int(c.q)) for c in reversed(polynomial.monic().all_coeffs())]
-    return Number(text, flint.fmpq_poly(rationals), x.ball)
+    return NamedNumber(text, flint.fmpq_poly(rationals), x.ball)
 
 
 @cache

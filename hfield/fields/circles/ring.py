@@ -358,7 +358,7 @@ class CirclesOverNumberField(WithAngles[ExtensionElement], OverNumberField):
             leading[n][1] if n in leading and leading[n][0] == first else c
             for n, c in enumerate(zero)
         ]
-        sign: int = K.sign(K.of_coefficients(values), getattr(K, "principal", 0))
+        sign: int = K.sign_at(K.of_coefficients(values), K.principal)
         return sign * base.sign_near_zero(base.quotient(common, base.one.num))
 
     def tangent(self, angle: Angle) -> ExtensionElement:

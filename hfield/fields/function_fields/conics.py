@@ -23,8 +23,8 @@ from hfield.rings.whole_numbers import fraction
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.minimal_conics import (
     Conic,
+    ConicLattice,
     Form,
-    Lattice,
     Vector,
     half_discriminant,
     minimise,
@@ -69,7 +69,7 @@ def solve_conic_functions(
     if field.base.order is None:
         constants = _specialised_zero(field, form, basis)
     else:
-        constants = _constant_zero(field, conic.coefficients(Lattice(basis, lattice.scale)))
+        constants = _constant_zero(field, conic.coefficients(ConicLattice(basis, lattice.scale)))
     scaled = [[s * x for x in v] for s, v in zip(constants, basis, strict=True)]
     x, y, z = (sum(column[1:], column[0]) for column in zip(*scaled, strict=True))
     return x, y, z

@@ -2,8 +2,6 @@
 
 flint has polynomials over these fields but no fractions of them; :class:`Quotient` adds those, in
 lowest terms with monic denominator, so that equal functions have equal parts.
-
-Elements over F(t) as four polynomials over one, in lowest terms with a monic denominator.
 """
 
 from __future__ import annotations
@@ -17,13 +15,12 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.core.product import Constants, Coordinates
-from hfield.core.straight_line import named
+from hfield.core.product import Constants
 from hfield.errors import CoercionError
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
+from hfield.fields.function_fields.representation import FunctionRepresentation
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.finite import ExtensionField, PrimeField
-from hfield.rings.held.numerators import Held, Numerators
 from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.printing import blackboard, quotient_text, sum_text
@@ -62,8 +59,7 @@ class FunctionField(FractionField):
     1/2*x-1/2
     """
 
-    arithmetic = "function_fields.arithmetic.FunctionArithmetic"
-    completions = "function_fields.completions.completion_of_functions"
+    theory = "function field"
 
     def __init__(self, base: Ring, variable: str) -> None:
         self.base, self.gen_name, self.variables = base, variable, (variable,)
@@ -230,7 +226,7 @@ class FunctionField(FractionField):
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four polynomials over one."""
 
-        return RationalFunctions(self, constants)
+        return FunctionRepresentation(self, constants)
 
     def places(self) -> Iterator[Hashable]:
         """Run through the places over a finite field: infinity, then polynomials by degree."""
@@ -306,74 +302,3 @@ def _root(poly: Polynomial) -> Polynomial | None:
     except (ValueError, flint.utils.flint_exceptions.DomainError):  # flint raises either
         return None
     return root if root * root == poly else None
-
-
-class RationalFunctions(Numerators):
-    """Elements over F(t) as four polynomials over one denominator."""
-
-    relation = ("0",)
-
-    def __init__(self, ring: FunctionField, constants: Constants) -> None:
-        super().__init__(ring, constants)
-        self._field, self._one = ring, ring.one.num
-        a, t, b = constants
-        self._m, self._k = self._common(a.den, t.den), b.den
-        integral = Constants(
-            a.num * (self._m * self._m // a.den), t.num * (self._m // t.den), b.num * self._k
-        )
-        self._constants = integral._asdict()
-        self.pattern = tuple(
-            (named(c, name, lambda x, n: x == n),) for name, c in self._constants.items()
-        )
-
-    def _common(self, *polynomials: Polynomial) -> Polynomial:
-        """Return the least common multiple of monic polynomials."""
-        common = self._one
-        for f in polynomials:
-            common = common * (f // common.gcd(f))
-        return common
-
-    def hold(self, coordinates: Coordinates) -> Held:
-        """Return the element with these coordinates, rational functions."""
-        scales = self._one, self._m, self._k, self._m * self._k
-        denominators = [c.den * s for c, s in zip(coordinates, scales, strict=True)]
-        d = self._common(*denominators)
-        w, x, y, z = (c.num * (d // e) for c, e in zip(coordinates, denominators, strict=True))
-        return self._lowest(w, x, y, z, d)
-
-    def fraction(self, s: Any) -> Held:
-        """Return numerator and denominator of a rational function."""
-        return s.num, s.den
-
-    def coordinates(self, held: Held) -> Coordinates:
-        """Return the four coordinates, rational functions."""
-        quotient, m, k = self._field.quotient, self._m, self._k
-        w, x, y, z, d = held
-        return quotient(w, d), quotient(x * m, d), quotient(y * k, d), quotient(z * m * k, d)
-
-    def names(self) -> dict[str, object]:
-        """Return the constants, and what puts fractions in lowest terms."""
-        tools = {"element": self._field.quotient, "one": self._one, "lowest": self._lowest}
-        return super().names() | self._constants | tools
-
-    def settle(self, names: list[str]) -> list[str]:
-        """Write how to return polynomials over d in lowest terms."""
-        listed = ", ".join(names)
-        return [f"return ({listed}, d) if d == one else lowest({listed}, d)"]
-
-    def _lowest(self, *fraction: Polynomial) -> Held:
-        """Put polynomials over one denominator, which is the last, in lowest terms, and make that monic."""
-        one = self._one
-        common = fraction[-1]
-        for f in fraction[:-1]:
-            if common.degree() == 0:
-                break
-            common = common.gcd(f)
-        lead = fraction[-1].leading_coefficient()
-        common = common * lead if common.degree() else one * lead
-        return fraction if common == one else tuple(f // common for f in fraction)
-
-    def key(self, p: Held) -> tuple[tuple[Any, ...], ...]:
-        """Return the coefficients."""
-        F = self._field
-        return tuple(tuple(F.base.key(F.base_element(c)) for c in f.coeffs()) for f in p)

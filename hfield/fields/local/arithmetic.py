@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any, NoReturn
 from hfield.core.factorisation import Factors
 from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply, norm, trace
 from hfield.errors import RingError, UndecidedError
-from hfield.fields.local.field import DIGITS, Completion, LocalField, hensel
+from hfield.fields.local.completion import Completion
+from hfield.fields.local.field import DIGITS, LocalField
+from hfield.fields.local.square_roots import hensel
 from hfield.rings.base import Ring
 from hfield.structure.forms import NormalForm
 from hfield.structure.global_field import GlobalField, known_field

@@ -1,118 +1,25 @@
-"""Local fields as rings: ℚ_p, GF(q)((t)), and every completion of a global field at a finite place.
-
-What the completions of a global field share: their elements are elements of that field, first of all.
-
-Square roots in local fields, by Hensel's lemma, and −1 as a sum of squares.
-
-Where 2 is not invertible among the residues, a unit is first brought as near to 1 as squares bring it (its
-quadratic defect: O'Meara, *Introduction to Quadratic Forms*, §63A).
-"""
+"""Local fields as rings: ℚ_p, GF(q)((t)), and every completion of a global field at a finite place."""
 
 from __future__ import annotations
 
-import itertools
-from abc import abstractmethod
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from functools import cached_property
-from random import Random
 from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.core.product import Scalar
 from hfield.errors import CoercionError, HFieldError, UndecidedError
+from hfield.fields.local.completion import Completion
 from hfield.fields.local.element import LocalElement
-from hfield.rings.base import E, Known, Ring, shared
-from hfield.rings.operators import Overfield
+from hfield.fields.local.square_roots import minus_one, square_root
+from hfield.rings.base import Known, Ring
 from hfield.rings.printing import is_sum, parentheses, power_text
 from hfield.rings.roots import integral, irreducible_factors, near_root
 from hfield.syntax import Binary, Call, Node, Number, Reader, children, parse, rebuild, weight
 
 if TYPE_CHECKING:
     from collections.abc import Hashable
-
-    from hfield.fields.function_fields.quotients import Quotient
-
-
-class Completion(Overfield[E]):
-    """The completion of a global field at a place; ``global_field`` and ``place`` say of what and where.
-
-    Elements are :class:`~hfield.rings.operators.Element` with a ``value`` in the global field, and texts mean
-    what they mean there.
-    """
-
-    def __init__(self, name: str, words: str, global_field: Ring, place: Hashable) -> None:
-        self.name, self._words = name, words
-        self.global_field, self.place = global_field, place
-        self.characteristic = global_field.characteristic
-        self.gen_name = global_field.gen_name
-        self.parse_limit = global_field.parse_limit
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return shared, (self.global_field.completion, "".join(str(self.place).split()))
-
-    @property
-    def data(self) -> dict[str, Any]:
-        """The field by the one that is completed, and the place."""
-        at = self.place_data(self.place)
-        return {"kind": "completion", "of": self.global_field.data, "place": at}
-
-    def place_data(self, place: Any) -> dict[str, Any]:
-        """Return the place of the global field as JSON data."""
-        return self.global_field.place_data(place)
-
-    def in_words(self) -> str:
-        """Say what the field is."""
-        return self._words
-
-    def from_below(self, x: object) -> E:
-        """Turn a number or an element of the global field into an exact element.
-
-        Raises :class:`CoercionError`.
-        """
-        return self.exact(self.global_field(x))
-
-    def embed_from(self, source: Ring) -> Callable[[Any], E] | None:
-        """Return the inclusion of the global field."""
-        return self if source == self.global_field else None
-
-    @abstractmethod
-    def exact(self, value: Scalar) -> E:
-        """Return an element of the global field as one of this field."""
-
-    @property
-    def gen(self) -> E:
-        """The generator of the global field."""
-        return self.exact(self.global_field.gen) if self.gen_name else super().gen
-
-    def names(self) -> dict[str, E]:
-        """What names mean in the global field."""
-        return {name: self.exact(x) for name, x in self.global_field.names().items()}
-
-    def functions(self) -> dict[str, Callable[..., E]]:
-        """What functions mean in the global field."""
-        return {name: self._lifted(f) for name, f in self.global_field.functions().items()}
-
-    def _lifted(self, f: Callable[..., Scalar]) -> Callable[..., E]:
-        """Return a function of the global field as one of exact elements."""
-
-        def lifted(*xs: Any) -> E:
-            for x in xs:
-                if not self.is_known(x):
-                    raise UndecidedError(
-                        f"a function of {self.text(x)} hangs on digits that are not known"
-                    )
-            return self(f(*(x.value for x in xs)))
-
-        return lifted
-
-    def places(self) -> Iterator[Hashable]:
-        """Run through the places: there is one."""
-        yield self.place
-
-    def random(self, rng: Random) -> E:
-        """Return a small random exact element; the same for the same seed."""
-        return self.exact(self.global_field.random(rng))
 
 
 DIGITS = 20  # to so many digits roots are found that no element of the global field is
@@ -132,7 +39,7 @@ class LocalField(Completion[LocalElement]):
     (3/10, 17+O(5^2), 79753541295807+O(5^20))
     """
 
-    arithmetic = "local.arithmetic.LocalArithmetic"
+    theory = "local field"
 
     def __init__(
         self, name: str, words: str, global_field: Ring, place: Hashable, residues: Any
@@ -364,122 +271,3 @@ class _NamedConstants:
         except HFieldError:
             return None
         return value
-
-
-TRIES = 5_000
-
-
-def square_root(F: LocalField, x: LocalElement, digits: int) -> LocalElement | None:
-    """Return a square root of x, or None where there is none.
-
-    It is exact if x is and its root is in the global field, else known to ``digits`` digits, or to as many as
-    x allows. Raises :class:`UndecidedError` naming the digits of x that it takes.
-    """
-    if x.is_exact:
-        root = F.global_field.sqrt(x.value)
-        if root is not None or not x.has_value:
-            return LocalElement(F, x.value if root is None else root)
-    elif F.characteristic != 2 and not x.has_value:
-        F.check_digits(x, F.square_digits, "its square class")
-    if F.characteristic == 2:
-        return _even_root(F, x)
-    n = x.valuation()
-    if n % 2:
-        return None
-    known = x.digits()
-    wanted = digits if known is None else min(digits, known - F.doubling)
-    scale = F.global_field.power(F.pi, n // 2)
-    unit = F.global_field.divide(x.value, scale * scale)
-    start = _near_root(F, F.truncated(unit, max(wanted, 0) + 2 * F.doubling + 1), known)
-    if start is None:
-        return None
-    F.check_digits(x, F.square_digits, f"whether {x} is a square")
-    root = hensel(F, (-unit, F.global_field.zero, F.global_field.one), start, wanted)
-    return LocalElement(F, root * scale, wanted + n // 2)
-
-
-def _even_root(F: LocalField, x: LocalElement) -> LocalElement | None:
-    """Answer in characteristic 2 for what has no root among the rational functions."""
-    if x.is_exact:
-        return None  # k is perfect, so that x = u² + t·v² is a square only if v = 0
-    slope = _derivative(x.value)
-    shift = F.order_of(_derivative(F.pi))
-    if slope.num != 0 and x.precision is not None and F.order_of(slope) - shift < x.precision - 1:
-        return None  # a term of odd degree is known
-    raise UndecidedError(
-        f"whether {x} is a square in {F} is not decided by any number of digits: it must be given exactly"
-    )
-
-
-def _derivative(x: Quotient) -> Quotient:
-    """Return dx/dt for a rational function in characteristic 2."""
-    n, d = x.num, x.den
-    slope: Quotient = x.field.quotient(n.derivative() * d + n * d.derivative(), d * d)
-    return slope
-
-
-def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Scalar | None:
-    """Return y with v(y² − u) > 2·v(2) for a unit u of the global field, or None if u is no square.
-
-    Where only ``known`` digits of u count, y² has them, too; None says that no unit with them is a square.
-    """
-    K: Ring[Scalar] = F.global_field
-    k, e = F.residues, F.doubling
-    if not e:
-        root = k.sqrt(k.reduce(unit))
-        return None if root is None else K(k.lift(root))
-    y, digits = K(k.lift(k.sqrt(k.reduce(unit)))), 2 * e + 2
-    while True:
-        rest = K.divide(unit, y * y) - K.one
-        n = digits if K.is_zero(rest) else F.order_of(rest)
-        if n > 2 * e or (known is not None and n >= known):
-            return y
-        if n % 2:
-            return None
-        # (1 + π^m·d)² = 1 + 2π^m·d + π^2m·d², where 2π^m is smaller than π^2m, or as small for n = 2e
-        step = K.power(F.pi, n // 2)
-        leading = k.reduce(K.divide(rest, step * step))
-        if n < 2 * e:
-            factor = K.one + step * K(k.lift(k.sqrt(leading)))
-        else:
-            # (1 + 2z)² = 1 + 4(z² + z)
-            found = k.quadratic_root(k.one, k.one, k.reduce(K.divide(rest, K(4))))
-            if found is None:
-                return None
-            z = k.multiply(found[0], k.inverse(found[1]))
-            factor = K.one + K(2) * K(k.lift(z))
-        y = F.truncated(y * factor, digits)
-
-
-def hensel(F: LocalField, f: tuple[Scalar, Scalar, Scalar], x: Scalar, digits: int) -> Scalar:
-    """Return a root of ``f₀ + f₁·X + f₂·X²`` up to π^digits, from an x with v(f(x)) > 2·v(f′(x)).
-
-    All are elements of the global field. Newton's steps double the digits of the root near x, of which there
-    is one (Hensel's lemma).
-    """
-    K: Ring[Scalar] = F.global_field
-    while True:
-        value, slope = f[0] + x * (f[1] + x * f[2]), f[1] + x * (f[2] + f[2])
-        n = F.order_of(slope)
-        if K.is_zero(value) or F.order_of(value) - n >= digits:
-            return F.truncated(x, digits)
-        reached = F.order_of(value) - n  # the valuation of x less the root
-        x = F.truncated(x - K.divide(value, slope), min(2 * reached - n, max(digits, n + 1)))
-
-
-def minus_one(F: LocalField) -> tuple[LocalElement, ...]:
-    """Return as few elements as the level says whose squares add up to −1."""
-    root = F.sqrt(-F.one)
-    if root is not None:
-        return (root,)
-    if F.doubling and F.doubling * (F.residues.order.bit_length() - 1) % 2:
-        root = F.sqrt(F(-7))
-        assert root is not None  # −7 is 1 modulo 8
-        return F.one, F.one, F(2), root
-    rng = Random(1)
-    for n in itertools.islice(itertools.count(), TRIES):
-        x = F(n) if n < 10 else F(sum((F.random(rng).value * F.pi**m for m in range(4)), F.pi * 0))
-        root = F.sqrt(-F.one - x * x)
-        if root is not None:
-            return x, root
-    raise UndecidedError(f"−1 is a sum of two squares in {F}, but none were found in {TRIES} tries")

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError, shorten
-from hfield.fields.local.field import Completion, LocalField
+from hfield.fields.local.completion import Completion
+from hfield.fields.local.field import LocalField
 from hfield.fields.number_fields.places import RealPlace, place_of_number_field
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-from hfield.fields.number_fields.quadratic.places import place_of_quadratic
+from hfield.fields.number_fields.quadratic.places import QuadraticPrime
 from hfield.fields.number_fields.quadratic.residues import prime_at
 from hfield.fields.number_fields.residues import local_place
 from hfield.rings.base import INFINITY, Known, Ring
@@ -23,7 +24,6 @@ from hfield.rings.operators import Element
 from hfield.rings.printing import SUBSCRIPTS, blackboard
 
 if TYPE_CHECKING:
-    from hfield.fields.number_fields.quadratic.places import QuadraticPlace
     from hfield.fields.number_fields.quadratic.ring import QuadraticField
     from hfield.fields.number_fields.ring import NumberField
     from hfield.structure.finite_places import FinitePlace
@@ -63,7 +63,7 @@ class InfiniteCompletion(Completion[EmbeddedElement]):
     RR and CC do not tell where the generator of a field goes; here that is the place.
     """
 
-    arithmetic = "local.arithmetic.InfiniteArithmetic"
+    theory = "infinite completion"
 
     def exact(self, value: Scalar) -> EmbeddedElement:
         """Return an element of the number field."""
@@ -118,7 +118,7 @@ class RealCompletion(InfiniteCompletion):
     (QQ(sqrt(2))_inf-, -1, -sqrt(2))
     """
 
-    place: QuadraticPlace | RealPlace
+    place: RealPlace
 
     @property
     def level(self) -> Known:
@@ -167,12 +167,13 @@ def infinite_completion(field: Ring, place: Hashable, is_real: bool) -> Infinite
 
 def completion_of_quadratic(field: QuadraticField, place: object) -> Ring:
     """Return the completion of ℚ(√d): an extension of ℚ_p, RR or CC; ℝ with a negative √d at ``inf-``."""
-    v = place_of_quadratic(field, place)
-    if v.root == -1 and not v.prime:  # RR reads √d as the positive root
-        return infinite_completion(field, v, is_real=True)
-    if not v.prime:
-        return CC if v.root is None else RR
-    return _at_prime_ideal(field, v, prime_at(v))
+    v = place_of_number_field(field, place)
+    if isinstance(v, QuadraticPrime):
+        return _at_prime_ideal(field, v, prime_at(v))
+    if not isinstance(v, RealPlace):
+        return CC
+    # RR reads √d as the positive root
+    return RR if v.index else infinite_completion(field, v, is_real=True)
 
 
 def completion_of_number_field(field: NumberField, place: object) -> Ring:
@@ -183,9 +184,7 @@ def completion_of_number_field(field: NumberField, place: object) -> Ring:
     return infinite_completion(field, v, isinstance(v, RealPlace))
 
 
-def _at_prime_ideal(
-    field: Ring, v: PrimeIdeal | QuadraticPlace, residues: FinitePlace
-) -> LocalField:
+def _at_prime_ideal(field: Ring, v: PrimeIdeal, residues: FinitePlace) -> LocalField:
     """Return the completion at a prime ideal with ``p``, ``e`` and ``f``."""
     below = f"ℚ{str(v.p).translate(SUBSCRIPTS)}"
     size = f"of degree {v.e * v.f} over {below}" if v.e * v.f > 1 else f"which is {below}"

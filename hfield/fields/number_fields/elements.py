@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     import sympy
 
     from hfield.fields.number_fields.ring import NumberField
+    from hfield.rings.closed_fields.surds import Surd
 
 
 class FieldElement(PrintedBySympy):
@@ -119,6 +120,11 @@ class FieldElement(PrintedBySympy):
 
     def _sympy_(self) -> sympy.Expr:
         return self.field.to_sympy(self, {})
+
+    def as_surd(self) -> Surd | None:
+        """Return the number as a sum of square roots, or None where its field has no such sums."""
+        found: Surd | None = self.field.as_surd(self)
+        return found
 
     # --- what it is ----------------------------------------------------------------------------
 

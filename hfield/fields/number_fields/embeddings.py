@@ -21,7 +21,7 @@ MAX_BITS = 1 << 20
 REJECTING_PRIMES = 12
 
 
-class Embeddings(IsolatedRoots):
+class ComplexEmbeddings(IsolatedRoots):
     """The roots of the polynomial of a field, and the values of others there."""
 
     def value(self, poly: flint.fmpq_poly, index: int, bits: int) -> flint.acb:

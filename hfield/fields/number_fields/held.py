@@ -12,8 +12,8 @@ from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import named
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.rings.held.compact import Compact
-from hfield.rings.held.fractions import Fractions
-from hfield.rings.held.numerators import Held, Numerators
+from hfield.rings.held.fractions import FractionRepresentation
+from hfield.rings.held.numerators import Held, NumeratorRepresentation
 from hfield.rings.roots import integral
 
 if TYPE_CHECKING:
@@ -38,10 +38,10 @@ def holding(field: NumberField, constants: Constants) -> Compact:
         return FieldElement(field, flint.fmpq_poly(scaled, *d))
 
     relation = [-int(c) for c in integral(field.polynomial).coeffs()[:-1]]
-    return Fractions(field, constants, tuple(relation), vector, element)
+    return FractionRepresentation(field, constants, tuple(relation), vector, element)
 
 
-class IntegralPolynomials(Numerators):
+class IntegralPolynomials(NumeratorRepresentation):
     """Elements over ℚ(s) as four polynomials in c·s, an algebraic integer, over one denominator."""
 
     relation = ("0",)

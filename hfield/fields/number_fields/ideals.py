@@ -23,28 +23,18 @@ from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.integers import multiplication_tables
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal, primes_above
-from hfield.fields.number_fields.quadratic.as_number_field import (
-    as_number_field,
-    from_number_field,
-    into_number_field,
-    place_in_number_field,
-)
-from hfield.fields.number_fields.quadratic.places import QuadraticPlace
-from hfield.fields.number_fields.quadratic.ring import QuadraticField
 from hfield.fields.number_fields.ring import NumberField
-from hfield.rings.base import of_fields
 from hfield.syntax.brackets import is_balanced, split
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.classes.class_groups import Principality
 
 
-class Integers:
-    """The ring of integers of a field, as what ideals compute with; ``field`` is the field as QQ[s]/(f)."""
+class MaximalOrder:
+    """The ring of integers of a number field, as what ideals compute with."""
 
-    def __init__(self, ring: NumberField | QuadraticField) -> None:
-        self.ring = ring
-        self.field = field = as_number_field(ring) if isinstance(ring, QuadraticField) else ring
+    def __init__(self, field: NumberField) -> None:
+        self.field = field
         self.n = n = field.degree
         self.basis = field.integral_basis()
         rows = flint.fmpq_mat(n, n, [c for w in self.basis for c in coefficients(w)])
@@ -52,34 +42,13 @@ class Integers:
         traces = [(v * w).trace() for v in self.basis for w in self.basis]
         self.trace_form = flint.fmpq_mat(n, n, traces)
 
-    def inside(self, x: Any) -> FieldElement:
-        """Return an element of the ring as one of the field QQ[s]/(f). Raises :class:`CoercionError`."""
-        if isinstance(x, FieldElement) and x.field == self.field:
-            return x
-        x = self.ring(x)
-        if isinstance(self.ring, QuadraticField):
-            return into_number_field(self.ring, x)
-        return x  # type: ignore[no-any-return]
-
-    def outside(self, x: FieldElement) -> Any:
-        """Return an element of QQ[s]/(f) as one of the ring."""
-        return from_number_field(self.ring, x) if isinstance(self.ring, QuadraticField) else x
-
-    def prime_inside(self, x: object) -> PrimeIdeal:
-        """Return a prime ideal of the ring as one of QQ[s]/(f). Raises :class:`RingError` for all else."""
-        if isinstance(x, QuadraticPlace) and x.field == self.ring and x.is_finite:
-            x = place_in_number_field(x)
+    def prime_ideal(self, x: object) -> PrimeIdeal:
+        """Return a prime ideal of the field as it is. Raises :class:`RingError` for all else."""
         if isinstance(x, PrimeIdeal) and x.field == self.field:
             return x
         raise RingError(
-            f"{shorten(x)} is no prime ideal of {shorten(self.ring.name)}; see primes_above(p) of the field"
+            f"{shorten(x)} is no prime ideal of {shorten(self.field.name)}; see primes_above(p) of the field"
         )
-
-    def primes_above(self, p: int) -> list[tuple[Any, PrimeIdeal]]:
-        """Return the prime ideals above p: as the ring has them, and as QQ[s]/(f) has them."""
-        if isinstance(self.ring, QuadraticField):
-            return [(P, place_in_number_field(P)) for P in self.ring.primes_above(p)]  # type: ignore[misc]
-        return [(P, P) for P in primes_above(self.field, p)]
 
     def ideal(self, rows: flint.fmpq_mat) -> Ideal:
         """Return the ideal that rows of coordinates span over ℤ."""
@@ -88,7 +57,7 @@ class Integers:
         entries = whole.hnf().entries()[: n * n]
         if not entries[n * n - 1]:
             raise RingError(
-                f"expected a nonzero ideal of the integers of {shorten(self.ring.name)}; "
+                f"expected a nonzero ideal of the integers of {shorten(self.field.name)}; "
                 "give a generator that is not 0"
             )
         common = math.gcd(int(den), *map(int, entries))
@@ -118,12 +87,12 @@ class Integers:
 
 
 @lru_cache(maxsize=256)
-def integers(ring: NumberField | QuadraticField) -> Integers:
+def integers(field: NumberField) -> MaximalOrder:
     """Return the integers of a field."""
-    return Integers(ring)
+    return MaximalOrder(field)
 
 
-def ideal(ring: NumberField | QuadraticField, *generators: object) -> Ideal:
+def ideal(ring: NumberField, *generators: object) -> Ideal:
     """Return the fractional ideal that some elements, prime ideals and ideals generate, or that a text names.
 
     Raises :class:`RingError` for the zero ideal, :class:`CoercionError` for what is not of the field.
@@ -156,17 +125,17 @@ def _generators(text: str) -> list[str]:
     return [part for part in split(inside, ",") if part.strip()]
 
 
-def _rows(frame: Integers, x: Any) -> list[flint.fmpq]:
+def _rows(frame: MaximalOrder, x: Any) -> list[flint.fmpq]:
     """Return the coordinates of a basis of the ideal of one thing; nothing for 0."""
     if isinstance(x, Ideal):
-        if x.ring != frame.ring:
+        if x.ring != frame.field:
             raise RingError(
-                f"{shorten(x)} is an ideal of {shorten(x.ring.name)}, not of {shorten(frame.ring.name)}"
+                f"{shorten(x)} is an ideal of {shorten(x.ring.name)}, not of {shorten(frame.field.name)}"
             )
         return x.rows.entries()  # type: ignore[no-any-return]
-    if isinstance(x, PrimeIdeal | QuadraticPlace):
-        return frame.prime(frame.prime_inside(x)).rows.entries()  # type: ignore[no-any-return]
-    y = frame.inside(x)
+    if isinstance(x, PrimeIdeal):
+        return frame.prime(frame.prime_ideal(x)).rows.entries()  # type: ignore[no-any-return]
+    y = frame.field(x)
     products = [y * w for w in frame.basis]
     return coordinate_rows(frame.field, products).entries() if y else []
 
@@ -187,13 +156,13 @@ class Ideal:
 
     __slots__ = ("__dict__", "denominator", "frame", "matrix")
 
-    def __init__(self, frame: Integers, matrix: flint.fmpz_mat, denominator: int) -> None:
+    def __init__(self, frame: MaximalOrder, matrix: flint.fmpz_mat, denominator: int) -> None:
         self.frame, self.matrix, self.denominator = frame, matrix, denominator
 
     @property
-    def ring(self) -> Any:
+    def ring(self) -> NumberField:
         """The field."""
-        return self.frame.ring
+        return self.frame.field
 
     @cached_property
     def rows(self) -> flint.fmpq_mat:
@@ -201,14 +170,9 @@ class Ideal:
         return flint.fmpq_mat(self.matrix) * flint.fmpq(1, self.denominator)
 
     @cached_property
-    def elements(self) -> tuple[FieldElement, ...]:
-        """A basis over ℤ, of elements of QQ[s]/(f)."""
-        return tuple(element_of(self.frame.field, row) for row in self.rows.tolist())
-
-    @property
-    def basis(self) -> tuple[Any, ...]:
+    def basis(self) -> tuple[FieldElement, ...]:
         """A basis over ℤ, of elements of the field."""
-        return tuple(map(self.frame.outside, self.elements))
+        return tuple(element_of(self.frame.field, row) for row in self.rows.tolist())
 
     def __reduce__(self) -> tuple[object, ...]:
         return ideal, (self.ring, list(self.basis))
@@ -298,7 +262,7 @@ class Ideal:
         return hash((self.ring, self.denominator, tuple(map(int, self.matrix.entries()))))
 
     def __contains__(self, x: object) -> bool:
-        row = coordinate_rows(self.frame.field, [self.frame.inside(x)])
+        row = coordinate_rows(self.frame.field, [self.frame.field(x)])
         return all(c.q == 1 for c in (row * self.rows.inv()).entries())
 
     def contains(self, other: object) -> bool:
@@ -317,10 +281,10 @@ class Ideal:
 
     def valuation(self, prime: object) -> int:
         """Return the exponent of a prime ideal here. Raises :class:`RingError` for what is none."""
-        inside = self.frame.prime_inside(prime)
-        return int(min(inside.valuation(x) for x in self.elements))
+        P = self.frame.prime_ideal(prime)
+        return int(min(P.valuation(x) for x in self.basis))
 
-    def factorisation(self) -> tuple[tuple[Any, int], ...]:
+    def factorisation(self) -> tuple[tuple[PrimeIdeal, int], ...]:
         """Return pairs (prime ideal, exponent ≠ 0), ascending by the primes below; the norm is factored.
 
         Raises :class:`UnfactoredError`.
@@ -329,21 +293,21 @@ class Ideal:
         below = factorise(self.denominator) if self.denominator != 1 else {}
         out = []
         for p in sorted({*above, *below}):
-            for shown, prime in self.frame.primes_above(p):
-                e = min(prime.valuation(x) for x in self.elements)
+            for prime in primes_above(self.frame.field, p):
+                e = min(prime.valuation(x) for x in self.basis)
                 if e:
-                    out.append((shown, e))
+                    out.append((prime, e))
         return tuple(out)
 
     @cached_property
-    def generators(self) -> tuple[Any, ...]:
+    def generators(self) -> tuple[FieldElement, ...]:
         """One or two elements that generate the ideal, the first of them rational."""
         least = flint.fmpq(self.least_integer, self.denominator)
         first = self.frame.field.one * least
         found = [first]
         if self.frame.principal(first) != self:
             found.append(self._second(first))
-        return tuple(map(self.frame.outside, found))
+        return tuple(found)
 
     @property
     def least_integer(self) -> int:
@@ -360,9 +324,7 @@ class Ideal:
             for c in product(digits, repeat=self.frame.n):
                 if max(map(abs, c)) != bound or next(k for k in c if k) < 0:
                     continue
-                x = sum(
-                    (w * k for w, k in zip(self.elements, c, strict=True)), self.frame.field.zero
-                )
+                x = sum((w * k for w, k in zip(self.basis, c, strict=True)), self.frame.field.zero)
                 if start + self.frame.principal(x) == self:
                     return x
         raise RingError(f"no two small generators were found for an ideal of norm {self.norm()}")
@@ -372,8 +334,9 @@ class Ideal:
 
         Raises :class:`TooLargeError` where the class group of the field is out of reach.
         """
-        answer: Principality = of_fields("number_fields.classes.class_groups.is_principal")(self)
-        return answer
+        from hfield.fields.number_fields.classes.class_groups import is_principal
+
+        return is_principal(self)
 
     def __str__(self) -> str:
         return f"ideal({', '.join(map(self.ring.text, self.generators))})"

@@ -47,7 +47,7 @@ class RealPlace(_InfinitePlace):
 
     def sign(self, x: FieldElement) -> int:
         """Return the sign of x there: −1, 0 or 1."""
-        return self.field.sign(x, self.index)
+        return self.field.sign_at(self.field(x), self.index)
 
 
 class ComplexPlace(_InfinitePlace):
@@ -60,6 +60,11 @@ Place = PrimeIdeal | RealPlace | ComplexPlace
 def all_places(field: NumberField) -> Iterator[Place]:
     """Run through the places: infinite ones, then prime by prime."""
     yield from field.infinite_places()
+    yield from finite_places(field)
+
+
+def finite_places(field: NumberField) -> Iterator[PrimeIdeal]:
+    """Run through the prime ideals without end, prime by prime."""
     for p in primes():
         yield from primes_above(field, p)
 
@@ -99,9 +104,10 @@ def place_of_number_field(field: NumberField, place: object) -> Place:
         elif len(above) == 1:
             return above[0]
     for v in above:
-        if "".join(str(v).split()) == text:
+        texts = (str(v), v.short_name) if isinstance(v, PrimeIdeal) else (str(v),)
+        if text in ("".join(t.split()) for t in texts):
             return v
     names = ", ".join(f'"{v}"' for v in above)
     raise RingError(
-        f"{shorten(place)!r} names no single place of {shorten(field.name)}: there lie {names}"
+        f"{shorten(place)!r} names no single place of {shorten(field.name)}: above it lie {names}"
     )

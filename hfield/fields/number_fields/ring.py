@@ -13,7 +13,7 @@ import flint
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.fields.number_fields.elements import FieldElement, coefficients
-from hfield.fields.number_fields.embeddings import Embeddings, square_root
+from hfield.fields.number_fields.embeddings import ComplexEmbeddings, square_root
 from hfield.fields.number_fields.with_ideals import WithIdeals
 from hfield.rings.base import Known, Ring, shared
 from hfield.rings.holding import Holding
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
     from hfield.fields.number_fields.places import ComplexPlace, Place, RealPlace
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+    from hfield.rings.closed_fields.surds import Surd
 
 
 MAX_DIGITS = 300_000  # of a complex value
@@ -48,8 +49,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
 
     characteristic = 0
     is_field = True
-    arithmetic = "number_fields.arithmetic.NumberFieldArithmetic"
-    completions = "number_fields.completions.completion_of_number_field"
+    theory = "number field"
 
     def __init__(self, polynomial: flint.fmpq_poly | str, name: str = "s") -> None:
         from hfield.fields.number_fields.texts import irreducible, power_sum
@@ -91,9 +91,9 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return FieldElement(self, flint.fmpq_poly([0, 1]) % self.polynomial)
 
     @cached_property
-    def embeddings(self) -> Embeddings:
+    def embeddings(self) -> ComplexEmbeddings:
         """The roots of the polynomial: real ones ascending, then one of two complex conjugate ones."""
-        return Embeddings(self.polynomial)
+        return ComplexEmbeddings(self.polynomial)
 
     @property
     def signature(self) -> tuple[int, int]:
@@ -175,6 +175,10 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         from hfield.fields.number_fields.closed_forms import element_of
 
         return element_of(self, x)
+
+    def as_surd(self, x: FieldElement) -> Surd | None:
+        """Return x as a sum of square roots, which RR and CC read, or None where these are not known."""
+        return None
 
     def to_sympy(self, x: FieldElement, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
         """Return the element as a polynomial in the root."""
@@ -269,7 +273,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         value = self.embeddings.value(x.poly, index, 256)
         if not value.imag.contains(0) or not value.real < 0:
             return False
-        roots = Embeddings(flint.fmpq_poly(x.minimal_polynomial()))
+        roots = ComplexEmbeddings(flint.fmpq_poly(x.minimal_polynomial()))
         return any(value.overlaps(z) for z in roots.at(64)[: roots.real_count])
 
     def holding(self, constants: Constants) -> Holding:
@@ -323,8 +327,11 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
     def sign(self, x: FieldElement, ordering: int = 0) -> int:
         """Return the sign of x where s is the real root of that number, ascending from 0."""
         self.check_ordering(ordering)
-        x = self(x)
-        return self.embeddings.sign(x.poly, ordering) if x else 0
+        return self.sign_at(self(x), ordering)
+
+    def sign_at(self, x: FieldElement, index: int) -> int:
+        """Return the sign of x at the real place of that number, ascending by the roots from 0."""
+        return self.embeddings.sign(x.poly, index) if x else 0
 
     def check_ordering(self, ordering: int) -> None:
         """Refuse the number of a real place that the field does not have."""
@@ -384,6 +391,10 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         from hfield.fields.number_fields.prime_ideals import primes_above
 
         return primes_above(self, p)
+
+    def known_primes_above(self, p: int) -> tuple[PrimeIdeal, ...]:
+        """Return the prime ideals above a prime number where the field has a formula for them, else ()."""
+        return ()
 
     def real_places(self) -> tuple[RealPlace, ...]:
         """Return the real places, ascending by the root of the polynomial; each has ``index, sign(x)``."""

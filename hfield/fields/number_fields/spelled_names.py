@@ -40,7 +40,7 @@ _POLYNOMIAL = "for another one write its polynomial, as in QQ[s]/(s^4-2*s^2-1)"
 
 
 @dataclass(frozen=True)
-class Number:
+class NamedNumber:
     """An algebraic number: its text, its minimal polynomial over ℚ, and its value with so many bits."""
 
     text: str
@@ -58,7 +58,7 @@ class SpelledField(NumberField):
     (5+2*sqrt(2)*sqrt(3), 4, sqrt(2)*sqrt(3))
     """
 
-    def __init__(self, name: str, numbers: list[Number]) -> None:
+    def __init__(self, name: str, numbers: list[NamedNumber]) -> None:
         self.name = name
         self.polynomial, self._value = numbers[0].polynomial, numbers[0].value
         self._numbers = numbers
@@ -94,7 +94,7 @@ class SpelledField(NumberField):
             }
         return {"kind": "field of numbers", "numbers": texts}
 
-    def _adjoin(self, images: list[flint.fmpq_poly], number: Number) -> list[flint.fmpq_poly]:
+    def _adjoin(self, images: list[flint.fmpq_poly], number: NamedNumber) -> list[flint.fmpq_poly]:
         """Make θ a generator of the field with one more number; return the images of all numbers."""
         f = number.polynomial
         for scale in itertools.chain.from_iterable((n, -n) for n in itertools.count(1)):
@@ -257,7 +257,7 @@ def spelled(name: str) -> Ring:
     return adjoined(name, name[name.index("(") + 1 : -1])
 
 
-def adjoined(s: str, inner: str) -> Ring:
+def adjoined(s: str, inner: str) -> NumberField:
     """Return ℚ(α, β, …) for the texts of numbers. Raises :class:`RingError`."""
     texts = split(inner, ",")
     if len(texts) == 1 and not _is_number(inner):
@@ -280,7 +280,7 @@ def _is_number(text: str) -> bool:
     return is_balanced(m[1]) if m else not re.search("[-+*/^]", text)
 
 
-def _generated(s: str, text: str) -> Ring:
+def _generated(s: str, text: str) -> NumberField:
     """Return the field that a text such as ``sqrt(2)+sqrt(3)`` generates, as that of the numbers in it.
 
     Raises :class:`RingError` for what cannot be read, and where these generate more.
@@ -290,13 +290,12 @@ def _generated(s: str, text: str) -> Ring:
         x = whole(text)
     except HFieldError as error:
         raise RingError(f"{shorten(s)}: {error}; {_POLYNOMIAL}") from error
-    if isinstance(whole, NumberField):
-        found = x.minimal_polynomial()
-        if len(found) - 1 < whole.degree:
-            shown = f"QQ[s]/({power_sum(found, 's')})" if len(found) > 2 else "QQ"
-            raise RingError(f"{shorten(s)} is smaller than {whole}: write {shown}")
-    elif set(x.terms) <= {1}:
+    found = x.minimal_polynomial()
+    if len(found) == 2:
         raise RingError(f"{shorten(s)} is QQ itself: write QQ")
+    if len(found) - 1 < whole.degree:
+        shown = f"QQ[s]/({power_sum(found, 's')})"
+        raise RingError(f"{shorten(s)} is smaller than {whole}: write {shown}")
     return whole
 
 
@@ -315,13 +314,13 @@ def real_cyclotomic(n: int) -> Ring:
         before, now = now, c * now - before
     if polynomial.degree() < 2:
         raise RingError(f"{name} is QQ itself: write QQ")
-    return SpelledField(name, [Number(f"c{n}", polynomial, _precise(value))])
+    return SpelledField(name, [NamedNumber(f"c{n}", polynomial, _precise(value))])
 
 
-def read_number(field: str, text: str) -> Number:
+def read_number(field: str, text: str) -> NamedNumber:
     """Read ``sqrt(2)``, ``root(2,3)``, ``cbrt(2)``, ``zeta5`` or ``I``. Raises :class:`RingError`."""
     if text == "I":
-        return Number(
+        return NamedNumber(
             "I", flint.fmpq_poly([1, 0, 1]), lambda bits: flint.acb(0, 1), (flint.fmpq(-1), 2)
         )
     if m := re.fullmatch(r"zeta_?(\d+|\(\d+\))", text):
@@ -333,7 +332,7 @@ def read_number(field: str, text: str) -> Number:
             )
         polynomial = flint.fmpq_poly(flint.fmpz_poly.cyclotomic(n))
         turn: Value = lambda bits: flint.acb(2 * flint.arb.pi() / n * flint.acb(0, 1)).exp()  # noqa: E731
-        return Number(f"zeta{n}", polynomial, _precise(turn))
+        return NamedNumber(f"zeta{n}", polynomial, _precise(turn))
     m = re.fullmatch(r"(sqrt|cbrt)\((.+)\)|(root)\((.+),(\d+)\)", text)
     if m is None:
         raise RingError(
@@ -360,10 +359,10 @@ def read_number(field: str, text: str) -> Number:
     if polynomial.degree() < 2:
         raise RingError(f"{shorten(field)}: {shorten(text)} is rational; leave it out")
     name = f"root({shown},{n})" if n > 2 else "I" if radicand == -1 else f"sqrt({shown})"
-    return Number(name, polynomial, _precise(root), (radicand, n))
+    return NamedNumber(name, polynomial, _precise(root), (radicand, n))
 
 
-def _number_of_sympy(number: Number) -> sympy.Expr:
+def _number_of_sympy(number: NamedNumber) -> sympy.Expr:
     """Return a number in the name of a field as sympy has it."""
     import sympy
 

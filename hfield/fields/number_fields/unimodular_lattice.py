@@ -19,13 +19,14 @@ from typing import Any
 import flint
 
 from hfield.core.product import Constants, Coordinates
-from hfield.fields.number_fields.conics import Walk, expect_small_degree, module_basis, not_met
+from hfield.fields.number_fields.conics import module_basis
 from hfield.fields.number_fields.elements import coefficients
 from hfield.fields.number_fields.integral_basis import integral_multiple
 from hfield.fields.number_fields.prime_ideals import primes_above
 from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates
+from hfield.fields.number_fields.walk import Walk, expect_small_degree, not_met
 from hfield.structure.lattice_reduction import combination
 from hfield.structure.linear_algebra.kernels import kernel
 from hfield.structure.minimal_conics import Vector, adapt, dot, kernel_at

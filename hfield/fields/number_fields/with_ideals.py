@@ -6,7 +6,6 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from hfield.hints import FIELD, Hinted
-from hfield.rings.base import of_fields
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.classes.class_groups import ClassGroup, UnitGroup
@@ -28,8 +27,10 @@ class WithIdeals(Hinted):
         >>> a, a**3, a.norm(), a == K.ideal("3, 1 + s") == K.ideal(str(a))
         (ideal(3, s+s^2), ideal(3), 3, True)
         """
-        found: Ideal = of_fields("number_fields.ideals.ideal")(self, *generators)
-        return found
+        from hfield.fields.number_fields.ideals import ideal
+
+        field: Any = self
+        return ideal(field, *generators)
 
     def zeta_minus_one(self) -> Fraction:
         """Return ζ_K(−1) of a totally real field, exactly, by Siegel's formula.
@@ -40,8 +41,9 @@ class WithIdeals(Hinted):
         >>> ring("QQ(sqrt(5))").zeta_minus_one(), ring("QQ[s]/(s^3-3*s-1)").zeta_minus_one()
         (Fraction(1, 30), Fraction(-1, 9))
         """
-        found: Fraction = of_fields("number_fields.classes.zeta.zeta_minus_one")(self)
-        return found
+        from hfield.fields.number_fields.classes.zeta import zeta_minus_one
+
+        return zeta_minus_one(self)
 
     def class_group(self) -> ClassGroup:
         """Return the class group, proved; with ``order, invariants, generators, class_of(a), evidence``.
@@ -52,8 +54,9 @@ class WithIdeals(Hinted):
         >>> ring("QQ(sqrt(-23))").class_group().order, ring("QQ[s]/(s^3-2)").class_group().order
         (3, 1)
         """
-        found: ClassGroup = of_fields("number_fields.classes.class_groups.class_group")(self)
-        return found
+        from hfield.fields.number_fields.classes.class_groups import class_group
+
+        return class_group(self)
 
     def narrow_class_group(self) -> ClassGroup:
         """Return the group of ideals modulo those with a totally positive generator. Raises likewise.
@@ -62,8 +65,9 @@ class WithIdeals(Hinted):
         >>> ring("QQ(sqrt(3))").narrow_class_group().order
         2
         """
-        found: ClassGroup = of_fields("number_fields.classes.class_groups.narrow_class_group")(self)
-        return found
+        from hfield.fields.number_fields.classes.class_groups import narrow_class_group
+
+        return narrow_class_group(self)
 
     def unit_group(self) -> UnitGroup:
         """Return the unit group, proved; with ``rank, generators, torsion, regulator, totally_positive``.
@@ -75,8 +79,9 @@ class WithIdeals(Hinted):
         >>> U, U.torsion_order, U.regulator > 0
         (ℤ/2 × ℤ^2, 2, True)
         """
-        found: UnitGroup = of_fields("number_fields.classes.class_groups.unit_group")(self)
-        return found
+        from hfield.fields.number_fields.classes.class_groups import unit_group
+
+        return unit_group(self)
 
     def totally_positive_units(self) -> tuple[Any, ...]:
         """Return generators of the group of totally positive units. Raises likewise.
@@ -85,5 +90,6 @@ class WithIdeals(Hinted):
         >>> [u.sign() for u in ring("QQ[s]/(s^3-3*s-1)").totally_positive_units()]
         [1, 1]
         """
-        found: UnitGroup = of_fields("number_fields.classes.class_groups.unit_group")(self)
-        return found.totally_positive
+        from hfield.fields.number_fields.classes.class_groups import unit_group
+
+        return unit_group(self).totally_positive

@@ -29,7 +29,7 @@ class RationalFunctions(FractionField):
     (1/2*x-1/2*y, (x^2+y^2)/(x*y))
     """
 
-    arithmetic = "several_variables.arithmetic.SeveralArithmetic"
+    theory = "several variables"
 
     def __init__(self, polynomials: PolynomialRing) -> None:
         self.polynomials, self.base = polynomials, polynomials.base

@@ -17,7 +17,7 @@ from hfield.core.product import Constants, Coordinates, multiply
 from hfield.fields.rationals.residues import PrimePlace
 from hfield.rings.rational import fmpq
 from hfield.rings.whole_numbers import fraction
-from hfield.structure.minimal_conics import Conic, Lattice, half_discriminant, minimise
+from hfield.structure.minimal_conics import Conic, ConicLattice, half_discriminant, minimise
 
 
 def maximal_basis(c: Constants) -> list[Coordinates]:
@@ -31,7 +31,7 @@ def maximal_basis(c: Constants) -> list[Coordinates]:
     zero, one = fmpq(0), fmpq(1)
     # the norm on the elements of trace 0, over i − t/2, j and their product
     conic = Conic((-square, -b, square * b, zero, zero, zero), zero, one)
-    lattice = Lattice(conic.start().basis, one)
+    lattice = ConicLattice(conic.start().basis, one)
     half = half_discriminant(conic.form)
     primes: set[int] = {2}
     for x in (square, b, half):

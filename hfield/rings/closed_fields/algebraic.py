@@ -105,6 +105,7 @@ class AlgebraicNumbers(ValueRing):
         x = unwrap(x)
         if isinstance(x, str):
             return self.parse(x)
+        x = _surd_of(x) or x
         if isinstance(x, Surd):
             if self.is_real and not x.is_real():
                 raise self.refuse(x, "it is not real; CC has it")
@@ -266,6 +267,13 @@ class AlgebraicNumbers(ValueRing):
     def text(self, x: Surd | Closed, style: str = "plain") -> str:
         """Write x, such as ``1/2+3*sqrt(2)`` or ``I*root(2,3)``."""
         return str(x.text(style))
+
+
+def _surd_of(x: object) -> Surd | None:
+    """Return an element of a quadratic field as a surd; None for all else."""
+    convert = getattr(x, "as_surd", None)
+    found: Surd | None = convert() if convert else None
+    return found
 
 
 def _root_by_number(name: str, *arguments: Surd | Closed) -> Surd | Closed:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 Numbered = tuple[int, ...]  # (n, c₀, …, c_d), the n-th root of Σ cₖ·xᵏ, as rootof counts
 
 
-class InField(Closed):
+class NumberInField(Closed):
     """An immutable number of ℚ(α), not in ℚ: a polynomial ``value`` in α, a ``root`` of degree 3 or more.
 
     ``spelled`` is an expression that is shorter than the minimal polynomial: of linear combinations of roots,
@@ -57,7 +57,7 @@ class InField(Closed):
 
     def _operand(self, other: object) -> tuple[flint.fmpq_poly, sympy.Expr | None] | None:
         """Return value and spelling of another number of the field, or None."""
-        if isinstance(other, InField):
+        if isinstance(other, NumberInField):
             return (other.value, other.spelled) if other.root == self.root else None
         surd = as_surd(other)
         if surd is None or not surd.is_rational():
@@ -99,7 +99,7 @@ class InField(Closed):
         operand = self._operand(other)
         if operand is not None:
             return bool(self.value == operand[0])
-        if isinstance(other, InField):
+        if isinstance(other, NumberInField):
             return self.ball(64).overlaps(other.ball(64)) and self.own == other.own
         return super().__eq__(other)
 
@@ -123,8 +123,10 @@ class InField(Closed):
         return enclosed(self.root, self.value, bits)
 
 
-def _restored(root: Numbered, value: list[tuple[int, int]], spelled: sympy.Expr | None) -> InField:
-    return InField(root, flint.fmpq_poly([flint.fmpq(*c) for c in value]), spelled)
+def _restored(
+    root: Numbered, value: list[tuple[int, int]], spelled: sympy.Expr | None
+) -> NumberInField:
+    return NumberInField(root, flint.fmpq_poly([flint.fmpq(*c) for c in value]), spelled)
 
 
 def at(root: Numbered, value: flint.fmpq_poly, spelled: sympy.Expr | None = None) -> Surd | Closed:
@@ -133,7 +135,7 @@ def at(root: Numbered, value: flint.fmpq_poly, spelled: sympy.Expr | None = None
         return from_rational(value[0])
     if len(root) == 4:
         return from_rational(value[1]) * _quadratic(root) + from_rational(value[0])
-    return InField(root, value, spelled)
+    return NumberInField(root, value, spelled)
 
 
 def _quadratic(root: Numbered) -> Surd:

@@ -18,10 +18,13 @@ from hfield.rings.balls import fingerprint, precision
 from hfield.rings.closed_fields.radicands import independent, is_long, odd, product, ratio, reduced
 from hfield.rings.printing import Factor, number_text, sum_text
 from hfield.rings.rational import fmpq, rational
+from hfield.rings.registry import REGISTRY
 from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
     import sympy
+
+    from hfield.rings.base import Ring
 
 MAX_TERMS = 1024
 
@@ -38,13 +41,17 @@ class Surd(PrintedBySympy):
     __slots__ = ("terms",)
 
     terms: dict[int, Any]
-    common_field = "number_fields.quadratic.ring.common_quadratic_field"  # of numbers with one root
 
     def __init__(self, terms: dict[int, flint.fmpq]) -> None:
         object.__setattr__(self, "terms", terms)
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError("numbers are immutable")
+
+    @staticmethod
+    def common_field(*numbers: object) -> Ring | None:
+        """Return ℚ(√d) for numbers with one root. Raises :class:`RingError` for several."""
+        return REGISTRY.functions.common_quadratic_field(*numbers)
 
     def __reduce__(self) -> tuple[object, ...]:
         pairs = [(n, int(c.p), int(c.q)) for n, c in self.terms.items()]

@@ -11,7 +11,7 @@ import flint
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import FIRST, named, parts, specialise_extension
 from hfield.rings.held.compact import LARGE, function, statements
-from hfield.rings.held.numerators import Held, Numerators
+from hfield.rings.held.numerators import Held, NumeratorRepresentation
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 Vector = tuple[Any, ...]  # of rational numbers
 
 
-class Fractions(Numerators):
+class FractionRepresentation(NumeratorRepresentation):
     """Elements over ℚ(s) as ints over one denominator.
 
     Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; ℚ and ℤ have n = 1 and s = 0.
@@ -30,7 +30,7 @@ class Fractions(Numerators):
         "    return None",
         "if d < 0:",
         "    d, d1 = -d, -d1",
-        *Numerators.inverted[2:],
+        *NumeratorRepresentation.inverted[2:],
     ]
 
     def __init__(

@@ -13,7 +13,7 @@ from hfield.rings.held.compact import Compact, function, statements
 Held = tuple[Any, ...]  # the numerators of w, x, y, z, and the denominator last
 
 
-class Numerators(Compact[Held]):
+class NumeratorRepresentation(Compact[Held]):
     """Elements whose coordinates have a denominator in common, in lowest terms.
 
     A coordinate has n numerators, the coefficients of 1, s, …, sⁿ⁻¹; ``relation`` says what sⁿ is. The basis

@@ -99,7 +99,7 @@ INVERTED = [
 REDUCED = "return w % n, x % n, y % n, z % n"
 
 
-class Residues(Quotients):
+class ResidueRepresentation(Quotients):
     """Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large."""
 
     def __init__(self, ring: Modular, constants: Constants) -> None:
@@ -123,7 +123,7 @@ class Residues(Quotients):
         return p
 
 
-class Polynomials(Quotients):
+class PolynomialRepresentation(Quotients):
     """Elements over GF(pⁿ) as four polynomials of degree below n."""
 
     reduces_sums = False  # their degrees are small enough

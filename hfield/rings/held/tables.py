@@ -22,7 +22,7 @@ Rows = list[list[int]]
 
 
 @dataclass(frozen=True)
-class Tables:
+class ElementTables:
     """The arithmetic of GF(q) on labels, the coefficients as digits in base p.
 
     ``times[u][v]``, ``plus[u][v]``, ``minus[u][v]``, ``negative[u]``, ``inverse[u]`` (0 for 0) are labels;
@@ -37,7 +37,7 @@ class Tables:
     elements: list[Any]
 
 
-def tables(field: ExtensionField) -> Tables:
+def tables(field: ExtensionField) -> ElementTables:
     """Work out the tables: powers of a generator, and sums digit by digit."""
     p, q = field.characteristic, field.order
     elements = list(field.elements())
@@ -53,7 +53,7 @@ def tables(field: ExtensionField) -> Tables:
     negative = [row.index(0) for row in plus]
     minus = [[row[v] for v in negative] for row in plus]
     inverse = [0, *(powers[-exponent[u] % (q - 1)] for u in range(1, q))]
-    return Tables(times, plus, minus, negative, inverse, elements)
+    return ElementTables(times, plus, minus, negative, inverse, elements)
 
 
 def _powers(field: ExtensionField, elements: list[flint.fq_default]) -> list[int]:

@@ -179,7 +179,7 @@ LARGEST_EXPONENT = 64
 """The greatest k for which square roots modulo pᵏ are counted: the work grows like k²."""
 
 
-class Form(NamedTuple):
+class CountingFormula(NamedTuple):
     """``Σ d·x² + Σ c·(y² + t·yz − a·z²)`` modulo p^k; the second kind only where p = 2 and t is odd."""
 
     p: int
@@ -193,12 +193,12 @@ class Form(NamedTuple):
         """How many variables there are."""
         return len(self.unary) + 2 * len(self.binary)
 
-    def over(self, unary: Sequence[int], binary: Sequence[int]) -> "Form":
+    def over(self, unary: Sequence[int], binary: Sequence[int]) -> "CountingFormula":
         """Return the form with other coefficients."""
-        return Form(self.p, tuple(unary), tuple(binary), self.t, self.a)
+        return CountingFormula(self.p, tuple(unary), tuple(binary), self.t, self.a)
 
 
-def solutions(form: Form, k: int, v: int) -> int:
+def solutions(form: CountingFormula, k: int, v: int) -> int:
     """Return in how many ways the form is v modulo pᵏ.
 
     A solution in which a variable with a unit in front is a unit lifts from p to pᵏ (from 8 to 2ᵏ)
@@ -225,7 +225,7 @@ def solutions(form: Form, k: int, v: int) -> int:
     return total + scale
 
 
-def _smooth(form: Form, v: int) -> int:
+def _smooth(form: CountingFormula, v: int) -> int:
     """Count the solutions modulo p, or 8, in which a variable with a unit in front is a unit."""
     p = form.p
     if p == 2:
@@ -257,7 +257,7 @@ def _legendre(x: int, p: int) -> int:
     return int(flint.fmpz(x % p).jacobi(p))
 
 
-def _values(form: Form, modulus: int) -> list[int]:
+def _values(form: CountingFormula, modulus: int) -> list[int]:
     """Return how often each residue is a value of the form, modulo 2, 4 or 8."""
     parts = []
     for d in form.unary:
@@ -304,12 +304,12 @@ def _modulo_prime_powers(ring: Ring, c: Constants, kind: str, value: int) -> lis
     return parts
 
 
-def _norm_form(p: int, k: int, a: int, t: int, b: int) -> Form:
+def _norm_form(p: int, k: int, a: int, t: int, b: int) -> CountingFormula:
     """Return the norm form, diagonal where the square of i − t/2 can be completed."""
     if p == 2 and t % 2:
-        return Form(p, (), (1, -b), t, a)
+        return CountingFormula(p, (), (1, -b), t, a)
     a = _completed(p, k, a, t)
-    return Form(p, (1, -a, -b, a * b))
+    return CountingFormula(p, (1, -a, -b, a * b))
 
 
 def _completed(p: int, k: int, a: int, t: int) -> int:
@@ -331,7 +331,7 @@ def _roots(p: int, k: int, a: int, t: int, b: int, s: int) -> int:
         for n, sign in ((m, 1), (m + 1, -1)):
             if n <= k:
                 q = p ** (2 * n)
-                form = Form(p, (p ** (2 * h), q * a, q * b, -q * a * b))
+                form = CountingFormula(p, (p ** (2 * h), q * a, q * b, -q * a * b))
                 total += sign * (solutions(form, k, s) // p ** (h + 3 * n))
     return total
 
@@ -344,7 +344,7 @@ def _roots_odd_trace(p: int, k: int, a: int, t: int, b: int, s: int) -> int:
     ``w = 2ʲ⁻¹τ + 2ᵏ⁻ʲ⁻¹u``, and the last equation has no mixed terms but ``2ᵏ⁻¹u``.
     """
     d, u, goal = t * t + 4 * a, t * t, t * t * s
-    total = solutions(Form(p, (d,), (u * b,), t, a), k, goal)  # T = 0
+    total = solutions(CountingFormula(p, (d,), (u * b,), t, a), k, goal)  # T = 0
     for j in range(1, k):
         rest = k - j
         taus = ((u * 4 ** (j - 1), j, 1), (u * 4**j, j + 1, -1))  # all τ less the even ones
@@ -355,7 +355,7 @@ def _roots_odd_trace(p: int, k: int, a: int, t: int, b: int, s: int) -> int:
         )
         for x, m, sign in taus:
             for y, n, other, shift in some:
-                form = Form(p, (x, y), (4**rest * u * b,), t, a)
+                form = CountingFormula(p, (x, y), (4**rest * u * b,), t, a)
                 found = solutions(form, k, goal - shift)
                 total += sign * other * (found // 2 ** (m + n + 2 * rest))
     return total

@@ -20,7 +20,7 @@ from hfield.structure.counting.formulas_finite import Count, count
 if TYPE_CHECKING:
     import numpy as np
 
-    from hfield.rings.array_held.finite import LabelArrays
+    from hfield.rings.array_held.labels import LabelArrays
 
 Rows = tuple["np.ndarray", ...]
 
@@ -45,7 +45,7 @@ class Tally:
     roots: dict[str, int] = field(default_factory=dict)
 
 
-class Tables:
+class RingTables:
     """The addition and multiplication of a finite ring as tables of indices; 0 and 1 come first."""
 
     def __init__(self, ring: Ring) -> None:
@@ -85,7 +85,7 @@ class Indices:
 
     __slots__ = ("tables", "values")
 
-    def __init__(self, tables: Tables, values: Any) -> None:
+    def __init__(self, tables: RingTables, values: Any) -> None:
         self.tables, self.values = tables, values
 
     def __add__(self, other: Indices) -> Indices:
@@ -147,7 +147,7 @@ class _ByTables:
     dtype = "i4"
 
     def __init__(self, ring: Ring, c: Constants) -> None:
-        self.tables = Tables(ring)
+        self.tables = RingTables(ring)
         self.constants = Constants(*(self.tables.of(x) for x in c))
 
     def norm(self, rows: Rows) -> np.ndarray:
@@ -182,7 +182,7 @@ class _ByLoops:
 
 def compiled_loops(ring: Ring, c: Constants) -> LabelArrays | None:
     """Return the compiled loops of an algebra over a ring that lists its elements by labels, if any."""
-    from hfield.rings.array_held.finite import LabelArrays
+    from hfield.rings.array_held.labels import LabelArrays
 
     how = ring.array_holding(c)
     return how if isinstance(how, LabelArrays) and how.compiles else None

@@ -1,23 +1,14 @@
-"""When two algebras over one field are isomorphic, and an explicit, checked isomorphism.
-
-Degenerate algebras, (t² + 4a)·b = 0, over a field: when they are isomorphic, and how.
-
-In characteristic not 2 they are F[√a] with an ideal of square 0 that √a anticommutes with, or, without
-√a, the exterior algebra of a plane. In characteristic 2 they are [a, 0), known by the class of a modulo
-all y² + y, or, with t = 0, commutative, F[√a, √b]: over a finite field or k(t), where [F : F²] ≤ 2, that is
-F[ε, δ] with ε² = δ² = 0 if a and b are squares, else F^(1/2)[ε].
-"""
+"""When two algebras over one field are isomorphic, and an explicit, checked isomorphism."""
 
 import itertools
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply, trace
+from hfield.core.product import Constants, Coordinates, conjugate, multiply, trace
 from hfield.errors import MixedParentsError, UndecidedError
 from hfield.rings.base import Ring
 from hfield.structure.forms import (
-    NormalForm,
     discriminant,
     from_pairings,
     normal_form,
@@ -25,16 +16,23 @@ from hfield.structure.forms import (
     root_if_known,
 )
 from hfield.structure.global_field import global_field, known_field
+from hfield.structure.isomorphisms.degenerate import embed_degenerate
 from hfield.structure.isomorphisms.splitting import division_or_splitting, from_zero_divisor
 from hfield.structure.linear_algebra.centre import basis_of
 from hfield.structure.linear_algebra.kernels import apply, kernel
 from hfield.structure.norm_forms.zero_norms import is_division, zero_norm
 
-__all__ = ["Isomorphism", "division_or_splitting", "is_isomorphic", "isomorphism", "same_parent"]
+__all__ = [
+    "CoordinateIsomorphism",
+    "division_or_splitting",
+    "is_isomorphic",
+    "isomorphism",
+    "same_parent",
+]
 
 
 @dataclass(frozen=True)
-class Isomorphism:
+class CoordinateIsomorphism:
     """An isomorphism of the algebra with constants ``source`` onto the one with constants ``target``.
 
     ``images`` are those of e, i, j, k, as coordinates.
@@ -68,7 +66,7 @@ def _pairing(c: Constants, p: Coordinates, q: Coordinates) -> Any:
 
 def verified(
     ring: Ring, c: Constants, target: Constants, i: Coordinates, j: Coordinates
-) -> Isomorphism:
+) -> CoordinateIsomorphism:
     """Return the isomorphism that sends i and j to the given elements, after checking it.
 
     Checked are the relations, and independence: ``tr(p·conj(q))`` is as in the source on e, i, j, k; for a
@@ -98,7 +96,7 @@ def verified(
         and not (ring.is_zero(discriminant(ring, c)) and kernel(ring, rows, 4))
     ):
         raise AssertionError("the map found is not an isomorphism")
-    return Isomorphism(ring, c, target, images)
+    return CoordinateIsomorphism(ring, c, target, images)
 
 
 def is_isomorphic(ring: Ring, c: Constants, other: Constants) -> bool:
@@ -137,7 +135,7 @@ def _same(ring: Ring, c: Constants, other: Constants) -> bool:
         return False
 
 
-def isomorphism(ring: Ring, c: Constants, other: Constants) -> Isomorphism | None:
+def isomorphism(ring: Ring, c: Constants, other: Constants) -> CoordinateIsomorphism | None:
     """Return an explicit isomorphism onto the algebra with constants ``other``, or None if there is none.
 
     Split algebras are compared through M₂(F); a division algebra by finding i and j in the other.
@@ -218,73 +216,3 @@ def by_multiples(
             i, j = ([x * u for u in units[k]] for x, k in zip(roots, chosen, strict=True))
             return (i[0], i[1], i[2], i[3]), (j[0], j[1], j[2], j[3])
     return None
-
-
-Pair = tuple[Coordinates, Coordinates]
-
-
-def embed_degenerate(ring: Ring, c: Constants, other: Constants) -> Pair | None:
-    """Return the images of i and j under some isomorphism of two degenerate algebras, or None."""
-    if ring.characteristic != 2:
-        source, target = normal_form(ring, c), normal_form(ring, other)
-        found = _with_radical(ring, source, target)
-        if found is None:
-            return None
-        i, j = map(target.back, found)
-        half = ring.divide(c.t, ring(2))  # i is the normal one plus t/2
-        return (i[0] + half, i[1], i[2], i[3]), j
-    if ring.is_zero(c.t) or ring.is_zero(other.t):
-        return _inseparable(ring, c, other) if ring.equal(c.t, other.t) else None
-    y = _artin_schreier(ring, normal_form(ring, c).a + normal_form(ring, other).a)
-    if y is None:
-        return None
-    o = ring.zero
-    return (c.t * y, ring.divide(c.t, other.t), o, o), (o, o, ring.one, o)
-
-
-def _with_radical(ring: Ring, source: NormalForm, target: NormalForm) -> Pair | None:
-    """Send a root of a to a root of a and the ideal to the ideal, between normal forms (a, b), ab = 0."""
-    _, i, j, _ = basis_of(ring)
-    swapped = [not ring.is_zero(form.b) for form in (source, target)]
-    a, p = (
-        form.b if turn else form.a for form, turn in zip((source, target), swapped, strict=True)
-    )
-    if ring.is_zero(a) or ring.is_zero(p):
-        return (i, j) if ring.equal(a, p) else None
-    r = ring.sqrt(ring.divide(a, p))
-    if r is None:
-        return None
-    root, null = (j, i) if swapped[1] else (i, j)
-    w, x, y, z = (r * u for u in root)
-    return (null, (w, x, y, z)) if swapped[0] else ((w, x, y, z), null)
-
-
-def _artin_schreier(ring: Ring, x: Scalar) -> Any:
-    """Return y with y² + y = x in a finite field or function field of characteristic 2, or None."""
-    if ring.order is None:
-        return known_field(ring).artin_schreier(x)
-    return next(iter(ring.roots([x, ring.one, ring.one])), None)
-
-
-def _inseparable(ring: Ring, c: Constants, other: Constants) -> Pair | None:
-    """Map commutative algebras of characteristic 2, t = 0."""
-    o = ring.zero
-    (m, n), (p, q) = ([ring.sqrt(x) for x in (y.a, y.b)] for y in (c, other))
-    if m is not None and n is not None:
-        if p is None or q is None:
-            return None
-        return (m + p, ring.one, o, o), (n + q, o, ring.one, o)
-    if p is not None and q is not None:
-        return None
-    field = known_field(ring)  # finite fields of characteristic 2 have all square roots
-    turn = p is not None  # then j is the one whose square is no square
-    s, rest = (other.b, other.a) if turn else (other.a, other.b)
-    w, r = field.as_norm(rest, s)
-    images = []
-    for n, x in enumerate((c.a, c.b)):
-        u, v = field.as_norm(x, s)
-        null = ring.one if (n == 1) == (m is None) else o  # one image has a nilpotent added
-        pair = (v + null * r, null)
-        y, z = pair[::-1] if turn else pair
-        images.append((u + null * w, y, z, o))
-    return images[0], images[1]

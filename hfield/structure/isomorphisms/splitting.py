@@ -26,7 +26,7 @@ Matrix = tuple[tuple[Any, Any], tuple[Any, Any]]
 
 
 @dataclass(frozen=True)
-class Splitting:
+class CoordinateSplitting:
     """An isomorphism of the algebra with M₂(F): ``images`` are the matrices of e, i, j, k.
 
     ``zero_divisor`` is the element of norm 0 it was made from, and ``reason`` says where that comes from.
@@ -74,17 +74,17 @@ class Splitting:
         return from_pairings(self.ring, self.constants, pairings)
 
 
-def split(ring: Ring, c: Constants) -> Splitting | None:
+def split(ring: Ring, c: Constants) -> CoordinateSplitting | None:
     """Return an isomorphism with M₂(F), verified, or None for a division algebra.
 
     Raises :class:`CoercionError` for a degenerate algebra, which is not simple, and
     :class:`UndecidedError` where zero norms are not decided or the ring is no field.
     """
     answer = division_or_splitting(ring, c)
-    return answer if isinstance(answer, Splitting) else None
+    return answer if isinstance(answer, CoordinateSplitting) else None
 
 
-def division_or_splitting(ring: Ring, c: Constants) -> Splitting | ZeroNorm:
+def division_or_splitting(ring: Ring, c: Constants) -> CoordinateSplitting | ZeroNorm:
     """Return the splitting, or the reason why there is no element of norm 0; errors as :func:`split`."""
     if not ring.is_field:
         raise UndecidedError(f"{ring.no_field}: splitting is decided over fields only")
@@ -95,14 +95,14 @@ def division_or_splitting(ring: Ring, c: Constants) -> Splitting | ZeroNorm:
     return _from_square_root(ring, c) or _from_search(ring, c)
 
 
-def _from_search(ring: Ring, c: Constants) -> Splitting | ZeroNorm:
+def _from_search(ring: Ring, c: Constants) -> CoordinateSplitting | ZeroNorm:
     answer = zero_norm(ring, c)
     if answer.element is None:
         return answer
     return replace(from_zero_divisor(ring, c, answer.element), reason=answer.reason)
 
 
-def _from_square_root(ring: Ring, c: Constants) -> Splitting | None:
+def _from_square_root(ring: Ring, c: Constants) -> CoordinateSplitting | None:
     """Use a root r of a (or b) in the normal form: i ↦ diag(r, −r), j ↦ ((0, b), (1, 0))."""
     form = normal_form(ring, c)
     if form.kind != "symbol":
@@ -122,7 +122,7 @@ def _from_square_root(ring: Ring, c: Constants) -> Splitting | None:
     return None
 
 
-def from_zero_divisor(ring: Ring, c: Constants, q: Coordinates) -> Splitting:
+def from_zero_divisor(ring: Ring, c: Constants, q: Coordinates) -> CoordinateSplitting:
     """Return the splitting that a zero divisor of a nondegenerate algebra gives, after checking it."""
     basis = basis_of(ring)
     products = [multiply(c, u, q) for u in basis]
@@ -143,7 +143,7 @@ def _verified(
     ideal: tuple[Coordinates, Coordinates],
     rows: tuple[int, int],
     scale: Scalar,
-) -> Splitting:
+) -> CoordinateSplitting:
     """Compute the action on the ideal with the given basis, and check that it is an isomorphism."""
     u, v = ideal
     r, s = rows
@@ -161,7 +161,7 @@ def _verified(
 
 def _checked(
     ring: Ring, c: Constants, q: Coordinates, images: tuple[Matrix, Matrix, Matrix, Matrix]
-) -> Splitting:
+) -> CoordinateSplitting:
     """Check the relations, and that tr(m·adj(n)) is as in the algebra, which makes the images independent."""
     gram = pairing_matrix(ring, c)
     independent = all(
@@ -171,7 +171,7 @@ def _checked(
     )
     if not independent or not _relations(ring, c, *images):
         raise AssertionError("the action on the ideal is not an isomorphism")
-    return Splitting(ring, c, images, q)
+    return CoordinateSplitting(ring, c, images, q)
 
 
 def _pairing(m: Matrix, n: Matrix) -> Any:

@@ -6,13 +6,14 @@ from typing import Any
 
 from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply
 from hfield.rings.base import Ring
+from hfield.verdicts import Verdict
 
 CONIC = "ramified nowhere, so the conic has a point (Hasse and Minkowski), and this is one"
 
 
-@dataclass(frozen=True)
-class ZeroNorm:
-    """Either a nonzero element of norm 0 or a proof that there is none.
+@dataclass(frozen=True, eq=False, repr=False)
+class ZeroNorm(Verdict[Coordinates]):
+    """Whether there is a nonzero element of norm 0.
 
     ``element`` holds its four coordinates, verified by multiplying out, or None. ``method`` is a
     word or two for programs (``"squares"``, ``"ordering"``, ``"ramified places"``), ``reason`` a sentence
@@ -20,15 +21,9 @@ class ZeroNorm:
     the reason cites and nobody re-proves here.
     """
 
-    element: Coordinates | None
-    method: str
-    reason: str
+    method: str = ""
     places: tuple[Any, ...] = ()
     assumes: tuple[str, ...] = ()
-
-    def __bool__(self) -> bool:
-        """Tell whether there is a nonzero element of norm 0."""
-        return self.element is not None
 
 
 def found(ring: Ring, c: Constants, q: Iterable[Scalar], method: str, reason: str) -> ZeroNorm:
@@ -39,9 +34,9 @@ def found(ring: Ring, c: Constants, q: Iterable[Scalar], method: str, reason: st
         raise AssertionError("the element found is 0, which proves nothing")
     if not all(ring.vanishes(u) for u in multiply(c, element, conjugate(c, element))):
         raise AssertionError("the element found does not have norm 0")
-    return ZeroNorm(element, method, reason)
+    return ZeroNorm(True, reason, element, method=method)
 
 
 def none(method: str, reason: str, places: tuple[object, ...] = (), *assumes: str) -> ZeroNorm:
     """Wrap a proof that only 0 has norm 0."""
-    return ZeroNorm(None, method, reason, places, assumes)
+    return ZeroNorm(False, reason, method=method, places=places, assumes=assumes)

@@ -1,15 +1,15 @@
 """What an element is: nilpotent, idempotent, a unit, a conjugate of another."""
 
 import itertools
-from dataclasses import dataclass
 
 from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.errors import UndecidedError
 from hfield.rings.base import Ring
 from hfield.rings.powers import power
 from hfield.structure.linear_algebra.centre import basis_of
+from hfield.structure.linear_algebra.finite_radical import is_nilpotent as is_nilpotent_scalar
 from hfield.structure.linear_algebra.kernels import kernel
-from hfield.structure.linear_algebra.radical import is_nilpotent as is_nilpotent_scalar
+from hfield.verdicts import Verdict
 
 
 def characteristic_polynomial(
@@ -49,20 +49,8 @@ def is_unit(ring: Ring, c: Constants, q: Coordinates) -> bool:
     return ring.is_unit(norm(c, q))
 
 
-@dataclass(frozen=True)
-class Conjugator:
-    """A unit ``element`` with ``element·p·element⁻¹ = q``, or None with the reason why there is none."""
-
-    element: Coordinates | None
-    reason: str
-
-    def __bool__(self) -> bool:
-        """Tell whether p and q are conjugate."""
-        return self.element is not None
-
-
-def conjugator(ring: Ring, c: Constants, p: Coordinates, q: Coordinates) -> Conjugator:
-    """Return a unit x with ``x·p = q·x``, or the reason why there is none. The ring must be a field.
+def conjugator(ring: Ring, c: Constants, p: Coordinates, q: Coordinates) -> Verdict[Coordinates]:
+    """Return whether there is a unit x with ``x·p = q·x``, the witness. The ring must be a field.
 
     The solutions are a linear space. The norm is a quadratic form on it, and one that vanishes on a
     basis and on the sums of two basis vectors is 0, so there is no more to try. In a central simple algebra
@@ -73,7 +61,7 @@ def conjugator(ring: Ring, c: Constants, p: Coordinates, q: Coordinates) -> Conj
     for name, function in (("traces", trace), ("norms", norm)):
         x, y = function(c, p), function(c, q)
         if not ring.equal(x, y):
-            return Conjugator(None, f"their {name} differ: {ring.text(x)} and {ring.text(y)}")
+            return Verdict(False, f"their {name} differ: {ring.text(x)} and {ring.text(y)}")
     columns = [
         [x - y for x, y in zip(multiply(c, u, p), multiply(c, q, u), strict=True)]
         for u in basis_of(ring)
@@ -82,6 +70,6 @@ def conjugator(ring: Ring, c: Constants, p: Coordinates, q: Coordinates) -> Conj
     sums = ([x + y for x, y in zip(u, v, strict=True)] for u, v in itertools.combinations(space, 2))
     for w, x, y, z in itertools.chain(space, sums):
         if not ring.is_zero(norm(c, (w, x, y, z))):
-            return Conjugator((w, x, y, z), "x·p = q·x is solved by a unit")
+            return Verdict(True, "x·p = q·x is solved by a unit", (w, x, y, z))
     reason = f"x·p = q·x has a solution space of dimension {len(space)}, and no unit is in it"
-    return Conjugator(None, reason)
+    return Verdict(False, reason)

@@ -15,7 +15,7 @@ from hfield.structure.norm_forms.zero_norms import zero_norm
 
 
 @dataclass(frozen=True)
-class SquareRoots:
+class RootCoordinates:
     """The square roots of an element: all of them in ``isolated``, unless ``quadric`` is not None.
 
     In that case the element is a scalar s, ``quadric`` is one root of trace 0, and the roots are the
@@ -30,7 +30,7 @@ class SquareRoots:
         return bool(self.isolated) or self.quadric is not None
 
 
-def square_roots(ring: Ring, c: Constants, q: Coordinates) -> SquareRoots:
+def square_roots(ring: Ring, c: Constants, q: Coordinates) -> RootCoordinates:
     """Return the square roots of an element, each verified by squaring. The ring must be a field.
 
     For a root x of trace T and norm n, ``T·x = q + n``, ``n² = N(q)`` and ``T² = tr(q) + 2n``. Where q is no
@@ -53,7 +53,7 @@ def square_roots(ring: Ring, c: Constants, q: Coordinates) -> SquareRoots:
     for root in found:
         if not _squares_to(ring, c, root, q):
             raise AssertionError("a square root that was found does not square to the element")
-    return SquareRoots(tuple(found))
+    return RootCoordinates(tuple(found))
 
 
 def _both_roots(ring: Ring, x: Scalar) -> list[Scalar]:
@@ -64,26 +64,26 @@ def _both_roots(ring: Ring, x: Scalar) -> list[Scalar]:
     return [root] if ring.equal(root, ring.zero - root) else [root, ring.zero - root]
 
 
-def _of_scalar(ring: Ring, c: Constants, s: Scalar) -> SquareRoots:
+def _of_scalar(ring: Ring, c: Constants, s: Scalar) -> RootCoordinates:
     """Return the roots of s·e: scalars, and the elements of trace 0 and norm −s."""
     o = ring.zero
     if ring.is_zero(s):
         nilpotent = nilpotent_element(ring, c)
-        return SquareRoots(((o, o, o, o),) if nilpotent is None else (), nilpotent)
+        return RootCoordinates(((o, o, o, o),) if nilpotent is None else (), nilpotent)
     root: Coordinates | None
     scalars = _both_roots(ring, s)
     if ring.characteristic == 2 and scalars:
         (r,) = scalars  # other roots differ from it by elements with square 0
         nilpotent = nilpotent_element(ring, c)
         if nilpotent is None:
-            return SquareRoots(((r, o, o, o),))
+            return RootCoordinates(((r, o, o, o),))
         w, x, y, z = nilpotent
         scalars, root = [], (r + w, x, y, z)
     else:
         root = traceless_root(ring, c, s)
     if root is not None and not _squares_to(ring, c, root, (s, o, o, o)):
         raise AssertionError("a square root that was found does not square to the scalar")
-    return SquareRoots(tuple((r, o, o, o) for r in scalars), root)
+    return RootCoordinates(tuple((r, o, o, o) for r in scalars), root)
 
 
 def _squares_to(ring: Ring, c: Constants, root: Coordinates, q: Coordinates) -> bool:

@@ -13,6 +13,7 @@ from flint import fmpz_mat
 
 from hfield.core.product import Constants, multiply, norm
 from hfield.errors import HFieldError
+from hfield.fields.names import ring
 from hfield.ledger.linear_algebra import centre_equations
 from hfield.prover.evaluation.evaluator import Evaluator
 from hfield.prover.evaluation.scalars import RingScalars
@@ -20,7 +21,6 @@ from hfield.prover.polynomials.free_algebra import multiply_out
 from hfield.prover.prove import prove
 from hfield.prover.statements.language import read_statement
 from hfield.prover.statements.setting import read_setting
-from hfield.rings import ring
 from tests.adversary.forging.validity_of_items import implication
 from tests.adversary.grammar import NotRead
 from tests.adversary.ring_names import name_of

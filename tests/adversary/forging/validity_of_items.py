@@ -10,8 +10,8 @@ from typing import Any
 from flint import Ordering, fmpz_mpoly_ctx
 
 from hfield.core.product import Constants, norm
+from hfield.fields.names import ring
 from hfield.prover.statements.setting import read_setting
-from hfield.rings import ring
 from hfield.syntax import Reader
 
 Certificate = dict[str, Any]

@@ -16,7 +16,7 @@ from hfield.checker.budget import bounded
 from hfield.checker.rejection import Rejected
 from hfield.checker.scalars.fields import read_ring
 from hfield.errors import HFieldError
-from hfield.rings import ring, ring_of_data
+from hfield.fields.names import ring, ring_of_data
 from tests.adversary.names import composed, some_data
 from tests.adversary.names.expressions import Refused, Unsure
 from tests.adversary.names.facts import facts

@@ -13,8 +13,8 @@ from hfield.checker.check import check
 from hfield.checker.rejection import Rejected
 from hfield.checker.scalars.fields import read_ring
 from hfield.errors import HFieldError
+from hfield.fields.names import ring
 from hfield.prover.prove import prove
-from hfield.rings import ring
 from tests.adversary.names.numbers import Data
 from tests.adversary.names.reader import read
 

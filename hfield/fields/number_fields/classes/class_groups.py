@@ -22,17 +22,19 @@ from hfield.fields.number_fields.classes.s_units import SUnits, logarithms, s_un
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import Ideal
 from hfield.rings.balls import precision
+from hfield.verdicts import Verdict
 
 
-@dataclass(frozen=True)
-class Principality:
-    """Whether an ideal is principal: ``generator`` if so, else None, and why."""
+@dataclass(frozen=True, eq=False, repr=False)
+class Principality(Verdict[FieldElement]):
+    """Whether an ideal is principal: ``generator`` if so, else None; ``evidence`` as data."""
 
-    generator: Any
-    evidence: dict[str, Any]
+    evidence: dict[str, Any] | None = None
 
-    def __bool__(self) -> bool:
-        return self.generator is not None
+    @property
+    def generator(self) -> FieldElement | None:
+        """A generator of the ideal, or None."""
+        return self.witness
 
 
 class AbelianGroup:
@@ -186,7 +188,7 @@ class _Field:
         s = self.s
         size = a.norm()
         if len(a.generators) == 1:
-            return s.frame.inside(a.generators[0])
+            return a.generators[0]
         for y in s.short(a, 60):
             if abs(y.norm()) == flint.fmpq(size.numerator, size.denominator):
                 return y
@@ -220,11 +222,10 @@ def is_principal(a: Ideal) -> Principality:
     field = _field(a.ring)
     x = field.principal(a)
     if x is not None:
-        return Principality(a.frame.outside(x), {"kind": "generator"})
+        return Principality(True, "a generator is known", x, evidence={"kind": "generator"})
     classes = field.classes.coordinates(field.class_of(a)[1])
-    return Principality(
-        None, {"kind": "class", "invariants": field.classes.invariants, "class": classes}
-    )
+    found = {"kind": "class", "invariants": field.classes.invariants, "class": classes}
+    return Principality(False, "its class is not 0 in the class group", evidence=found)
 
 
 class ClassGroup(Certified):
@@ -260,7 +261,7 @@ class ClassGroup(Certified):
         return " × ".join(f"ℤ/{d}" for d in self.invariants) or "the trivial group"
 
     def _of_signs(self, x: FieldElement) -> list[int]:
-        return [int(self._field.s.field.sign(x, k) < 0) for k in self._signs]
+        return [int(self._field.s.field.sign_at(x, k) < 0) for k in self._signs]
 
     def class_of(self, a: Ideal) -> tuple[int, ...]:
         """Return the class of an ideal, in the cyclic factors."""
@@ -291,7 +292,7 @@ class ClassGroup(Certified):
         s = self._field.s
         found = [a]
         for y in s.short(a.inverse(), 40):
-            if all(s.field.sign(y, k) > 0 for k in self._signs):
+            if all(s.field.sign_at(y, k) > 0 for k in self._signs):
                 found.append(a * s.frame.principal(y))
         return min((b for b in found if b.is_integral()), key=lambda b: b.norm(), default=a)
 
@@ -333,8 +334,8 @@ class UnitGroup(Certified):
         self.ring, self._field = ring, _field(ring)
         s = self._field.s
         self.rank, self.torsion_order = s.rank, s.order_of_torsion
-        self.torsion = s.frame.outside(s.torsion)
-        self.generators = tuple(map(s.frame.outside, self._field.units))
+        self.torsion = s.torsion
+        self.generators = tuple(self._field.units)
 
     def __repr__(self) -> str:
         free = f" × ℤ^{self.rank}" if self.rank else ""
@@ -353,7 +354,7 @@ class UnitGroup(Certified):
         if not real:
             return self.generators
         every = [-s.field.one, *self._field.units]
-        signs = [[int(s.field.sign(u, k) < 0) for k in range(real)] for u in every]
+        signs = [[int(s.field.sign_at(u, k) < 0) for k in range(real)] for u in every]
         count = len(every)
         whole = [[*row, *(int(i == j) for j in range(count))] for i, row in enumerate(signs)]
         whole += [[2 * int(i == j) for j in range(real)] + [0] * count for i in range(real)]
@@ -366,8 +367,8 @@ class UnitGroup(Certified):
         out = []
         for v in vectors:
             u = s.product(self._field.units, list(map(int, v)))
-            out.append(u if s.field.sign(u, 0) > 0 else -u)
-        return tuple(map(s.frame.outside, out))
+            out.append(u if s.field.sign_at(u, 0) > 0 else -u)
+        return tuple(out)
 
     @cached_property
     def evidence(self) -> dict[str, Any]:

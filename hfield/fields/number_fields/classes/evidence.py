@@ -30,7 +30,7 @@ def evidence(s: SUnits) -> dict[str, Any]:
     listed: list[Any] = []
     number: dict[Any, int] = {}
     for p in primes(s.bound + 1):
-        above = [P for _, P in s.frame.primes_above(p)]
+        above = list(s.frame.field.primes_above(p))
         number |= {P: len(number) + k for k, P in enumerate(above)}
         listed.append([p, seconds_above(s, p)])
     return {
@@ -53,7 +53,7 @@ def evidence(s: SUnits) -> dict[str, Any]:
 
 def seconds_above(s: SUnits, p: int) -> list[list[int]]:
     """Return second generators of the prime ideals above p, in the integral basis."""
-    return [_second(s, P) for _, P in s.frame.primes_above(p)]
+    return [_second(s, P) for P in s.frame.field.primes_above(p)]
 
 
 def cited(s: SUnits) -> tuple[str, ...]:

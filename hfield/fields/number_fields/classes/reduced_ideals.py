@@ -17,7 +17,7 @@ import flint
 
 from hfield.errors import TooLargeError, shorten
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Ideal, Integers
+from hfield.fields.number_fields.ideals import Ideal, MaximalOrder
 
 MAX_REDUCED = 2_000_000
 """So many reduced ideals are enumerated at most."""
@@ -32,7 +32,7 @@ class ReducedIdeals:
     :attr:`unit` and roots of unity. Numbers are computed when they are needed, as they may be long.
     """
 
-    def __init__(self, frame: Integers) -> None:
+    def __init__(self, frame: MaximalOrder) -> None:
         self.frame, self.field = frame, frame.field
         self.D = int(self.field.discriminant())
         self._floor = math.isqrt(self.D) if self.D > 0 else 0
@@ -114,7 +114,7 @@ class ReducedIdeals:
             self._place[reduced] = number, place
         if len(self._place) > MAX_REDUCED:
             raise TooLargeError(
-                f"{shorten(self.frame.ring.name)} has over {MAX_REDUCED} reduced ideals, "
+                f"{shorten(self.frame.field.name)} has over {MAX_REDUCED} reduced ideals, "
                 "the most that are enumerated: the discriminant is too large"
             )
 
@@ -159,7 +159,7 @@ class ReducedIdeals:
         half = self._root / 2
         s = half.poly[1]
         rows = []
-        for x in a.elements:
+        for x in a.basis:
             y = x.poly[1] / s
             rows += [y, (x - half * y).poly[0] * 2]
         whole, den = flint.fmpq_mat(2, 2, rows).numer_denom()

@@ -32,7 +32,7 @@ from hfield.errors import TooLargeError, UndecidedError, shorten
 from hfield.fields.number_fields.classes.reduced_ideals import ReducedIdeals
 from hfield.fields.number_fields.classes.short_integers import ShortIntegers
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Ideal, Integers, integers
+from hfield.fields.number_fields.ideals import Ideal, MaximalOrder, integers
 from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -57,7 +57,7 @@ QUADRATIC = "a unit > 1 of a real quadratic field is at least (√(D − 4) + �
 class SUnits:
     """Generators of the S-units of a field modulo roots of unity: as many as ``primes`` and the unit rank."""
 
-    def __init__(self, frame: Integers) -> None:
+    def __init__(self, frame: MaximalOrder) -> None:
         self.frame, self.field, self.n = frame, frame.field, frame.n
         self.rng = Random(1)
         real, complex_ = self.field.signature
@@ -65,13 +65,13 @@ class SUnits:
         self.bound = max(norm_bound(frame), self._least_bound() if self.rank else 1)
         if self.bound > MAX_BOUND:
             raise TooLargeError(
-                f"the class group of {shorten(frame.ring.name)} asks for all prime ideals of norm up to "
+                f"the class group of {shorten(frame.field.name)} asks for all prime ideals of norm up to "
                 f"{self.bound}, and {MAX_BOUND} is the most here: the discriminant is too large"
             )
         self.order_of_torsion, self.torsion = roots_of_unity(frame)
         self._shape = _conjugates(frame)
         self.base = sorted(
-            (P for p in primes(self.bound + 1) for _, P in frame.primes_above(p)),
+            (P for p in primes(self.bound + 1) for P in frame.field.primes_above(p)),
             key=lambda P: (P.norm() > self.bound, P.norm()),
         )
         self.base = [P for P in self.base if P.norm() <= self.bound]
@@ -95,7 +95,7 @@ class SUnits:
 
     def _least_bound(self) -> int:
         """Return the norm of the last of a few prime ideals of degree one."""
-        norms = (P.norm() for p in primes() for _, P in self.frame.primes_above(p) if P.f == 1)
+        norms = (P.norm() for p in primes() for P in self.frame.field.primes_above(p) if P.f == 1)
         return list(islice(norms, FEW))[-1]
 
     # --- smooth elements ---------------------------------------------------------------------------
@@ -131,7 +131,7 @@ class SUnits:
     def smooth_ideal(self, a: Ideal) -> dict[int, int] | None:
         """Return the exponents of an ideal at the primes of the base, or None if it has others."""
         return self._exponents_at(
-            int(a.matrix.det()), a.denominator, lambda P: min(map(P.valuation, a.elements))
+            int(a.matrix.det()), a.denominator, lambda P: min(map(P.valuation, a.basis))
         )
 
     def _exponents_at(
@@ -170,13 +170,13 @@ class SUnits:
     def _above(self, p: int) -> list[tuple[PrimeIdeal, int | None]]:
         """Return the prime ideals above p with their numbers in the base, None where they are not in it."""
         if p not in self._places_above:
-            above = [P for _, P in self.frame.primes_above(p)]
+            above = self.frame.field.primes_above(p)
             self._places_above[p] = [(P, self.place.get(P)) for P in above]
         return self._places_above[p]
 
     def _has(self, rest: int, valuation: Callable[[PrimeIdeal], int]) -> bool:
         """Tell whether a prime that may divide a denominator does."""
-        above = (P for p, _ in _factors(rest) for _, P in self.frame.primes_above(p))
+        above = (P for p, _ in _factors(rest) for P in self.frame.field.primes_above(p))
         return any(map(valuation, above))
 
     @cached_property
@@ -374,7 +374,7 @@ class SUnits:
                 return
         if not self.generators:
             raise UndecidedError(
-                f"too few relations were found for the class group of {shorten(self.frame.ring.name)}"
+                f"too few relations were found for the class group of {shorten(self.frame.field.name)}"
             )
 
     def _exponents(self, x: FieldElement) -> list[int]:
@@ -456,7 +456,7 @@ class SUnits:
         return all(
             P in self.place
             for p in primes(bound + 1)
-            for _, P in self.frame.primes_above(p)
+            for P in self.frame.field.primes_above(p)
             if p > self.bound or P.norm() <= bound
         )
 
@@ -519,7 +519,7 @@ class SUnits:
             bound = self._unit_index_bound()
             if bound > MAX_SATURATED:
                 raise TooLargeError(
-                    f"the units of {shorten(self.frame.ring.name)} are known up to an index "
+                    f"the units of {shorten(self.frame.field.name)} are known up to an index "
                     f"below {bound} only"
                 )
             after = next(p for p in itertools.count(ell + 1) if is_prime(p))
@@ -575,7 +575,7 @@ class SUnits:
                         return positions[number], y
             sought += 10
         raise UndecidedError(
-            f"units of {shorten(self.frame.ring.name)} were not shown to be saturated at {ell}"
+            f"units of {shorten(self.frame.field.name)} were not shown to be saturated at {ell}"
         )
 
     def _characters(self, ell: int) -> Iterator[Any]:
@@ -638,7 +638,7 @@ def residue(x: FieldElement, root: int, q: int) -> int:
     return total * pow(int(x.poly.denom()) % q, -1, q) % q
 
 
-def norm_bound(frame: Integers) -> int:
+def norm_bound(frame: MaximalOrder) -> int:
     """Return a bound for the norms of prime ideals that generate the class group."""
     n, complex_ = frame.n, frame.field.signature[1]
     if n not in ZIMMERT_FACTORS:
@@ -648,7 +648,7 @@ def norm_bound(frame: Integers) -> int:
     return max(1, math.isqrt(int(square)))
 
 
-def minkowski(frame: Integers) -> int:
+def minkowski(frame: MaximalOrder) -> int:
     """Return a bound for the norms of integral ideals of which each class has one."""
     n, size = frame.n, abs(frame.field.discriminant())
     complex_ = frame.field.signature[1]
@@ -662,7 +662,7 @@ def minkowski(frame: Integers) -> int:
 
 
 @lru_cache(maxsize=256)
-def roots_of_unity(frame: Integers) -> tuple[int, FieldElement]:
+def roots_of_unity(frame: MaximalOrder) -> tuple[int, FieldElement]:
     """Return the number of roots of unity, and one that generates them."""
     field, n = frame.field, frame.n
     if field.signature[0]:
@@ -683,7 +683,7 @@ def roots_of_unity(frame: Integers) -> tuple[int, FieldElement]:
     return 2, -field.one
 
 
-def _conjugates(frame: Integers) -> flint.fmpz_mat:
+def _conjugates(frame: MaximalOrder) -> flint.fmpz_mat:
     """Return the integral basis in real and imaginary parts of conjugates, rounded: for reduction only."""
     rows = []
     for w in frame.basis:
@@ -703,7 +703,7 @@ def _rounded(x: Any, shift: int) -> int:
         return int((x.mid() * flint.arb(2) ** shift).floor().unique_fmpz())
 
 
-def logarithms(frame: Integers, x: FieldElement, bits: int = 128) -> list[Any]:
+def logarithms(frame: MaximalOrder, x: FieldElement, bits: int = 128) -> list[Any]:
     """Return balls around the logarithms of absolute values at infinity, twice those at complex places."""
     embeddings = frame.field.embeddings
     out = []
@@ -721,7 +721,7 @@ def logarithms(frame: Integers, x: FieldElement, bits: int = 128) -> list[Any]:
     return out
 
 
-def root(frame: Integers, x: FieldElement, ell: int) -> FieldElement | None:
+def root(frame: MaximalOrder, x: FieldElement, ell: int) -> FieldElement | None:
     """Return y with y^ℓ = x for a prime ℓ, or None.
 
     Modulo a prime ideal of degree one x has one root, or its roots differ by roots of unity of the field, and
@@ -746,7 +746,7 @@ def root(frame: Integers, x: FieldElement, ell: int) -> FieldElement | None:
 
 
 def _lifted_power_root(
-    frame: Integers, x: FieldElement, m: int, start: int, prime: tuple[int, int]
+    frame: MaximalOrder, x: FieldElement, m: int, start: int, prime: tuple[int, int]
 ) -> FieldElement | None:
     """Return y with y^m = x and a given residue, or None, for an algebraic integer x.
 
@@ -785,7 +785,7 @@ def _value(f: Sequence[int], r: int, modulus: int) -> int:
     return total
 
 
-def _short_with_residue(frame: Integers, r: int, y: int, modulus: int) -> FieldElement:
+def _short_with_residue(frame: MaximalOrder, r: int, y: int, modulus: int) -> FieldElement:
     """Return a short integer of the field that goes to y where s goes to r, modulo a prime power."""
     residues_ = [residue(w, r, modulus) for w in frame.basis]
     pivot = next(k for k, w in enumerate(residues_) if math.gcd(w, modulus) == 1)

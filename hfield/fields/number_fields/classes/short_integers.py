@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from hfield.checker.number_fields.bounds import HERMITE_POWERS, short_length
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Integers
+from hfield.fields.number_fields.ideals import MaximalOrder
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.rings.balls import precision
 
@@ -37,7 +37,7 @@ class ShortIntegers:
     ``norms`` absolute values of norms, 0 in place of those above 2⁵⁰.
     """
 
-    def __init__(self, frame: Integers, conjugates: flint.fmpz_mat) -> None:
+    def __init__(self, frame: MaximalOrder, conjugates: flint.fmpz_mat) -> None:
         self.frame, self.field, n = frame, frame.field, frame.n
         change = conjugates.lll(transform=True)[1]
         self._reduced = np.array([[int(c) for c in row] for row in change.tolist()], dtype=object)

@@ -20,7 +20,7 @@ import flint
 from hfield.core.factorisation import factorise
 from hfield.errors import RingError, TooLargeError, shorten
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Integers, integers
+from hfield.fields.number_fields.ideals import MaximalOrder, integers
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.rings.balls import precision
 
@@ -72,7 +72,7 @@ def _pole(weight: int) -> list[Fraction]:
 class _Sums:
     """Sums of σ₁(ν·D) over totally positive ν of given trace in D⁻¹."""
 
-    def __init__(self, frame: Integers) -> None:
+    def __init__(self, frame: MaximalOrder) -> None:
         self.frame, n = frame, frame.n
         self.different = frame.codifferent.inverse()
         self.exponents = dict(self._different_exponents())
@@ -101,8 +101,8 @@ class _Sums:
 
     def _different_exponents(self) -> Iterator[tuple[Any, int]]:
         for p in factorise(int(self.different.norm())) if self.different.norm() != 1 else ():
-            for _, prime in self.frame.primes_above(p):
-                e = min(prime.valuation(x) for x in self.different.elements)
+            for prime in self.frame.field.primes_above(p):
+                e = min(prime.valuation(x) for x in self.different.basis)
                 if e:
                     yield prime, e
 
@@ -130,7 +130,7 @@ class _Sums:
             if k == 1:
                 out *= 1 + p
                 continue
-            for _, prime in self.frame.primes_above(p):
+            for prime in self.frame.field.primes_above(p):
                 e = prime.valuation(x) + self.exponents.get(prime, 0)
                 out *= (prime.norm() ** (e + 1) - 1) // (prime.norm() - 1)
         return out

@@ -14,7 +14,7 @@ from hfield.core.factorisation import remove
 from hfield.fields.function_fields.residues import ResidueField
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.number_fields.quadratic.places import (
-    QuadraticPlace,
+    QuadraticPrime,
     integer_coordinates,
     minimal_of_omega,
 )
@@ -24,7 +24,7 @@ from hfield.rings.field_specs import GF
 if TYPE_CHECKING:
     import flint
 
-    from hfield.rings.closed_fields.surds import Surd
+    from hfield.fields.number_fields.elements import FieldElement
     from hfield.rings.flint_types import Polynomial
 
 
@@ -35,10 +35,10 @@ class DegreeOne(PrimePlace):
     all other primes; they are no inverses.
     """
 
-    def __init__(self, place: QuadraticPlace) -> None:
-        super().__init__(place.prime)
+    def __init__(self, place: QuadraticPrime) -> None:
+        super().__init__(place.p)
         self.place, self.number_field, self.index = place, place.field, place.e
-        self.root, p = place.root_of_omega, place.prime
+        self.root, p = place.root_of_omega, place.p
         F = place.field
         pi = F.integral_basis()[1] - self.root
         if remove(int(F.norm(pi)), p)[0] > 1:
@@ -47,7 +47,7 @@ class DegreeOne(PrimePlace):
         self.uniformiser, conjugate = pi, F(F.trace(pi)) - pi
         self.inverse_uniformiser = conjugate * Fraction(1, p)
 
-    def lift(self, x: int) -> Surd:
+    def lift(self, x: int) -> FieldElement:
         """Return a residue as a number of the field."""
         return self.number_field(x)
 
@@ -86,8 +86,8 @@ class Inert(ResidueField):
 
     index = 1
 
-    def __init__(self, place: QuadraticPlace) -> None:
-        p, (trace, constant) = place.prime, minimal_of_omega(place.d)
+    def __init__(self, place: QuadraticPrime) -> None:
+        p, (trace, constant) = place.p, minimal_of_omega(place.d)
         functions = FunctionField(GF(p), "t")
         t = functions.gen
         super().__init__(functions, (t * t - functions(trace) * t - functions(constant)).num)
@@ -95,35 +95,35 @@ class Inert(ResidueField):
         self._p, self._inverse = place.field(p), place.field(Fraction(1, p))
 
     @property
-    def uniformiser(self) -> Surd:
+    def uniformiser(self) -> FieldElement:
         """p."""
         return self._p
 
     @property
-    def inverse_uniformiser(self) -> Surd:
+    def inverse_uniformiser(self) -> FieldElement:
         """1/p."""
         return self._inverse
 
-    def lift(self, x: flint.nmod_poly) -> Surd:
+    def lift(self, x: flint.nmod_poly) -> FieldElement:
         """Return a residue as a number of the field."""
         return self.place.field(int(x[0])) + self.omega * int(x[1])
 
-    def valuation(self, x: Surd) -> int:
+    def valuation(self, x: FieldElement) -> int:
         """Return the order of a nonzero number at this prime."""
         return self.place.valuation(x)
 
-    def truncated(self, x: Surd, n: int) -> Surd:
+    def truncated(self, x: FieldElement, n: int) -> FieldElement:
         """Return u + v·ω with the least u, v ≥ 0 that is x up to pⁿ."""
         u, v = (truncated(c, self.below, n) for c in integer_coordinates(self.place.d, x))
         return self.omega * v + u
 
-    def reduce(self, x: Surd) -> Polynomial:
+    def reduce(self, x: FieldElement) -> Polynomial:
         """Return the class of a number without p in its denominator."""
         u, v = (self.scalar(self.base(y)) for y in integer_coordinates(self.place.d, x))
         return u + v * self.field.gen.num
 
 
 @lru_cache(maxsize=256)
-def prime_at(place: QuadraticPlace) -> DegreeOne | Inert:
+def prime_at(place: QuadraticPrime) -> DegreeOne | Inert:
     """Return the prime ideal that a finite place is."""
     return Inert(place) if place.f == 2 else DegreeOne(place)

@@ -1,37 +1,39 @@
-"""Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are :class:`Surd` numbers a + b·√d."""
+"""Quadratic number fields QQ(sqrt(d)) and QQ(I); elements are those of number fields, a + b·√d."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from random import Random
 from typing import TYPE_CHECKING, Any
 
 import flint
 
 from hfield.core.factorisation import UnfactoredError, factorise
-from hfield.core.primality import is_prime
 from hfield.core.product import Constants
-from hfield.errors import CoercionError, HFieldError, NotInvertibleError, RingError, shorten
+from hfield.errors import CoercionError, HFieldError, RingError, shorten
+from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ring import NumberField
-from hfield.fields.number_fields.with_ideals import WithIdeals
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.closed_fields.radicands import reduced
-from hfield.rings.closed_fields.surds import Surd, from_rational, sympy_of
+from hfield.rings.closed_fields.surds import Surd, sympy_of
 from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import irreducible_factors
 from hfield.rings.squares import minus_one
-from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.fields.number_fields.quadratic.places import QuadraticPlace
+    from hfield.fields.number_fields.places import Place
+    from hfield.fields.number_fields.quadratic.places import (
+        QuadraticComplexPlace,
+        QuadraticPrime,
+        QuadraticRealPlace,
+    )
 
 
-class QuadraticField(WithIdeals, ValueRing[Surd]):
+class QuadraticField(NumberField):
     """ℚ(√d) for a squarefree integer d ≠ 1; ``gen`` is √d, or I for d = −1.
 
     >>> from hfield import ring
@@ -40,13 +42,11 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
     -1+sqrt(2)
     """
 
-    characteristic = 0
-    is_field = True
-    arithmetic = "number_fields.quadratic.arithmetic.QuadraticArithmetic"
-    completions = "number_fields.completions.completion_of_quadratic"
+    theory = "quadratic field"
 
     def __init__(self, d: int) -> None:
         self.d = d
+        self.polynomial = flint.fmpq_poly([-d, 0, 1])
         self.gen_name = "I" if d == -1 else f"sqrt({d})"
         self.name = f"QQ({self.gen_name})"
 
@@ -63,125 +63,90 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
         root = "i), i² = −1" if self.d == -1 else f"√{self.d})".replace("-", "−")
         return f"the quadratic number field ℚ({root}"
 
-    @property
-    def gen(self) -> Surd:
-        """The square root of d, the principal one."""
-        return Surd({self.d: flint.fmpq(1)})
+    # --- texts and numbers of other rings ----------------------------------------------------------
 
-    def names(self) -> dict[str, Surd]:
+    def names(self) -> dict[str, FieldElement]:
         """The imaginary unit I, in QQ(I)."""
         return {"I": self.gen} if self.d == -1 else {}
 
+    def generators(self) -> dict[str, FieldElement]:
+        """Return nothing: I is a number."""
+        return {}
+
     def images_in(self, target: Ring) -> dict[str, Any]:
-        """Return what I is in a number field that has no such name."""
+        """Return what I is in a number field that has no such name, for functions with such constants."""
         if self.d != -1 or not isinstance(target, NumberField):
             return {}
         root = target.sqrt(target(-1))
         return {} if root is None else {"I": root}
 
-    def functions(self) -> dict[str, Callable[..., Surd]]:
-        """The square root of what has one in the field, so that ``1/2+3*sqrt(2)`` can be read."""
-        return {"sqrt": self._sqrt_here}
-
-    def _sqrt_here(self, x: Surd) -> Surd:
-        y = self.sqrt(x)
-        if y is None:
-            raise CoercionError(
-                f"{shorten(self.text(x))} has no square root in {self.name}; "
-                "RR has one of every x ≥ 0, CC of all"
-            )
-        return y
-
-    def __call__(self, x: object) -> Surd:
-        """Turn a rational number or a surd in ℚ(√d) into an element, read a text.
+    def __call__(self, x: object) -> FieldElement:
+        """Turn a rational number, an element or a surd in ℚ(√d) into an element, read a text.
 
         Raises :class:`CoercionError`.
         """
         x = unwrap(x)
-        if isinstance(x, Surd):
-            if x.terms.keys() <= {1, self.d}:
-                return x
-            same = x.over(self.d)
-            if same is None:
-                raise self.refuse(x, f"{self.name} has only the numbers a+b*{self.gen_name}")
-            return same
-        if isinstance(x, str):
-            return self.parse(x)
-        number = rational(x)
-        return self.foreign(x) if number is None else from_rational(number)
+        return self._from_surd(x) if isinstance(x, Surd) else super().__call__(x)
 
-    def generators(self) -> dict[str, Surd]:
-        """Return nothing: I is a number."""
-        return {}
+    def _from_surd(self, x: Surd) -> FieldElement:
+        same = x if x.terms.keys() <= {1, self.d} else x.over(self.d)
+        if same is None:
+            raise self.refuse(x, f"{self.name} has only the numbers a+b*{self.gen_name}")
+        zero = flint.fmpq(0)
+        terms = [same.terms.get(1, zero), same.terms.get(self.d, zero)]
+        return FieldElement(self, flint.fmpq_poly(terms))
 
-    def generator_of(self, polynomial: Sequence[Fraction]) -> sympy.Expr | None:
-        """Return the square root of d if this is its minimal polynomial, or None."""
-        return sympy_of(self.gen) if list(polynomial) == [-self.d, 0, 1] else None
+    def as_surd(self, x: FieldElement) -> Surd:
+        """Return x as the number a + b·√d of RR or CC."""
+        return Surd({n: c for n, c in zip((1, self.d), (x.poly[0], x.poly[1]), strict=True) if c})
 
-    def modulus_over_rationals(self) -> list[int]:
-        """Return the minimal polynomial of √d, low degree first."""
-        return [-self.d, 0, 1]
-
-    def coefficients_of(self, x: Surd) -> list[flint.fmpq]:
-        """Return the two rational coordinates of x."""
-        return list(self.key(x))
-
-    def of_coefficients(self, values: Sequence[flint.fmpq]) -> Surd:
-        """Return the element with these coordinates."""
-        return Surd({n: c for n, c in zip((1, self.d), values, strict=True) if c})
-
-    def monomials(self) -> tuple[list[list[int]], list[tuple[int, ...]]]:
-        """Return the powers of √d, which elements are written in, by themselves, and their exponents."""
-        return [[1, 0], [0, 1]], [(0,), (1,)]
+    def text(self, x: FieldElement, style: str = "plain") -> str:
+        """Write x, such as ``1/2+3*sqrt(2)``."""
+        return self.as_surd(x).text(style, imaginary=self.d == -1)
 
     def number_texts(self, style: str) -> list[str]:
         """Return the text of √d."""
         return [self.text(self.gen, style)]
 
-    def closed_form(self, x: sympy.Expr) -> Surd:
+    def generator_of(self, polynomial: Sequence[Any]) -> sympy.Expr | None:
+        """Return the square root of d if this is its minimal polynomial, or None."""
+        return sympy_of(self.as_surd(self.gen)) if list(polynomial) == [-self.d, 0, 1] else None
+
+    def closed_form(self, x: sympy.Expr) -> FieldElement:
         """Return the number that a sympy expression without symbols is."""
         from hfield.rings.closed_fields.closed_forms import from_sympy
 
         value = from_sympy(x)
         if isinstance(value, Surd):
             return self(value)
-        from hfield.fields.number_fields.closed_forms import element_of
-        from hfield.fields.number_fields.quadratic import as_number_field as same
-
         try:
-            return same.from_number_field(self, element_of(same.as_number_field(self), x))
+            return super().closed_form(x)
         except CoercionError:
             raise self.refuse(x, f"{self.name} has only the numbers a+b*{self.gen_name}") from None
 
-    def to_sympy(self, x: Surd, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+    def to_sympy(self, x: FieldElement, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
         """Return the number as sympy has it."""
-        return sympy_of(x)
+        return sympy_of(self.as_surd(x))
 
-    def is_zero(self, x: Surd) -> bool:
-        """Tell whether x is 0."""
-        return not x.terms
+    def embed_from(self, source: Ring) -> Callable[[Any], FieldElement] | None:
+        """Return the map of a field of degree 2 into this one; None for others, whose texts are read."""
+        if isinstance(source, NumberField) and source.degree == 2:
+            return super().embed_from(source)
+        return None
 
-    def key(self, x: Surd) -> tuple[flint.fmpq, flint.fmpq]:
-        """Return the two rational coordinates of x."""
-        return x.terms.get(1, flint.fmpq(0)), x.terms.get(self.d, flint.fmpq(0))
+    # --- arithmetic --------------------------------------------------------------------------------
 
-    def inverse(self, x: Surd) -> Surd:
-        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
-        if not x.terms:
-            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
-        return x.inverse()
-
-    def sqrt(self, x: Surd) -> Surd | None:
+    def sqrt(self, x: FieldElement) -> FieldElement | None:
         """Return the principal root, or None when it is not in the field."""
-        return x.sqrt(within=self.d)
+        root = self.as_surd(x).sqrt(within=self.d)
+        return None if root is None else self._from_surd(root)
 
-    def roots(self, coefficients: Sequence[Surd]) -> list[Surd]:
+    def roots(self, coefficients: Sequence[FieldElement]) -> list[FieldElement]:
         """Return all roots of a polynomial with rational coefficients. Raises :class:`UndecidedError`."""
-        rationals = [x.terms.get(1, flint.fmpq(0)) for x in coefficients if set(x.terms) <= {1}]
-        if len(rationals) < len(coefficients):
+        if not all(x.is_rational() for x in coefficients):
             return super().roots(coefficients)
-        out: list[Surd] = []
-        for g in irreducible_factors(rationals):
+        out: list[FieldElement] = []
+        for g in irreducible_factors([x.poly[0] for x in coefficients]):
             if g.degree() == 1:
                 out.append(self(-g[0]))
             elif g.degree() == 2:
@@ -190,13 +155,25 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
                     out += [self.divide(y - self(g[1]), self(2)) for y in (root, -root)]
         return out
 
-    def irreducible_factors(self, coefficients: Sequence[Surd]) -> list[list[Surd]]:
-        """Return the monic irreducible factors of a polynomial that is not 0, each once."""
-        from hfield.fields.number_fields.quadratic import as_number_field as same
+    def holding(self, constants: Constants) -> Holding:
+        """Elements are held as eight ints over one denominator."""
+        from hfield.rings.held.fractions import FractionRepresentation
 
-        inside = [same.into_number_field(self, x) for x in coefficients]
-        found = same.as_number_field(self).irreducible_factors(inside)
-        return [[same.from_number_field(self, x) for x in f] for f in found]
+        return FractionRepresentation(self, constants, (self.d, 0), self._vector, self._element)
+
+    @staticmethod
+    def _vector(x: FieldElement) -> tuple[flint.fmpq, flint.fmpq]:
+        return x.poly[0], x.poly[1]
+
+    def _element(self, a: int, b: int, denominator: int = 1) -> FieldElement:
+        """Return (a + b·√d)/denominator for integers."""
+        return FieldElement(self, flint.fmpq_poly([a, b], denominator))
+
+    def random(self, rng: Random) -> FieldElement:
+        """Return a small random element; the same for the same seed."""
+        return FieldElement(self, flint.fmpq_poly([QQ.random(rng), QQ.random(rng)]))
+
+    # --- squares and orderings ---------------------------------------------------------------------
 
     @property
     def level(self) -> Known:
@@ -208,11 +185,13 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
             return self.level_of(squares)
         return self.level_of(squares, f"fewer squares do not do, for {-self.d} ≡ 7 mod 8")
 
-    def minus_one_as_squares(self) -> tuple[Surd, ...]:
+    def minus_one_as_squares(self) -> tuple[FieldElement, ...]:
         """Return as few elements as possible whose squares add up to −1."""
         if self.d > 0:
             return ()
-        return (self.gen,) if self.d == -1 else minus_one(-self.d, self.gen)
+        if self.d == -1:
+            return (self.gen,)
+        return tuple(map(self, minus_one(-self.d, self.gen)))
 
     @property
     def orderings(self) -> Known:
@@ -221,79 +200,65 @@ class QuadraticField(WithIdeals, ValueRing[Surd]):
             return super().orderings
         return Known(2, f"{self.gen_name} may be positive (ordering 0) or negative (ordering 1)")
 
-    def sign(self, x: Surd, ordering: int = 0) -> int:
+    def check_ordering(self, ordering: int) -> None:
+        """Refuse the number of an ordering that the field does not have."""
+        Ring.check_ordering(self, ordering)
+
+    def sign(self, x: FieldElement, ordering: int = 0) -> int:
         """Return the sign of x with √d positive (ordering 0) or negative (ordering 1)."""
-        if self.d < 0:
-            return super().sign(x, ordering)
         self.check_ordering(ordering)
-        return int(x.sign(self.d if ordering else 0))
+        return self.sign_at(self(x), 1 - ordering)
 
-    def random(self, rng: Random) -> Surd:
-        """Return a small random element; the same for the same seed."""
-        a, b = (from_rational(rational(QQ.random(rng)) or 0) for _ in range(2))
-        return a + b * self.gen
+    def sign_at(self, x: FieldElement, index: int) -> int:
+        """Return the sign of x at a real place: 0 is that where √d is negative."""
+        return int(self.as_surd(x).sign(0 if index else self.d))
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as eight ints over one denominator."""
-        from hfield.rings.held.fractions import Fractions
-
-        return Fractions(self, constants, (self.d, 0), self.key, self._element)
-
-    def _element(self, a: int, b: int, denominator: int = 1) -> Surd:
-        """Return (a + b·√d)/denominator for integers."""
-        terms = {1: flint.fmpq(a, denominator), self.d: flint.fmpq(b, denominator)}
-        return Surd({n: c for n, c in terms.items() if c})
-
-    degree = 2
-
-    def norm(self, x: object) -> flint.fmpq:
-        """Return the norm of x down to ℚ."""
-        a, b = self.key(self(x))
-        return a * a - self.d * b * b
-
-    def trace(self, x: object) -> flint.fmpq:
-        """Return the trace of x down to ℚ."""
-        return 2 * self.key(self(x))[0]
+    # --- integers and places -----------------------------------------------------------------------
 
     def discriminant(self) -> int:
         """Return the discriminant of the field: d, or 4d unless d ≡ 1 mod 4."""
         return self.d if self.d % 4 == 1 else 4 * self.d
 
-    def integral_basis(self) -> tuple[Surd, Surd]:
+    def integral_basis(self) -> tuple[FieldElement, FieldElement]:
         """Return a basis over ℤ of the integers of the field, 1 first."""
-        from hfield.fields.number_fields.quadratic.places import integers_basis
+        half = flint.fmpq(1, 2)
+        omega = [half, half] if self.d % 4 == 1 else [0, 1]
+        return self.one, FieldElement(self, flint.fmpq_poly(omega))
 
-        return integers_basis(self.d)
+    @property
+    def signature(self) -> tuple[int, int]:
+        """How many real and how many complex places there are."""
+        return (2, 0) if self.d > 0 else (0, 1)
 
-    def primes_above(self, p: object) -> tuple[QuadraticPlace, ...]:
-        """Return the one or two prime ideals above a prime number. Raises :class:`RingError`.
+    def known_primes_above(self, p: int) -> tuple[QuadraticPrime, ...]:
+        """Return the one or two prime ideals above a prime number.
 
         >>> from hfield import ring
         >>> [(P, P.e, P.f, P.generators) for P in ring("QQ(I)").primes_above(5)]
         [((5, I-2), 1, 1, (5, -2+I)), ((5, I-3), 1, 1, (5, -3+I))]
         """
-        from hfield.fields.number_fields.quadratic.places import places_above
+        from hfield.fields.number_fields.quadratic.places import quadratic_primes_above
 
-        number = rational(p)
-        if not isinstance(number, int) or not is_prime(number):
-            raise RingError(f"{shorten(p)} is no prime number; expected one, such as 5")
-        return places_above(self, number)
+        return quadratic_primes_above(self, p)
 
-    def real_places(self) -> tuple[QuadraticPlace, ...]:
+    def real_places(self) -> tuple[QuadraticRealPlace, ...]:
         """Return the real places, √d negative first; each has ``index`` and ``sign(x)``."""
-        from hfield.fields.number_fields.quadratic.places import places_above
+        from hfield.fields.number_fields.quadratic.places import QuadraticRealPlace
 
-        return places_above(self, 0)[::-1] if self.d > 0 else ()
+        return tuple(QuadraticRealPlace(self, n) for n in range(self.signature[0]))
 
-    def places(self) -> Iterator[Hashable]:
-        """Run through the places: the infinite ones, then prime by prime."""
-        from hfield.fields.number_fields.quadratic.places import all_places
+    def infinite_places(self) -> tuple[QuadraticRealPlace | QuadraticComplexPlace, ...]:
+        """Return the two real places, or the complex one."""
+        from hfield.fields.number_fields.quadratic.places import QuadraticComplexPlace
 
-        return all_places(self)
+        return self.real_places() or (QuadraticComplexPlace(self, 0),)
 
-    def text(self, x: Surd, style: str = "plain") -> str:
-        """Write x, such as ``1/2+3*sqrt(2)``."""
-        return str(x.text(style, imaginary=self.d == -1))
+    def places(self) -> Iterator[Place]:
+        """Run through the places: the infinite ones, √d positive first, then prime by prime."""
+        from hfield.fields.number_fields.places import finite_places
+
+        yield from reversed(self.infinite_places())
+        yield from finite_places(self)
 
 
 def build(text: str) -> QuadraticField:
@@ -330,4 +295,4 @@ def common_quadratic_field(*elements: object) -> Ring | None:
         return None
     d = roots.pop()
     factorise(d)  # the theory of places asks for a squarefree d
-    return QuadraticField(d)
+    return shared(QuadraticField, d)

@@ -1,0 +1,13 @@
+from .base import INFINITY as INFINITY
+from .base import Known as Known
+from .base import Ring as Ring
+from .checking import RingReport as RingReport
+from .checking import check_ring as check_ring
+from .closed_fields.algebraic import CC as CC
+from .closed_fields.algebraic import RR as RR
+from .field_specs import GF as GF
+from .floats import CDF as CDF
+from .floats import RDF as RDF
+from .integers import QQ as QQ
+from .integers import ZZ as ZZ
+from .integers import Zmod as Zmod

@@ -1,0 +1,69 @@
+"""The one type for answers to questions of yes or no: the value, the reason, and what shows it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+if TYPE_CHECKING:
+    from hfield.evidence import Claim
+
+W = TypeVar("W")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Verdict(Generic[W]):
+    """Yes or no with the reason, a sentence: true or false in an ``if``, and equal to True or False.
+
+    ``witness`` is what shows it, such as an element or a matrix, or None. ``theorem`` names the theorem that
+    decided where no witness was computed. ``make_claim`` returns the statement with its evidence, of which
+    the certificate is made; it is called on first use.
+
+    >>> answer = Verdict(False, "their norms differ: 1 and 2")
+    >>> bool(answer), answer == False, answer.element, answer.certificate
+    (False, True, None, None)
+    >>> answer
+    no: their norms differ: 1 and 2
+    """
+
+    value: bool
+    reason: str = ""
+    witness: W | None = None
+    theorem: str | None = None
+    make_claim: Callable[[], Claim | None] | None = field(default=None, kw_only=True)
+
+    @property
+    def element(self) -> W | None:
+        """The witness, where it is an element."""
+        return self.witness
+
+    @cached_property
+    def claim(self) -> Claim | None:
+        """The statement with its evidence, or None where nothing is certified."""
+        return None if self.make_claim is None else self.make_claim()
+
+    @property
+    def certificate(self) -> dict[str, object] | None:
+        """The certificate ``hfield-cert/2`` as JSON data, one that the checker accepts, or None."""
+        return None if self.claim is None else self.claim.certificate
+
+    def __bool__(self) -> bool:
+        return self.value
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, bool):
+            return self.value == other
+        return type(other) is type(self) and self._key() == other._key()
+
+    def _key(self) -> tuple[Any, ...]:
+        return self.value, self.reason, self.witness, self.theorem
+
+    def __hash__(self) -> int:
+        return hash(self.value)  # as those of True and False, which may be equal
+
+    def __repr__(self) -> str:
+        shown = "" if self.witness is None else f" with {self.witness}"
+        because = f": {self.reason}" if self.reason else ""
+        return f"{'yes' if self.value else 'no'}{shown}{because}"

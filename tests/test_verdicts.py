@@ -1,0 +1,62 @@
+"""Answers to questions of yes or no: what they say, and that they are true or false."""
+
+import pickle
+
+from hfield import H, ring
+from hfield.algebra.structure_algebra import StructureAlgebra
+from hfield.evidence import Claim
+from hfield.verdicts import Verdict
+
+
+def asked() -> list[tuple[Verdict, bool]]:
+    """Answers of all kinds, with what they should be."""
+    A, K = H("QQ"), ring("QQ(sqrt(-5))")
+    _, i, j, k = A.basis
+    return [
+        (i.conjugacy(j), True),
+        (i.conjugacy(j + k), False),
+        (A.embed(-1), True),
+        (A.embed(2), False),
+        (K.ideal(2, 1 + K.gen).is_principal(), False),
+        (K.ideal(1 + K.gen).is_principal(), True),
+        (StructureAlgebra("QQ", [["e"]], names="e").is_associative(), True),
+    ]
+
+
+def test_answers_are_verdicts() -> None:
+    for found, wanted in asked():
+        assert isinstance(found, Verdict)
+        assert (found == wanted) is True
+        assert bool(found) == found.value == wanted
+        assert (found != (not wanted)) is True
+        assert wanted or found.reason
+        again = pickle.loads(pickle.dumps(found))
+        assert again == found
+        assert hash(again) == hash(found) == hash(wanted)
+        assert str(found).startswith(("yes", "no", "associative"))
+
+
+def test_verdicts_differ_where_reason_or_witness_do() -> None:
+    one = Verdict(True, "seen", 1)
+    assert one == Verdict(True, "seen", 1)
+    assert one != Verdict(True, "seen", 2)
+    assert one != Verdict(True, "heard", 1)
+    assert one != "yes"
+    assert repr(one) == "yes with 1: seen"
+    assert repr(Verdict(False)) == "no"
+
+
+def test_certificates_are_made_of_claims_on_first_use() -> None:
+    calls = []
+
+    def claim() -> Claim:
+        calls.append(1)
+        evidence = {"kind": "class group"}
+        return Claim("", "class-group{1}", evidence, "class-group", refusal="too large")
+
+    found = Verdict(True, make_claim=claim)
+    assert not calls
+    assert found.certificate is None
+    assert found.claim is found.claim
+    assert len(calls) == 1
+    assert Verdict(True).certificate is None
