@@ -112,6 +112,7 @@ CIRCLES = {
     ("hfield.fields.number_fields",): "a field, its places, ideals, classes and units are one idea",
     ("hfield.algebra", "hfield.description"): "a notebook shows an algebra by its description",
     (
+        "hfield.cli.catalogue",
         "hfield.cli.commands",
     ): "the catalogue imports commands by name, and completion lists them all",
     ("rotation.exact", "rotation.rotation"): "Rotation.from_exact reads what exact makes",
