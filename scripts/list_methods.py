@@ -27,7 +27,7 @@ CLASSES: tuple[tuple[str, type[Hinted]], ...] = (
 def own_names(kind: type[Hinted]) -> Iterator[tuple[str, object]]:
     """Yield the public methods and properties of a class but those that it shares with Lattice."""
     shared = set(dir(Lattice)) if kind is not Lattice and issubclass(kind, Lattice) else set()
-    for name in sorted(set(dir(kind)) - shared - set(kind.elsewhere)):
+    for name in sorted(set(dir(kind)) - shared - set(kind.foreign_names)):
         found = inspect.getattr_static(kind, name)
         if not name.startswith("_") and isinstance(
             found, FunctionType | property | cached_property

@@ -8,8 +8,7 @@ from hfield.ledger.claim import CheckResult, Computed
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import InField
-from rotation.ledger import generator, printed_times
-from rotation.ledger import second_benchmark as second_test
+from rotation.ledger import generator, printed_times, second_benchmark
 from rotation.ledger.inequalities import Less, between
 from rotation.ledger.printed_times import MATRICES_1, MATRICES_2, QUATERNIONS_1, QUATERNIONS_2
 
@@ -63,18 +62,18 @@ COMPUTED = {
     "C3.2.1-h": Propositions(
         as_printed=mean_is(MATRICES_2, "1763.7"), spoilt=mean_is(MATRICES_2, "1763.8")
     ),
-    "C3.2.1-i": Propositions(as_printed=second_test.STAYS, spoilt=second_test.STAYS_ABOUT_ANOTHER),
+    "C3.2.1-i": Propositions(as_printed=second_benchmark.STAYS, spoilt=second_benchmark.STAYS_ABOUT_ANOTHER),
     "C3.2.1-j": Propositions(
-        as_printed=second_test.determined("q[0] != 0", "q[0] + v[0] != 0"),
-        spoilt=second_test.determined("q[0] != 0", "v[0] != 0"),
+        as_printed=second_benchmark.determined("q[0] != 0", "q[0] + v[0] != 0"),
+        spoilt=second_benchmark.determined("q[0] != 0", "v[0] != 0"),
     ),
     "C3.2.1-k": Propositions(
-        as_printed=second_test.euler_turned("x"), spoilt=second_test.euler_turned("zero")
+        as_printed=second_benchmark.euler_turned("x"), spoilt=second_benchmark.euler_turned("zero")
     ),
     "C3.2.1-l": Propositions(
-        as_printed=second_test.MOVES,
-        spoilt=second_test.MOVES_ABOUT_ANOTHER,
-        corrected=second_test.MOVES_ABOUT_ANOTHER,
+        as_printed=second_benchmark.MOVES,
+        spoilt=second_benchmark.MOVES_ABOUT_ANOTHER,
+        corrected=second_benchmark.MOVES_ABOUT_ANOTHER,
     ),
     "C3.2.1-n": Propositions(
         as_printed=InField(

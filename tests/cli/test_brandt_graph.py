@@ -56,7 +56,7 @@ def test_components_and_single_vertices_are_apart() -> None:
 
 @pytest.mark.parametrize("p", [11, 37, 83, 103])
 def test_curves_over_the_prime_field_are_those_that_frobenius_fixes(p: int) -> None:
-    conjugates = QuaternionAlgebra(p).maximal_order().class_set().exchanged_at(p)
+    conjugates = QuaternionAlgebra(p).maximal_order().class_set().exchanged(p)
     assert sum(n == m for n, m in enumerate(conjugates)) == len(supersingular_invariants(p))
 
 

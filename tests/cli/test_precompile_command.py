@@ -27,7 +27,7 @@ def test_precompile_keeps_what_it_compiles_and_two_may_write(tmp_path):
         out, _ = process.communicate(timeout=100)
         assert process.returncode == 0
         found = json.loads(out)
-        assert (found["schema"], found["compiler"]) == ("hfield-warm/1", True)
+        assert (found["schema"], found["compiler"]) == ("hfield-precompile/1", True)
         assert set(found["seconds"]) == {"(-1,-1|GF(5))", "(-1,-3|QQ)"}
     (folder,) = tmp_path.iterdir()
     files = {path.name: path.read_bytes() for path in folder.iterdir()}

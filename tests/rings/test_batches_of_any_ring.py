@@ -272,7 +272,7 @@ def test_nothing_that_a_caller_holds_changes_an_element(name: str) -> None:
 def test_arrays_of_integers_are_copied(
     name: str, size: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(memory, "LARGE", 1000)  # where memory is handed on
+    monkeypatch.setattr(memory, "POOLED_BYTES", 1000)  # where memory is handed on
     A = H(name)
     p = A(np.arange(size) % 5, 1, 2, 0)
     for q in (p, p * p):

@@ -19,7 +19,7 @@ pytestmark = pytest.mark.skipif(
 @pytest.fixture(autouse=True)
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Call large what is quickly made, and begin with nothing kept."""
-    monkeypatch.setattr(memory, "LARGE", 64)
+    monkeypatch.setattr(memory, "POOLED_BYTES", 64)
     monkeypatch.setattr(memory, "KEPT", 1 << 20)
     monkeypatch.setattr(memory, "_kept", deque())
 

@@ -20,7 +20,7 @@ from rotation.ledger.symbolic_runs import code, coordinates, equal, read_as
 from tests.ledger.spoilt_thesis import spoilt_thesis
 from tests.subcases import share_quick
 
-FORMULAS = ("quaternion_functions", "matrix_functions", "second_test")
+FORMULAS = ("quaternion_functions", "matrix_functions", "second_benchmark")
 
 
 MUTANTS = {

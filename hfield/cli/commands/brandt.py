@@ -202,6 +202,6 @@ def _graph(A: QuaternionAlgebra, C: Any, matrix: list[list[int]], n: Any) -> Bra
         return BrandtGraph(matrix, C.units, f"Brandt graph of {n} in {A}, level {level}")
     if level == 1 and is_prime(p := A.discriminant()):
         title = f"Isogenies of degree {n} between supersingular curves in characteristic {p}"
-        return BrandtGraph(matrix, C.unit_counts, title, "isogenies", C.exchanged_at(p))
+        return BrandtGraph(matrix, C.unit_counts, title, "isogenies", C.exchanged(p))
     title = f"Brandt graph of {n}, discriminant {A.discriminant()}, level {level}"
     return BrandtGraph(matrix, C.unit_counts, title)
