@@ -20,6 +20,7 @@ from hfield.orders.invariants import is_eichler
 
 if TYPE_CHECKING:
     from hfield.fuchsian import dirichlet
+    from hfield.fuchsian.cm_points import CMPoint
     from hfield.fuchsian.geodesics import Geodesic
     from hfield.fuchsian.polygon import Polygon
 
@@ -367,6 +368,27 @@ class NormOneGroup(Certified, Hinted):
         from hfield.fuchsian import geodesics
 
         return geodesics.fundamental_unit(self._domain.polygon, self.order.algebra(x))
+
+    # --- CM points -------------------------------------------------------------------------------
+
+    def cm_points(self, d: int) -> tuple[CMPoint, ...]:
+        """Return the points of the upper half plane that the quadratic order of discriminant d < 0 fixes.
+
+        One point for each orbit of the group. An Eichler order of squarefree level N in the algebra of
+        discriminant D has h(d)·Π(1 − (S/p))·Π(1 + (S/p)) of them, for p | D and p | N, with Eichler's symbol
+        (Voight, *Quaternion Algebras*, theorem 30.7.3). Raises :class:`LatticeError` for a d that is no
+        negative discriminant or over other fields than ℚ, and :class:`TooLargeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
+        >>> [G.cm_points(d) for d in (-3, -7)]
+        [(CM point …, CM point …), ()]
+        >>> [point.stabiliser ** 3 for point in G.cm_points(-3)]
+        [−1, −1]
+        """
+        from hfield.fuchsian import cm_points
+
+        return cm_points.cm_points(self, d)
 
     # --- larger groups -----------------------------------------------------------------------------
 
