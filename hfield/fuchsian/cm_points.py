@@ -1,15 +1,17 @@
 """Optimal embeddings of quadratic orders in an order that acts on the hyperbolic plane, and CM points.
 
 An embedding of the quadratic order S of discriminant d is given by the image s of √d, an element of trace 0
-with s² = d. The images are the primitive elements of norm −d in the lattice Λ, the trace-0 part of ℤ + 2O
-(Voight, *Quaternion Algebras*, section 30.3). For d < 0 such an s fixes a point of the plane, a CM point; for
-d > 0 it has an axis. Each orbit under the units of norm 1 has a point in a fundamental domain, or an axis
-that meets it. The domain is covered by balls. For the ball of radius r around the point of c, the form
+with s² = d. The images are the primitive elements of norm −d in the lattice Λ, the trace-0 part of R + 2O, R
+being the integers of the base (Voight, *Quaternion Algebras*, section 30.3). Where d is negative at the place
+that splits, such an s fixes a point of the plane, a CM point; where d is positive, s has an axis. Each orbit
+under the units of norm 1 has a point in a fundamental domain, or an axis that meets it. The domain is covered
+by balls. Around the point of c, an element of trace 0 and norm m > 0, and with ℓ = tr(s·conj(c))/2, the form
 
-    T(s) = 2·ℓ² / N(c) − N(s),   ℓ = tr(s·conj(c)) / 2,
+    2·ℓ²/m − N(s)
 
-is positive definite, and T(s) = |d|·cosh(2·δ), where δ is the distance of the point or axis of s from the
-point of c. So the elements with T(s) ≤ |d|·cosh(2r) are enumerated, and those that meet the domain are
+is positive definite at the place that splits; its value is |d|·cosh(2·δ), where δ is the distance of the
+point or axis of s from the point of c. At the other places N(s) = −d is definite. A rational form near the sum
+of all these is bounded on the ball, so the elements are enumerated, and those that meet the domain are
 compared exactly. At a cusp the domain is cut: no CM point lies so near to it.
 """
 
@@ -19,15 +21,19 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.fuchsian.dirichlet import rotation_order
 from hfield.fuchsian.geodesics import orbit
-from hfield.fuchsian.plane import Vector
+from hfield.fuchsian.plane import Vector, dot
 from hfield.orders import enumeration
+from hfield.orders.quadratic_orders import is_primitive, multiplications
+from hfield.orders.short_elements import ternary_rows
 
 if TYPE_CHECKING:
     from hfield.fuchsian.group import Domain, NormOneGroup
@@ -37,12 +43,13 @@ if TYPE_CHECKING:
 RADIUS = 0.9
 """Balls that cover a domain have at most this radius."""
 MAX_BALLS = 20_000
+"""At most so many balls cover a domain."""
 MAX_VECTORS = 10**7
 """At most about so many elements are enumerated for one ball."""
 MARGIN = 1e-6
 """Bounds that floats give are enlarged by this share."""
-PRECISION_BITS = 40
-"""The forms of balls are rounded to integers after multiplication by 2 to this power."""
+PRECISION = 2**20
+"""Numbers of the field with given real values are found up to about the inverse of this."""
 
 Point = tuple[float, float]
 """A point of Klein's disc around the centre of a plane, in which lines are straight."""
@@ -50,14 +57,14 @@ Point = tuple[float, float]
 
 @dataclass(frozen=True)
 class CMPoint:
-    """A point of the upper half plane that is fixed by the image of a quadratic order of discriminant d < 0.
+    """A point of the upper half plane that the image of a quadratic order of discriminant d fixes.
 
-    ``element`` is the image of (d + √d)/2, ``stabiliser`` a unit that generates, with −1, the units of norm 1
-    that fix the point.
+    ``element`` is the image of (t + √d)/2, t² ≡ d modulo 4, where over ℤ t is d. ``stabiliser`` is a unit
+    that generates, with −1, the units of norm 1 that fix the point.
     """
 
     group: NormOneGroup
-    discriminant: int
+    discriminant: Any
     element: Quaternion
     stabiliser: Quaternion
 
@@ -69,7 +76,7 @@ class CMPoint:
     @property
     def root(self) -> Quaternion:
         """The image of √d."""
-        found: Quaternion = 2 * self.element - self.discriminant
+        found: Quaternion = 2 * self.element - self.element.trace()
         return found
 
     def __repr__(self) -> str:
@@ -78,102 +85,140 @@ class CMPoint:
         return f"CM point {real:g} + {round(z.imag, 6):g}i of discriminant {self.discriminant}"
 
 
-@dataclass(frozen=True)
 class TraceZeroLattice:
-    """The trace-0 part of ℤ + 2O for an order O over ℤ, by a basis."""
+    """The trace-0 part of R + 2O for an order O over R, with the forms that balls need."""
 
-    order: SplitOrder
-    basis: tuple[Quaternion, ...]
-
-    @classmethod
-    def of(cls, order: SplitOrder) -> TraceZeroLattice:
-        """Return the lattice of an order, the elements 2x − tr(x)."""
-        rows = fmpq_mat([order.flat(2 * x - x.trace()) for x in order.basis])
-        whole, below = rows.numer_denom()
-        hermite = whole.hnf().tolist()
-        units = order.algebra.basis
-        basis = tuple(
-            sum((e * fmpq(c, below) for e, c in zip(units, row, strict=True)), 0 * units[0])
-            for row in hermite
-            if any(row)
+    def __init__(self, order: SplitOrder) -> None:
+        self.order, self.ambient, self.base = order, order.order.ambient, order.base
+        self.rows = ternary_rows(order.order)
+        self._real = np.array(
+            [
+                [self.base.real(w, v) for v in self.base.real_places]
+                for w in self.base.integral_basis
+            ]
         )
-        return cls(order, basis)
 
     @cached_property
-    def norms(self) -> fmpq_mat:
-        """The matrix of tr(x·conj(y))/2, of which the norm is the quadratic form."""
-        scalar = self.order.scalar
-        return fmpq_mat(
-            [[scalar((x * y.conjugate()).trace()) / 2 for y in self.basis] for x in self.basis]
+    def basis(self) -> list[Quaternion]:
+        """A basis over ℤ."""
+        return [self.ambient.quaternion(row) for row in self.rows.tolist()]
+
+    @cached_property
+    def multiplications(self) -> list[fmpz_mat]:
+        """The matrices of the integral basis of R on the rows."""
+        den = self.rows.numer_denom()[1]
+        return multiplications(self.ambient, (self.rows * fmpq(den)).numer_denom()[0])
+
+    def products(self, center: Quaternion) -> list[Any]:
+        """Return tr(s·conj(c))/2 for the basis, numbers of the field."""
+        scalar, bar = self.order.scalar, center.conjugate()
+        return [scalar((s * bar).trace()) / 2 for s in self.basis]
+
+    def number(self, values: Sequence[float]) -> Any:
+        """Return a number of the field with about these values at the real places."""
+        digits = np.linalg.solve(self._real.T, np.array(values))
+        return self.base.element_of([fmpq(round(float(x) * PRECISION), PRECISION) for x in digits])
+
+    def form(self, center: Quaternion, norm: Any, radius: float) -> tuple[fmpz_mat, fmpz_mat, int]:
+        """Return a definite form for a ball on a reduced basis, the steps to that basis, and a bound.
+
+        The form is at most the bound for all elements with the norm whose point or axis meets the ball.
+        """
+        order, base = self.order, self.base
+        m = order.scalar(center.norm())
+        if base.degree == 1:
+            gamma, beta = base.element_of([fmpq(-1)]), 2 / m
+        else:
+            here = [v == order.place for v in base.real_places]
+            gamma = self.number([-1.0 if x else 1.0 for x in here])
+            beta = self.number([2 / order.real(m) if x else 0.0 for x in here])
+        linear = self.products(center)
+        values = base.coordinate_rows(linear)
+        traces = fmpq_mat(
+            [[base.trace(beta * u * w) for u in base.integral_basis] for w in base.integral_basis]
         )
-
-    def element(self, row: Sequence[int]) -> Quaternion:
-        """Return the element with these coordinates."""
-        return sum((x * c for x, c in zip(self.basis, row, strict=True)), 0 * self.basis[0])
-
-    def majorant(self, center: Quaternion) -> tuple[fmpz_mat, fmpz_mat, int]:
-        """Return T on a reduced basis as an integer matrix, the steps to this basis, and its denominator."""
-        scalar = self.order.scalar
-        column = fmpq_mat([[scalar((x * center.conjugate()).trace()) / 2] for x in self.basis])
-        form = column * column.transpose() * (2 / scalar(center.norm())) - self.norms
-        whole, below = form.numer_denom()
+        form = self.rows * self.ambient.form(gamma) * self.rows.transpose() * fmpq(1, 2)
+        whole, below = (form + values * traces * values.transpose()).numer_denom()
+        bound = 0.0
+        for v in base.real_places:
+            n, weight, share = (base.real(x, v) for x in (norm, gamma, beta))
+            reach = math.cosh(radius) if n > 0 else math.sinh(radius)
+            square = abs(n) * base.real(m, v) * (reach**2 if v == order.place else 1.0)
+            bound += weight * n + max(share, 0.0) * abs(square)
         reduced, steps = whole.lll(transform=True, rep="gram")
-        return reduced, steps, int(below)
+        return reduced, steps, math.floor(bound * (1 + MARGIN) * int(below) + MARGIN)
 
 
-def roots(domain: Domain, d: int) -> Iterator[tuple[Quaternion, Vector]]:
-    """Yield the images s of √d for all optimal embeddings whose point lies in a domain, or whose axis may meet it.
+def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
+    """Yield the images s of √d for all optimal embeddings whose point or axis meets a domain, and others.
 
-    Each with its vector in the plane of the domain. Of s and −s one is given: for d < 0 that on the sheet of the
-    centre. Raises :class:`TooLargeError`.
+    Each with its vector in the plane of the domain, one of s and −s: where s fixes a point, the one on the
+    sheet of the centre. ``d`` is a number of the field of the base. Raises :class:`TooLargeError`.
     """
-    plane = domain.polygon.plane
-    lattice, seen = TraceZeroLattice.of(domain.group.order), set()
-    for center, radius in balls(domain, lattice, abs(d)):
-        gram, steps, below = lattice.majorant(center)
-        bound = math.floor(abs(d) * math.cosh(2 * radius) * (1 + MARGIN) * below)
+    lattice, seen = TraceZeroLattice(domain.group.order), set()
+    size = abs(domain.group.order.real(d))
+    for center, radius in balls(domain, lattice, size):
+        gram, steps, bound = lattice.form(center, -d, radius)
         rows = [list(map(int, row)) for row in gram.tolist()]
-        if enumeration.volume(rows, bound, 3) > MAX_VECTORS:
+        if enumeration.volume(rows, bound, len(rows)) > MAX_VECTORS:
             raise TooLargeError(f"too many elements of norm {-d} would be enumerated")
-        norm = steps * lattice.norms * steps.transpose()
-        for x, value in enumeration.short_vectors(rows, bound):
-            row = fmpz_mat([list(x)])
-            if (row * norm * row.transpose())[0, 0] != -d or math.gcd(*x) != 1:
+        for x, _ in enumeration.short_vectors(rows, bound):
+            vector = fmpz_mat([list(x)]) * steps
+            row = (vector * lattice.rows).entries()
+            if lattice.ambient.norm(row) != -d or not is_primitive(vector, lattice.multiplications):
                 continue
-            s = lattice.element([int(c) for c in (row * steps).entries()])
-            s, v = _on_sheet(domain.polygon, s)
+            s, v = _on_sheet(domain.polygon, lattice.ambient.quaternion(row))
             if v not in seen:
                 seen.add(v)
                 yield s, v
 
 
-def cm_points(group: NormOneGroup, d: int) -> tuple[CMPoint, ...]:
-    """Return the CM points of discriminant d < 0, one of each orbit, by the places of their points.
+def discriminant(order: SplitOrder, d: object) -> tuple[Any, Any]:
+    """Return a discriminant as a number of the field of the base, and t with t² ≡ d modulo 4.
 
-    Raises :class:`LatticeError` for a d that is no negative discriminant, :class:`TooLargeError`.
+    Raises :class:`LatticeError` for what is no discriminant of a quadratic order, or a square.
     """
-    if not isinstance(d, int) or d >= 0 or d % 4 > 1:
+    x = order.scalar(order.algebra.ring(d))
+    t = order.base.root_modulo_4(x)
+    if t is None or order.algebra.ring.is_square(order.base.outside(x)):
         raise LatticeError(
-            f"{shorten(d)} is no discriminant of an imaginary quadratic order: expected an integer below 0 that "
-            "is 0 or 1 modulo 4, such as -4 or -23"
+            f"{shorten(d)} is no discriminant of a quadratic order over the integers of "
+            f"{shorten(order.algebra.ring.name)}: expected an integer that is a square modulo 4 and no square"
         )
-    polygon = group.domain().polygon
+    return x, t
+
+
+def cm_points(group: NormOneGroup, d: object) -> tuple[CMPoint, ...]:
+    """Return the CM points of a totally negative discriminant d, one of each orbit, from left to right.
+
+    Raises :class:`LatticeError` where d is no such discriminant, and :class:`TooLargeError`.
+    """
+    order = group.order
+    x, t = discriminant(order, d)
+    if not order.base.is_totally_positive(-x):
+        raise LatticeError(
+            f"{shorten(d)} is not totally negative, and CM points belong to such discriminants: "
+            "embeddings() finds one embedding for others"
+        )
+    domain = group.domain()
+    polygon, shift = domain.polygon, order.algebra(order.base.outside(t))
     found: list[CMPoint] = []
     seen: set[Vector] = set()
-    for s, v in roots(group.domain(), d):
+    for s, v in roots(domain, x):
         if v in seen or polygon.beyond(v) is not None:
             continue
-        around = [s / 2] if d == -4 else [(1 + s) / 2] if d == -3 else []
-        if any(form[0] * v[0] + form[1] * v[1] + form[2] * v[2] == 0 for form in polygon.forms):
-            seen.update(
-                orbit(polygon, s).units
-            )  # on the boundary: its images there are no other points
-        found.append(
-            CMPoint(group, d, (d + s) / 2, around[0] if around else group.order.algebra(1))
-        )
-    return tuple(
-        sorted(found, key=lambda point: (round(complex(point).real, 9), complex(point).imag))
-    )
+        stabiliser = order.algebra(1)
+        if any(
+            dot(form, v) == 0 for form in polygon.forms
+        ):  # images on the boundary are no other points
+            images = orbit(polygon, s)
+            seen.update(images.units)
+            stabiliser = max(
+                images.around, key=lambda u: rotation_order(order, u), default=stabiliser
+            )
+        found.append(CMPoint(group, order.base.outside(x), (shift + s) / 2, stabiliser))
+    places = {point: complex(point) for point in found}
+    return tuple(sorted(found, key=lambda p: (round(places[p].real, 9), places[p].imag)))
 
 
 # --- Atkin–Lehner involutions ------------------------------------------------------------------------
@@ -223,7 +268,7 @@ def _on_sheet(polygon: Polygon, s: Quaternion) -> tuple[Quaternion, Vector]:
 
 
 def balls(
-    domain: Domain, lattice: TraceZeroLattice, size: int
+    domain: Domain, lattice: TraceZeroLattice, size: float
 ) -> Iterator[tuple[Quaternion, float]]:
     """Yield balls, by elements that fix their centres and radii, that cover a domain.
 
@@ -264,17 +309,16 @@ def balls(
 
 
 def _corner(
-    domain: Domain, lattice: TraceZeroLattice, size: int, n: int
+    domain: Domain, lattice: TraceZeroLattice, size: float, n: int
 ) -> tuple[Point, float | None]:
     """Return a corner of the domain; with what cuts it off where it is a cusp."""
     plane, start = domain.polygon.plane, domain.polygon.starts[n]
     x, y, z = plane.floats(start)
     if plane.order.sign(plane.norm(start)) != 0:
         return (y / x, z / x), None
-    # a null vector ν: tr(s·conj(ν))/2 is a nonzero multiple of g for s in the lattice, if s has positive norm
-    null = sum((axis * c for axis, c in zip(plane.axes, start, strict=True)), 0 * plane.center)
-    values = [plane.order.scalar((s * null.conjugate()).trace()) / 2 for s in lattice.basis]
-    whole, below = fmpq_mat([values]).numer_denom()
+    # for a null vector ν, tr(s·conj(ν))/2 is a nonzero multiple of g where s fixes a point; the base is ℤ
+    null = sum((e * c for e, c in zip(plane.axes, start, strict=True)), 0 * plane.center)
+    whole, below = fmpq_mat([lattice.products(null)]).numer_denom()
     g = fmpq(math.gcd(*map(int, whole.entries())), int(below))
     # with the vectors of the plane so scaled that the first coordinate is 1 and that of c has norm 1
     n0 = plane.order.real(plane.norms[0])

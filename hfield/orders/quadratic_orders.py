@@ -118,19 +118,23 @@ def _of_trace_zero(order: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
         return
     bound = int(length.p)
     expect_affordable(enumeration.volume(gram, bound, len(gram) - 1), "elements of norm at most")
-    multiplications = _multiplications(ambient, rows)
+    tables = multiplications(ambient, rows)
     for v in enumeration.vectors_of_length(gram, bound):
         vector = fmpz_mat([list(v)])
         row = (vector * rows) * fmpq(1, den)
         if n > 1 and ambient.norm(row.entries()) != norm:
             continue
-        multiples = hermite.stacked(*(vector * m for m in multiplications))
-        # c·s is in the lattice for numbers c of the field only that are in R
-        if hermite.volume(multiples.transpose().hnf()) == 1:
+        if is_primitive(vector, tables):
             yield row
 
 
-def _multiplications(ambient: AlgebraBasis, rows: fmpz_mat) -> list[fmpz_mat]:
+def is_primitive(vector: fmpz_mat, multiplications: list[fmpz_mat]) -> bool:
+    """Tell whether only integers of the base take a vector of a lattice into the lattice."""
+    multiples = hermite.stacked(*(vector * m for m in multiplications))
+    return bool(hermite.volume(multiples.transpose().hnf()) == 1)
+
+
+def multiplications(ambient: AlgebraBasis, rows: fmpz_mat) -> list[fmpz_mat]:
     """Return the matrices of the multiplication by the integral basis on rows of trace 0."""
     n = ambient.degree
     pure = fmpz_mat([row[n:] for row in rows.tolist()])
