@@ -10,8 +10,8 @@ by balls. Around the point of c, an element of trace 0 and norm m > 0, and with 
     2·ℓ²/m − N(s)
 
 is positive definite at the place that splits; its value is |d|·cosh(2·δ), where δ is the distance of the
-point or axis of s from the point of c. At the other places N(s) = −d is definite. A rational form near the sum
-of all these is bounded on the ball, so the elements are enumerated, and those that meet the domain are
+point or axis of s from the point of c. At the other places N(s) = −d is definite. A rational form near the
+sum of all these is bounded on the ball, so the elements are enumerated, and those that meet the domain are
 compared exactly. At a cusp the domain is cut: no CM point lies so near to it.
 """
 
@@ -32,6 +32,7 @@ from hfield.fuchsian.dirichlet import rotation_order
 from hfield.fuchsian.geodesics import orbit
 from hfield.fuchsian.plane import Vector, dot
 from hfield.orders import enumeration
+from hfield.orders.invariants import is_eichler, level
 from hfield.orders.quadratic_orders import is_primitive, multiplications
 from hfield.orders.short_elements import ternary_rows
 
@@ -219,6 +220,54 @@ def cm_points(group: NormOneGroup, d: object) -> tuple[CMPoint, ...]:
         found.append(CMPoint(group, order.base.outside(x), (shift + s) / 2, stabiliser))
     places = {point: complex(point) for point in found}
     return tuple(sorted(found, key=lambda p: (round(places[p].real, 9), places[p].imag)))
+
+
+Answer = tuple[Quaternion | None, tuple[Quaternion, ...] | None, tuple[Quaternion, ...] | None, str]
+
+
+def embeddings(group: NormOneGroup, d: object) -> Answer:
+    """Return an embedding, None for all of them, those of the orbits where d < 0, and a reason for none.
+
+    Raises :class:`LatticeError` where d is no discriminant or a square, and :class:`TooLargeError`.
+    """
+    order = group.order
+    x, t = discriminant(order, d)
+    if (reason := _local_obstruction(order, x, t)) is not None:
+        return None, None, (), reason
+    none = "no element of the order with this discriminant is optimal"
+    if order.base.is_totally_positive(-x):
+        points = [point.element for point in cm_points(group, d)]
+        both = (*points, *(q.conjugate() for q in points))
+        return (both[0] if both else None), None, both, "" if both else none
+    if any(order.base.sign(x, v) > 0 for v in order.order.ambient.ramified_real_places):
+        return (
+            None,
+            None,
+            (),
+            "the algebra ramifies at a real place at which the discriminant is positive",
+        )
+    shift = order.algebra(order.base.outside(t))
+    for s, _ in roots(group.domain(), x):
+        return (shift + s) / 2, None, None, ""
+    return None, None, (), none
+
+
+def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> str | None:
+    """Return why a prime rules an embedding out, or None where none of these reasons applies.
+
+    Where the algebra ramifies at P the quadratic field must not split; where P divides the level of an
+    Eichler order once, it must not be inert.
+    """
+    base, value = order.base, order.order
+    norm = (t * t - d) / 4
+    for P in value.ambient.ramified:
+        if base.quadratic_symbol(t, norm, P) == 1:
+            return f"{P} splits in the quadratic field, and the algebra ramifies at {P}"
+    if is_eichler(value):
+        for P, e in base.factorisation(level(value)):
+            if e == 1 and base.quadratic_symbol(t, norm, P) == -1:
+                return f"{P} is inert in the quadratic field, and divides the level"
+    return None
 
 
 # --- Atkin–Lehner involutions ------------------------------------------------------------------------

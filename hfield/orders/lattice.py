@@ -781,18 +781,30 @@ class Order(WithStableClasses, Certified, Lattice):
         return quadratic_orders.represent_integer(self.value, n, seed)
 
     def embeddings(self, discriminant: object) -> Embeddings:
-        """Return the optimal embeddings of the quadratic order of a totally negative discriminant.
+        """Return the optimal embeddings of the quadratic order of a discriminant d.
 
-        Raises :class:`LatticeError` for what is no such discriminant, :class:`IndefiniteError`.
+        In a definite algebra d is totally negative. In one that splits at exactly one real place d is any
+        discriminant that is no square; for a totally negative d there is one embedding of each orbit under
+        the units of norm 1, for others it is decided whether there is one. Raises :class:`LatticeError` for what
+        is no such discriminant, :class:`IndefiniteError` for other algebras, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); found = O.embeddings(-3)
         >>> len(found), found.orbits, found.element**3
         (20, 1, −1)
+        >>> O = QuaternionAlgebra(6).maximal_order(); found = O.embeddings(-24)
+        >>> found.orbits, found.element.norm() * 4 - found.element.trace() ** 2
+        (4, 24)
+        >>> O.embeddings(-7).reason
+        '2 splits in the quadratic field, and the algebra ramifies at 2'
         """
-        return Embeddings(
-            self, discriminant, *quadratic_orders.embeddings(self.value, discriminant)
-        )
+        if not self.is_definite():
+            from hfield.fuchsian.cm_points import embeddings
+
+            return Embeddings(self, discriminant, *embeddings(self.norm_one_group(), discriminant))
+        every, of_orbits = quadratic_orders.embeddings(self.value, discriminant)
+        reason = "" if every else "no element of the order has this discriminant and is optimal"
+        return Embeddings(self, discriminant, every[0] if every else None, every, of_orbits, reason)
 
     # --- classes -----------------------------------------------------------------------------------
 

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpq_mat, fmpz_mat
 
-from hfield.errors import LatticeError, UndecidedError, shorten
+from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.orders import certificates, enumeration, hermite, quadratic_frames
 from hfield.orders.ideals_of_norm import of_prime_norm, random_ideal
@@ -52,37 +52,75 @@ MAX_CLASSES = 20_000
 
 @dataclass(frozen=True)
 class Embeddings(Certified):
-    """The optimal embeddings of the quadratic order of ``discriminant`` d in an order.
+    """The optimal embeddings of the quadratic order S of ``discriminant`` d in an order.
 
-    ``elements`` are the images of ``(t + √d)/2``, t² ≡ d modulo 4, where over ℤ t is d; ``orbits`` counts
-    them up to conjugation by units of the order.
+    Each is given by the image of ``(t + √d)/2``, t² ≡ d modulo 4, where over ℤ t is d. ``reason`` says why
+    there is none.
     """
 
     order: Any  # an Order, whose class stands above
     discriminant: Any
-    elements: tuple[Quaternion, ...]
-    orbits: int
+    element: Quaternion | None
+    """One of the images, or None."""
+    listed: tuple[Quaternion, ...] | None
+    """All images; None where they are infinitely many."""
+    of_orbits: tuple[Quaternion, ...] | None
+    """One of each orbit; None where they are not known."""
+    reason: str = ""
 
-    @property
-    def element(self) -> Quaternion | None:
-        """One of them, or None."""
-        return self.elements[0] if self.elements else None
-
-    @cached_property
-    def claim(self) -> Claim:
-        """The answer as a statement with its evidence. Raises :class:`LatticeError` over ℤ_K."""
-        return certificates.of_embedding(self.order.value, self.discriminant, self.element)
+    def __bool__(self) -> bool:
+        """Tell whether there is an optimal embedding."""
+        return self.element is not None
 
     def __len__(self) -> int:
         return len(self.elements)
 
-    def __bool__(self) -> bool:
-        """Tell whether there is an optimal embedding."""
-        return bool(self.elements)
+    @property
+    def elements(self) -> tuple[Quaternion, ...]:
+        """All images, in a definite algebra. Raises :class:`IndefiniteError`."""
+        if self.listed is None:
+            raise IndefiniteError(
+                f"the embeddings in an order of {shorten(self.order.algebra)}, which is indefinite, are "
+                "infinitely many: representatives has one of each orbit"
+            )
+        return self.listed
+
+    @property
+    def representatives(self) -> tuple[Quaternion, ...]:
+        """One image of each orbit under conjugation by units: all units, or those of norm 1 in indefinite algebras.
+
+        In an indefinite algebra they are known for a totally negative d; for others this raises
+        :class:`LatticeError`.
+        """
+        if self.of_orbits is None:
+            raise LatticeError(
+                f"the orbits of embeddings are counted for totally negative discriminants, and "
+                f"{shorten(self.discriminant)} is none: element is one embedding"
+            )
+        return self.of_orbits
+
+    @property
+    def orbits(self) -> int:
+        """The number of orbits. Raises as :attr:`representatives` does."""
+        return len(self.representatives)
+
+    @cached_property
+    def claim(self) -> Claim:
+        """The answer as a statement with its evidence.
+
+        Raises :class:`LatticeError` over ℤ_K, and where an indefinite order has no such embedding.
+        """
+        if self.listed is None and self.element is None:
+            raise LatticeError(
+                "that no embedding in an order of an indefinite algebra exists has no certificate yet"
+            )
+        return certificates.of_embedding(self.order.value, self.discriminant, self.element)
 
 
-def embeddings(order: LatticeValue, d: Any) -> tuple[tuple[Quaternion, ...], int]:
-    """Return the elements and the number of orbits of :class:`Embeddings`, for a discriminant d.
+def embeddings(
+    order: LatticeValue, d: Any
+) -> tuple[tuple[Quaternion, ...], tuple[Quaternion, ...]]:
+    """Return all elements of :class:`Embeddings` and those of the orbits, in a definite algebra.
 
     Raises :class:`LatticeError` where d is no totally negative discriminant, :class:`IndefiniteError`.
     """
@@ -98,9 +136,11 @@ def embeddings(order: LatticeValue, d: Any) -> tuple[tuple[Quaternion, ...], int
     vectors = list(_of_trace_zero(order, -x))
     both = sorted((*vectors, *(-s for s in vectors)), key=fmpq_mat.entries, reverse=True)
     shift = ambient.row(1) * ambient.scalar(t)
-    images = [(shift + s) * fmpq(1, 2) for s in both]
-    elements = tuple(ambient.quaternion(row.entries()) for row in images)
-    return elements, _orbits(order, both)
+
+    def images(some: list[fmpq_mat]) -> tuple[Quaternion, ...]:
+        return tuple(ambient.quaternion(((shift + s) * fmpq(1, 2)).entries()) for s in some)
+
+    return images(both), images(_orbits(order, both))
 
 
 def _of_trace_zero(order: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
@@ -143,19 +183,19 @@ def multiplications(ambient: AlgebraBasis, rows: fmpz_mat) -> list[fmpz_mat]:
     return [(fmpq_mat(pure * block) * inverse).numer_denom()[0] for block in blocks]
 
 
-def _orbits(order: LatticeValue, elements: list[fmpq_mat]) -> int:
-    """Return how many orbits there are under conjugation by the units of an order."""
+def _orbits(order: LatticeValue, elements: list[fmpq_mat]) -> list[fmpq_mat]:
+    """Return one element of each orbit under conjugation by the units of an order."""
     if not elements:
-        return 0
+        return []
     times = order.ambient.times
     maps = [times(u, "left") * times(u).inv() for u in units_modulo_scalars(order)]
-    left, orbits = {tuple(s.entries()): s for s in elements}, 0
+    left, found = {tuple(s.entries()): s for s in elements}, list[fmpq_mat]()
     while left:
         s = next(iter(left.values()))
         for m in maps:
             left.pop(tuple((s * m).entries()), None)
-        orbits += 1
-    return orbits
+        found.append(s)
+    return found
 
 
 # --- norm equations --------------------------------------------------------------------------------
