@@ -36,6 +36,7 @@ GROUPS: dict[str, dict[str, str]] = {
         "field": "class group and unit group of a number field",
         "order": "basis, discriminant and units of an order",
         "ideal": "an ideal of an order, and whether two are equivalent",
+        "embed": "embed a quadratic order in an order",
         "classes": "ideal classes of an order",
         "brandt": "Brandt matrices and isogeny graphs",
         "domain": "unit group of an indefinite order, and its fundamental domain",

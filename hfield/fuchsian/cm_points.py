@@ -17,10 +17,12 @@ compared exactly. At a cusp the domain is cut: no CM point lies so near to it.
 
 from __future__ import annotations
 
+import cmath
 import math
+import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -30,7 +32,8 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
 from hfield.fuchsian.dirichlet import rotation_order
 from hfield.fuchsian.geodesics import orbit
-from hfield.fuchsian.plane import Vector, dot
+from hfield.fuchsian.plane import Plane, Vector, dot
+from hfield.fuchsian.search import free_centers
 from hfield.orders import enumeration
 from hfield.orders.invariants import is_eichler, level
 from hfield.orders.quadratic_orders import is_primitive, multiplications
@@ -49,6 +52,8 @@ MAX_VECTORS = 10**7
 """At most about so many elements are enumerated for one ball."""
 MARGIN = 1e-6
 """Bounds that floats give are enlarged by this share."""
+TRIALS = 40
+"""So many balls are searched for one embedding before the whole domain is."""
 PRECISION = 2**20
 """Numbers of the field with given real values are found up to about the inverse of this."""
 
@@ -132,7 +137,8 @@ class TraceZeroLattice:
         else:
             here = [v == order.place for v in base.real_places]
             gamma = self.number([-1.0 if x else 1.0 for x in here])
-            beta = self.number([2 / order.real(m) if x else 0.0 for x in here])
+            size = max(1, round(order.real(m)))
+            beta = self.number([2 * size / order.real(m) if x else 0.0 for x in here]) / size
         linear = self.products(center)
         values = base.coordinate_rows(linear)
         traces = fmpq_mat(
@@ -159,19 +165,11 @@ def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
     lattice, seen = TraceZeroLattice(domain.group.order), set()
     size = abs(domain.group.order.real(d))
     for center, radius in balls(domain, lattice, size):
-        gram, steps, bound = lattice.form(center, -d, radius)
-        rows = [list(map(int, row)) for row in gram.tolist()]
-        if enumeration.volume(rows, bound, len(rows)) > MAX_VECTORS:
-            raise TooLargeError(f"too many elements of norm {-d} would be enumerated")
-        for x, _ in enumeration.short_vectors(rows, bound):
-            vector = fmpz_mat([list(x)]) * steps
-            row = (vector * lattice.rows).entries()
-            if lattice.ambient.norm(row) != -d or not is_primitive(vector, lattice.multiplications):
-                continue
-            s, v = _on_sheet(domain.polygon, lattice.ambient.quaternion(row))
+        for s in _of_norm(lattice, *lattice.form(center, -d, radius), d):
+            on_sheet, v = _on_sheet(domain.polygon, s)
             if v not in seen:
                 seen.add(v)
-                yield s, v
+                yield on_sheet, v
 
 
 def discriminant(order: SplitOrder, d: object) -> tuple[Any, Any]:
@@ -201,7 +199,13 @@ def cm_points(group: NormOneGroup, d: object) -> tuple[CMPoint, ...]:
             f"{shorten(d)} is not totally negative, and CM points belong to such discriminants: "
             "embeddings() finds one embedding for others"
         )
-    domain = group.domain()
+    return _points(group, x, t)
+
+
+@lru_cache(maxsize=64)
+def _points(group: NormOneGroup, x: Any, t: Any) -> tuple[CMPoint, ...]:
+    """Return the CM points of a discriminant x ≡ t² modulo 4, numbers of the field of the base."""
+    order, domain = group.order, group.domain()
     polygon, shift = domain.polygon, order.algebra(order.base.outside(t))
     found: list[CMPoint] = []
     seen: set[Vector] = set()
@@ -222,34 +226,63 @@ def cm_points(group: NormOneGroup, d: object) -> tuple[CMPoint, ...]:
     return tuple(sorted(found, key=lambda p: (round(places[p].real, 9), places[p].imag)))
 
 
-Answer = tuple[Quaternion | None, tuple[Quaternion, ...] | None, tuple[Quaternion, ...] | None, str]
+def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str]:
+    """Return the image of (t + √d)/2 under an optimal embedding, t² ≡ d modulo 4; or None, and a reason.
 
-
-def embeddings(group: NormOneGroup, d: object) -> Answer:
-    """Return an embedding, None for all of them, those of the orbits where d < 0, and a reason for none.
-
-    Raises :class:`LatticeError` where d is no discriminant or a square, and :class:`TooLargeError`.
+    It is sought near some points first, and then in the whole domain. Raises :class:`LatticeError` where d is
+    no discriminant or a square, and :class:`TooLargeError`.
     """
     order = group.order
     x, t = discriminant(order, d)
     if (reason := _local_obstruction(order, x, t)) is not None:
-        return None, None, (), reason
-    none = "no element of the order with this discriminant is optimal"
-    if order.base.is_totally_positive(-x):
-        points = [point.element for point in cm_points(group, d)]
-        both = (*points, *(q.conjugate() for q in points))
-        return (both[0] if both else None), None, both, "" if both else none
-    if any(order.base.sign(x, v) > 0 for v in order.order.ambient.ramified_real_places):
-        return (
-            None,
-            None,
-            (),
-            "the algebra ramifies at a real place at which the discriminant is positive",
-        )
+        return None, reason
     shift = order.algebra(order.base.outside(t))
+    for s in _near_some_points(order, x):
+        return (shift + s) / 2, ""
     for s, _ in roots(group.domain(), x):
-        return (shift + s) / 2, None, None, ""
-    return None, None, (), none
+        return (shift + s) / 2, ""
+    return None, "no element of the order with this discriminant is optimal"
+
+
+def of_orbits(group: NormOneGroup, d: object) -> tuple[Quaternion, ...]:
+    """Return one embedding of each orbit under the units of norm 1, for a totally negative d.
+
+    Raises :class:`LatticeError` for other d, and :class:`TooLargeError`.
+    """
+    x, _ = discriminant(group.order, d)
+    if not group.order.base.is_totally_positive(-x):
+        raise LatticeError(
+            "the orbits of embeddings are listed for totally negative discriminants, and "
+            f"{shorten(d)} is none"
+        )
+    elements = [point.element for point in cm_points(group, d)]
+    return (*elements, *(q.conjugate() for q in elements))
+
+
+def _near_some_points(order: SplitOrder, d: Any) -> Iterator[Quaternion]:
+    """Yield images of √d whose point or axis meets balls around some points of the plane."""
+    lattice, rng = TraceZeroLattice(order), random.Random(1)
+    plane = Plane(order, next(free_centers(order)))
+    for _ in range(TRIALS):
+        disc = math.tanh(rng.uniform(0, 2)) * cmath.exp(2j * math.pi * rng.random())
+        yield from _of_norm(lattice, *lattice.form(plane.nearby(disc, 20), -d, 1.0), d)
+
+
+def _of_norm(
+    lattice: TraceZeroLattice, gram: fmpz_mat, steps: fmpz_mat, bound: int, d: Any
+) -> Iterator[Quaternion]:
+    """Yield one of ±s for each primitive element s with s² = d at which a form is at most the bound.
+
+    Raises :class:`TooLargeError`.
+    """
+    rows = [list(map(int, row)) for row in gram.tolist()]
+    if enumeration.volume(rows, bound, len(rows)) > MAX_VECTORS:
+        raise TooLargeError(f"too many elements of norm {-d} would be enumerated")
+    for x, _ in enumeration.short_vectors(rows, bound):
+        vector = fmpz_mat([list(x)]) * steps
+        row = (vector * lattice.rows).entries()
+        if lattice.ambient.norm(row) == -d and is_primitive(vector, lattice.multiplications):
+            yield lattice.ambient.quaternion(row)
 
 
 def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> str | None:
@@ -259,6 +292,8 @@ def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> str | None:
     Eichler order once, it must not be inert.
     """
     base, value = order.base, order.order
+    if any(base.sign(d, v) > 0 for v in value.ambient.ramified_real_places):
+        return "the algebra ramifies at a real place at which the discriminant is positive"
     norm = (t * t - d) / 4
     for P in value.ambient.ramified:
         if base.quadratic_symbol(t, norm, P) == 1:

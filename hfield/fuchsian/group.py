@@ -213,16 +213,26 @@ class NormOneGroup(Certified, Hinted):
 
     # --- the domain --------------------------------------------------------------------------------
 
-    def domain(self, center: complex | None = None) -> Domain:
+    def domain(self, center: complex | CMPoint | None = None) -> Domain:
         """Return the Dirichlet domain around a point, by default one with a small c in the order.
 
         ``center`` is a complex number of the upper half plane, on which i and j act as real matrices: the one
         of them whose square is positive as a diagonal one. A nearby point takes its place,
         ``D.center``, that is
-        fixed by an element of the algebra with trace 0 and by no unit but ±1. Raises :class:`LatticeError`.
+        fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point that no other unit fixes
+        is the centre itself. Raises :class:`LatticeError`.
         """
+        from hfield.fuchsian.cm_points import CMPoint
+
         if center is None:
             return self._domain
+        if isinstance(center, CMPoint):
+            if center.stabiliser not in (1, -1):
+                raise LatticeError(
+                    f"{center} is fixed by {center.stabiliser}, and the centre of a domain must be fixed by no "
+                    "unit but 1 and -1: take another point, or complex(point) for one beside it"
+                )
+            return self._around(center.root)
         try:
             z = complex(center)
         except (TypeError, ValueError, OverflowError):
@@ -371,20 +381,18 @@ class NormOneGroup(Certified, Hinted):
 
     # --- CM points -------------------------------------------------------------------------------
 
-    def cm_points(self, d: int) -> tuple[CMPoint, ...]:
+    def cm_points(self, d: object) -> tuple[CMPoint, ...]:
         """Return the points of the upper half plane that the quadratic order of discriminant d < 0 fixes.
 
-        One point for each orbit of the group. An Eichler order of squarefree level N in the algebra of
+        One point for each orbit of the group. Over a number field d is a number of the field. An Eichler order of squarefree level N in the algebra of
         discriminant D has h(d)·Π(1 − (S/p))·Π(1 + (S/p)) of them, for p | D and p | N, with Eichler's symbol
         (Voight, *Quaternion Algebras*, theorem 30.7.3). Raises :class:`LatticeError` for a d that is no
-        negative discriminant or over other fields than ℚ, and :class:`TooLargeError`.
+        totally negative discriminant, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
-        >>> [G.cm_points(d) for d in (-3, -7)]
-        [(CM point …, CM point …), ()]
-        >>> [point.stabiliser ** 3 for point in G.cm_points(-3)]
-        [−1, −1]
+        >>> G.cm_points(-24)[0], G.cm_points(-7)
+        (CM point 0 + 1.01461i of discriminant -24, ())
         """
         from hfield.fuchsian import cm_points
 

@@ -785,8 +785,8 @@ class Order(WithStableClasses, Certified, Lattice):
 
         In a definite algebra d is totally negative. In one that splits at exactly one real place d is any
         discriminant that is no square; for a totally negative d there is one embedding of each orbit under
-        the units of norm 1, for others it is decided whether there is one. Raises :class:`LatticeError` for what
-        is no such discriminant, :class:`IndefiniteError` for other algebras, and :class:`TooLargeError`.
+        the units of norm 1, for others it is decided whether there is one. Raises :class:`LatticeError` for
+        what is no such discriminant, :class:`IndefiniteError` for other algebras, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); found = O.embeddings(-3)
@@ -799,12 +799,19 @@ class Order(WithStableClasses, Certified, Lattice):
         '2 splits in the quadratic field, and the algebra ramifies at 2'
         """
         if not self.is_definite():
-            from hfield.fuchsian.cm_points import embeddings
+            from hfield.fuchsian import cm_points
 
-            return Embeddings(self, discriminant, *embeddings(self.norm_one_group(), discriminant))
-        every, of_orbits = quadratic_orders.embeddings(self.value, discriminant)
+            group = self.norm_one_group()
+            element, reason = cm_points.embedding(group, discriminant)
+
+            def of_orbits() -> tuple[Quaternion, ...]:
+                return cm_points.of_orbits(group, discriminant)
+
+            return Embeddings(self, discriminant, element, None, of_orbits, reason)
+        every, chosen = quadratic_orders.embeddings(self.value, discriminant)
         reason = "" if every else "no element of the order has this discriminant and is optimal"
-        return Embeddings(self, discriminant, every[0] if every else None, every, of_orbits, reason)
+        first = every[0] if every else None
+        return Embeddings(self, discriminant, first, every, lambda: chosen, reason)
 
     # --- classes -----------------------------------------------------------------------------------
 

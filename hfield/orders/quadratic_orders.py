@@ -9,7 +9,7 @@ lattice. They are embedded optimally where no number outside of R takes the vect
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import count, product
@@ -64,8 +64,8 @@ class Embeddings(Certified):
     """One of the images, or None."""
     listed: tuple[Quaternion, ...] | None
     """All images; None where they are infinitely many."""
-    of_orbits: tuple[Quaternion, ...] | None
-    """One of each orbit; None where they are not known."""
+    of_orbits: Callable[[], tuple[Quaternion, ...]]
+    """Returns one of each orbit. Raises :class:`LatticeError` where they are not known."""
     reason: str = ""
 
     def __bool__(self) -> bool:
@@ -85,19 +85,14 @@ class Embeddings(Certified):
             )
         return self.listed
 
-    @property
+    @cached_property
     def representatives(self) -> tuple[Quaternion, ...]:
-        """One image of each orbit under conjugation by units: all units, or those of norm 1 in indefinite algebras.
+        """One image of each orbit under conjugation by the units, in indefinite algebras by those of norm 1.
 
         In an indefinite algebra they are known for a totally negative d; for others this raises
         :class:`LatticeError`.
         """
-        if self.of_orbits is None:
-            raise LatticeError(
-                f"the orbits of embeddings are counted for totally negative discriminants, and "
-                f"{shorten(self.discriminant)} is none: element is one embedding"
-            )
-        return self.of_orbits
+        return self.of_orbits() if self else ()
 
     @property
     def orbits(self) -> int:
