@@ -216,11 +216,10 @@ class NormOneGroup(Certified, Hinted):
     def domain(self, center: complex | CMPoint | None = None) -> Domain:
         """Return the Dirichlet domain around a point, by default one with a small c in the order.
 
-        ``center`` is a complex number of the upper half plane, on which i and j act as real matrices: the one
-        of them whose square is positive as a diagonal one. A nearby point takes its place,
-        ``D.center``, that is
-        fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point that no other unit fixes
-        is the centre itself. Raises :class:`LatticeError`.
+        ``center`` is a complex number of the upper half plane, on which i and j act as real matrices: the
+        one of them whose square is positive as a diagonal one. A nearby point takes its place,
+        ``D.center``, that is fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point
+        that no other unit fixes is the centre itself. Raises :class:`LatticeError`.
         """
         from hfield.fuchsian.cm_points import CMPoint
 
@@ -229,8 +228,8 @@ class NormOneGroup(Certified, Hinted):
         if isinstance(center, CMPoint):
             if center.stabiliser not in (1, -1):
                 raise LatticeError(
-                    f"{center} is fixed by {center.stabiliser}, and the centre of a domain must be fixed by no "
-                    "unit but 1 and -1: take another point, or complex(point) for one beside it"
+                    f"{center} is fixed by {center.stabiliser}, and the centre of a domain must be fixed by "
+                    "no unit but 1 and -1: take another point, or complex(point) for one beside it"
                 )
             return self._around(center.root)
         try:
@@ -382,12 +381,13 @@ class NormOneGroup(Certified, Hinted):
     # --- CM points -------------------------------------------------------------------------------
 
     def cm_points(self, d: object) -> tuple[CMPoint, ...]:
-        """Return the points of the upper half plane that the quadratic order of discriminant d < 0 fixes.
+        """Return the points that embeddings of the quadratic order of discriminant d < 0 fix.
 
-        One point for each orbit of the group. Over a number field d is a number of the field. An Eichler order of squarefree level N in the algebra of
-        discriminant D has h(d)·Π(1 − (S/p))·Π(1 + (S/p)) of them, for p | D and p | N, with Eichler's symbol
-        (Voight, *Quaternion Algebras*, theorem 30.7.3). Raises :class:`LatticeError` for a d that is no
-        totally negative discriminant, and :class:`TooLargeError`.
+        One point of the upper half plane for each orbit of the group. Over a number field d is a number of
+        the field. An Eichler order of squarefree level N in the algebra of discriminant D has
+        h(d)·Π(1 − (S/p))·Π(1 + (S/p)) of them, for p | D and p | N, with Eichler's symbol (Voight, *Quaternion
+        Algebras*, theorem 30.7.3). Raises :class:`LatticeError` for a d that is no totally negative
+        discriminant, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
