@@ -218,8 +218,8 @@ class NormOneGroup(Certified, Hinted):
 
         ``center`` is a complex number of the upper half plane, on which i and j act as real matrices: the
         one of them whose square is positive as a diagonal one. A nearby point takes its place,
-        ``D.center``, that is fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point
-        that no other unit fixes is the centre itself. Raises :class:`LatticeError`.
+        ``D.center``, fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point that no
+        other unit fixes is the centre itself. Raises :class:`LatticeError`.
         """
         from hfield.fuchsian.cm_points import CMPoint
 
@@ -385,9 +385,9 @@ class NormOneGroup(Certified, Hinted):
 
         One point of the upper half plane for each orbit of the group. Over a number field d is a number of
         the field. An Eichler order of squarefree level N in the algebra of discriminant D has
-        h(d)·Π(1 − (S/p))·Π(1 + (S/p)) of them, for p | D and p | N, with Eichler's symbol (Voight, *Quaternion
-        Algebras*, theorem 30.7.3). Raises :class:`LatticeError` for a d that is no totally negative
-        discriminant, and :class:`TooLargeError`.
+        h(d)·Π(1 − (S/p))·Π(1 + (S/p)) of them, for p | D and p | N, with Eichler's symbol (Voight,
+        *Quaternion Algebras*, theorem 30.7.3). Raises :class:`LatticeError` for a d that is no totally
+        negative discriminant, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
