@@ -218,8 +218,8 @@ class NormOneGroup(Certified, Hinted):
 
         ``center`` is a complex number of the upper half plane, on which i and j act as real matrices: the
         one of them whose square is positive as a diagonal one. A nearby point takes its place,
-        ``D.center``, fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point that no
-        other unit fixes is the centre itself. Raises :class:`LatticeError`.
+        ``D.center``, fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point that
+        no other unit fixes is the centre itself. Raises :class:`LatticeError`.
         """
         from hfield.fuchsian.cm_points import CMPoint
 
