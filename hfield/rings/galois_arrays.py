@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import galois
 import numpy as np
 
-from hfield.compiling.machine_code import lock
+from hfield.compiling.machine_code import available, lock
 from hfield.errors import CoercionError
 from hfield.rings.array_held.finite import primitive
 from hfield.rings.array_held.labels import check_galois, labels
@@ -41,10 +41,11 @@ def field_class(F: Any) -> galois.FieldArray | None:
 
 def _made_class(F: Any) -> galois.FieldArray:
     # Each new class evaluates its polynomial once, for which galois otherwise compiles a loop: a second.
-    options: dict[str, Any] = {"compile": "python-calculate"}
+    # Without numba's compiler galois has its own way to do that.
+    options: dict[str, Any] = {"compile": "python-calculate" if available() else "auto"}
     subfield = galois.GF(F.characteristic, **options)
     if F.degree > 1:
-        # Told a primitive element, galois need not search for one, which may take it seconds.
+        # With a primitive element given, galois need not search for one, which may take it seconds.
         poly = galois.Poly(F.coefficients[::-1], field=subfield)
         options |= {"irreducible_poly": poly, "primitive_element": primitive(F), "verify": False}
     cls = galois.GF(F.order, **options)

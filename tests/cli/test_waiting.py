@@ -114,13 +114,13 @@ import sys, time
 from hfield.cli import main
 from hfield.cli.status import STATUS
 import hfield.orders.classes as classes
-shown, show, tell = [], STATUS.show, classes.tell
+shown, show, report = [], STATUS.show, classes.report
 STATUS.show = lambda text: (show(text), shown.append(text))
 def slow(done, total, what):
-    tell(done, total, what)
+    report(done, total, what)
     while 0 < done < total and not any("some" in text for text in shown):
         time.sleep(0.01)
-classes.tell = slow
+classes.report = slow
 sys.exit(main(["classes", "163"]))
 """
     screen = Screen(code)

@@ -10,6 +10,7 @@ from itertools import zip_longest
 import pytest
 
 from hfield.cli.commands import check
+from hfield.cli.commands.check_with_coq import NOT_CONFIRMED
 from hfield.cli.parser import Parser
 from hfield.export.coq.cofactors import MismatchError
 from hfield.export.coq.coqc import Coqc, NotJudgedError
@@ -160,12 +161,12 @@ def test_check_says_what_is_not_covered(run):
     level = next(c for c in claims() if c.id == "C1.3.1-y").corrected
     data = certificate(level, level.decide(None), UNIVERSAL)
     status, out = run(data)
-    assert status == check.NOT_CONFIRMED
+    assert status == NOT_CONFIRMED
     assert "Coq: not covered: " in out
 
 
 def test_check_says_that_coq_is_missing(run, monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda _: None)
     status, out = run(true_certificates()["commute"])
-    assert status == check.NOT_CONFIRMED
+    assert status == NOT_CONFIRMED
     assert "Coq: not judged: coqc is not installed" in out
