@@ -16,7 +16,7 @@ from hfield import (
     check,
     prove,
 )
-from hfield.rings.array_held.floats import MIN_COMPILED
+from hfield.rings.array_storage.floats import MIN_COMPILED
 from hfield.structure.single_elements import float_functions
 from rotation import Rotation
 from rotation.compat import Rotation as ScipysRotation

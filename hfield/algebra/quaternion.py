@@ -22,7 +22,7 @@ from hfield.hints import ELEMENT, Hinted
 from hfield.notation import element_text
 from hfield.rings.base import Ring
 from hfield.rings.coefficients import Coefficients
-from hfield.rings.holding import Batch, Holding
+from hfield.rings.storage.base import Batch, Holding
 from hfield.structure.single_elements import analysis
 from hfield.symbols import element_to_sympy, values_given, variable_name
 from hfield.sympy_printing import PrintedBySympy

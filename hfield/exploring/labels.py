@@ -19,7 +19,7 @@ from hfield.structure.counting.tally import MIN_COMPILED, Indices, RingTables, c
 if TYPE_CHECKING:
     import numpy as np
 
-    from hfield.rings.array_held.labels import LabelArrays
+    from hfield.rings.array_storage.labels import LabelArrays
     from hfield.rings.base import Ring
 
 Rows = tuple["np.ndarray", "np.ndarray", "np.ndarray", "np.ndarray"]
@@ -91,7 +91,7 @@ class LabelledAlgebra:
         """Return numbered elements as one array of quaternions."""
         import numpy as np
 
-        from hfield.rings.array_held.labels import LabelArrays
+        from hfield.rings.array_storage.labels import LabelArrays
 
         rows = self.rows(numbers)
         if isinstance(self.algebra.array_holding, LabelArrays):

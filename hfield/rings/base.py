@@ -26,11 +26,11 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.rings.holding import Batch, Holding
-from hfield.rings.owners import describe
+from hfield.rings.foreign_values import describe
 from hfield.rings.powers import power
 from hfield.rings.printing import from_unicode, number_text
 from hfield.rings.registry import REGISTRY
+from hfield.rings.storage.base import Batch, Holding
 
 if TYPE_CHECKING:
     import numpy as np
@@ -618,7 +618,7 @@ class Ring(
 
     def holding(self, constants: Constants) -> Holding:
         """Return how elements of the algebra with these constants are held; by default as they are."""
-        from hfield.rings.held.plain import Plain
+        from hfield.rings.storage.plain import Plain
 
         return Plain(self, constants)
 
@@ -629,7 +629,7 @@ class Ring(
         """
         if type(self).array is not WithArrays.array:
             return Batch(self, constants)
-        from hfield.rings.array_held.held_values import HeldArrays
+        from hfield.rings.array_storage.object_arrays import HeldArrays
 
         return HeldArrays(self, constants)
 

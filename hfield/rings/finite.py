@@ -14,14 +14,14 @@ import flint
 from hfield.core.product import Constants
 from hfield.errors import NotInvertibleError, shorten
 from hfield.rings.base import FINITE_LIMIT, Known, Ring, shared
-from hfield.rings.held import tables
-from hfield.rings.held.quotients import PolynomialRepresentation
-from hfield.rings.holding import Batch, Holding
 from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import of_flint
+from hfield.rings.storage import tables
+from hfield.rings.storage.base import Batch, Holding
+from hfield.rings.storage.quotients import PolynomialRepresentation
 
 if TYPE_CHECKING:
     import galois
@@ -74,7 +74,7 @@ class FiniteField(Ring):
 
     def array_holding(self, constants: Constants) -> Batch:
         """Hold arrays as rows of labels, unless the field is too large."""
-        from hfield.rings.array_held.finite import array_holding
+        from hfield.rings.array_storage.finite import array_holding
 
         return array_holding(self, constants)
 

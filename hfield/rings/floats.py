@@ -13,9 +13,9 @@ from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.rings.base import Known
 from hfield.rings.expressions import is_of_sympy
-from hfield.rings.holding import Batch
 from hfield.rings.printing import Factor, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.storage.base import Batch
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -125,7 +125,7 @@ class FloatingPoint(ValueRing[N]):
 
     def array_holding(self, constants: Constants) -> Batch:
         """Arrays of elements are held as one array of numpy."""
-        from hfield.rings.array_held.floats import FloatArrays
+        from hfield.rings.array_storage.floats import FloatArrays
 
         return FloatArrays(self, constants)
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from hfield.compiling.machine_code import lock
 from hfield.errors import CoercionError
-from hfield.rings.array_held.finite import primitive
-from hfield.rings.array_held.labels import check_galois, labels
+from hfield.rings.array_storage.finite import primitive
+from hfield.rings.array_storage.labels import check_galois, labels
 from hfield.rings.arrays import Objects, objects
 from hfield.rings.base import Ring
 

@@ -13,11 +13,11 @@ from hfield.core.primality import is_prime, primes
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.rings.base import INFINITY, Known, Ring, shared
-from hfield.rings.holding import Batch, Holding
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.roots import of_flint, rational_roots
+from hfield.rings.storage.base import Batch, Holding
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -108,7 +108,7 @@ class Integers(_Ordered):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints, as those over ℚ are."""
-        from hfield.rings.held.fractions import FractionRepresentation
+        from hfield.rings.storage.fractions import FractionRepresentation
 
         return FractionRepresentation(
             self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _=1: flint.fmpz(n)
@@ -119,7 +119,7 @@ class Integers(_Ordered):
 
     def array_holding(self, constants: Constants) -> Batch:
         """Hold arrays as rows of 64-bit integers, as long as they fit."""
-        from hfield.rings.array_held.words import WholeArrays
+        from hfield.rings.array_storage.words import WholeArrays
 
         return WholeArrays(self, constants)
 
@@ -190,7 +190,7 @@ class Rationals(_Ordered):
 
     def array_holding(self, constants: Constants) -> Batch:
         """Hold arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
-        from hfield.rings.array_held.fractions import FractionArrays
+        from hfield.rings.array_storage.fractions import FractionArrays
 
         return FractionArrays(self, constants)
 
@@ -230,7 +230,7 @@ class Rationals(_Ordered):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints over one denominator."""
-        from hfield.rings.held.fractions import FractionRepresentation
+        from hfield.rings.storage.fractions import FractionRepresentation
 
         return FractionRepresentation(self, constants, (0,), lambda x: (x,), flint.fmpq)
 
@@ -262,7 +262,7 @@ class Residues(Modular):
 
     def array_holding(self, constants: Constants) -> Batch:
         """Hold arrays as rows of residues, unless the modulus is too large."""
-        from hfield.rings.array_held.finite import array_holding
+        from hfield.rings.array_storage.finite import array_holding
 
         return array_holding(self, constants)
 

@@ -18,9 +18,9 @@ from hfield.errors import (
     shorten,
 )
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
-from hfield.rings.holding import Holding
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import of_flint, residue_roots
+from hfield.rings.storage.base import Holding
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -223,7 +223,7 @@ class Modular(ValueRing):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as four ints between 0 and n − 1."""
-        from hfield.rings.held.quotients import ResidueRepresentation
+        from hfield.rings.storage.quotients import ResidueRepresentation
 
         return ResidueRepresentation(self, constants)
 

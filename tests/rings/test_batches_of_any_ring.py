@@ -13,7 +13,7 @@ from hfield.compiling import memory
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, HFieldError
 from hfield.rings.arrays import check_shapes, objects, one_shape
-from hfield.rings.holding import Batch, Holding
+from hfield.rings.storage.base import Batch, Holding
 from tests.subcases import first_quick, subcases
 
 NAMES = ("QQ", "QQ[x]", "GF(5)[x,y]", "ZZ/6", "QQ(sqrt(2))", "QQ(x)[u]/(u^2-x)")

@@ -18,14 +18,14 @@ import flint
 from hfield.core.product import Constants
 from hfield.errors import CoercionError
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
-from hfield.fields.function_fields.representation import FunctionRepresentation
+from hfield.fields.function_fields.storage import FunctionRepresentation
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.finite import ExtensionField, PrimeField
-from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.residue_polynomials import polynomials_modulo
 from hfield.rings.roots import common_divisor, monic, multiplied, substituted
+from hfield.rings.storage.base import Holding
 from hfield.rings.to_sympy import polynomial_in, symbol
 
 if TYPE_CHECKING:

@@ -16,11 +16,11 @@ from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.embeddings import ComplexEmbeddings, square_root
 from hfield.fields.number_fields.with_ideals import WithIdeals
 from hfield.rings.base import Known, Ring, shared
-from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.printing import blackboard, number_text, rational_json, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.roots import irreducible_factors
+from hfield.rings.storage.base import Holding
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -278,7 +278,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as integer vectors or polynomials over one denominator."""
-        from hfield.fields.number_fields import held as number_fields
+        from hfield.fields.number_fields import storage as number_fields
 
         return number_fields.holding(self, constants)
 

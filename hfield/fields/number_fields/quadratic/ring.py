@@ -16,11 +16,11 @@ from hfield.fields.number_fields.ring import NumberField
 from hfield.rings.base import INFINITY, Known, Ring, shared
 from hfield.rings.closed_fields.radicands import reduced
 from hfield.rings.closed_fields.surds import Surd, sympy_of
-from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import irreducible_factors
 from hfield.rings.squares import minus_one
+from hfield.rings.storage.base import Holding
 
 if TYPE_CHECKING:
     import sympy
@@ -157,7 +157,7 @@ class QuadraticField(NumberField):
 
     def holding(self, constants: Constants) -> Holding:
         """Elements are held as eight ints over one denominator."""
-        from hfield.rings.held.fractions import FractionRepresentation
+        from hfield.rings.storage.fractions import FractionRepresentation
 
         return FractionRepresentation(self, constants, (self.d, 0), self._vector, self._element)
 

@@ -26,8 +26,8 @@ from hfield.compiling.memory import Rows, rows_of
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import Program, pattern
 from hfield.errors import CoercionError
-from hfield.rings.array_held.held_values import HeldArrays, each
-from hfield.rings.array_held.rows import Row, RowArrays
+from hfield.rings.array_storage.object_arrays import HeldArrays, each
+from hfield.rings.array_storage.rows import Row, RowArrays
 from hfield.rings.arrays import objects, read_only
 from hfield.rings.rational import is_plain_array
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from hfield import H, Quaternion, QuaternionAlgebra, ring
 from hfield.errors import NotInvertibleError
-from hfield.rings.array_held.held_values import HeldArrays
+from hfield.rings.array_storage.object_arrays import HeldArrays
 from tests.thorough import cases
 
 RINGS = (

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.core.product import Constants
 from hfield.core.straight_line import Program, arithmetic_text
 from hfield.errors import shorten
-from hfield.rings.holding import H, Holding
+from hfield.rings.storage.base import H, Holding
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

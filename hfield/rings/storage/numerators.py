@@ -8,7 +8,7 @@ from typing import Any
 
 from hfield.core.product import Scalar
 from hfield.core.straight_line import FIRST, SECOND, parts, specialise_extension
-from hfield.rings.held.compact import Compact, function, statements
+from hfield.rings.storage.compact import Compact, function, statements
 
 Held = tuple[Any, ...]  # the numerators of w, x, y, z, and the denominator last
 

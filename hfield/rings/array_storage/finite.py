@@ -19,11 +19,11 @@ from hfield.compiling.arithmetics.residues import Residues
 from hfield.compiling.calling import Kernel
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants
-from hfield.rings.array_held import programs
-from hfield.rings.array_held.held_values import HeldArrays
-from hfield.rings.array_held.labels import LabelArrays
-from hfield.rings.array_held.rows import Row
-from hfield.rings.holding import Batch
+from hfield.rings.array_storage import programs
+from hfield.rings.array_storage.labels import LabelArrays
+from hfield.rings.array_storage.object_arrays import HeldArrays
+from hfield.rings.array_storage.rows import Row
+from hfield.rings.storage.base import Batch
 
 if TYPE_CHECKING:
     from hfield.rings.finite import FiniteField

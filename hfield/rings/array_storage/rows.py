@@ -13,10 +13,10 @@ from hfield.compiling.memory import Rows, address, rows_of
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import FIRST, SECOND, Program, pattern, specialise
 from hfield.errors import CoercionError
-from hfield.rings.array_held import programs
-from hfield.rings.array_held.programs import Sides
+from hfield.rings.array_storage import programs
+from hfield.rings.array_storage.programs import Sides
 from hfield.rings.arrays import one_shape, owned, read_only
-from hfield.rings.holding import Batch, Holding
+from hfield.rings.storage.base import Batch, Holding
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index

@@ -15,9 +15,9 @@ from hfield.core import product
 from hfield.core.product import Constants
 from hfield.errors import NotInvertibleError
 from hfield.rings.base import Ring
-from hfield.rings.held.compact import LARGE
-from hfield.rings.held.plain import Plain
-from hfield.rings.holding import Holding
+from hfield.rings.storage.base import Holding
+from hfield.rings.storage.compact import LARGE
+from hfield.rings.storage.plain import Plain
 from tests.conformance import CONSTANTS, RINGS
 from tests.subcases import share_quick, subcases
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import BINARY, FIRST, GENERAL, pattern, specialise
-from hfield.rings.held.compact import Compact, function, statements
+from hfield.rings.storage.compact import Compact, function, statements
 
 if TYPE_CHECKING:
     import flint

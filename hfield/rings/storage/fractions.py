@@ -10,8 +10,8 @@ import flint
 
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import FIRST, named, parts, specialise_extension
-from hfield.rings.held.compact import LARGE, function, statements
-from hfield.rings.held.numerators import Held, NumeratorRepresentation
+from hfield.rings.storage.compact import LARGE, function, statements
+from hfield.rings.storage.numerators import Held, NumeratorRepresentation
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring

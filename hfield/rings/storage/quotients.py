@@ -9,8 +9,8 @@ import flint
 
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import BINARY, pattern, specialise
-from hfield.rings.held.compact import LARGE, Compact, function, statements
 from hfield.rings.residue_polynomials import polynomials_modulo
+from hfield.rings.storage.compact import LARGE, Compact, function, statements
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring

@@ -22,8 +22,8 @@ from hfield.compiling.arithmetics.register_tables import RegisterField
 from hfield.compiling.threads import threads
 from hfield.core.product import conjugate, multiply, norm, trace
 from hfield.errors import CoercionError, NotInvertibleError
-from hfield.rings.array_held.labels import LabelArrays
-from hfield.rings.array_held.rows import RowArrays
+from hfield.rings.array_storage.labels import LabelArrays
+from hfield.rings.array_storage.rows import RowArrays
 from tests.galois_classes import galois_class
 from tests.subcases import first_quick, share_quick, subcases
 from tests.thorough import THOROUGH

@@ -15,8 +15,8 @@ from hfield.core.factorisation import factorise
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import Program
 from hfield.errors import CoercionError, shorten
-from hfield.rings.array_held import programs
-from hfield.rings.array_held.rows import Row, RowArrays, inverses
+from hfield.rings.array_storage import programs
+from hfield.rings.array_storage.rows import Row, RowArrays, inverses
 from hfield.rings.arrays import objects
 from hfield.rings.rational import is_plain_array
 

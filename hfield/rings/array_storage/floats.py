@@ -14,10 +14,10 @@ from hfield.compiling.memory import rows_of
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import FIRST, SECOND, pattern, specialise
 from hfield.errors import CoercionError
-from hfield.rings.array_held import programs
-from hfield.rings.array_held.rows import block_of
+from hfield.rings.array_storage import programs
+from hfield.rings.array_storage.rows import block_of
 from hfield.rings.arrays import one_shape, read_only
-from hfield.rings.holding import Batch
+from hfield.rings.storage.base import Batch
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import named
-from hfield.rings.held.numerators import Held, NumeratorRepresentation
+from hfield.rings.storage.numerators import Held, NumeratorRepresentation
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.ring import FunctionField

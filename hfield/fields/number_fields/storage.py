@@ -11,10 +11,10 @@ import flint
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import named
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.rings.held.compact import Compact
-from hfield.rings.held.fractions import FractionRepresentation
-from hfield.rings.held.numerators import Held, NumeratorRepresentation
 from hfield.rings.roots import integral
+from hfield.rings.storage.compact import Compact
+from hfield.rings.storage.fractions import FractionRepresentation
+from hfield.rings.storage.numerators import Held, NumeratorRepresentation
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField

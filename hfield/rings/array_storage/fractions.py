@@ -16,9 +16,9 @@ from hfield.compiling.memory import Rows
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import FIRST, SECOND, Program
 from hfield.errors import CoercionError
-from hfield.rings.array_held import programs
-from hfield.rings.array_held.programs import Sides
-from hfield.rings.array_held.words import WORD, WordArrays
+from hfield.rings.array_storage import programs
+from hfield.rings.array_storage.programs import Sides
+from hfield.rings.array_storage.words import WORD, WordArrays
 from hfield.rings.arrays import objects, one_shape
 from hfield.rings.rational import is_plain_array
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from hfield.core.product import Constants, Coordinates
 from hfield.rings.arrays import Objects, objects, one_shape, wrap
-from hfield.rings.holding import Batch, Holding
+from hfield.rings.storage.base import Batch, Holding
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index
