@@ -99,7 +99,7 @@ def test_methods_functions_and_language_agree() -> None:
 
 
 # A notebook or a browser opens; and a field's own methods are those of every ring, of which rings.md tells.
-NOT_SHOWN = {"show", "ask", "state", "array_holding", "holding"}
+NOT_SHOWN = {"show", "ask", "state", "array_storage", "storage"}
 _CALLED = re.compile(r"\.(\w+)")
 
 

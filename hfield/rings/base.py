@@ -30,7 +30,7 @@ from hfield.rings.foreign_values import describe
 from hfield.rings.powers import power
 from hfield.rings.printing import from_unicode, number_text
 from hfield.rings.registry import REGISTRY
-from hfield.rings.storage.base import Batch, Holding
+from hfield.rings.storage.base import Batch, Storage
 
 if TYPE_CHECKING:
     import numpy as np
@@ -616,22 +616,22 @@ class Ring(
     (True, 9, 'x')
     """
 
-    def holding(self, constants: Constants) -> Holding:
-        """Return how elements of the algebra with these constants are held; by default as they are."""
+    def storage(self, constants: Constants) -> Storage:
+        """Return the storage of elements of the algebra with these constants; by default of tuples."""
         from hfield.rings.storage.plain import Plain
 
         return Plain(self, constants)
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Return how arrays of such elements are held: as these are, one by one.
+    def array_storage(self, constants: Constants) -> Batch:
+        """Return the storage of arrays of such elements: by default each entry is stored by :meth:`storage`.
 
         A ring whose arrays are a library's own computes with four of those.
         """
         if type(self).array is not WithArrays.array:
             return Batch(self, constants)
-        from hfield.rings.array_storage.object_arrays import HeldArrays
+        from hfield.rings.array_storage.object_arrays import ObjectArrays
 
-        return HeldArrays(self, constants)
+        return ObjectArrays(self, constants)
 
 
 def shared(kind: Callable[..., R], *arguments: Hashable) -> R:

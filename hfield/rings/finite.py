@@ -20,8 +20,8 @@ from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import of_flint
 from hfield.rings.storage import tables
-from hfield.rings.storage.base import Batch, Holding
-from hfield.rings.storage.quotients import PolynomialRepresentation
+from hfield.rings.storage.base import Batch, Storage
+from hfield.rings.storage.quotients import PolynomialStorage
 
 if TYPE_CHECKING:
     import galois
@@ -72,11 +72,11 @@ class FiniteField(Ring):
         """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
         return _arrays().of_labels(self, row)
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Hold arrays as rows of labels, unless the field is too large."""
-        from hfield.rings.array_storage.finite import array_holding
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store arrays as rows of labels, unless the field is too large."""
+        from hfield.rings.array_storage.finite import array_storage
 
-        return array_holding(self, constants)
+        return array_storage(self, constants)
 
     def scalar(self, x: object) -> Coefficient:
         """Turn an entry of ``array`` back into an element."""
@@ -247,11 +247,11 @@ class ExtensionField(FiniteField):
                 return (y,) if x.is_zero() else (x, y)
         raise AssertionError("in a finite field −1 is a sum of two squares")
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements over a small field are held as labels, over a large one as polynomials."""
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements over a small field as labels, over a large one as polynomials."""
         if self.order < tables.BELOW:
             return tables.Labels(self, constants)
-        return PolynomialRepresentation(self, constants)
+        return PolynomialStorage(self, constants)
 
     @cached_property
     def tables(self) -> tables.ElementTables:

@@ -123,8 +123,8 @@ class FloatingPoint(ValueRing[N]):
         """Invert an array of nonzero entries elementwise."""
         return 1.0 / values
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Arrays of elements are held as one array of numpy."""
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store an array of elements as one numpy array."""
         from hfield.rings.array_storage.floats import FloatArrays
 
         return FloatArrays(self, constants)

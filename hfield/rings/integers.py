@@ -17,7 +17,7 @@ from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.roots import of_flint, rational_roots
-from hfield.rings.storage.base import Batch, Holding
+from hfield.rings.storage.base import Batch, Storage
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -106,19 +106,19 @@ class Integers(_Ordered):
         """Return ℤ/n."""
         return Zmod(n)
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as four ints, as those over ℚ are."""
-        from hfield.rings.storage.fractions import FractionRepresentation
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as four ints, as over ℚ."""
+        from hfield.rings.storage.fractions import FractionStorage
 
-        return FractionRepresentation(
+        return FractionStorage(
             self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _=1: flint.fmpz(n)
         )
 
     def __truediv__(self, n: int) -> Modular:
         return Zmod(n)
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Hold arrays as rows of 64-bit integers, as long as they fit."""
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store arrays as rows of 64-bit integers, as long as they fit."""
         from hfield.rings.array_storage.words import WholeArrays
 
         return WholeArrays(self, constants)
@@ -188,8 +188,8 @@ class Rationals(_Ordered):
             return self.foreign(x)
         return fmpq(number)
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Hold arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
         from hfield.rings.array_storage.fractions import FractionArrays
 
         return FractionArrays(self, constants)
@@ -228,11 +228,11 @@ class Rationals(_Ordered):
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as four ints over one denominator."""
-        from hfield.rings.storage.fractions import FractionRepresentation
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as four ints over one denominator."""
+        from hfield.rings.storage.fractions import FractionStorage
 
-        return FractionRepresentation(self, constants, (0,), lambda x: (x,), flint.fmpq)
+        return FractionStorage(self, constants, (0,), lambda x: (x,), flint.fmpq)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""
@@ -260,11 +260,11 @@ class Residues(Modular):
 
         return objects(row, lambda n: self(int(n)))
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Hold arrays as rows of residues, unless the modulus is too large."""
-        from hfield.rings.array_storage.finite import array_holding
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store arrays as rows of residues, unless the modulus is too large."""
+        from hfield.rings.array_storage.finite import array_storage
 
-        return array_holding(self, constants)
+        return array_storage(self, constants)
 
     def in_words(self) -> str:
         """Say what ℤ/n is."""

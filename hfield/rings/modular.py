@@ -20,7 +20,7 @@ from hfield.errors import (
 from hfield.rings.base import FINITE_LIMIT, Known, Ring
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import of_flint, residue_roots
-from hfield.rings.storage.base import Holding
+from hfield.rings.storage.base import Storage
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -221,11 +221,11 @@ class Modular(ValueRing):
         found = next(parts for count in range(1, 5) if (parts := find(n - 1, count)))
         return tuple(self.residue(y) for y in found)
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as four ints between 0 and n − 1."""
-        from hfield.rings.storage.quotients import ResidueRepresentation
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as four ints between 0 and n − 1."""
+        from hfield.rings.storage.quotients import ResidueStorage
 
-        return ResidueRepresentation(self, constants)
+        return ResidueStorage(self, constants)
 
     def elements(self) -> Iterator[flint.nmod | flint.fmpz_mod]:
         """Run through 0, 1, …, n − 1."""

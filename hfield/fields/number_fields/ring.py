@@ -20,7 +20,7 @@ from hfield.rings.integers import QQ
 from hfield.rings.printing import blackboard, number_text, rational_json, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.roots import irreducible_factors
-from hfield.rings.storage.base import Holding
+from hfield.rings.storage.base import Storage
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -276,11 +276,11 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         roots = ComplexEmbeddings(flint.fmpq_poly(x.minimal_polynomial()))
         return any(value.overlaps(z) for z in roots.at(64)[: roots.real_count])
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as integer vectors or polynomials over one denominator."""
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as integer vectors or polynomials over one denominator."""
         from hfield.fields.number_fields import storage as number_fields
 
-        return number_fields.holding(self, constants)
+        return number_fields.storage(self, constants)
 
     def random(self, rng: Random) -> FieldElement:
         """Return a small random element; the same for the same seed."""

@@ -1,1 +1,1 @@
-"""How arrays of quaternions are held compactly: rows of small integers, which compiled loops run over."""
+"""Storage of arrays of quaternions: rows of small integers, which compiled loops run over."""

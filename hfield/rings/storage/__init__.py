@@ -1,1 +1,1 @@
-"""Compact forms of single elements: ints over one denominator, residues, labels, unreduced polynomials."""
+"""Compact storage of single elements: ints over one denominator, residues, labels, polynomials."""

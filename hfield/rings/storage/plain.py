@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Plain(Compact[Coordinates]):
-    """Elements held as the tuple of their four coordinates."""
+    """Storage of elements as tuples of their four coordinates."""
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)

@@ -184,7 +184,7 @@ def compiled_loops(ring: Ring, c: Constants) -> LabelArrays | None:
     """Return the compiled loops of an algebra over a ring that lists its elements by labels, if any."""
     from hfield.rings.array_storage.labels import LabelArrays
 
-    how = ring.array_holding(c)
+    how = ring.array_storage(c)
     return how if isinstance(how, LabelArrays) and how.compiles else None
 
 

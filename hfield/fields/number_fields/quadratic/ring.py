@@ -20,7 +20,7 @@ from hfield.rings.integers import QQ
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import irreducible_factors
 from hfield.rings.squares import minus_one
-from hfield.rings.storage.base import Holding
+from hfield.rings.storage.base import Storage
 
 if TYPE_CHECKING:
     import sympy
@@ -155,11 +155,11 @@ class QuadraticField(NumberField):
                     out += [self.divide(y - self(g[1]), self(2)) for y in (root, -root)]
         return out
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as eight ints over one denominator."""
-        from hfield.rings.storage.fractions import FractionRepresentation
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as eight ints over one denominator."""
+        from hfield.rings.storage.fractions import FractionStorage
 
-        return FractionRepresentation(self, constants, (self.d, 0), self._vector, self._element)
+        return FractionStorage(self, constants, (self.d, 0), self._vector, self._element)
 
     @staticmethod
     def _vector(x: FieldElement) -> tuple[flint.fmpq, flint.fmpq]:
