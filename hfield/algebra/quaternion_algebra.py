@@ -1178,10 +1178,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     # --- lattices and orders, imported on first use ------------------------------------
 
     @property
-    def over_integers(self) -> bool:
-        """Whether lattices and orders are over the integers of a number field other than ℚ.
+    def is_over_number_field(self) -> bool:
+        """Whether the base is a number field other than ℚ, so that orders are over its ring of integers.
 
-        >>> H("QQ").over_integers, H("QQ(sqrt(2))").over_integers
+        >>> H("QQ").is_over_number_field, H("QQ(sqrt(2))").is_over_number_field
         (False, True)
         """
         return isinstance(self.ring, WithIntegers) and self.ring != QQ
@@ -1286,7 +1286,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> QuaternionAlgebra("QQ(sqrt(3))", -1, 1).class_number()
         1
         """
-        if self.over_integers:
+        if self.is_over_number_field:
             order: Any = self.eichler_order(level)
             return len(order.class_set() if order.is_definite() else order.classes_by_norm())
         from hfield.orders.standard_orders import class_number

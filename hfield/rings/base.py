@@ -51,7 +51,7 @@ FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers tak
 
 
 @dataclass(frozen=True)
-class Known:
+class Fact:
     """A fact about a ring with its reason: ``value`` is None where it is not known."""
 
     value: Any
@@ -342,15 +342,15 @@ class WithSquares(Core[E]):
     closure: str | None = None  # "real closed" or "algebraically closed", where it is
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """The level s(F): the least number of squares with sum −1, ``inf`` if there is none."""
-        return Known(None, "nothing is known of the squares of this ring")
+        return Fact(None, "nothing is known of the squares of this ring")
 
-    def level_of(self, squares: Sequence[E], fewer: str = "−1 itself is no square") -> Known:
+    def level_of(self, squares: Sequence[E], fewer: str = "−1 itself is no square") -> Fact:
         """Return the level that squares with sum −1 show, where ``fewer`` is why fewer do not do."""
         shown = " + ".join(f"({self.text(y)})^2" for y in squares)
         more = f", and {fewer}" if len(squares) > 1 else ""
-        return Known(len(squares), f"−1 = {shown} in {self.name}{more}")
+        return Fact(len(squares), f"−1 = {shown} in {self.name}{more}")
 
     def minus_one_as_squares(self) -> tuple[E, ...]:
         """Elements, as few as the level says, whose squares add up to −1; () if not known."""
@@ -392,13 +392,13 @@ class WithSquares(Core[E]):
             return False
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """How many orderings the field has (0 exactly when the level is finite)."""
         if self.level.value is None:
-            return Known(None, self.level.reason)
+            return Fact(None, self.level.reason)
         if self.level.value == INFINITY:
-            return Known(None, "at least one, for −1 is not a sum of squares")
-        return Known(0, f"−1 is a square or a sum of squares: {self.level.reason}")
+            return Fact(None, "at least one, for −1 is not a sum of squares")
+        return Fact(0, f"−1 is a square or a sum of squares: {self.level.reason}")
 
     def sign(self, x: E, ordering: int = 0) -> int:
         """Return −1, 0 or 1: the sign of x in an ordering of the field (numbered from 0).
@@ -607,9 +607,9 @@ class Ring(
     WithArrays[E],
     WithPlaces[E],
 ):
-    """A commutative ring with 1: all that is asked of one, with answers that say "not known".
+    """A commutative ring with 1. Its methods say "not known" rather than guess.
 
-    A class of rings gives ``name``, ``characteristic``, ``__call__``, and what else it knows.
+    A class of rings defines ``name``, ``characteristic``, ``__call__``, and overrides what it can compute.
 
     >>> from hfield import GF
     >>> isinstance(GF(9), Ring), GF(9).order, GF(9).gen_name

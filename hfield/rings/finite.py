@@ -13,7 +13,7 @@ import flint
 
 from hfield.core.product import Constants
 from hfield.errors import NotInvertibleError, shorten
-from hfield.rings.base import FINITE_LIMIT, Known, Ring, shared
+from hfield.rings.base import FINITE_LIMIT, Fact, Ring, shared
 from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
@@ -151,7 +151,7 @@ class ExtensionField(FiniteField):
     def modulus_origin(self) -> str:
         """Where the modulus comes from: ``given``, ``Conway`` or ``sparse``.
 
-        Above 2³² the tables have gaps, and galois is asked (and imported).
+        Above 2³² the tables have gaps, and galois (imported then) decides.
         """
         if not self.is_default:
             return "given"
@@ -235,7 +235,7 @@ class ExtensionField(FiniteField):
         return of_flint(self, flint.fq_default_poly_ctx(self.context)(list(coefficients)), self)
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """1 when −1 is a square, else 2."""
         return self.level_of(self.minus_one_as_squares())
 
@@ -302,7 +302,7 @@ def is_galois(x: object) -> bool:
 
 
 def _arrays() -> Any:
-    """Import the galois side only when an array is asked for."""
+    """Import galois, which only arrays need."""
     from hfield.rings import galois_arrays
 
     return galois_arrays

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
-from hfield.rings.base import Known
+from hfield.rings.base import Fact
 from hfield.rings.expressions import is_of_sympy
 from hfield.rings.printing import Factor, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
@@ -194,9 +194,9 @@ class Floats(FloatingPoint[float]):
         return math.sqrt(x) if x >= 0 else None
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """Not known: float arithmetic is no proof of anything."""
-        return Known(None, "floats are rounded, so nothing about RDF is proved; RR is exact")
+        return Fact(None, "floats are rounded, so nothing about RDF is proved; RR is exact")
 
     def sign(self, x: float, ordering: int = 0) -> int:
         """Return the sign of the float. Raises :class:`RingError` for a second ordering."""
@@ -295,9 +295,9 @@ class ComplexFloats(FloatingPoint[complex]):
         return cmath.sqrt(x + 0)  # −1 − 0i has the root −i, and −1 + 0i the principal one
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """Not known: float arithmetic is no proof of anything."""
-        return Known(None, "floats are rounded, so nothing about CDF is proved; CC is exact")
+        return Fact(None, "floats are rounded, so nothing about CDF is proved; CC is exact")
 
     def names(self) -> dict[str, complex]:
         """The imaginary unit I and the constant pi."""

@@ -44,7 +44,7 @@ def _made_class(F: Any) -> galois.FieldArray:
     options: dict[str, Any] = {"compile": "python-calculate"}
     subfield = galois.GF(F.characteristic, **options)
     if F.degree > 1:
-        # Told a primitive element, galois need not search for one, which may take it seconds.
+        # With a primitive element given, galois does not search for one, which may take seconds.
         poly = galois.Poly(F.coefficients[::-1], field=subfield)
         options |= {"irreducible_poly": poly, "primitive_element": primitive(F), "verify": False}
     cls = galois.GF(F.order, **options)

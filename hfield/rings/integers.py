@@ -12,7 +12,7 @@ import flint
 from hfield.core.primality import is_prime, primes
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
-from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.base import INFINITY, Fact, Ring, shared
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
@@ -37,14 +37,14 @@ class _Ordered(ValueRing):
         return self.name
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """Infinite: −1 is no sum of squares."""
-        return Known(INFINITY, _ORDERED)
+        return Fact(INFINITY, _ORDERED)
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """The usual ordering is the only one."""
-        return Known(1, "every positive number is a sum of four squares over one square")
+        return Fact(1, "every positive number is a sum of four squares over one square")
 
     def sign(self, x: flint.fmpz | flint.fmpq, ordering: int = 0) -> int:
         """Return −1, 0 or 1."""

@@ -19,7 +19,7 @@ from hfield.core.product import Constants
 from hfield.errors import CoercionError
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
 from hfield.fields.function_fields.storage import FunctionStorage
-from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.base import INFINITY, Fact, Ring, shared
 from hfield.rings.finite import ExtensionField, PrimeField
 from hfield.rings.integers import QQ
 from hfield.rings.printing import blackboard, quotient_text, sum_text
@@ -206,11 +206,11 @@ class FunctionField(FractionField):
         )  # flint's root may be −(a monic one)
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """Infinitely many over QQ, none over a finite field."""
         if self.characteristic:
             return super().orderings
-        return Known(INFINITY, f"{self.gen_name} may lie infinitely near any point of the line")
+        return Fact(INFINITY, f"{self.gen_name} may lie infinitely near any point of the line")
 
     def sign(self, x: Quotient, ordering: int = 0) -> int:
         """Return the sign of x in the ordering in which the variable is infinitely large."""

@@ -15,7 +15,7 @@ from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.embeddings import ComplexEmbeddings, square_root
 from hfield.fields.number_fields.with_ideals import WithIdeals
-from hfield.rings.base import Known, Ring, shared
+from hfield.rings.base import Fact, Ring, shared
 from hfield.rings.integers import QQ
 from hfield.rings.printing import blackboard, number_text, rational_json, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
@@ -317,12 +317,12 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return self.embeddings.close(self(x).poly, index, digits)
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """One for each real root, ascending."""
         real = self.signature[0]
         if not real:
             return super().orderings
-        return Known(real, f"the polynomial of {self.name} has so many real roots")
+        return Fact(real, f"the polynomial of {self.name} has so many real roots")
 
     def sign(self, x: FieldElement, ordering: int = 0) -> int:
         """Return the sign of x where s is the real root of that number, ascending from 0."""
@@ -342,7 +342,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
             )
 
     @cached_property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """∞ with a real place; else 1, 2 or 4: at most 2 where every local degree above 2 is even."""
         from hfield.fields.number_fields.level import level
 

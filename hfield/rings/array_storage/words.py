@@ -96,8 +96,8 @@ class WordArrays(RowArrays):
         if self.compiles and all(is_words(p) for p in operands):
             dtype = f"i{max(p[0].itemsize for p in operands)}"
             for kernel in self.kernels(name, dtype):
-                rows, told = kernel(*(of_type(p, kernel.arithmetic.dtype) for p in operands))
-                if not told:
+                rows, overflowed = kernel(*(of_type(p, kernel.arithmetic.dtype) for p in operands))
+                if not overflowed:
                     return rows
         return None
 
