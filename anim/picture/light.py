@@ -76,9 +76,9 @@ def _above_ground(loop: Floats) -> Floats:
     z = loop[:, 2]
     if z.min() >= 0:
         return loop
-    following, z_next = np.roll(loop, -1, axis=0), np.roll(z, -1)
+    successor, z_next = np.roll(loop, -1, axis=0), np.roll(z, -1)
     crosses = (z >= 0) != (z_next >= 0)
     drop = np.where(crosses, z - z_next, 1.0)
-    crossing = loop + (z / drop)[:, None] * (following - loop)
+    crossing = loop + (z / drop)[:, None] * (successor - loop)
     both = np.stack([loop, crossing], axis=1).reshape(-1, 3)
     return np.asarray(both[np.column_stack([z >= 0, crosses]).ravel()])
