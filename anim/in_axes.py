@@ -11,9 +11,9 @@ from mpl_toolkits.mplot3d import Axes3D
 from numpy.typing import NDArray
 
 from anim.errors import AnimationError
-from anim.picture.look import FILM_LOOK, Look
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, swept
+from anim.picture.settings import FILM_LOOK, Look
 from anim.picture.solid import drawing_order, pieces
 from anim.picture.styles.flat import tinted
 from anim.rendering import Scene, draw, framed

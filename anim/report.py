@@ -7,7 +7,7 @@ from dataclasses import replace
 from html import escape
 from io import BytesIO
 
-from anim.picture.look import FILM_LOOK
+from anim.picture.settings import FILM_LOOK
 from anim.rendering import Scene, draw, framed
 from anim.top import Top
 from hfield.report import Chapter

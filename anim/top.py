@@ -166,7 +166,7 @@ class Top:
 
 @lru_cache(maxsize=4)
 def _scene(model: Model, motion: Motion, look: Look | None) -> Scene:
-    from anim.picture.look import FILM_LOOK
+    from anim.picture.settings import FILM_LOOK
     from anim.rendering import Scene, framed
 
     return Scene(model, motion, framed(FILM_LOOK, model, motion) if look is None else look)

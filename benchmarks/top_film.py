@@ -25,7 +25,7 @@ from anim.output.format import Film
 from anim.output.formats.mp4 import FORMAT
 from anim.physics import physical
 from anim.physics.simulate import STORY
-from anim.picture.look import FILM_LOOK
+from anim.picture.settings import FILM_LOOK
 from anim.rendering import Scene, framed, frames
 
 ROUNDS = 3

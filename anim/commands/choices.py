@@ -194,8 +194,8 @@ def camera_of(args: Namespace) -> Camera:
 
 def look_of(args: Namespace, size: tuple[int, int]) -> Look:
     """Return the look, by default that of a film, of ``size``; a preview is half as wide and high."""
-    from anim.picture.look import FILM_LOOK
     from anim.picture.room import room
+    from anim.picture.settings import FILM_LOOK
 
     given = {
         name: getattr(args, name)

@@ -153,8 +153,8 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recor
     from anim.commands.choices import camera_of, motions_of, simulated
     from anim.output import check
     from anim.output.destination import write_text
-    from anim.picture.look import colour
     from anim.picture.room import room
+    from anim.picture.settings import colour
     from anim.viewer import Show, curves_of, page
 
     for name, number, most in (

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from anim.picture.look import RGB
+from anim.picture.settings import RGB
 from anim.picture.surface import Box, Floats, Pixels, Surface
 from hfield.plotting import import_matplotlib
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from anim.checks import one_of
 from anim.errors import AnimationError
-from anim.picture.look import RGB
+from anim.picture.settings import RGB
 from hfield.plotting import import_matplotlib
 
 if TYPE_CHECKING:

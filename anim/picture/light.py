@@ -5,11 +5,11 @@ from numpy.typing import NDArray
 
 from anim.model import Model
 from anim.picture.canvas import Canvas
-from anim.picture.look import RGB, Look
 from anim.picture.merge import HIDDEN, Rim, outlines
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, reached
 from anim.picture.room import direction, room
+from anim.picture.settings import RGB, Look
 from anim.picture.solid import pieces
 
 Floats = NDArray[np.float64]

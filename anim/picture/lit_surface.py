@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.picture.look import RGB, Look
 from anim.picture.projection import View
 from anim.picture.room import darkness, ground, room, to_ground
+from anim.picture.settings import RGB, Look
 from anim.picture.surface import Floats, Surface
 
 Light = NDArray[np.float32]

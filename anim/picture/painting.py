@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike, NDArray
 from anim.errors import AnimationError
 from anim.model import Model
 from anim.outline import simplified
-from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import reached
 from anim.picture.room import direction, trace_of
+from anim.picture.settings import RGB, Look, colour
 from anim.picture.style import Exposing
 from anim.picture.styles import STYLES
 from anim.picture.trace import in_sight, near_and_far, on_near_side, strengths

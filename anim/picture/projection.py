@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from anim.errors import AnimationError
 from anim.model import Model
-from anim.picture.look import Camera, Look
+from anim.picture.settings import Camera, Look
 
 Floats = NDArray[np.float64]
 

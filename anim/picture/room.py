@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.picture.look import RGB, Camera, Look, colour
 from anim.picture.projection import View
+from anim.picture.settings import RGB, Camera, Look, colour
 
 Floats = NDArray[np.float64]
 Light = NDArray[np.float32]

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from anim.errors import AnimationError
 from anim.model import APEX_HEIGHT, Model
-from anim.picture.look import RGB, Camera, Look
 from anim.picture.painting import painter
+from anim.picture.settings import RGB, Camera, Look
 from anim.picture.styles.classic import STYLE as CLASSIC
 from rotation.figures.saving import try_folder, write_whole
 from rotation.matrices import R_z, to_matrix

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from anim.model import Model
 from anim.picture.canvas import Canvas
 from anim.picture.light import SharpShadow, places
-from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, view
+from anim.picture.settings import RGB, Look, colour
 
 Floats = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from anim.motion import Motion
 from anim.physics import physical
 from anim.physics.simulate import STORY
 from anim.picture.captions import FORMULAS, WORDS, caption, strip
-from anim.picture.look import FILM_LOOK, Look
+from anim.picture.settings import FILM_LOOK, Look
 from anim.pipelines import PIPELINES, kinematic
 from anim.rendering import Scene, draw, framed
 from tests.subcases import pairs_quick

@@ -11,7 +11,7 @@ from anim.film import clip
 from anim.model import Model
 from anim.motion import Motion
 from anim.picture import Look, painter
-from anim.picture.look import FILM_LOOK
+from anim.picture.settings import FILM_LOOK
 from anim.picture.trace import in_sight, strengths
 from anim.rendering import Scene, Track, draw, framed
 

@@ -7,7 +7,7 @@ from anim.film import clip
 from anim.model import Model
 from anim.physics import Launch, physical
 from anim.picture import STYLES, Camera, Look, painter
-from anim.picture.look import FILM_LOOK
+from anim.picture.settings import FILM_LOOK
 from anim.pipelines import PIPELINES, kinematic
 from anim.rendering import Scene, framed, frames
 from tests.anim.test_picture_projection import about_y, about_z

@@ -18,7 +18,7 @@ from anim.film import clip
 from anim.model import Model
 from anim.output.writing import suffixes
 from anim.picture import Look
-from anim.picture.look import FILM_LOOK
+from anim.picture.settings import FILM_LOOK
 from anim.picture.styles.classic import view_of
 from anim.pipelines import kinematic
 from anim.rendering import framed

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from anim.model import Model
 from anim.picture.canvas import Canvas
 from anim.picture.light import places
-from anim.picture.look import RGB, Look
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, fitting, reached
+from anim.picture.settings import RGB, Look
 from anim.picture.style import Style
 from anim.picture.styles.flat import FlatBody
 from hfield.plotting import default_settings

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from anim.model import Model
 from anim.picture.light import places
 from anim.picture.lit_surface import LitSurface
-from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, view
 from anim.picture.room import darkness, of_darkness, room
+from anim.picture.settings import RGB, Look, colour
 from anim.picture.soft_shadow import SoftShadow
 from anim.picture.solid import drawing_order
 from anim.picture.style import Style
