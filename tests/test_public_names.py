@@ -31,8 +31,8 @@ NAMES = {
         vee warm_up
     """,
     "anim": """
-        AnimationError Body Camera Clip Contact Film Launch Look Model Motion PIPELINES Scene Timeline Top
-        apparent_spin clip compare errors kinematic motion_of physical render
+        AnimationError Body Camera Clip Contact Film Launch Model Motion PIPELINES RenderSettings Scene
+        Timeline Top apparent_spin clip compare errors kinematic motion_of physical render
     """,
 }
 

@@ -44,8 +44,8 @@ def parameters(all_of_them: int, needed: int) -> Computed:
 def spaced(steps: Callable[[int], int], interval: str) -> Computed:
     """Say that ``linspace`` returns ``num`` numbers, the n-th n steps from the start.
 
-    ``steps`` tells into how many steps it divides the interval, from ``num``. It is asked for all that
-    the thesis asks for, up to rounding.
+    ``steps`` tells into how many steps it divides the interval, from ``num``. The claim is checked for
+    all that the thesis uses, up to rounding.
     """
 
     def check_claim() -> CheckResult:

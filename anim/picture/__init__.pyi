@@ -1,6 +1,6 @@
 from .painting import Painter as Painter
 from .painting import painter as painter
 from .settings import Camera as Camera
-from .settings import Look as Look
+from .settings import RenderSettings as RenderSettings
 from .still_pictures import figures as figures
 from .styles import STYLES as STYLES

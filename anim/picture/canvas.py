@@ -51,7 +51,7 @@ class Canvas(Surface):
     ) -> None:
         """Fill closed polygons (k, 2) together, by the nonzero winding rule.
 
-        ``touched`` says that :meth:`touch` has been told of them already.
+        ``touched`` says that :meth:`touch` was called for them already.
         """
         path = _path(loops)
         if not touched:
