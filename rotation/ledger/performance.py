@@ -62,7 +62,9 @@ COMPUTED = {
     "C3.2.1-h": Propositions(
         as_printed=mean_is(MATRICES_2, "1763.7"), spoilt=mean_is(MATRICES_2, "1763.8")
     ),
-    "C3.2.1-i": Propositions(as_printed=second_benchmark.STAYS, spoilt=second_benchmark.STAYS_ABOUT_ANOTHER),
+    "C3.2.1-i": Propositions(
+        as_printed=second_benchmark.STAYS, spoilt=second_benchmark.STAYS_ABOUT_ANOTHER
+    ),
     "C3.2.1-j": Propositions(
         as_printed=second_benchmark.determined("q[0] != 0", "q[0] + v[0] != 0"),
         spoilt=second_benchmark.determined("q[0] != 0", "v[0] != 0"),

@@ -57,7 +57,9 @@ def run(args: Namespace) -> int:
             if args.format == "plain":
                 out.write(f"{A.name}: {took[A.name]:.2f} s")
         if args.format == "json":
-            out.write_json({"schema": "hfield-precompile/1", "compiler": available(), "seconds": took})
+            out.write_json(
+                {"schema": "hfield-precompile/1", "compiler": available(), "seconds": took}
+            )
         elif not available():
             out.write("there is no LLVM here (llvmlite is missing): arrays are computed by numpy")
     return 0
