@@ -11,8 +11,8 @@ from .physics import Body as Body
 from .physics import Contact as Contact
 from .physics import Launch as Launch
 from .physics import physical as physical
-from .picture.look import Camera as Camera
-from .picture.look import Look as Look
+from .picture.settings import Camera as Camera
+from .picture.settings import RenderSettings as RenderSettings
 from .pipelines import PIPELINES as PIPELINES
 from .pipelines import compare as compare
 from .pipelines import kinematic as kinematic

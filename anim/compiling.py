@@ -1,7 +1,7 @@
 """Loops in Python made into machine code by numba, kept on disk, and run without numba.
 
 The loops of `anim` branch on what they compute, point by point, which a tracer of formulas cannot follow. To
-import numba takes a second: it is asked only for what `hfield.compiling.disk_cache` does not hold. A kernel
+import numba takes a second: it is imported only for what is not in `hfield.compiling.disk_cache`. A kernel
 writes into arrays that it is given, makes none and raises nothing, so that its code needs none of numba's.
 """
 

@@ -11,9 +11,9 @@ from mpl_toolkits.mplot3d import Axes3D
 from numpy.typing import NDArray
 
 from anim.errors import AnimationError
-from anim.picture.look import FILM_LOOK, Look
 from anim.picture.mesh import Mesh
-from anim.picture.projection import View, swept
+from anim.picture.projection import View, rim_points
+from anim.picture.settings import FILM_SETTINGS, RenderSettings
 from anim.picture.solid import drawing_order, pieces
 from anim.picture.styles.flat import tinted
 from anim.rendering import Scene, draw, framed
@@ -31,22 +31,24 @@ PIXELS_PER_EXTENT = 300.0
 """The assumed size of the top in pixels, from which the number of points on each circle follows."""
 
 
-def draw_in_axes(model: Model, motion: Motion, ax: Axes, t: float, look: Look | None) -> Artist:
+def draw_in_axes(
+    model: Model, motion: Motion, ax: Axes, t: float, settings: RenderSettings | None
+) -> Artist:
     """Draw a top at ``t`` seconds of its motion into ``ax``, as ``Top.draw`` says; return the artist."""
     if not hasattr(ax, "add_collection"):
         raise AnimationError(f"ax is a {type(ax).__name__}; expected axes of matplotlib")
     if isinstance(ax, Axes3D):
-        if look is not None:
+        if settings is not None:
             raise AnimationError(
-                "three-dimensional axes have a view of their own; expected no look"
+                "three-dimensional axes have a view of their own; expected no settings"
             )
-        task = Scene(model, motion, replace(FILM_LOOK, trace=False)).task_at(t)
+        task = Scene(model, motion, replace(FILM_SETTINGS, trace=False)).task_at(t)
         return _surface(ax, model, task.matrices[0], task.places[0])
-    if look is None:
+    if settings is None:
         window = ax.get_window_extent()
         size = max(1, round(window.width)), max(1, round(window.height))
-        look = framed(replace(FILM_LOOK, size=size), model, motion)
-    frame = draw(Scene(model, motion, look).task_at(t))
+        settings = framed(replace(FILM_SETTINGS, size=size), model, motion)
+    frame = draw(Scene(model, motion, settings).task_at(t))
     picture = ax.imshow(frame, interpolation="antialiased")
     ax.set_axis_off()
     return picture
@@ -55,7 +57,7 @@ def draw_in_axes(model: Model, motion: Motion, ax: Axes, t: float, look: Look | 
 def _surface(ax: Any, model: Model, rotation: Floats, tip: Floats) -> Surface3D:
     surface = Surface3D(model, rotation, tip)
     ax.add_collection(surface, autolim=False)
-    ax.auto_scale_xyz(*swept(model, rotation[None], tip[None]).T)
+    ax.auto_scale_xyz(*rim_points(model, rotation[None], tip[None]).T)
     return surface
 
 

@@ -119,7 +119,7 @@ class Motion:
         return attitude.tilts(self.matrices[:, :, 2])
 
     def tips(self, times: ArrayLike) -> Floats:
-        """Return where the tip is (n, 3) at any instants (n,) in seconds of the motion, held at its ends."""
+        """Return the places (n, 3) of the tip at instants (n,) in seconds, constant beyond the ends."""
         instants = np.clip(np.asarray(times, dtype=np.float64), 0.0, self.clip.seconds)
         if self.places is None:
             return np.zeros((len(instants), 3))
@@ -130,7 +130,7 @@ class Motion:
         return np.asarray(self.tips(self.times) + height * self.matrices[:, :, 2])
 
     def at(self, times: ArrayLike) -> Floats:
-        """Return unit quaternions (n, 4) at any instants (n,) in seconds of the motion, held at its ends."""
+        """Return unit quaternions (n, 4) at instants (n,) in seconds, constant beyond the ends."""
         instants = np.clip(np.asarray(times, dtype=np.float64), 0.0, self.clip.seconds)
         return _both(self.sampler(instants))[0]
 

@@ -19,13 +19,13 @@ from anim.checks import one_of, real, whole
 from anim.errors import AnimationError
 from anim.model import Model
 from anim.motion import Motion
-from anim.picture import Look, painter
+from anim.picture import RenderSettings, painter
 from anim.picture.captions import WIDEST, WORDS, caption, captioned, strip
 from anim.picture.styles import STYLES
 from hfield.core.executors import InProcess, ordered
 
 if TYPE_CHECKING:
-    from anim.output.format import Film, Frame
+    from anim.output.format import Film, Pixels
 
 MIN_PATH_INSTANTS = 5000
 """The least number of instants at which the apex's path is computed."""
@@ -42,23 +42,25 @@ PATH_TOLERANCE = 0.1
 Progress = Callable[[int, int], None]
 
 
-def framed(look: Look, model: Model, motion: Motion, follow: bool | None = None) -> Look:
-    """Return the look, with the camera as close as possible to show the whole motion.
+def framed(
+    settings: RenderSettings, model: Model, motion: Motion, follow: bool | None = None
+) -> RenderSettings:
+    """Return the settings, with the camera as close as possible to show the whole motion.
 
     ``follow`` says whether the camera moves with the top. With None it does if the top would otherwise be
     small, unless the style has fixed axes.
     """
-    from anim.picture.projection import outermost, swept
+    from anim.picture.projection import outermost, rim_points
     from rotation.matrices import to_matrix
 
     track = Track(model, motion)
     attitudes = np.asarray(to_matrix(motion.at(track.times)))
     tips = motion.tips(track.times)
-    chosen = track.is_long and not STYLES[look.style].fixed_axes if follow is None else follow
+    chosen = track.is_long and not STYLES[settings.style].fixed_axes if follow is None else follow
     if chosen:
         tips[:, :2] -= track.centres
-    places = outermost(swept(model, attitudes, tips))
-    return replace(look, reach=tuple(map(tuple, places.tolist())), follow=chosen)
+    places = outermost(rim_points(model, attitudes, tips))
+    return replace(settings, reach=tuple(map(tuple, places.tolist())), follow=chosen)
 
 
 class Track:
@@ -93,21 +95,21 @@ class Track:
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """All that decides the frames: the model, its motion, the look, and the blur.
+    """All that decides the frames: the model, its motion, the settings, and the blur.
 
     ``blur`` is the part of the time between two frames during which the shutter is open, 0 to 1; a
     blurred frame is the mean of ``steps`` pictures. ``captions`` is the language, en or pl, in which formula,
-    tilt and spin are told; None: not at all. Raises :class:`~anim.errors.AnimationError`.
+    tilt and spin are written; None: not at all. Raises :class:`~anim.errors.AnimationError`.
 
-    >>> from anim import Look, Model, clip, kinematic
-    >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), Look((32, 24)))
+    >>> from anim import RenderSettings, Model, clip, kinematic
+    >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), RenderSettings((32, 24)))
     >>> scene.task(0).matrices.shape
     (1, 3, 3)
     """
 
     model: Model
     motion: Motion
-    look: Look
+    settings: RenderSettings
     blur: float = 0.0
     steps: int = 8
     captions: str | None = None
@@ -118,7 +120,7 @@ class Scene:
         whole("the steps of the blur", self.steps, 2, 64)
         if self.captions is not None:
             one_of("captions", self.captions, WORDS)
-            strip(self.look.size, self.captions, self.motion.name)  # refuses what is too small
+            strip(self.settings.size, self.captions, self.motion.name)  # refuses what is too small
 
     def task(self, number: int) -> Task:
         """Return what it takes to draw one frame; small, so that it travels to another process."""
@@ -130,8 +132,8 @@ class Scene:
         At the instant of a frame it is that frame. Raises :class:`~anim.errors.AnimationError` for an instant
         outside the motion.
 
-        >>> from anim import Look, Model, clip, kinematic
-        >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), Look((32, 24)))
+        >>> from anim import RenderSettings, Model, clip, kinematic
+        >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), RenderSettings((32, 24)))
         >>> scene.task_at(0.5).places.shape
         (1, 3)
         """
@@ -156,12 +158,12 @@ class Scene:
         trail, ages = self._trail(instant, tips[0] + self.model.height * matrices[0, :, 2])
         task = Task(
             self.model,
-            self._scene_look,
+            self._scene_settings,
             matrices,
             trail,
             tips,
             ages,
-            self._track.at(instant) if self.look.follow else (0.0, 0.0),
+            self._track.at(instant) if self.settings.follow else (0.0, 0.0),
         )
         if self.captions:
             tilt = float(np.degrees(attitude.tilts(matrices[:, :, 2]))[0])
@@ -190,15 +192,15 @@ class Scene:
     @cached_property
     def _strip(self) -> int:
         """How high the strip for the captions is, in pixels."""
-        return strip(self.look.size, self.captions, self.motion.name) if self.captions else 0
+        return strip(self.settings.size, self.captions, self.motion.name) if self.captions else 0
 
     @cached_property
-    def _scene_look(self) -> Look:
-        """The look of the picture below the captions."""
+    def _scene_settings(self) -> RenderSettings:
+        """The settings of the picture below the captions."""
         if self.captions is None:
-            return self.look
-        width, height = self.look.size
-        return replace(self.look, size=(width, height - self._strip))
+            return self.settings
+        width, height = self.settings.size
+        return replace(self.settings, size=(width, height - self._strip))
 
     def _spin(self, instant: float) -> float:
         """Return the spin at an instant in rad/s, interpolated linearly between frames."""
@@ -214,7 +216,7 @@ class Scene:
         self, instant: float, apex: NDArray[np.float64]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]] | tuple[None, None]:
         """Return the path (k, 3) to the apex at an instant and its ages (k,), if it is to be drawn."""
-        if not self.look.trace:
+        if not self.settings.trace:
             return None, None
         times, points = self._path
         passed = int(np.searchsorted(times, instant))
@@ -236,7 +238,9 @@ class Scene:
         times = places * clip.interval
         path = self.model.height * attitude.axes(self.motion.at(times)) + self.motion.tips(times)
         # The top is two thirds of its extent wide at least, and no wider than the picture.
-        pixel = 2 / (max(self._scene_look.size) * self.look.camera.zoom * self.model.magnified)
+        pixel = 2 / (
+            max(self._scene_settings.size) * self.settings.camera.zoom * self.model.magnified
+        )
         kept = thinned(path, pixel * PATH_TOLERANCE)
         return times[kept], path[kept]
 
@@ -251,7 +255,7 @@ class Task:
     """
 
     model: Model
-    look: Look
+    settings: RenderSettings
     matrices: NDArray[np.float64]
     trail: NDArray[np.float64] | None
     places: NDArray[np.float64]
@@ -264,9 +268,9 @@ class Task:
     """How far the top turns about its own axis from the first to the last attitude, in radians."""
 
 
-def draw(task: Task) -> Frame:
+def draw(task: Task) -> Pixels:
     """Draw one frame, uint8 (height, width, 3)."""
-    brush = _own.painter(task.model, task.look)
+    brush = _own.painter(task.model, task.settings)
     if len(task.matrices) == 1:
         path = task.trail, task.places[0], task.ages
         picture = brush.draw(task.matrices[0], *path, task.centre)
@@ -274,7 +278,7 @@ def draw(task: Task) -> Frame:
         path_of_all = task.trail, task.places, task.spin, task.ages
         picture = brush.expose(task.matrices, *path_of_all, task.centre)
     if task.said:
-        paper = STYLES[task.look.style].paper_of(task.look)
+        paper = STYLES[task.settings.style].paper_of(task.settings)
         return captioned(picture, task.said, task.widest, task.strip, paper)
     return picture
 
@@ -291,7 +295,7 @@ _own = _Painters()
 
 def frames(
     scene: Scene, executor: Executor | None = None, jobs: int = 1, numbers: range | None = None
-) -> Generator[Frame, None, None]:
+) -> Generator[Pixels, None, None]:
     """Yield the frames in order, at most 2·jobs of them in flight; all of them without ``numbers``."""
     chosen = range(scene.motion.frames) if numbers is None else numbers
     tasks = (scene.task(number) for number in chosen)
@@ -316,7 +320,7 @@ def render(
     >>> from anim.output import Film
     >>> from anim.pipelines import kinematic
     >>> from anim.film import clip
-    >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), Look((32, 24)))
+    >>> scene = Scene(Model(10), kinematic(clip=clip(frames=2)), RenderSettings((32, 24)))
     >>> with TemporaryDirectory() as folder:
     ...     render(scene, Path(folder) / "film", Film((32, 24), 2, 50.0))
     ...     print(len(list(Path(folder, "film").iterdir())))
@@ -329,7 +333,7 @@ def render(
     if jobs > 1:
         import_matplotlib()  # here first, so that other processes know where its folder is
 
-    def samples() -> list[Frame]:
+    def samples() -> list[Pixels]:
         return [draw(scene.task(number)) for number in sampled(film.frames)]
 
     with (
@@ -342,7 +346,7 @@ def render(
                 progress(number, film.frames)
 
 
-def contact_sheet(scene: Scene, numbers: list[int]) -> Frame:
+def contact_sheet(scene: Scene, numbers: list[int]) -> Pixels:
     """Return the frames of these numbers in one picture (figures 3.3 and 3.4)."""
     from anim.output.sheet import sheet
 

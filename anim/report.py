@@ -7,7 +7,7 @@ from dataclasses import replace
 from html import escape
 from io import BytesIO
 
-from anim.picture.look import FILM_LOOK
+from anim.picture.settings import FILM_SETTINGS
 from anim.rendering import Scene, draw, framed
 from anim.top import Top
 from hfield.report import Chapter
@@ -84,7 +84,7 @@ def _still(top: Top) -> str:
     from hfield.plotting import import_matplotlib
 
     import_matplotlib()
-    look = framed(replace(FILM_LOOK, size=SIZE), top.model, top.motion)
+    settings = framed(replace(FILM_SETTINGS, size=SIZE), top.model, top.motion)
     file = BytesIO()
-    Image.fromarray(draw(Scene(top.model, top.motion, look).task(STILL))).save(file, "PNG")
+    Image.fromarray(draw(Scene(top.model, top.motion, settings).task(STILL))).save(file, "PNG")
     return b64encode(file.getvalue()).decode()

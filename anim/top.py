@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-    from anim.picture import Look
+    from anim.picture import RenderSettings
     from anim.rendering import Scene
 
 Pixels = NDArray[np.uint8]
@@ -52,35 +52,35 @@ class Top:
         self.motion = motion_of(motion, clip)
         self.model = Model() if model is None else model
 
-    def frame(self, t: float, look: Look | None = None) -> Pixels:
+    def frame(self, t: float, settings: RenderSettings | None = None) -> Pixels:
         """Return the picture at ``t`` seconds of the motion, uint8 (height, width, 3), top row first.
 
-        The default look is that of films: shaded, 640 × 480 pixels, with trace and shadow. At the time of a
-        frame of the film the picture is that frame. Raises :class:`~anim.errors.AnimationError` for ``t``
-        outside the motion.
+        The default settings are those of films: shaded, 640 × 480 pixels, with trace and shadow. At the time
+        of a frame of the film the picture is that frame. Raises :class:`~anim.errors.AnimationError` for
+        ``t`` outside the motion.
         """
         from anim.rendering import draw
 
-        return draw(self._scene(look).task_at(t))
+        return draw(self._scene(settings).task_at(t))
 
-    def frames(self, look: Look | None = None) -> Iterator[Pixels]:
+    def frames(self, settings: RenderSettings | None = None) -> Iterator[Pixels]:
         """Yield the frames of the film in order, each uint8 (height, width, 3)."""
         from anim.rendering import frames
 
-        return frames(self._scene(look))
+        return frames(self._scene(settings))
 
-    def draw(self, ax: Axes, t: float = 0.0, look: Look | None = None) -> Artist:
+    def draw(self, ax: Axes, t: float = 0.0, settings: RenderSettings | None = None) -> Artist:
         """Draw the top at ``t`` seconds of the motion into matplotlib axes; return the artist.
 
         Plain axes get the picture that :meth:`frame` makes, by default with as many pixels as the axes have.
         Three-dimensional axes get the surface, in the model's unit. Hidden faces are removed correctly from
         every direction; ``ax.set_aspect("equal")`` keeps the proportions. Raises
-        :class:`~anim.errors.AnimationError` for ``t`` outside the motion, and for a ``look`` in
+        :class:`~anim.errors.AnimationError` for ``t`` outside the motion, and for a ``settings`` in
         three-dimensional axes, which have a view of their own.
         """
         from anim.in_axes import draw_in_axes
 
-        return draw_in_axes(self.model, self.motion, ax, t, look)
+        return draw_in_axes(self.model, self.motion, ax, t, settings)
 
     def page(self) -> str:
         """Return the web page in which the top turns, as HTML; one that obeys physics is live on it."""
@@ -93,12 +93,16 @@ class Top:
         return page(self.model, shows, self.motion.fps, curves=curves, simulation=live)
 
     def save(
-        self, path: str | Path, look: Look | None = None, force: bool = False, frame: int = 0
+        self,
+        path: str | Path,
+        settings: RenderSettings | None = None,
+        force: bool = False,
+        frame: int = 0,
     ) -> None:
         """Write a film, a web page (.html) or one picture (.png), by the suffix, as ``hfield render`` does.
 
-        A name without suffix is a folder of pictures. Films and pictures are without ``look`` shaded, with
-        trace and shadow; a page has its own. ``frame``, counted from 0, is the one of a picture. Raises
+        A name without suffix is a folder of pictures. Without ``settings`` films and pictures are shaded,
+        with trace and shadow; a page has its own. ``frame``, counted from 0, is the one of a picture. Raises
         :class:`~anim.errors.AnimationError`.
         """
         from anim.checks import whole
@@ -113,7 +117,7 @@ class Top:
         if kind is Kind.PAGE:
             check(place, None, force)
             return write_text(place, self.page(), force)
-        scene = self._scene(look)
+        scene = self._scene(settings)
         if kind is Kind.PICTURE:
             number = whole("frame", frame, 0, self.motion.frames - 1)
             check(place, None, force)
@@ -121,12 +125,15 @@ class Top:
                 save_png(draw(scene.task(number)), part)
             return None
         return render(
-            scene, place, Film(scene.look.size, self.motion.frames, self.motion.fps), force=force
+            scene,
+            place,
+            Film(scene.settings.size, self.motion.frames, self.motion.fps),
+            force=force,
         )
 
-    def _scene(self, look: Look | None) -> Scene:
+    def _scene(self, settings: RenderSettings | None) -> Scene:
         """Return the scene of the frames; recent scenes are cached."""
-        return _scene(self.model, self.motion, look)
+        return _scene(self.model, self.motion, settings)
 
     def show(self) -> None:
         """Display the top in a notebook; elsewhere it is written as a page and opened in the browser."""
@@ -165,8 +172,10 @@ class Top:
 
 
 @lru_cache(maxsize=4)
-def _scene(model: Model, motion: Motion, look: Look | None) -> Scene:
-    from anim.picture.look import FILM_LOOK
+def _scene(model: Model, motion: Motion, settings: RenderSettings | None) -> Scene:
+    from anim.picture.settings import FILM_SETTINGS
     from anim.rendering import Scene, framed
 
-    return Scene(model, motion, framed(FILM_LOOK, model, motion) if look is None else look)
+    return Scene(
+        model, motion, framed(FILM_SETTINGS, model, motion) if settings is None else settings
+    )

@@ -31,7 +31,7 @@ import numpy as np
 
 from hfield import H, Quaternion
 from hfield.compiling.threads import threads
-from hfield.rings.array_held.held_values import HeldArrays
+from hfield.rings.array_storage.object_arrays import ObjectArrays
 
 FIELDS = [
     "GF(2)", "GF(3)", "GF(7)", "GF(251)", "GF(65521)", "GF(65537)", "GF(2147483647)", "GF(4294967291)",
@@ -75,8 +75,8 @@ def operands(name: str, count: int) -> tuple[Quaternion, Quaternion]:
 
 
 def three_of_a_size(*arrays: Quaternion) -> list[Any]:
-    """Return three arrays of one type that have together as many bytes as these are held in."""
-    rows = [row for q in arrays for row in q._held]
+    """Return three arrays of one type with as many bytes in total as the storage of these."""
+    rows = [row for q in arrays for row in q._stored]
     widest = max((row.dtype for row in rows), key=lambda dtype: dtype.itemsize)
     length = sum(row.nbytes for row in rows) // widest.itemsize // 3
     return [np.zeros(length, widest) for _ in range(3)]
@@ -128,7 +128,7 @@ def one_by_one(name: str) -> str:
 
 def line(name: str, count: int, with_loop: bool) -> str:
     """Measure one ring."""
-    if isinstance(H(name.partition(", ")[0]).array_holding, HeldArrays):
+    if isinstance(H(name.partition(", ")[0]).array_storage, ObjectArrays):
         return one_by_one(name)
     p, q = operands(name, count)
     hand = by_hand(p, q)
@@ -145,13 +145,13 @@ def line(name: str, count: int, with_loop: bool) -> str:
     else:
         (plain,) = least(hand, runs=2)
         figures.append(f"{plain / count * 1e9:9.1f} {plain / ours:5.0f}×")
-    how = p.algebra.array_holding
+    how = p.algebra.array_storage
     if p.ring.order is None:
         figures.append(f"{'–':>7} {'–':>7}")
     else:  # the loops alone: the norms of a large field become galois's arrays or objects
-        loop, held = how.kernel("norm"), p._held  # type: ignore[attr-defined]
-        units = p[how.units(held)]
-        norm, inverse = least(lambda: loop(held), units.inverse, runs=3)
+        loop, stored = how.kernel("norm"), p._stored  # type: ignore[attr-defined]
+        units = p[how.units(stored)]
+        norm, inverse = least(lambda: loop(stored), units.inverse, runs=3)
         figures.append(f"{norm / count * 1e9:7.2f} {inverse / len(units) * 1e9:7.1f}")
     figures += [f"{times:5.2f}×" for times in two_threads(name, 10 * count)]
     if with_loop:

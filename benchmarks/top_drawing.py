@@ -20,7 +20,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from numpy.typing import NDArray
 
 from anim.model import Model
-from anim.picture import STYLES, Look, painter
+from anim.picture import STYLES, RenderSettings, painter
 
 Floats = NDArray[np.float64]
 
@@ -84,7 +84,8 @@ def main(frames: int) -> None:
         for style in STYLES:
             for more in (False, True):
                 brush = painter(
-                    model, Look(size=size, style=style, tilt=TILT, trace=more, shadow=more)
+                    model,
+                    RenderSettings(size=size, style=style, tilt=TILT, trace=more, shadow=more),
                 )
                 ms = milliseconds(lambda m, brush=brush: brush.draw(m, trail), ours)
                 label = style + (", trace, shadow" if more else "")

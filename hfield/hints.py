@@ -16,10 +16,10 @@ class ForeignName:
     def __init__(self, name: str, hint: str) -> None:
         self.name, self.hint = name, hint
 
-    def __get__(self, instance: object, owner: type) -> NoReturn:
-        article = "an" if owner.__name__[0] in "AEIO" else "a"
+    def __get__(self, instance: object, class_: type) -> NoReturn:
+        article = "an" if class_.__name__[0] in "AEIO" else "a"
         raise ForeignNameError(
-            f"{article} {owner.__name__} has no {self.name!r}: write {self.hint}",
+            f"{article} {class_.__name__} has no {self.name!r}: write {self.hint}",
             name=self.name,
             obj=instance,
         )

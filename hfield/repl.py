@@ -186,7 +186,7 @@ def _ipython() -> Any:
 
 
 class _Console(InteractiveConsole):
-    """Python's own console; an error of ours is told in one line."""
+    """Python's own console; our own errors are printed in one line."""
 
     failed = False
 

@@ -21,7 +21,7 @@ from rotation.coordinates import (
 from rotation.matrices import matrix_entries
 from rotation.namespaces import Array, namespace
 from rotation.native.pairs import plus_product
-from rotation.rowwise import Formula, rarely, tell
+from rotation.rowwise import Formula, flag_if, rarely
 from rotation.vectors import about_axis
 
 # Up to so many points the formulas are faster than the kernels, which take longer to begin: by one rotation,
@@ -76,7 +76,7 @@ def _by_quaternion(q: Array, points: Array, inverse: bool) -> Array:
 def _about_axis(axis: Array, angle: Array, points: Array, degrees: bool) -> Array:
     xp = namespace(points)
     a = split(axis)
-    tell(xp, reduce(and_, (c == 0.0 for c in a)))
+    flag_if(xp, reduce(and_, (c == 0.0 for c in a)))
     return join(xp, turned_by(about_axis(a, angle[...], degrees), split(points), False))
 
 
@@ -119,8 +119,8 @@ def write(formula: Formula, target: Array, *arrays: Array) -> bool:
     The arrays may be of both precisions; all is computed in double. The target may be the points.
     """
     doubles = [a.astype(np.float64, copy=False) for a in arrays]
-    told = formula.function(target, *doubles)  # the machine code writes where it can
-    if told is None:
-        image, told = formula.told(*doubles)
+    flag = formula.function(target, *doubles)  # the machine code writes where it can
+    if flag is None:
+        image, flag = formula.with_flag(*doubles)
         target[...] = image
-    return bool(told)
+    return bool(flag)

@@ -23,7 +23,7 @@ from rotation.namespaces import (
     refuse_rows,
     spread,
 )
-from rotation.optimum import following, held
+from rotation.optimum import with_derivatives, without_derivatives
 from rotation.quaternions import canonical, normalised
 
 _TIE = 16.0  # two eigenvalues within so many units of rounding are one
@@ -74,7 +74,9 @@ def _weighted(q: Array, weights: Any, axis: Any) -> Array:
     moment = _moment(q, w)
     finite = xp.all(xp.isfinite(moment), axis=(-2, -1))
     identity = xp.eye(4, dtype=moment.dtype)
-    values, vectors = xp.linalg.eigh(xp.where(finite[..., None, None], held(moment), identity))
+    values, vectors = xp.linalg.eigh(
+        xp.where(finite[..., None, None], without_derivatives(moment), identity)
+    )
     gap = values[..., 3] - values[..., 2]
     refuse_rows(
         finite & (gap <= _TIE * float(xp.finfo(q.dtype).eps)),
@@ -83,7 +85,7 @@ def _weighted(q: Array, weights: Any, axis: Any) -> Array:
     )
     best = xp.where(finite[..., None], vectors[..., 3], xp.nan * vectors[..., 3])
     rows = tuple(tuple(moment[..., r, c] for c in range(4)) for r in range(4))
-    return following(canonical(normalised(best)), rows)
+    return with_derivatives(canonical(normalised(best)), rows)
 
 
 def _grouped(q: Array, weights: Any, axis: Any) -> tuple[Array, Array]:

@@ -12,11 +12,11 @@ from rotation.immutable_arrays import ImmutableArray
 from rotation.namespaces import Array, floats, is_numpy, namespace
 from rotation.pytrees import known
 
-new, hold = object.__new__, vars(ImmutableArray)["_q"].__set__
+new, set_quaternions = object.__new__, vars(ImmutableArray)["_q"].__set__
 
 
 class Batch(ImmutableArray):
-    """Holds unit quaternions (…, 4), scalar first, and nothing else."""
+    """An array of unit quaternions (…, 4), scalar first."""
 
     __slots__ = ()
     _called = "rotation"
@@ -27,7 +27,7 @@ class Batch(ImmutableArray):
         self = new(cls)
         if type(q) is np.ndarray or isinstance(q, np.ndarray):
             q.setflags(False)  # type: ignore[call-arg]  # by position: three times as quick
-        hold(self, q)
+        set_quaternions(self, q)
         return known(self)
 
     @classmethod

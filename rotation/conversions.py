@@ -214,7 +214,7 @@ class Conversions(Batch):
         RotationError
             A row is NaN: scipy has no such rotations.
         ForeignArrayError
-            The rotations are not held in numpy arrays.
+            The rotations are not stored in numpy arrays.
         """
         from scipy.spatial.transform import Rotation
 

@@ -21,7 +21,7 @@ TIE = 2.0**-40  # coordinates so near each other are the same
 _SAME = 1e-9  # and the products of a group, so near that of its elements
 _MOST = 160  # maps that are written out in one formula
 _LARGEST = 240  # rotations of a group
-_BLOCK = 2**21  # candidates that are held at once
+_BLOCK = 2**21  # candidates that are in memory at once
 
 
 class _Maps(NamedTuple):

@@ -109,12 +109,12 @@ def _descend(q: Array, w: Array, start: Array) -> _Sum:
             inside = there.angles.max() < math.pi - SAME_ANGLE
             if inside and there.slope <= rounding and there.value <= current.value:
                 return there
-        following = _newton(q, w, current)
-        if following is None or not _improves(following, current):
-            following = _weiszfeld(q, w, current)
-        if not _improves(following, current):
+        candidate = _newton(q, w, current)
+        if candidate is None or not _improves(candidate, current):
+            candidate = _weiszfeld(q, w, current)
+        if not _improves(candidate, current):
             break
-        current = following
+        current = candidate
     nearest = int(np.argmin(current.angles))
     return _sum_at(q, w, q[nearest]) if current.angles[nearest] <= SAME_ANGLE else current
 

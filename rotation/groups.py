@@ -17,7 +17,7 @@ _AXES = "XYZ"
 POLYHEDRAL = ("T", "O", "I")
 Row = tuple[float, ...]
 Rows = list[Row]
-_BLOCK = 2**21  # products of quaternions that are held at once
+_BLOCK = 2**21  # products of quaternions that are in memory at once
 
 
 def elements(group: str, axis: str = "Z") -> Array:

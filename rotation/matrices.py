@@ -15,8 +15,8 @@ from rotation.namespaces import (
     quiet,
     refuse_rows,
 )
-from rotation.optimum import davenport, following, held
-from rotation.rowwise import Formula, rarely, tell
+from rotation.optimum import davenport, with_derivatives, without_derivatives
+from rotation.rowwise import Formula, flag_if, rarely
 
 # How far RᵀR may be from 1, entry by entry, in a matrix that is taken for a rotation.
 TOLERANCE = {64: 1e-6, 32: 1e-3}  # by the bits of a float
@@ -163,7 +163,7 @@ def from_matrix(matrix: Any, orthonormalize: bool = False) -> Array:
     if orthonormalize:
         m = scaled(xp, m)
     else:
-        q, faulty = _FROM_MATRIX[tolerance].told(m)
+        q, faulty = _FROM_MATRIX[tolerance].with_flag(m)
         if not faulty:
             return q
     faults = _FAULTS(m)
@@ -173,8 +173,8 @@ def from_matrix(matrix: Any, orthonormalize: bool = False) -> Array:
         "is a reflection (its determinant is negative), not a rotation",
     )
     if orthonormalize:
-        q = _FROM_MATRIX[tolerance](_nearest(xp, held(m)))
-        return following(q, davenport(_entries(m)))
+        q = _FROM_MATRIX[tolerance](_nearest(xp, without_derivatives(m)))
+        return with_derivatives(q, davenport(_entries(m)))
     refuse_rows(
         faults[..., 1] > tolerance,
         "the matrix",
@@ -186,7 +186,7 @@ def from_matrix(matrix: Any, orthonormalize: bool = False) -> Array:
 def _from_matrix(m: Array, tolerance: float) -> Array:
     xp = namespace(m)
     r = _entries(m)
-    tell(xp, (_determinant(r) < 0.0) | (_off(xp, r) > tolerance))
+    flag_if(xp, (_determinant(r) < 0.0) | (_off(xp, r) > tolerance))
     r = _polished(xp, r)
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))
     q = unit(xp, _dominant_row(xp, r))

@@ -1,4 +1,4 @@
-"""The unit quaternion of the largest ``qᵀ·K·q``: derivatives of what a decomposition has found.
+"""The unit quaternion of the largest ``qᵀ·K·q``, with derivatives that a decomposition lacks.
 
 Nearest rotations, means and best fits are all of this kind (P. Davenport's q-method). Derivatives through
 singular values or eigenvectors are NaN where two values are equal, though the quaternion itself moves
@@ -16,14 +16,14 @@ from rotation.namespaces import Array, namespace
 Matrix = tuple[tuple[Array, ...], ...]
 
 
-def derived(array: Array) -> bool:
+def is_differentiable(array: Array) -> bool:
     """Tell whether an array is of a library that takes derivatives."""
     return type(array).__module__.partition(".")[0] in ("torch", "jax", "jaxlib")
 
 
-def held(array: Array) -> Array:
+def without_derivatives(array: Array) -> Array:
     """Return the same numbers without derivatives."""
-    if not derived(array):
+    if not is_differentiable(array):
         return array
     if hasattr(array, "detach"):
         return array.detach()
@@ -43,11 +43,11 @@ def davenport(m: Any) -> Matrix:
     )
 
 
-def following(q: Array, k: Matrix) -> Array:
+def with_derivatives(q: Array, k: Matrix) -> Array:
     """Return q (…, 4), at which ``qᵀ·K·q`` is largest, with the derivatives that it has by K."""
-    if not any(derived(entry) for row in k for entry in row):
+    if not any(is_differentiable(entry) for row in k for entry in row):
         return q
-    c = split(held(q))
+    c = split(without_derivatives(q))
     for _ in range(2):
         c = _newton(namespace(q), c, k)
     return join(namespace(q), c)

@@ -1,8 +1,7 @@
 """Rotations, motions and curves as containers of arrays, for the transformations of JAX and torch.
 
-What `jit`, `vmap`, `grad` and `scan` take apart into arrays and put together again they call a pytree. A
-class is announced to a library that somebody has imported, when the first value is made thereafter: nothing
-is imported here.
+`jit`, `vmap`, `grad` and `scan` take pytrees apart into arrays and put them together again. A class is
+registered with a library that has been imported, when the next value is made: nothing is imported here.
 """
 
 import sys
@@ -16,19 +15,19 @@ _Class = TypeVar("_Class", bound=type)
 _Value = TypeVar("_Value")
 _Kind = tuple[type, tuple[str, ...]]
 _kinds: list[_Kind] = []
-_for_jax: list[_Kind] = []  # of which it has not been told
+_for_jax: list[_Kind] = []  # not yet registered with it
 _for_torch: list[_Kind] = []
 
 
-def holding(*names: str) -> Callable[[_Class], _Class]:
-    """Say of a class which attributes hold its arrays, or containers of such; it has no others but None."""
+def register_pytree(*names: str) -> Callable[[_Class], _Class]:
+    """Register a class as a pytree of these attributes: arrays, containers of such, or None."""
 
-    def noted(kind: _Class) -> _Class:
+    def register(kind: _Class) -> _Class:
         for kinds in (_kinds, _for_jax, _for_torch):
             kinds.append((kind, names))
         return kind
 
-    return noted
+    return register
 
 
 def known(value: _Value) -> _Value:
@@ -41,7 +40,7 @@ def known(value: _Value) -> _Value:
 
 
 def _announce(kinds: list[_Kind], register: Callable[[type, tuple[str, ...]], None]) -> None:
-    with suppress(IndexError):  # each is taken by one thread
+    with suppress(IndexError):  # one thread takes each
         while True:
             register(*kinds.pop())
 

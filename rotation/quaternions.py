@@ -16,8 +16,8 @@ from rotation.angles import to_degrees, waves
 from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unchanging, unit
 from rotation.namespaces import Array, expect_last, floats, namespace, number, quiet, refuse_zeros
-from rotation.optimum import derived, held
-from rotation.rowwise import Formula, rarely, tell
+from rotation.optimum import is_differentiable, without_derivatives
+from rotation.rowwise import Formula, flag_if, rarely
 
 HAMILTON = formula.Constants(-1.0, 0, -1.0)  # whole zeros leave no trace in compiled programs
 
@@ -38,7 +38,7 @@ def normalised(q: Any) -> Array:
     """
     q = floats(q, "quaternions")
     expect_last(q, (4,), "quaternions")
-    units, zeros = _NORMALISED.told(q)
+    units, zeros = _NORMALISED.with_flag(q)
     if zeros:
         refuse_zeros(q, "quaternion")
     return units
@@ -48,12 +48,12 @@ def normalise(q: Array) -> Array:
     """Return what `normalised` does, as a formula; it tells of zeros."""
     xp, c = namespace(q), split(q)
     norm = sum_of_squares(c)
-    tell(xp, norm == 0.0)
+    flag_if(xp, norm == 0.0)
     info = xp.finfo(q.dtype)
     exact = xp.abs(norm - 1.0) <= 4.0 * float(info.eps)
     one = xp.ones_like(norm)
-    if derived(norm):  # √norm beside 1, which is 1 here but has its derivatives
-        off = norm - held(norm)
+    if is_differentiable(norm):  # √norm beside 1, which is 1 here but has its derivatives
+        off = norm - without_derivatives(norm)
         one = one + off * (0.5 - 0.125 * off)
     modulus = xp.where(exact, one, xp.sqrt(norm))
     wide = float(info.max) ** 0.6
@@ -233,7 +233,7 @@ def _slerp(p: Array, q: Array, t: Array) -> Array:
     xp, start, end, exponent = namespace(p), split(p), split(q), t[...]
     way = steadied(multiplied(formula.conjugate(HAMILTON, start), end))
     point = steadied(multiplied(start, _powers(xp, way, exponent, True)))
-    if derived(p) or derived(q):  # also there it moves with both ends
+    if is_differentiable(p) or is_differentiable(q):  # also there it moves with both ends
         return join(xp, point)
     same, opposite = (
         reduce(and_, (a == b for a, b in zip(start, ends, strict=True)))

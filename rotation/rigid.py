@@ -24,7 +24,7 @@ from rotation.rigid_forms import Forms
 from rotation.rotation import Rotation
 
 
-@pytrees.holding("_q", "_t", "_matrix")
+@pytrees.register_pytree("_q", "_t", "_matrix")
 class RigidTransform(Forms):
     """Rigid motions ``v ↦ R·v + t``: a `Rotation` and translations (…, 3), of one batch shape.
 

@@ -15,17 +15,19 @@ from rotation.matrices import from_matrix
 from rotation.namespaces import Array, copied, expect_last, floats, is_numpy, namespace
 from rotation.rotation import Rotation
 
-HELD = 16_384  # transforms whose matrices, computed a second time, are held: 2 MB
-_ASKED = np.empty(0)  # stands for matrices that were asked for once
+MAX_STORED_MATRICES = (
+    16_384  # matrices that a batch keeps once they are computed a second time: 2 MB
+)
+_COMPUTED_ONCE = np.empty(0)  # marks matrices that were computed once
 
 
 class Forms(ImmutableArray):
-    """Holds unit quaternions (…, 4) and translations (…, 3), and matrices that were asked for again."""
+    """Unit quaternions (…, 4) and translations (…, 3), and matrices that were computed twice."""
 
     __slots__ = ("_matrix", "_t")
 
     _t: Array
-    _matrix: Array | None  # when it was asked for twice, of not too many
+    _matrix: Array | None  # if it was computed twice, of at most MAX_STORED_MATRICES
     _called = "transform"
 
     @classmethod
@@ -95,7 +97,7 @@ class Forms(ImmutableArray):
         """Make transforms from exponential coordinates (…, 6): a rotation vector, then ``J⁻¹·t``."""
         x = _copied(exp_coords, "exponential coordinates", 6)
         v, u = x[..., :3], x[..., 3:]
-        return cls._of(vectors.from_rotvec(v), motions.SWEPT(v, u))
+        return cls._of(vectors.from_rotvec(v), motions.JACOBIAN_TIMES(v, u))
 
     @classmethod
     def from_dual_quat(cls, dual_quat: Any, *, scalar_first: bool = True) -> Self:
@@ -152,13 +154,13 @@ class Forms(ImmutableArray):
 
     def as_matrix(self) -> Array:
         """Return the homogeneous matrices, shape (…, 4, 4)."""
-        held = self._matrix
-        if held is not None and held is not _ASKED:
-            return held.copy()
+        stored = self._matrix
+        if stored is not None and stored is not _COMPUTED_ONCE:
+            return stored.copy()
         m = motions.MATRIX(self._q, self._t)
-        if type(m) is np.ndarray and m.size <= 16 * HELD:
-            if held is None:  # most are asked but once, and get what was made
-                object.__setattr__(self, "_matrix", _ASKED)
+        if type(m) is np.ndarray and m.size <= 16 * MAX_STORED_MATRICES:
+            if stored is None:  # most callers need it once
+                object.__setattr__(self, "_matrix", _COMPUTED_ONCE)
                 return m
             object.__setattr__(self, "_matrix", m)
             return m.copy()
@@ -167,7 +169,7 @@ class Forms(ImmutableArray):
     def as_exp_coords(self) -> Array:
         """Return the exponential coordinates, shape (…, 6), of angles in [0, π]."""
         v = vectors.to_rotvec(self._q)
-        return namespace(v).concat([v, motions.UNSWEPT(v, self._t)], axis=-1)
+        return namespace(v).concat([v, motions.INVERSE_JACOBIAN_TIMES(v, self._t)], axis=-1)
 
     @classmethod
     def exp(cls, tangent: Any) -> Self:

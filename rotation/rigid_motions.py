@@ -27,7 +27,7 @@ from rotation.namespaces import (
     refuse_zeros,
 )
 from rotation.quaternions import HAMILTON, multiplied, steadied
-from rotation.rowwise import Formula, tell
+from rotation.rowwise import Formula, flag_if
 from rotation.vectors import from_axis_angle, to_axis_angle
 
 
@@ -76,11 +76,11 @@ def cross(a: Coordinates, b: Coordinates) -> Coordinates:
     return y * w - z * v, z * u - x * w, x * v - y * u
 
 
-def _swept(rotvec: Array, along: Array) -> Array:
-    return join(namespace(rotvec), swept(namespace(rotvec), split(rotvec), split(along)))
+def _jacobian_times(rotvec: Array, along: Array) -> Array:
+    return join(namespace(rotvec), jacobian_times(namespace(rotvec), split(rotvec), split(along)))
 
 
-def swept(xp: Any, v: Coordinates, u: Coordinates) -> Coordinates:
+def jacobian_times(xp: Any, v: Coordinates, u: Coordinates) -> Coordinates:
     """Return ``J(v)·u``: the translation of the motion whose twist is (v, u)."""
     axis, a, b = exponential_factors(xp, v)
     first = cross(axis, u)
@@ -88,7 +88,7 @@ def swept(xp: Any, v: Coordinates, u: Coordinates) -> Coordinates:
     return tuple(x + (a * y + b * z) for x, y, z in rows)
 
 
-def _unswept(rotvec: Array, translation: Array) -> Array:
+def _inverse_jacobian_times(rotvec: Array, translation: Array) -> Array:
     """``J⁻¹(v)·t``."""
     xp = namespace(rotvec)
     v, t = split(rotvec), split(translation)
@@ -110,8 +110,8 @@ COMPOSED = Formula(_composed, (4,), (3,), (4,), (3,))
 INVERTED = Formula(_inverted, (4,), (3,))
 MATRIX = Formula(_matrix, (4,), (3,))
 ADJOINT = Formula(_adjoint, (4,), (3,))
-SWEPT = Formula(_swept, (3,), (3,))
-UNSWEPT = Formula(_unswept, (3,), (3,))
+JACOBIAN_TIMES = Formula(_jacobian_times, (3,), (3,))
+INVERSE_JACOBIAN_TIMES = Formula(_inverse_jacobian_times, (3,), (3,))
 DUAL = Formula(_dual, (4,), (3,))
 
 
@@ -123,7 +123,7 @@ def from_dual(dual: Array) -> Array:
     RotationError
         The first four coordinates are zero.
     """
-    motions, zeros = _FROM_DUAL.told(dual)
+    motions, zeros = _FROM_DUAL.with_flag(dual)
     if zeros:
         refuse_zeros(dual[..., :4], "real part of a dual quaternion")
     return motions
@@ -133,7 +133,7 @@ def _from_dual(dual: Array) -> Array:
     xp, d = namespace(dual), split(dual)
     real, f = d[:4], factor(xp, d[:4])
     norm = sum_of_squares([f * c for c in real])
-    tell(xp, norm == 0.0)
+    flag_if(xp, norm == 0.0)
     n = xp.sqrt(norm)
     q = unit(xp, real)
     rest = tuple(f * (c / n) for c in d[4:])  # n / f might be no float

@@ -19,7 +19,7 @@ from rotation.pytrees import known
 from rotation.quaternions import INVERSE, PRODUCT, SHORTER_POWER
 
 
-@pytrees.holding("_q")
+@pytrees.register_pytree("_q")
 class Rotation(Conversions):
     """Rotations of space, stored as unit quaternions, scalar first (thesis, section 2.2.5).
 

@@ -96,19 +96,19 @@ class Formula:
     def __call__(self, *arrays: Array) -> Array:
         """Return the values, of the batch shape that all arrays broadcast to."""
         made = self.function(None, *arrays)
-        return self._told(arrays)[0] if made is None else made
+        return self._with_flag(arrays)[0] if made is None else made
 
-    def told(self, *arrays: Array) -> tuple[Array, bool]:
-        """Return the values, and whether a row may be one of which the formula has something to tell."""
+    def with_flag(self, *arrays: Array) -> tuple[Array, bool]:
+        """Return the values, and whether the formula may have flagged a row (by `flag_if`)."""
         made = self.function(None, *arrays)
-        return self._told(arrays) if made is None else (made, False)
+        return self._with_flag(arrays) if made is None else (made, False)
 
-    def _told(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
-        """Do what `told` does where the machine code does not, or is not there yet."""
+    def _with_flag(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
+        """Do what `with_flag` does where there is no machine code, or none yet."""
         batch: tuple[int, ...] = ()
         for a, axes, kind in zip(arrays, self._axes, self._kinds, strict=True):
             if type(a) is not np.ndarray or a.dtype is not kind:
-                return self._elsewhere(arrays)
+                return self._with_conversion(arrays)
             own = a.shape[:axes]
             if own != batch:
                 batch = np.broadcast_shapes(own, batch) if batch and own else own or batch
@@ -120,10 +120,10 @@ class Formula:
         if out.size > MUCH:
             if out.nbytes >= POOLED_BYTES:
                 out = block(out.shape, self._kind.str)[0]
-            told = self._shared(function, straight, out)
+            flag = self._shared(function, straight, out)
         else:
-            told = function(out, *straight)
-        return out if out.ndim else out[()], told
+            flag = function(out, *straight)
+        return out if out.ndim else out[()], flag
 
     def _compiled(self) -> Callable[..., Any]:
         """Return the machine code, or `unmade` where there can be none."""
@@ -173,16 +173,16 @@ class Formula:
         threads()  # a wrong number is an error of ours
         return bool(in_pieces(work, rows, _ROWS, self._shortest, (flat, result)))
 
-    def _elsewhere(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
+    def _with_conversion(self, arrays: tuple[Array, ...]) -> tuple[Array, bool]:
         """Compute on arrays stored otherwise, or of other libraries: tensors in memory as numpy's are."""
         if all(isinstance(a, np.ndarray | np.generic) for a in arrays):
             kinds = tuple(_FLOAT32 if a.dtype == _FLOAT32 else FLOAT64 for a in arrays)
             plain = (np.array(a, k, copy=None) for a, k in zip(arrays, kinds, strict=True))
-            return self._of(kinds).told(*map(np.asarray, plain))
+            return self._of(kinds).with_flag(*map(np.asarray, plain))
         if not tensors.readable(arrays) or not builtins.available():
             return self._plainly(arrays), True
-        values, told = self.told(*(a.detach().numpy() for a in arrays))
-        return tensors.like(arrays[0], values), told
+        values, flag = self.with_flag(*(a.detach().numpy() for a in arrays))
+        return tensors.like(arrays[0], values), flag
 
     def _of(self, kinds: Kinds) -> "Formula":
         """Return the same formula for arrays stored in these kinds of floats."""
@@ -252,7 +252,7 @@ def rarely(
     return compute() if branch is None else branch(condition, compute, usual)
 
 
-def tell(xp: Any, condition: Array) -> None:
-    """Have `Formula.told` answer True if the condition holds in a row; by numpy it always does."""
-    if hasattr(xp, "tell"):
-        xp.tell(condition)
+def flag_if(xp: Any, condition: Array) -> None:
+    """Make `Formula.with_flag` return True if the condition holds in a row; by numpy it always does."""
+    if hasattr(xp, "flag_if"):
+        xp.flag_if(condition)

@@ -38,7 +38,7 @@ _STEPS = 50  # of Gauss and Newton; some five are enough unless estimates contra
 Motion = Rotation | RigidTransform
 
 
-@pytrees.holding("_mean", "_covariance")
+@pytrees.register_pytree("_mean", "_covariance")
 class Uncertain:
     """Rotations or rigid motions that are known up to a covariance.
 

@@ -35,7 +35,7 @@ from rotation.namespaces import (
     refuse_zeros,
 )
 from rotation.native.pairs import Pair
-from rotation.optimum import derived
+from rotation.optimum import is_differentiable
 from rotation.quaternions import multiplied, upright
 from rotation.rowwise import Formula, rarely
 
@@ -59,7 +59,7 @@ def from_rotvec(vectors: Any, degrees: bool = False) -> Array:
 
 def _from_rotvec(v: Array, degrees: bool) -> Array:
     xp = namespace(v)
-    if derived(v) and not degrees:
+    if is_differentiable(v) and not degrees:
         return _exponential(xp, v)
     f = factor(xp, split(v))
     c = tuple(f * a for a in split(v))
@@ -136,7 +136,7 @@ def to_rotvec(q: Array, degrees: bool = False) -> Array:
 def _to_rotvec(q: Array, degrees: bool) -> Array:
     xp = namespace(q)
     w, *u = upright(xp, split(q))
-    if derived(q) and not degrees:
+    if is_differentiable(q) and not degrees:
         return _logarithm(xp, w, tuple(u))
     f = factor(xp, tuple(u))
     c = tuple(f * a for a in u)

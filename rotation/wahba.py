@@ -22,7 +22,7 @@ from rotation.namespaces import (
     refuse_rows,
     spread,
 )
-from rotation.optimum import davenport, derived, following, held
+from rotation.optimum import davenport, is_differentiable, with_derivatives, without_derivatives
 from rotation.quaternions import product
 from rotation.rowwise import Formula
 from rotation.vectors import between, from_axis_angle
@@ -176,7 +176,7 @@ def _best(xp: Any, a: Array, b: Array, w: Array | None) -> Array:
     m = xp.matmul(xp.matrix_transpose(a), b)
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))
     m = xp.where(finite[..., None, None], m, xp.eye(3, dtype=m.dtype))
-    u, s, vt = xp.linalg.svd(held(m))
+    u, s, vt = xp.linalg.svd(without_derivatives(m))
     refuse_rows(
         s[..., 0] == 0.0,
         "the vectors",
@@ -192,11 +192,13 @@ def _best(xp: Any, a: Array, b: Array, w: Array | None) -> Array:
         "determine no rotation: a reflection would align them, and several rotations do it equally well",
     )
     best = from_matrix(xp.matmul(u, vt))
-    if derived(m):
+    if is_differentiable(m):
         nothing = xp.eye(3, dtype=m.dtype)
         k = xp.where(line[..., None, None], nothing, m)
         first = xp.where(line[..., None], xp.eye(4, dtype=m.dtype)[0, :], best)
-        best = following(first, davenport([[k[..., r, c] for c in range(3)] for r in range(3)]))
+        best = with_derivatives(
+            first, davenport([[k[..., r, c] for c in range(3)] for r in range(3)])
+        )
     if is_numpy(xp) and not line.any():
         return xp.where(finite[..., None], best, xp.nan)
     shortest = between(

@@ -6,12 +6,12 @@ In a Hermite order stably free right ideals are free. What contains a Hermite or
 from maximal orders down, at all primes where the mass, the number of stable classes over that of units,
 leaves room. The mass of a maximal order is at most the number of narrow classes, which bounds the
 discriminant D of the algebra, and that of the field, as |ζ_K(−1)| > d^(3/2)/(2π²)ⁿ. Fields of degree 3 to 5
-are those of polynomials with small coefficients, told apart by PARI (cypari): they are all of the tables of
-J. Voight (ANTS 2008, 268–281) that leave room, and so are those of degree 6, which are listed. Prints a line
-for each order: discriminant of the field, norms of D and of the discriminant, classes, stable classes, types,
-C for cancellation. Of each class set it is checked that its stable classes have one mass each and that rows
-of a Brandt matrix have the right sums. Exit status 1 if that fails, or a count is not that of the published
-orders and ours. All degrees take six minutes of one processor's time.
+are those of polynomials with small coefficients, distinguished by PARI (cypari): they are all of the tables
+of J. Voight (ANTS 2008, 268–281) that leave room, and so are those of degree 6, which are listed. Prints a
+line for each order: discriminant of the field, norms of D and of the discriminant, classes, stable classes,
+types, C for cancellation. Of each class set it is checked that its stable classes have one mass each and that
+rows of a Brandt matrix have the right sums. Exit status 1 if that fails, or a count is not that of the
+published orders and ours. All degrees take six minutes of one processor's time.
 """
 
 import argparse
@@ -191,7 +191,7 @@ def hermite_orders(name: str, ramified: list[Any]) -> list[Any]:
 
 
 class Line(NamedTuple):
-    """What is told of an order."""
+    """The printed facts about an order."""
 
     field: int
     algebra: int

@@ -3,8 +3,8 @@
     python scripts/try_names.py [--count 100000] [--seed 0] [--data]
 
 Names are composed, misspelt, and have words for variables; with --data, data of rings are made instead, and
-others near to them: each has a name of its own, and comes back from it. What the three say of a ring is held
-against facts (tests/adversary/names). Exit status 1 when anything is wrong.
+others near to them: each has a name of its own, and comes back from it. The names of a ring are compared with
+facts (tests/adversary/names). Exit status 1 when anything is wrong.
 """
 
 import argparse

@@ -16,7 +16,7 @@ from hfield import (
     check,
     prove,
 )
-from hfield.rings.array_held.floats import MIN_COMPILED
+from hfield.rings.array_storage.floats import MIN_COMPILED
 from hfield.structure.single_elements import float_functions
 from rotation import Rotation
 from rotation.compat import Rotation as ScipysRotation
@@ -98,7 +98,7 @@ def test_compiled_loops_beside_the_formulas(monkeypatch: pytest.MonkeyPatch) -> 
 
     quick = results()
     for algebra in (A, B):
-        monkeypatch.setattr(algebra.array_holding, "_compiles", lambda size: False)
+        monkeypatch.setattr(algebra.array_storage, "_compiles", lambda size: False)
     monkeypatch.setattr(float_functions, "MIN_COMPILED", 10**9)
     for fast, slow in zip(quick, results(), strict=True):
         assert np.abs(fast - slow).max() <= 1e-14 * (1 + np.abs(slow).max())

@@ -302,12 +302,12 @@ def make(constants):
     held.set()
     threading.Event().wait(60)
 A = H("GF(7)")
-A.ring.array_holding = make
-threading.Thread(target=lambda: A.array_holding, daemon=True).start()
+A.ring.array_storage = make
+threading.Thread(target=lambda: A.array_storage, daemon=True).start()
 held.wait()
 child = os.fork()
 if not child:
-    H("GF(5)").array_holding
+    H("GF(5)").array_storage
     os._exit(0)
 for _ in range(600):
     if os.waitpid(child, os.WNOHANG)[0]:

@@ -31,8 +31,8 @@ NAMES = {
         vee warm_up
     """,
     "anim": """
-        AnimationError Body Camera Clip Contact Film Launch Look Model Motion PIPELINES Scene Timeline Top
-        apparent_spin clip compare errors kinematic motion_of physical render
+        AnimationError Body Camera Clip Contact Film Launch Model Motion PIPELINES RenderSettings Scene
+        Timeline Top apparent_spin clip compare errors kinematic motion_of physical render
     """,
 }
 
@@ -99,7 +99,7 @@ def test_methods_functions_and_language_agree() -> None:
 
 
 # A notebook or a browser opens; and a field's own methods are those of every ring, of which rings.md tells.
-NOT_SHOWN = {"show", "ask", "state", "array_holding", "holding"}
+NOT_SHOWN = {"show", "ask", "state", "array_storage", "storage"}
 _CALLED = re.compile(r"\.(\w+)")
 
 

@@ -1,4 +1,4 @@
-"""From the arguments of ``hfield render`` to the things they describe: model, film, motion, look."""
+"""From the arguments of ``hfield render`` to the things they describe: model, film, motion, settings."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from anim.model import Model
     from anim.motion import Motion
     from anim.physics import Body, Contact, FreeTop, HeavyTop, Launch
-    from anim.picture import Camera, Look
+    from anim.picture import Camera, RenderSettings
     from anim.timeline import Timeline
 
 PHYSICS_ONLY = (
@@ -192,10 +192,10 @@ def camera_of(args: Namespace) -> Camera:
     return Camera() if args.camera is None else Camera.parse(args.camera)
 
 
-def look_of(args: Namespace, size: tuple[int, int]) -> Look:
-    """Return the look, by default that of a film, of ``size``; a preview is half as wide and high."""
-    from anim.picture.look import FILM_LOOK
+def settings_of(args: Namespace, size: tuple[int, int]) -> RenderSettings:
+    """Return the settings, by default those of a film, of ``size``; a preview is half as wide and high."""
     from anim.picture.room import room
+    from anim.picture.settings import FILM_SETTINGS
 
     given = {
         name: getattr(args, name)
@@ -206,7 +206,7 @@ def look_of(args: Namespace, size: tuple[int, int]) -> Look:
         given.setdefault("background", room()["paper"]["dark"])
     width, height = size
     quick = {"size": (width // 2, height // 2), "quality": 1} if args.preview else {"size": size}
-    return replace(FILM_LOOK, camera=camera_of(args), **(quick | given))
+    return replace(FILM_SETTINGS, camera=camera_of(args), **(quick | given))
 
 
 def _reading(args: Namespace) -> Timeline:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from anim.model import Model
     from anim.motion import Motion
     from anim.output import Film
-    from anim.picture import Look
+    from anim.picture import RenderSettings
     from anim.rendering import Scene
 
 SUMMARY = "draw the spinning top: a film, pictures or a web page"
@@ -73,26 +73,26 @@ def run(args: Namespace) -> int:
 
 def _film(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recorded | None) -> int:
     from anim.aliasing import apparent_spin
-    from anim.commands.choices import encoding_of, look_of, motions_of
+    from anim.commands.choices import encoding_of, motions_of, settings_of
     from anim.output import Film, check
 
-    look = look_of(args, FILM_SIZE)
-    film = Film(look.size, clip.frames, clip.fps, **encoding_of(args, path))
+    settings = settings_of(args, FILM_SIZE)
+    film = Film(settings.size, clip.frames, clip.fps, **encoding_of(args, path))
     check(path, film, args.force)
     (motion,) = motions_of(args, model, clip, recorded)
-    scene = _scene(args, model, motion, look)
+    scene = _scene(args, model, motion, settings)
     if motion.frames > 1 and not scene.blur:
         said = apparent_spin(motion, model.bands).message()
         if said:
             note(said)
     _render(args, scene, path, film)
-    return _report(args, motion, path, look.size)
+    return _report(args, motion, path, settings.size)
 
 
-def _scene(args: Namespace, model: Model, motion: Motion, look: Look) -> Scene:
+def _scene(args: Namespace, model: Model, motion: Motion, settings: RenderSettings) -> Scene:
     from anim.rendering import Scene, framed
 
-    seen = framed(look, model, motion, args.follow)
+    seen = framed(settings, model, motion, args.follow)
     return Scene(model, motion, seen, args.motion_blur, captions=args.captions)
 
 
@@ -126,7 +126,7 @@ def _picture(
     args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recorded | None
 ) -> int:
     """Write one picture: ten frames of the film, or the one asked for."""
-    from anim.commands.choices import look_of, motions_of, numbers_of
+    from anim.commands.choices import motions_of, numbers_of, settings_of
     from anim.output.destination import file_place, refuse_early
     from anim.output.pictures import save_png
     from anim.output.writing import Kind, kind_of
@@ -138,14 +138,14 @@ def _picture(
             f"--{kind} makes one picture: expected a name such as {kind}.png, not {path.name!r}"
         )
     numbers = numbers_of(args, clip)
-    look = look_of(args, size)
+    settings = settings_of(args, size)
     refuse_early(path, args.force)
     (motion,) = motions_of(args, model, clip, recorded)
-    scene = _scene(args, model, motion, look)
+    scene = _scene(args, model, motion, settings)
     picture = contact_sheet(scene, numbers) if args.sheet else draw(scene.task(numbers[0]))
     with file_place(path, args.force) as part:
         save_png(picture, part)
-    return _report(args, motion, path, look.size, numbers)
+    return _report(args, motion, path, settings.size, numbers)
 
 
 def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recorded | None) -> int:
@@ -153,8 +153,8 @@ def _page(args: Namespace, model: Model, clip: Clip, path: Path, recorded: Recor
     from anim.commands.choices import camera_of, motions_of, simulated
     from anim.output import check
     from anim.output.destination import write_text
-    from anim.picture.look import colour
     from anim.picture.room import room
+    from anim.picture.settings import colour
     from anim.viewer import Show, curves_of, page
 
     for name, number, most in (

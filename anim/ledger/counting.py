@@ -21,7 +21,7 @@ def model_has(count: int, what: str, ring: int = RING) -> Computed:
     ``what`` is a key of :meth:`anim.model.Model.counts`.
     """
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         from anim.model import Model
 
         found = Model(ring=ring).counts()
@@ -29,28 +29,28 @@ def model_has(count: int, what: str, ring: int = RING) -> Computed:
         steps = (*others, f"{found[what]} {what}")
         return CheckResult(found[what] == count, steps, {what: [str(found[what])]})
 
-    return Computed(f"with {ring} points on each circle the model has {count} {what}", look)
+    return Computed(f"with {ring} points on each circle the model has {count} {what}", check_claim)
 
 
 def listed(names: Sequence[str], count: int, of: str) -> Computed:
     """Say that a list printed in the thesis has so many entries; ``of`` says what it lists."""
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         step = f"{len(names)} listed: {', '.join(names)}"
         return CheckResult(len(names) == count, (step,), {"listed": [str(len(names))]})
 
-    return Computed(f"{of} has {count} entries", look)
+    return Computed(f"{of} has {count} entries", check_claim)
 
 
 def takes(name: str, count: int) -> Computed:
     """Say that a function of :mod:`rotation.thesis` takes so many arguments."""
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         names = list(signature(getattr(thesis, name)).parameters)
         step = f"{name}({', '.join(names)}) takes {len(names)}"
         return CheckResult(len(names) == count, (step,), {"arguments": [str(len(names))]})
 
-    return Computed(f"{name} takes {count} arguments", look)
+    return Computed(f"{name} takes {count} arguments", check_claim)
 
 
 def film_shows(numbers: Sequence[int], frames: int = 500) -> Computed:
@@ -60,7 +60,7 @@ def film_shows(numbers: Sequence[int], frames: int = 500) -> Computed:
     and the last one of each tenth of the film but the last.
     """
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         from anim.output.sheet import shown
 
         sheet = shown(frames)
@@ -68,13 +68,13 @@ def film_shows(numbers: Sequence[int], frames: int = 500) -> Computed:
         return CheckResult(holds, (f"the sheet shows {', '.join(map(str, sheet))}",))
 
     text = f"the 10 frames of {frames} are {', '.join(map(str, numbers))}"
-    return Computed(text, look)
+    return Computed(text, check_claim)
 
 
 def loop(last: int) -> Computed:
     """Say that the loop ``while time < 500`` makes the frames 0 to ``last``, 500 in all."""
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         made, time = [], 0
         while time < 500:
             made.append(time)
@@ -84,4 +84,4 @@ def loop(last: int) -> Computed:
             len(made) == 500 and made[-1] == last, (step,), {"last": [str(made[-1])]}
         )
 
-    return Computed(f"`while time < 500` makes 500 frames, 0 to {last}", look)
+    return Computed(f"`while time < 500` makes 500 frames, 0 to {last}", check_claim)

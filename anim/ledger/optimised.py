@@ -105,7 +105,7 @@ def work(points: int) -> tuple[int, int]:
 def saves(factor: int) -> Computed:
     """Say that spin3dOptimized turns the points of the model by so many times fewer multiplications."""
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         from anim.model import Model
 
         points = len(Model(ring=RING).points)
@@ -116,7 +116,9 @@ def saves(factor: int) -> Computed:
         )
         return CheckResult(before >= factor * after, steps, {"multiplications": [str(after)]})
 
-    return Computed(f"spin3dOptimized takes {factor} times fewer multiplications than spin3d", look)
+    return Computed(
+        f"spin3dOptimized takes {factor} times fewer multiplications than spin3d", check_claim
+    )
 
 
 COMPUTED = {

@@ -97,7 +97,7 @@ def drawn(falling: bool) -> Computed:
     500 of each set, equally spaced up to rounding, from one end of the printed interval to the other.
     """
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         import numpy as np
 
         from anim.timeline import Timeline
@@ -118,7 +118,7 @@ def drawn(falling: bool) -> Computed:
     order = "decreasing" if falling else "increasing"
     return Computed(
         f"500 values each of [0, 32π], [0, 1/4] and [π/8, 16π], equally spaced, the last {order}",
-        look,
+        check_claim,
     )
 
 

@@ -20,7 +20,7 @@ def parameters(all_of_them: int, needed: int) -> Computed:
     ``needed`` are those that the thesis gives.
     """
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         from numpy import linspace
 
         found = signature(linspace).parameters.values()
@@ -37,18 +37,18 @@ def parameters(all_of_them: int, needed: int) -> Computed:
 
     rest = all_of_them - needed
     return Computed(
-        f"linspace takes {all_of_them} arguments by position; {rest} may be left out", look
+        f"linspace takes {all_of_them} arguments by position; {rest} may be left out", check_claim
     )
 
 
 def spaced(steps: Callable[[int], int], interval: str) -> Computed:
     """Say that ``linspace`` returns ``num`` numbers, the n-th n steps from the start.
 
-    ``steps`` tells into how many steps it divides the interval, from ``num``. It is asked for all that
-    the thesis asks for, up to rounding.
+    ``steps`` tells into how many steps it divides the interval, from ``num``. The claim is checked for
+    all that the thesis uses, up to rounding.
     """
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         from numpy import linspace
 
         found, holds = [], True
@@ -63,13 +63,13 @@ def spaced(steps: Callable[[int], int], interval: str) -> Computed:
             )
         return CheckResult(holds, tuple(found))
 
-    return Computed(f"linspace returns num equally spaced numbers of {interval}", look)
+    return Computed(f"linspace returns num equally spaced numbers of {interval}", check_claim)
 
 
 def circle_points(different: bool) -> Computed:
     """Say that ``linspace(0, 2π, 1000)`` gives 1000 points on each circle, or that they are different."""
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         import numpy as np
 
         from anim.model import READINGS
@@ -92,7 +92,9 @@ def circle_points(different: bool) -> Computed:
         )
 
     which = "different points" if different else "points"
-    return Computed(f"linspace(0, 2π, {RING}) gives {RING} {which} on each of P1 and P2", look)
+    return Computed(
+        f"linspace(0, 2π, {RING}) gives {RING} {which} on each of P1 and P2", check_claim
+    )
 
 
 COMPUTED = {

@@ -91,7 +91,7 @@ def closed(band: bool) -> Computed:
     A surface is closed if each side of a polygon is the side of one other, met the other way round.
     """
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         from anim.model import Model
 
         model = Model()
@@ -107,13 +107,13 @@ def closed(band: bool) -> Computed:
         return CheckResult(not alone and bulge == 2, steps, {"sides": [str(len(alone))]})
 
     joined = "with their bases joined point by point" if band else "not joined"
-    return Computed(f"the two cones, {joined}, make one closed surface", look)
+    return Computed(f"the two cones, {joined}, make one closed surface", check_claim)
 
 
 def corners(allowed: tuple[int, ...]) -> Computed:
     """Say that every polygon has one of these numbers of corners, and each number occurs."""
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         from anim.model import Model
 
         found = Counter(map(len, Model(ring=10).polygons))
@@ -122,7 +122,7 @@ def corners(allowed: tuple[int, ...]) -> Computed:
             set(found) == set(allowed), steps, {"corners": [*map(str, sorted(found))]}
         )
 
-    return Computed(f"the polygons have {' and '.join(map(str, allowed))} corners", look)
+    return Computed(f"the polygons have {' and '.join(map(str, allowed))} corners", check_claim)
 
 
 COMPUTED = {

@@ -19,7 +19,7 @@ from typing import IO
 import numpy as np
 
 from anim.errors import AnimationError
-from anim.output.format import Film, Format, Frame, Samples, Write
+from anim.output.format import Film, Format, Pixels, Samples, Write
 
 PIPE_BYTES = 1 << 20
 SECONDS_TO_END = 600  # for what ffmpeg still has to do after the last frame
@@ -54,7 +54,7 @@ class Encoded(Format):
             )
         ffmpeg()
 
-    def raw(self, film: Film) -> tuple[Sequence[str], Callable[[Frame], memoryview]]:
+    def raw(self, film: Film) -> tuple[Sequence[str], Callable[[Pixels], memoryview]]:
         """Return what ffmpeg calls the pixels that it is sent, and what makes them of a frame."""
         return ("-pix_fmt", "rgb24"), lambda frame: np.ascontiguousarray(frame).data
 
@@ -90,7 +90,7 @@ class Encoded(Format):
 def _feed(
     process: subprocess.Popen[bytes],
     film: Film,
-    made: Callable[[Frame], memoryview],
+    made: Callable[[Pixels], memoryview],
     said: IO[bytes],
     counts_frames: bool,
 ) -> Iterator[Write]:
@@ -102,7 +102,7 @@ def _feed(
     assert stream is not None
     sent = 0
 
-    def write(frame: Frame) -> None:
+    def write(frame: Pixels) -> None:
         nonlocal sent
         try:
             stream.write(made(frame))

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from anim.checks import whole
 
-Frame = NDArray[np.uint8]
-Write = Callable[[Frame], None]
-Samples = Callable[[], Sequence[Frame]]
+Pixels = NDArray[np.uint8]
+Write = Callable[[Pixels], None]
+Samples = Callable[[], Sequence[Pixels]]
 
 
 @dataclass(frozen=True)

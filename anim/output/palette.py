@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from anim.output.format import Frame
+    from anim.output.format import Pixels
 
 SAMPLES = 8
 MAX_COLUMNS = 2_000_000  # pixels looked at
@@ -20,7 +20,7 @@ def sampled(frames: int) -> list[int]:
     return sorted({round(k * (frames - 1) / max(SAMPLES - 1, 1)) for k in range(SAMPLES)})
 
 
-def write_palette(path: Path, frames: Sequence[Frame]) -> None:
+def write_palette(path: Path, frames: Sequence[Pixels]) -> None:
     """Write the palette of some frames, as a picture of 16 × 16 pixels.
 
     The commonest colours come in as they are, so that flat surfaces keep theirs; the rest is a median cut.

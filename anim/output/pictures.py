@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from anim.errors import AnimationError
 
 if TYPE_CHECKING:
-    from anim.output.format import Film, Frame, Write
+    from anim.output.format import Film, Pixels, Write
 
 COMPRESSION = 3  # of 9: more takes three times as long for a tenth of the size
 
@@ -21,7 +21,7 @@ def open_folder(folder: Path, film: Film) -> Iterator[Write]:
     digits = max(5, len(str(film.frames - 1)))
     written = 0
 
-    def write(frame: Frame) -> None:
+    def write(frame: Pixels) -> None:
         nonlocal written
         save_png(frame, folder / f"frame_{written:0{digits}}.png")
         written += 1
@@ -31,7 +31,7 @@ def open_folder(folder: Path, film: Film) -> Iterator[Write]:
         raise AnimationError(f"{written} of {film.frames} frames were drawn")
 
 
-def save_png(frame: Frame, path: Path) -> None:
+def save_png(frame: Pixels, path: Path) -> None:
     """Write one picture. Raises :class:`AnimationError` when the disk does not take it."""
     from PIL import Image
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from anim.output.format import Frame
+    from anim.output.format import Pixels
 
 COLUMNS = 5
 PICTURES = 10
@@ -28,7 +28,7 @@ def shown(frames: int) -> list[int]:
     return sorted({0} | ends)
 
 
-def sheet(pictures: Sequence[Frame], numbers: Sequence[int]) -> Frame:
+def sheet(pictures: Sequence[Pixels], numbers: Sequence[int]) -> Pixels:
     """Return the sheet of ``pictures``, each (height, width, 3), with the number of its frame."""
     from PIL import Image, ImageDraw, ImageFont
 

@@ -1,6 +1,6 @@
 """The top that is free: it stands on the ground by what presses it, slips, rises, falls and rolls on its rim.
 
-Nothing is held. Where the outline's corners, each a circle rounded by a radius, sink below z = 0 by δ, the
+No point is fixed. Where the outline's corners, each a circle rounded by a radius, sink below z = 0 by δ, the
 ground presses with N = κδ^(3/2)(1 + cδ̇) (H. Hertz 1882; K. H. Hunt and F. R. E. Crossley, "Coefficient of
 restitution interpreted as damping in vibroimpact", Journal of Applied Mechanics 42, 1975), rubs with
 μN·v/√(v² + ε²) against the slip v, and resists turning by a couple of the arm `rolling`. All is divided by

@@ -1,9 +1,9 @@
 """Pictures of the top: a camera, three styles, the apex's trace and the shadow on the ground.
 
 >>> from anim.model import Model
->>> from anim.picture import Look, painter
+>>> from anim.picture import RenderSettings, painter
 >>> import numpy as np
->>> painter(Model(ring=100), Look(size=(64, 48))).draw(np.eye(3)).shape
+>>> painter(Model(ring=100), RenderSettings(size=(64, 48))).draw(np.eye(3)).shape
 (48, 64, 3)
 """
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from anim.picture.look import RGB
+from anim.picture.settings import RGB
 from anim.picture.surface import Box, Floats, Pixels, Surface
 from hfield.plotting import import_matplotlib
 
@@ -51,7 +51,7 @@ class Canvas(Surface):
     ) -> None:
         """Fill closed polygons (k, 2) together, by the nonzero winding rule.
 
-        ``touched`` says that :meth:`touch` has been told of them already.
+        ``touched`` says that :meth:`touch` was called for them already.
         """
         path = _path(loops)
         if not touched:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from anim.checks import one_of
 from anim.errors import AnimationError
-from anim.picture.look import RGB
+from anim.picture.settings import RGB
 from hfield.plotting import import_matplotlib
 
 if TYPE_CHECKING:
@@ -42,8 +42,8 @@ def caption(language: str, motion: str, tilt: float, spin: float) -> tuple[str, 
     ('x ↦ (q₂q₁) x (q₂q₁)⁻¹', 'pochylenie 12,3°', 'wirowanie 5,0 rad/s')
     """
     lean, turn, point = WORDS[one_of("captions", language, WORDS)]
-    told = (f"{lean} {tilt:.1f}°", f"{turn} {spin:.1f} rad/s")
-    said = tuple(line.replace(".", point) for line in told)
+    values = (f"{lean} {tilt:.1f}°", f"{turn} {spin:.1f} rad/s")
+    said = tuple(line.replace(".", point) for line in values)
     return (FORMULAS[motion], *said) if motion in FORMULAS else said
 
 

@@ -5,11 +5,11 @@ from numpy.typing import NDArray
 
 from anim.model import Model
 from anim.picture.canvas import Canvas
-from anim.picture.look import RGB, Look
 from anim.picture.merge import HIDDEN, Rim, outlines
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, reached
 from anim.picture.room import direction, room
+from anim.picture.settings import RGB, RenderSettings
 from anim.picture.solid import pieces
 
 Floats = NDArray[np.float64]
@@ -22,12 +22,12 @@ SUNK = 0.1
 """The depth below the ground, in the model's unit, up to which faces still cast a shadow."""
 
 
-def places(model: Model, look: Look) -> Floats:
-    """Return points (k, 3) spread over all places of the top, and of its shadow if the look has one."""
-    top = reached(model, look)
-    if not look.shadow:
+def places(model: Model, settings: RenderSettings) -> Floats:
+    """Return points (k, 3) spread over all places of the top, and of its shadow if it is drawn."""
+    top = reached(model, settings)
+    if not settings.shadow:
         return top
-    above, light = top[top[:, 2] >= -SUNK], direction(look.camera)
+    above, light = top[top[:, 2] >= -SUNK], direction(settings.camera)
     thrown = above @ _fall(light)[:3, :3].T
     # The edge of a shadow is the wider the farther the light comes from what throws it.
     shadow = room()["shadow"]
@@ -76,9 +76,9 @@ def _above_ground(loop: Floats) -> Floats:
     z = loop[:, 2]
     if z.min() >= 0:
         return loop
-    following, z_next = np.roll(loop, -1, axis=0), np.roll(z, -1)
+    successor, z_next = np.roll(loop, -1, axis=0), np.roll(z, -1)
     crosses = (z >= 0) != (z_next >= 0)
     drop = np.where(crosses, z - z_next, 1.0)
-    crossing = loop + (z / drop)[:, None] * (following - loop)
+    crossing = loop + (z / drop)[:, None] * (successor - loop)
     both = np.stack([loop, crossing], axis=1).reshape(-1, 3)
     return np.asarray(both[np.column_stack([z >= 0, crosses]).ravel()])

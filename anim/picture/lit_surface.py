@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.picture.look import RGB, Look
 from anim.picture.projection import View
 from anim.picture.room import darkness, ground, room, to_ground
+from anim.picture.settings import RGB, RenderSettings
 from anim.picture.surface import Floats, Surface
 
 Light = NDArray[np.float32]
@@ -14,10 +14,10 @@ Light = NDArray[np.float32]
 class LitSurface(Surface):
     """A picture over the ground; :attr:`floor` is the ground in floats (height, width, 3), 0 to 255."""
 
-    def __init__(self, view: View, look: Look, paper: RGB) -> None:
+    def __init__(self, view: View, settings: RenderSettings, paper: RGB) -> None:
         from anim.picture.ground import grained
 
-        self.floor: Light = ground(view, look, paper)
+        self.floor: Light = ground(view, settings, paper)
         background = np.empty(self.floor.shape, np.uint8)
         grained(self.floor, background)
         super().__init__(background)

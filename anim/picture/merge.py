@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
-Keys = NDArray[np.int64]
+KeyArray = NDArray[np.int64]
 
 OVERLAP = 1.5
 """How far, in pixels, an outline reaches under its neighbour."""
@@ -31,7 +31,7 @@ class Run:
     key: int
 
 
-def runs(keys: Keys) -> list[Run]:
+def runs(keys: KeyArray) -> list[Run]:
     """Return the longest runs of equal ``keys`` round the ring, without those of key ``HIDDEN``.
 
     They come in the order round the ring. A single run has ``stop - start == len(keys)``.
@@ -81,7 +81,7 @@ def reach_under(rim: Floats, inside: Floats) -> Rim:
     return Rim(rim, rim + share[:, None] * away)
 
 
-def outlines(low: Rim, high: Rim, keys: Keys) -> Iterator[tuple[int, list[Floats]]]:
+def outlines(low: Rim, high: Rim, keys: KeyArray) -> Iterator[tuple[int, list[Floats]]]:
     """Yield ``(key, loops)`` for each run: closed polygons (k, 2) to be filled together, in drawing order.
 
     ``keys`` (ring,) is each face's colour or ``HIDDEN``. With one colour the rims may be those of the room,

@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike, NDArray
 from anim.errors import AnimationError
 from anim.model import Model
 from anim.outline import simplified
-from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import reached
 from anim.picture.room import direction, trace_of
+from anim.picture.settings import RGB, RenderSettings, colour
 from anim.picture.style import Exposing
 from anim.picture.styles import STYLES
 from anim.picture.trace import in_sight, near_and_far, on_near_side, strengths
@@ -26,26 +26,28 @@ HIDING_TOLERANCE = 0.003
 
 
 class Painter:
-    """Draws a model in a look, one attitude a call.
+    """Draws a model with given settings, one attitude a call.
 
     What :meth:`draw` returns depends on its arguments only. A painter reuses one canvas: use one a
-    thread; it pickles as its model and look, so that other processes can have their own.
+    thread; it pickles as its model and settings, so that other processes can have their own.
     """
 
-    def __init__(self, model: Model, look: Look) -> None:
-        self.model, self.look = model, look
-        style = STYLES[look.style]
+    def __init__(self, model: Model, settings: RenderSettings) -> None:
+        self.model, self.settings = model, settings
+        style = STYLES[settings.style]
         self._magnified = 1.0 if style.fixed_axes else model.magnified
         model = model.scaled(self._magnified)
-        if look.reach:
-            look = replace(look, reach=tuple(map(tuple, self._magnified * np.array(look.reach))))
-        self.view, self.canvas = style.scene(model, look)
-        self.trace = trace_of(style.paper_of(look))
-        self.mesh = Mesh.of(model, self.view.magnification(reached(model, look)))
-        self.light = direction(look.camera)
-        self.body = style.body(self.mesh, _colours(model, look), self.light, look)
-        self.shadow = style.shadow(self.mesh, self.light, self.view, look)
-        self._pen = max(1.0, min(look.size) / 320)
+        if settings.reach:
+            settings = replace(
+                settings, reach=tuple(map(tuple, self._magnified * np.array(settings.reach)))
+            )
+        self.view, self.canvas = style.scene(model, settings)
+        self.trace = trace_of(style.paper_of(settings))
+        self.mesh = Mesh.of(model, self.view.magnification(reached(model, settings)))
+        self.light = direction(settings.camera)
+        self.body = style.body(self.mesh, _colours(model, settings), self.light, settings)
+        self.shadow = style.shadow(self.mesh, self.light, self.view, settings)
+        self._pen = max(1.0, min(settings.size) / 320)
         # A wide top reaches out of the apex's sphere: then the outline decides what is hidden.
         self._wide = (
             ()
@@ -53,8 +55,8 @@ class Painter:
             else simplified(model.profile, HIDING_TOLERANCE * model.extent)
         )
 
-    def __reduce__(self) -> tuple[type["Painter"], tuple[Model, Look]]:
-        return Painter, (self.model, self.look)
+    def __reduce__(self) -> tuple[type["Painter"], tuple[Model, RenderSettings]]:
+        return Painter, (self.model, self.settings)
 
     def draw(
         self,
@@ -67,7 +69,7 @@ class Painter:
         """Return the picture, uint8 (height, width, 3), sRGB, top row first.
 
         ``matrix`` (3, 3) is the rotation that takes the model to its attitude, ``trail`` (k, 3) the
-        places of the apex up to now; they are drawn when the look asks for the trace, and fade with their
+        places of the apex up to now; they are drawn if the settings have a trace, and fade with their
         ``ages`` (k,) in seconds, if these are given. The tip is at ``place`` (3,), and the camera has gone
         to ``centre`` (2,) on the ground; lengths are in the model's unit. Raises
         :class:`~anim.errors.AnimationError` for anything but a rotation and finite points.
@@ -96,7 +98,7 @@ class Painter:
         path = self._path(trail, ages)
         if isinstance(self.body, Exposing):
             return self._draw(rotations, tips, path, centre, spin)
-        total = np.zeros((*self.look.size[::-1], 3), dtype=np.uint32)
+        total = np.zeros((*self.settings.size[::-1], 3), dtype=np.uint32)
         for rotation, tip in zip(rotations, tips, strict=True):
             total += self._draw([rotation], [tip], path, centre, 0.0)
         count = len(rotations)
@@ -111,7 +113,7 @@ class Painter:
 
     def _path(self, trail: ArrayLike | None, ages: ArrayLike | None) -> Path | None:
         """Return the apex's path in the picture's unit, if it is to be drawn."""
-        if trail is None or not self.look.trace:
+        if trail is None or not self.settings.trace:
             return None
         points = _points(trail)
         if ages is None:
@@ -139,7 +141,7 @@ class Painter:
         spin: float,
     ) -> Pixels:
         canvas = self.canvas
-        if self.look.follow:
+        if self.settings.follow:
             gone = self._magnified * np.append(centre, 0.0)
             canvas.move(gone[:2])
             tips = [tip - gone for tip in tips]
@@ -148,7 +150,7 @@ class Painter:
         canvas.clear()
         near: list[Floats] = []
         from_above = self.view.eye[2] >= 0
-        if self.look.shadow and from_above:
+        if self.settings.shadow and from_above:
             self.shadow.draw(canvas, rotation, tip)
         if path is not None:
             trail, ink = path
@@ -160,22 +162,22 @@ class Painter:
         else:
             self.body.draw(canvas, views[0], rotation)
         canvas.stroke(near, self.trace, self._pen)
-        if self.look.shadow and not from_above:
+        if self.settings.shadow and not from_above:
             self.shadow.draw(canvas, rotation, tip)
         picture: Pixels = canvas.rgb()
         return picture
 
 
-def painter(model: Model, look: Look | None = None) -> Painter:
-    """Return the painter of a model in a look (by default ``Look()``)."""
-    return Painter(model, Look() if look is None else look)
+def painter(model: Model, settings: RenderSettings | None = None) -> Painter:
+    """Return the painter of a model with settings (by default ``RenderSettings()``)."""
+    return Painter(model, RenderSettings() if settings is None else settings)
 
 
-def _colours(model: Model, look: Look) -> tuple[RGB, RGB]:
+def _colours(model: Model, settings: RenderSettings) -> tuple[RGB, RGB]:
     """Return the two colours of the top."""
-    if look.colours is None:
+    if settings.colours is None:
         return model.palette
-    first, second = (colour("a colour of the top", c) for c in look.colours)
+    first, second = (colour("a colour of the top", c) for c in settings.colours)
     return first, second
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from anim.errors import AnimationError
 from anim.model import Model
-from anim.picture.look import Camera, Look
+from anim.picture.settings import Camera, RenderSettings
 
 Floats = NDArray[np.float64]
 
@@ -102,18 +102,18 @@ def fitting(
     return scale, whole / 2 - scale * (low + high) / 2
 
 
-def reached(model: Model, look: Look) -> Floats:
+def reached(model: Model, settings: RenderSettings) -> Floats:
     """Return points (k, 3) spread over all places of the top that stay in the picture."""
-    if look.reach:
-        return np.array(look.reach)
+    if settings.reach:
+        return np.array(settings.reach)
     around = np.linspace(0, 2 * np.pi, 36, endpoint=False)
     turns = [_about_z(turn) for turn in around[::2]]
-    leans = [_about_y(lean) for lean in np.radians(np.linspace(0, look.tilt, 10))]
+    leans = [_about_y(lean) for lean in np.radians(np.linspace(0, settings.tilt, 10))]
     attitudes = np.array([turn @ lean for lean in leans for turn in turns])
-    return swept(model, attitudes, np.zeros((len(attitudes), 3)))
+    return rim_points(model, attitudes, np.zeros((len(attitudes), 3)))
 
 
-def swept(model: Model, attitudes: Floats, tips: Floats) -> Floats:
+def rim_points(model: Model, attitudes: Floats, tips: Floats) -> Floats:
     """Return points (k, 3) on the rims of the top in attitudes (n, 3, 3), its tip at ``tips`` (n, 3)."""
     around = np.linspace(0, 2 * np.pi, 36, endpoint=False)
     circle = np.column_stack([np.cos(around), np.sin(around)])

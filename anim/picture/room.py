@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.picture.look import RGB, Camera, Look, colour
 from anim.picture.projection import View
+from anim.picture.settings import RGB, Camera, RenderSettings, colour
 
 Floats = NDArray[np.float64]
 Light = NDArray[np.float32]
@@ -43,11 +43,11 @@ def trace_of(paper: RGB) -> RGB:
     return shown
 
 
-def ground(view: View, look: Look, paper: RGB) -> Light:
+def ground(view: View, settings: RenderSettings, paper: RGB) -> Light:
     """Return the empty ground and what is behind it, float32 (height, width, 3), from 0 to 255."""
     from anim.picture.ground import lit_ground
 
-    width, height = look.size
+    width, height = settings.size
     picture = np.empty((height, width, 3), np.float32)
     numbers = room()["ground"]
     lit_ground(

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from anim.errors import AnimationError
 from anim.model import APEX_HEIGHT, Model
-from anim.picture.look import RGB, Camera, Look
 from anim.picture.painting import painter
+from anim.picture.settings import RGB, Camera, RenderSettings
 from anim.picture.styles.classic import STYLE as CLASSIC
 from rotation.figures.saving import try_folder, write_whole
 from rotation.matrices import R_z, to_matrix
@@ -29,8 +29,8 @@ FEW = 10
 """Points of each ring in the figures of section 3.3."""
 
 CAMERA = Camera(elevation=18)
-LOOK = Look(style="classic", camera=CAMERA, tilt=15)
-LEANING = Look(style="classic", camera=CAMERA, tilt=45)
+SETTINGS = RenderSettings(style="classic", camera=CAMERA, tilt=15)
+LEANING = RenderSettings(style="classic", camera=CAMERA, tilt=45)
 NAMES = (
     *("points.png", "skeleton.png", "coloured.png", "turned-about-z.png", "turned-about-both.png"),
     *("figure-3.1.png", "figure-3.2.png"),
@@ -55,10 +55,10 @@ def figures(directory: str | Path, force: bool = True) -> list[Path]:
     pictures = (
         _points(few),
         _skeleton(few),
-        painter(few, LOOK).draw(np.eye(3)),
+        painter(few, SETTINGS).draw(np.eye(3)),
         painter(few, LEANING).draw(about_z),
         painter(few, LEANING).draw(leaning(1) @ about_z),
-        painter(many, LOOK).draw(np.eye(3)),
+        painter(many, SETTINGS).draw(np.eye(3)),
         _in_fours(many),
     )
     paths = [folder / name for name in NAMES]
@@ -79,7 +79,7 @@ def leaning(i: int) -> Floats:
 
 def _points(model: Model) -> Pixels:
     """Draw the base points as dots: P₁ green, P₂ red, tip and apex blue."""
-    view, canvas = CLASSIC.scene(model, LOOK)
+    view, canvas = CLASSIC.scene(model, SETTINGS)
     n = model.ring
     circle = np.linspace(0, 2 * np.pi, 24, endpoint=False)
     dot = 4.5 * np.column_stack([np.cos(circle), np.sin(circle)])
@@ -91,7 +91,7 @@ def _points(model: Model) -> Pixels:
 
 def _skeleton(model: Model) -> Pixels:
     """Draw the polygons' edges: rings in their points' colours, the edges between them blue."""
-    view, canvas = CLASSIC.scene(model, LOOK)
+    view, canvas = CLASSIC.scene(model, SETTINGS)
     seen = view.project(model.points)
     n = model.ring
     rings = np.arange(1, n + 1), np.arange(n + 1, 2 * n + 1)
@@ -111,8 +111,8 @@ def _in_fours(model: Model) -> Pixels:
     path = np.column_stack(
         [radius * np.cos(around), radius * np.sin(around), np.full(len(around), height)]
     )
-    look = Look(style="classic", camera=CAMERA, tilt=45, trace=True)
-    brush = painter(model, look)
+    settings = RenderSettings(style="classic", camera=CAMERA, tilt=45, trace=True)
+    brush = painter(model, settings)
     a, b, c, d = (brush.draw(leaning(i), path) for i in range(1, 5))
     return np.vstack([np.hstack([a, b]), np.hstack([c, d])])
 

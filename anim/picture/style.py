@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from anim.model import Model
 from anim.picture.canvas import Canvas
 from anim.picture.light import SharpShadow, places
-from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, view
+from anim.picture.settings import RGB, RenderSettings, colour
 
 Floats = NDArray[np.float64]
 
@@ -46,25 +46,29 @@ class Style(ABC):
     """One way to draw: a module of :mod:`anim.picture.styles`, whose first line says what it is like."""
 
     paper = PAPER
-    """The background where the look has none."""
+    """The background where the settings have none."""
     fixed_axes = False
     """Whether the style draws axes in the model's unit, so that the camera does not move."""
 
-    def scene(self, model: Model, look: Look) -> tuple[View, Any]:
+    def scene(self, model: Model, settings: RenderSettings) -> tuple[View, Any]:
         """Return the projection and the background on which body and shadow are drawn."""
-        width, height = look.size
-        paper = np.full((height, width, 3), self.paper_of(look), dtype=np.uint8)
-        seen = view(look.camera, look.size, places(model, look))
-        return seen, Canvas(paper, smooth=look.quality > 1)
+        width, height = settings.size
+        paper = np.full((height, width, 3), self.paper_of(settings), dtype=np.uint8)
+        seen = view(settings.camera, settings.size, places(model, settings))
+        return seen, Canvas(paper, smooth=settings.quality > 1)
 
-    def paper_of(self, look: Look) -> RGB:
-        """Return the look's background, or the style's own."""
-        return self.paper if look.background is None else colour("background", look.background)
+    def paper_of(self, settings: RenderSettings) -> RGB:
+        """Return the background of the settings, or the style's own."""
+        return (
+            self.paper if settings.background is None else colour("background", settings.background)
+        )
 
-    def shadow(self, mesh: Mesh, light: Floats, view: View, look: Look) -> Shadow:
+    def shadow(self, mesh: Mesh, light: Floats, view: View, settings: RenderSettings) -> Shadow:
         """Return what draws the shadow: one with a sharp edge."""
         return SharpShadow(mesh, light, view)
 
     @abstractmethod
-    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> Body:
+    def body(
+        self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, settings: RenderSettings
+    ) -> Body:
         """Return what draws the top in two colours; ``light`` (3,) points to where light comes from."""

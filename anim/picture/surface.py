@@ -10,7 +10,7 @@ from math import ceil, floor
 import numpy as np
 from numpy.typing import NDArray
 
-from anim.picture.look import RGB
+from anim.picture.settings import RGB
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]

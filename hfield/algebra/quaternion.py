@@ -22,7 +22,7 @@ from hfield.hints import ELEMENT, Hinted
 from hfield.notation import element_text
 from hfield.rings.base import Ring
 from hfield.rings.coefficients import Coefficients
-from hfield.rings.holding import Batch, Holding
+from hfield.rings.storage.base import Batch, Storage
 from hfield.structure.single_elements import analysis
 from hfield.symbols import element_to_sympy, values_given, variable_name
 from hfield.sympy_printing import PrintedBySympy
@@ -55,9 +55,9 @@ class Parent(Protocol):
     constants: Constants
 
     @property
-    def holding(self) -> Holding: ...  # noqa: D102
+    def storage(self) -> Storage: ...  # noqa: D102
     @property
-    def array_holding(self) -> Batch: ...  # noqa: D102
+    def array_storage(self) -> Batch: ...  # noqa: D102
     @property
     def basis(self) -> tuple[Quaternion, Quaternion, Quaternion, Quaternion]: ...  # noqa: D102
     def __call__(self, *coordinates: object) -> Quaternion: ...  # noqa: D102
@@ -95,24 +95,24 @@ class Quaternion(Hinted, PrintedBySympy):
     (True, 1/6 − 1/3i − 1/6k)
     """
 
-    # What is kept is _held, which only the holding _how reads; coordinates are made when asked for.
+    # Only the storage _how reads _stored; coordinates are computed when they are read.
     # No __setattr__ or __delattr__ of its own: they would make every new element slower.
-    __slots__ = ("_algebra", "_held", "_how")
+    __slots__ = ("_algebra", "_how", "_stored")
     foreign_names = ELEMENT
     _op_priority = 20.0  # for x * q with an x of sympy, to which q is no quaternion of its own
 
     _algebra: Parent
-    _how: Holding
-    _held: Any
+    _how: Storage
+    _stored: Any
 
     def __init__(self, algebra: Parent, coordinates: Coordinates) -> None:
         self._algebra = algebra
-        self._how = algebra.holding
+        self._how = algebra.storage
         if is_array(coordinates[0]):
-            self._how = algebra.array_holding
+            self._how = algebra.array_storage
             w, x, y, z = (c.copy() for c in coordinates)
             coordinates = w, x, y, z
-        self._held = self._how.hold(coordinates)
+        self._stored = self._how.encode(coordinates)
 
     @property
     def algebra(self) -> Parent:
@@ -131,7 +131,11 @@ class Quaternion(Hinted, PrintedBySympy):
     def coordinates(self) -> Coordinates:
         """The four coordinates over ``(e, i, j, k)``: elements of the base ring, or read-only arrays."""
         how = self._how
-        return how.handed_out(self._held) if isinstance(how, Batch) else how.coordinates(self._held)
+        return (
+            how.read_only_coordinates(self._stored)
+            if isinstance(how, Batch)
+            else how.coordinates(self._stored)
+        )
 
     @coordinates.setter
     def coordinates(self, value: object) -> NoReturn:
@@ -159,11 +163,11 @@ class Quaternion(Hinted, PrintedBySympy):
     def _computed(self, coordinates: Coordinates) -> Quaternion:
         """Return the element with coordinates that were computed for it, of which no copy is needed."""
         how = self._how
-        return held_by(self._algebra, how, how.hold(coordinates))
+        return from_stored(self._algebra, how, how.encode(coordinates))
 
-    def _alike(self, held: Any) -> Quaternion:
-        """Return another element of this algebra, held as this one is."""
-        return held_by(self._algebra, self._how, held)
+    def _alike(self, stored: Any) -> Quaternion:
+        """Return the element with another stored value of the same storage."""
+        return from_stored(self._algebra, self._how, stored)
 
     def _operand(self, other: object, operation: str) -> Quaternion:
         """Bring the other operand into this algebra."""
@@ -183,7 +187,7 @@ class Quaternion(Hinted, PrintedBySympy):
             )
         return q
 
-    def _join(self, other: object, operation: str) -> tuple[Parent, Holding, Any, Any]:
+    def _join(self, other: object, operation: str) -> tuple[Parent, Storage, Any, Any]:
         """Convert both operands to one algebra and one storage, single or array."""
         p, q = self, self._operand(other, operation)
         if p._algebra is not q._algebra and p._algebra != q._algebra:
@@ -192,13 +196,13 @@ class Quaternion(Hinted, PrintedBySympy):
             p, q = common._include(p), common._include(q)
         A = p._algebra
         if p._how.is_batch == q._how.is_batch:
-            return A, p._how, p._held, q._held
-        batch = A.array_holding
-        left, right = (x._held if x.is_batch else batch.lift(x.coordinates) for x in (p, q))
+            return A, p._how, p._stored, q._stored
+        batch = A.array_storage
+        left, right = (x._stored if x.is_batch else batch.lift(x.coordinates) for x in (p, q))
         return A, batch, left, right
 
     # --- arithmetic ----------------------------------------------------------------------------
-    # Two elements that are held alike, which is nearly always so, skip every question and every call.
+    # Two elements of one storage, the usual case, skip every check and every call.
 
     def __add__(self, other: object) -> Quaternion:
         how = self._how
@@ -207,31 +211,31 @@ class Quaternion(Hinted, PrintedBySympy):
             result._algebra = self._algebra
             result._how = how
             add = how.sum
-            result._held = add(self._held, other._held)
+            result._stored = add(self._stored, other._stored)
             return result
         if hasattr(other, "added_to_elements"):  # a polynomial: it adds
             return NotImplemented
         A, how, p, q = self._join(other, "add")
-        return held_by(A, how, how.sum(p, q))
+        return from_stored(A, how, how.sum(p, q))
 
     __radd__ = __add__
 
     def __sub__(self, other: object) -> Quaternion:
         how = self._how
         if type(other) is Quaternion and other._how is how:
-            return held_by(self._algebra, how, how.difference(self._held, other._held))
+            return from_stored(self._algebra, how, how.difference(self._stored, other._stored))
         if hasattr(other, "added_to_elements"):
             return NotImplemented
         A, how, p, q = self._join(other, "subtract")
-        return held_by(A, how, how.difference(p, q))
+        return from_stored(A, how, how.difference(p, q))
 
     def __rsub__(self, other: object) -> Quaternion:
         A, how, p, q = self._join(other, "subtract")
-        return held_by(A, how, how.difference(q, p))
+        return from_stored(A, how, how.difference(q, p))
 
     def __neg__(self) -> Quaternion:
         how = self._how
-        return held_by(self._algebra, how, how.negative(self._held))
+        return from_stored(self._algebra, how, how.negative(self._stored))
 
     def __pos__(self) -> Quaternion:
         return self
@@ -243,29 +247,33 @@ class Quaternion(Hinted, PrintedBySympy):
             result._algebra = self._algebra
             result._how = how
             multiply = how.product
-            result._held = multiply(self._held, other._held)
+            result._stored = multiply(self._stored, other._stored)
             return result
         if hasattr(other, "multiplied_by_elements"):  # a lattice or a matrix: it multiplies itself
             return NotImplemented
         if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
-            return held_by(self._algebra, how, how.scaled(self._held, self._algebra.ring(other)))
+            return from_stored(
+                self._algebra, how, how.scaled(self._stored, self._algebra.ring(other))
+            )
         A, how, p, q = self._join(other, "multiply")
-        return held_by(A, how, how.product(p, q))
+        return from_stored(A, how, how.product(p, q))
 
     def __rmul__(self, other: object) -> Quaternion:
         how = self._how
         if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
-            return held_by(self._algebra, how, how.scaled(self._held, self._algebra.ring(other)))
+            return from_stored(
+                self._algebra, how, how.scaled(self._stored, self._algebra.ring(other))
+            )
         A, how, p, q = self._join(other, "multiply")
-        return held_by(A, how, how.product(q, p))
+        return from_stored(A, how, how.product(q, p))
 
     def __truediv__(self, other: object) -> Quaternion:
         """Return ``self · other⁻¹``."""
         how = self._how
         if how.is_unique and not isinstance(other, (Quaternion, str)) and not is_many(other):
-            held = how.divided(self._held, self._algebra.ring(other))
-            if held is not None:
-                return held_by(self._algebra, how, held)
+            stored = how.divided(self._stored, self._algebra.ring(other))
+            if stored is not None:
+                return from_stored(self._algebra, how, stored)
         return self * self._operand(other, "divide").inverse()
 
     def __rtruediv__(self, other: object) -> Quaternion:
@@ -277,7 +285,7 @@ class Quaternion(Hinted, PrintedBySympy):
         if not isinstance(n, int):
             raise CoercionError(f"the exponent {n!r} is not a number")
         base = self if n >= 0 else self.inverse()
-        return self._alike(self._how.power(base._held, abs(n)))
+        return self._alike(self._how.power(base._stored, abs(n)))
 
     def _real_power(self, n: float | Fraction) -> Quaternion:
         """Return the principal power: of any exponent over RDF, of rational ones over functions of angles.
@@ -304,8 +312,8 @@ class Quaternion(Hinted, PrintedBySympy):
         how = self._how
         if type(other) is Quaternion and other._how is how:
             if how.is_unique:
-                return self._held == other._held
-            return how.equal(self._held, other._held)
+                return self._stored == other._stored
+            return how.equal(self._stored, other._stored)
         if isinstance(other, str):
             return NotImplemented
         if not isinstance(other, Quaternion):
@@ -322,7 +330,7 @@ class Quaternion(Hinted, PrintedBySympy):
         if self.is_batch or not self.ring.is_exact:
             what = "an array of quaternions" if self.is_batch else "a quaternion of floats"
             raise TypeError(f"{what} cannot be hashed; single ones over an exact ring can")
-        return hash((self._algebra, self._how.key(self._held)))
+        return hash((self._algebra, self._how.key(self._stored)))
 
     def __bool__(self) -> bool:
         if self.is_batch:
@@ -348,18 +356,18 @@ class Quaternion(Hinted, PrintedBySympy):
     def conjugate(self) -> Quaternion:
         """Return the standard involution; ``w − x·i − y·j − z·k`` when t = 0 (Definition 3)."""
         how = self._how
-        return held_by(self._algebra, how, how.conjugate(self._held))
+        return from_stored(self._algebra, how, how.conjugate(self._stored))
 
     conj = conjugate  # as the language calls it
 
     def norm(self) -> Any:
         """Return the reduced norm, an element (or array) of the base ring (Definition 2)."""
         norm = self._how.norm
-        return norm(self._held)
+        return norm(self._stored)
 
     def trace(self) -> Any:
         """Return the reduced trace, an element (or array) of the base ring."""
-        return self._how.trace(self._held)
+        return self._how.trace(self._stored)
 
     def inverse(self) -> Quaternion:
         """Return ``q⁻¹ = conj(q)/N(q)`` (Definition 4).
@@ -368,20 +376,20 @@ class Quaternion(Hinted, PrintedBySympy):
         message shows some y ≠ 0 with q·y = 0 where there is one.
         """
         how = self._how
-        held = how.inverse(self._held)
-        if held is not None:
-            return held_by(self._algebra, how, held)
+        stored = how.inverse(self._stored)
+        if stored is not None:
+            return from_stored(self._algebra, how, stored)
         if not isinstance(how, Batch):
             raise NotInvertibleError(self._why_no_inverse())
-        where = _first(~how.units(self._held))
-        q = self._new(*how.single(how.part(self._held, where)))
+        where = _first(~how.units(self._stored))
+        q = self._new(*how.single(how.part(self._stored, where)))
         raise NotInvertibleError(f"at index {where} of the array: {q._why_no_inverse()}")
 
     inv = inverse
 
     def is_zero(self) -> Any:
         """Tell whether the quaternion is 0; of an array, which entries are, as a bool array."""
-        return self._how.is_zero(self._held)
+        return self._how.is_zero(self._stored)
 
     def _single(self) -> tuple[Ring, Constants, Coordinates]:
         """Return the arguments that functions of ``structure`` take."""
@@ -772,7 +780,7 @@ class Quaternion(Hinted, PrintedBySympy):
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of an array of quaternions; ``()`` for a single one."""
-        return self._how.shape(self._held) if isinstance(self._how, Batch) else ()
+        return self._how.shape(self._stored) if isinstance(self._how, Batch) else ()
 
     def __len__(self) -> int:
         if not self.shape:
@@ -784,13 +792,13 @@ class Quaternion(Hinted, PrintedBySympy):
     def __getitem__(self, index: Index) -> Quaternion:
         """Take elements out of an array of quaternions, as numpy indexes arrays."""
         how = self._how
-        if not isinstance(how, Batch) or not how.shape(self._held):
+        if not isinstance(how, Batch) or not how.shape(self._stored):
             raise CoercionError("a single quaternion cannot be indexed; use q.coordinates[n]")
-        return self._one_or_many(how, how.part(self._held, index))
+        return self._one_or_many(how, how.part(self._stored, index))
 
-    def _one_or_many(self, how: Batch, held: Any) -> Quaternion:
-        """Return what is held: without a dimension it is a single element."""
-        return self._alike(held) if how.shape(held) else self._new(*how.single(held))
+    def _one_or_many(self, how: Batch, stored: Any) -> Quaternion:
+        """Return the array with this stored value, or a single element if it has no dimension."""
+        return self._alike(stored) if how.shape(stored) else self._new(*how.single(stored))
 
     def __iter__(self) -> Iterator[Quaternion]:
         return (self[n] for n in range(len(self)))
@@ -802,7 +810,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
     def units(self) -> np.ndarray:
         """Return a bool array: which entries have an inverse."""
-        return self._array("entries").units(self._held)
+        return self._array("entries").units(self._stored)
 
     def sum(self, axis: int | None = None) -> Quaternion:
         """Return the sum along an axis, or of all entries.
@@ -812,7 +820,7 @@ class Quaternion(Hinted, PrintedBySympy):
         6 + 3i + 5k
         """
         how = self._array("sum")
-        return self._one_or_many(how, how.total(self._held, axis))
+        return self._one_or_many(how, how.total(self._stored, axis))
 
     def product(self, axis: int | None = None) -> Quaternion:
         """Return the product along an axis, or of all entries, from left to right in their order.
@@ -824,14 +832,14 @@ class Quaternion(Hinted, PrintedBySympy):
         −1
         """
         how = self._array("product")
-        return self._one_or_many(how, how.ordered_product(self._held, axis))
+        return self._one_or_many(how, how.ordered_product(self._stored, axis))
 
     def reshape(self, *shape: int | tuple[int, ...]) -> Quaternion:
         """Return the same entries in another shape, as numpy does it. Raises :class:`CoercionError`."""
         how = self._array("shape")
         sizes: Any = shape[0] if len(shape) == 1 else shape
         try:
-            return self._one_or_many(how, how.reshaped(self._held, sizes))
+            return self._one_or_many(how, how.reshaped(self._stored, sizes))
         except (ValueError, TypeError) as error:
             raise CoercionError(
                 f"an array of quaternions of shape {self.shape} has no shape {shape}: {error}"
@@ -858,7 +866,7 @@ class Quaternion(Hinted, PrintedBySympy):
         import numpy as np
 
         check_axis(axis)
-        block: Any = self._array("array form").to_array(self._held)
+        block: Any = self._array("array form").to_array(self._stored)
         return np.moveaxis(block, 0, axis)
 
     # --- text ----------------------------------------------------------------------------------
@@ -992,15 +1000,15 @@ def product_plus(p: Quaternion, q: Quaternion, r: Quaternion) -> Quaternion:
     together: Any = getattr(p._how, "product_plus", None)
     if together is None or not p._how is q._how is r._how:
         return p * q + r
-    return held_by(p._algebra, p._how, together(p._held, q._held, r._held))
+    return from_stored(p._algebra, p._how, together(p._stored, q._stored, r._stored))
 
 
-def held_by(algebra: Parent, how: Holding, held: Any) -> Quaternion:
-    """Return the element that ``how``, a holding of this algebra, holds as ``held``."""
+def from_stored(algebra: Parent, how: Storage, stored: Any) -> Quaternion:
+    """Return the element whose value in the storage ``how`` of this algebra is ``stored``."""
     q: Quaternion = _blank(Quaternion)
     q._algebra = algebra
     q._how = how
-    q._held = held
+    q._stored = stored
     return q
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hfield import notation, structure, syntax
 from hfield.algebra.embedding import embedding
-from hfield.algebra.quaternion import Parent, Quaternion, check_axis, held_by, is_many
+from hfield.algebra.quaternion import Parent, Quaternion, check_axis, from_stored, is_many
 from hfield.core.factorisation import Factors, factorise, known_primes
 from hfield.core.product import Constants, Scalar
 from hfield.errors import (
@@ -30,8 +30,8 @@ from hfield.notation import BASIS
 from hfield.rings.base import Ring, WithIntegers
 from hfield.rings.expressions import check_symbols, is_of_sympy
 from hfield.rings.floats import CDF
-from hfield.rings.holding import Batch, Holding
 from hfield.rings.integers import QQ
+from hfield.rings.storage.base import Batch, Storage
 from hfield.structure.global_field import field_named_by, global_field, known_field, no_flag
 from hfield.structure.single_elements import analysis
 from hfield.symbols import (
@@ -147,14 +147,14 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         return cls(F, *field.with_ramification(list(primes), infinite))
 
     @cached_property
-    def holding(self) -> Holding:
-        """How a single element is held, and what computes with it."""
-        return self.ring.holding(self.constants)
+    def storage(self) -> Storage:
+        """The storage of single elements, which computes with them."""
+        return self.ring.storage(self.constants)
 
     @cached_property
-    def array_holding(self) -> Batch:
-        """How an array of elements is held, and what computes with it."""
-        return self.ring.array_holding(self.constants)
+    def array_storage(self) -> Batch:
+        """The storage of arrays of elements, which computes with them."""
+        return self.ring.array_storage(self.constants)
 
     # --- elements ------------------------------------------------------------------------------
 
@@ -232,8 +232,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         if any(map(is_of_sympy, values)):
             values = tuple(map(as_list, values))
         check_symbols(values)
-        how: Holding = self.array_holding if any(map(is_many, values)) else self.holding
-        return held_by(self, how, how.read(values))
+        how: Storage = self.array_storage if any(map(is_many, values)) else self.storage
+        return from_stored(self, how, how.read(values))
 
     def scalar(self, x: Any) -> Quaternion:
         """Return ``x·e`` for a scalar x, or an array of them. Raises :class:`CoercionError`."""
@@ -241,7 +241,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             return self(x)
         if type(x) is int or is_many(x):
             return self._element((x, 0, 0, 0))
-        return held_by(self, self.holding, self.holding.scalar(self.ring(x)))
+        return from_stored(self, self.storage, self.storage.scalar(self.ring(x)))
 
     def parse(self, text: str) -> Quaternion:
         """Read an expression such as ``(1+i)*(j-k)**-1``: the basis, the ring's generators and
@@ -361,9 +361,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         check_axis(axis)
         given = np.asarray(values)
-        how = self.array_holding
+        how = self.array_storage
         rows = how.from_array(np.moveaxis(given, axis, 0) if given.ndim else given, copy)
-        return held_by(self, how, rows) if how.shape(rows) else self(*how.single(rows))
+        return from_stored(self, how, rows) if how.shape(rows) else self(*how.single(rows))
 
     def product(self, values: Any, axis: int | None = None) -> Quaternion:
         """Return the ordered product of an array, or of a list of elements, from left to right.
@@ -555,7 +555,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             z = w1*z2 + z1*w2 + x1*y2 - y1*x2
             return w % n, x % n, y % n, z % n
         """
-        print(self.holding.explain("product"))
+        print(self.storage.explain("product"))
 
     # --- linear algebra ------------------------------------------------------------------------
 
@@ -1178,10 +1178,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     # --- lattices and orders, imported on first use ------------------------------------
 
     @property
-    def over_integers(self) -> bool:
-        """Whether lattices and orders are over the integers of a number field other than ℚ.
+    def is_over_number_field(self) -> bool:
+        """Whether the base is a number field other than ℚ, so that orders are over its ring of integers.
 
-        >>> H("QQ").over_integers, H("QQ(sqrt(2))").over_integers
+        >>> H("QQ").is_over_number_field, H("QQ(sqrt(2))").is_over_number_field
         (False, True)
         """
         return isinstance(self.ring, WithIntegers) and self.ring != QQ
@@ -1286,7 +1286,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> QuaternionAlgebra("QQ(sqrt(3))", -1, 1).class_number()
         1
         """
-        if self.over_integers:
+        if self.is_over_number_field:
             order: Any = self.eichler_order(level)
             return len(order.class_set() if order.is_definite() else order.classes_by_norm())
         from hfield.orders.standard_orders import class_number

@@ -114,7 +114,7 @@ def level_of(text: str, A: QuaternionAlgebra) -> Any:
 
     ``ideal(31, 5 + gen)``, as ideals are printed, is read too. Raises :class:`UsageError`.
     """
-    if A.over_integers:
+    if A.is_over_number_field:
         return A.ring.ideal(text)  # type: ignore[attr-defined]
     if not (text.isascii() and text.isdecimal() and int(text) > 0):
         raise UsageError(f"the level {shorten(text)!r} is no positive integer")

@@ -185,7 +185,7 @@ def _places(d: Description) -> list[tuple[str, str]]:
     value = d.discriminant_json()
     shown = " · ".join(value) or "1" if isinstance(value, list) else value
     rows.append(("discriminant", str(shown)))
-    if d.order is not None and d.algebra.over_integers:
+    if d.order is not None and d.algebra.is_over_number_field:
         rows.append(("maximal order", f"the direct sum of these, discriminant {shown}:"))
         F = d.algebra.ring
         for ideal, q in d.order.pseudo_basis():

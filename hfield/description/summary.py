@@ -255,7 +255,7 @@ def _ramify(d: Description) -> None:
         )
         return
     d.order = order = d.ask("maximal_order", A.maximal_order)
-    if order is not None and not A.over_integers and "inf" in d.ramified:
+    if order is not None and not A.is_over_number_field and "inf" in d.ramified:
         d.units = d.ask("units", lambda: len(order.units()))
 
 

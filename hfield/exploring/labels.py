@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
-from hfield.algebra.quaternion import Parent, Quaternion, held_by
+from hfield.algebra.quaternion import Parent, Quaternion, from_stored
 from hfield.core import product
 from hfield.core.product import Constants
 from hfield.errors import NotFiniteError, TooLargeError, shorten
@@ -19,7 +19,7 @@ from hfield.structure.counting.tally import MIN_COMPILED, Indices, RingTables, c
 if TYPE_CHECKING:
     import numpy as np
 
-    from hfield.rings.array_held.labels import LabelArrays
+    from hfield.rings.array_storage.labels import LabelArrays
     from hfield.rings.base import Ring
 
 Rows = tuple["np.ndarray", "np.ndarray", "np.ndarray", "np.ndarray"]
@@ -45,7 +45,7 @@ class LabelledAlgebra:
         self.size = self.q**4
         self.tables = RingTables(self.ring)
         self.constants = Constants(*map(self.tables.of, algebra.constants))
-        self._parts = [algebra.holding.hold((x, x, x, x)) for x in self.tables.elements]
+        self._parts = [algebra.storage.encode((x, x, x, x)) for x in self.tables.elements]
 
     # --- labels and elements -------------------------------------------------------------------
 
@@ -69,7 +69,7 @@ class LabelledAlgebra:
         """Return the element whose coordinates have these labels."""
         parts = self._parts
         together = (parts[w][0], parts[x][1], parts[y][2], parts[z][3])
-        return held_by(self.algebra, self.algebra.holding, together)
+        return from_stored(self.algebra, self.algebra.storage, together)
 
     def rows(self, numbers: np.ndarray) -> Rows:
         """Return the labels of the coordinates of numbered elements."""
@@ -91,10 +91,10 @@ class LabelledAlgebra:
         """Return numbered elements as one array of quaternions."""
         import numpy as np
 
-        from hfield.rings.array_held.labels import LabelArrays
+        from hfield.rings.array_storage.labels import LabelArrays
 
         rows = self.rows(numbers)
-        if isinstance(self.algebra.array_holding, LabelArrays):
+        if isinstance(self.algebra.array_storage, LabelArrays):
             return self.algebra.from_array(np.stack(rows))
         scalars = self.ring.array(self.tables.elements)
         w, x, y, z = (scalars[row.astype(np.intp)] for row in rows)

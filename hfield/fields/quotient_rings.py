@@ -12,7 +12,7 @@ from hfield.fields.function_fields.extensions import (
     SimpleExtension,
     read_polynomial,
 )
-from hfield.rings.base import Known, Ring, shared
+from hfield.rings.base import Fact, Ring, shared
 from hfield.rings.printing import blackboard
 from hfield.rings.to_sympy import polynomial_in, symbol
 from hfield.structure.linear_algebra.echelon import null_space, solution
@@ -115,10 +115,10 @@ class QuotientRing(SimpleExtension):
         return ExtensionElement(self, [_back(self.base, c) for c in y])
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """1 where −1 is a square below or x² = −1, else not known."""
         if self.name == "ZZ[I]":
-            return Known(1, "−1 = I^2")
+            return Fact(1, "−1 = I^2")
         return super().level
 
     def minus_one_as_squares(self) -> tuple[ExtensionElement, ...]:

@@ -22,7 +22,7 @@ from hfield.errors import TooLargeError
 from hfield.fuchsian.plane import Plane, apply, same_point
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, distinct, free_centers
-from hfield.fuchsian.side_search import Shape, grown
+from hfield.fuchsian.side_search import Shape, enlarge_polygon
 from hfield.fuchsian.split_order import SplitOrder
 from hfield.orders import maximal_orders
 from hfield.orders.invariants import is_eichler
@@ -67,7 +67,9 @@ def domain(order: SplitOrder, center: Quaternion, area: Fraction, given: Any = N
     plane = Plane(order, center)
     sight = Sight(plane)
     rng = np.random.default_rng(1)
-    shape = grown(sight, sight.empty, sight.carrying(np.zeros(1)) if given is None else given)
+    shape = enlarge_polygon(
+        sight, sight.empty, sight.carrying(np.zeros(1)) if given is None else given
+    )
     total, known, idle = float(area), 0, 0
     for _ in range(ROUNDS):
         idle = 0 if len(shape.rows) > known else idle + 1
@@ -75,7 +77,7 @@ def domain(order: SplitOrder, center: Quaternion, area: Fraction, given: Any = N
             break
         known = max(known, len(shape.rows))
         report(min(known / (5.5 * total + 10), 0.99), 1, "the domain")
-        shape = grown(sight, shape.rows, sight.carrying(places(shape, float(area), rng)))
+        shape = enlarge_polygon(sight, shape.rows, sight.carrying(places(shape, float(area), rng)))
         # at cusps rounding may add a side that only touches, and its angles to the area
         if shape.closed and (order.cusps() != 0 or abs(shape.area() - float(area)) < 0.02):
             sides = Polygon(plane, [order.element(row) for row in shape.rows.tolist()])

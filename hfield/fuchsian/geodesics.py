@@ -5,7 +5,7 @@ conjugates whose point or axis meets a Dirichlet domain are finitely many, and o
 others across the sides that the point or axis meets: two elements are conjugate exactly where they have one
 of these in common, and what leads around generates the centraliser. All this is exact. Closed geodesics of
 up to a length are among the units that carry the centre not too far, which are enumerated tile by tile, in
-floats with a margin, and then told apart exactly.
+floats with a margin, and then distinguished exactly.
 """
 
 from __future__ import annotations
@@ -217,7 +217,7 @@ def _hyperbolic(domain: Domain, most: float) -> list[Quaternion]:
 
 
 def _tiles(sight: Sight, sides: Rows, reach: float) -> Iterator[Rows]:
-    """Yield the units that move the centre up to a distance, told by its cosine, in steps across sides."""
+    """Yield the units that move the centre up to a distance, given by its cosine, in steps across sides."""
     right = np.einsum("nj,ijk->nik", sides, sight.products)
     identity = np.array(sight.plane.order.rows([sight.plane.order.algebra(1)]))
     rows, seen = identity, {tuple(identity[0].tolist())}

@@ -444,7 +444,7 @@ class NormOneGroup(Certified, Hinted):
         if ring.is_zero(x) or q not in self.order or 1 / q not in self.order:
             raise LatticeError(f"{shorten(u)} is no unit of the integers of {ring.name}")
         norm = self.order.scalar(x)
-        if any(value < 0 for value in self.order.elsewhere(norm)):
+        if any(value < 0 for value in self.order.values_at_other_places(norm)):
             return None
         return search.element_of_norm(self.order, self.order.basis, norm)
 

@@ -23,7 +23,7 @@ from hfield.fuchsian import dirichlet
 from hfield.fuchsian.plane import Plane
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, element_of_norm, free_centers
-from hfield.fuchsian.side_search import grown
+from hfield.fuchsian.side_search import enlarge_polygon
 from hfield.fuchsian.split_order import SplitOrder
 
 CENTERS = 20
@@ -130,7 +130,7 @@ class CosetSight(Sight):
             (a * self.a + b * self.b.conj()).reshape(-1),
             (a * self.b + b * self.a.conj()).reshape(-1),
         )
-        self.elsewhere = np.kron(np.eye(len(a))[None], self.elsewhere)
+        self.other_norms = np.kron(np.eye(len(a))[None], self.other_norms)
         self.products, self.bar, self.rank = cosets.products, cosets.bar, len(self.a)
 
 
@@ -156,7 +156,7 @@ def domain(cosets: Cosets, area: Fraction) -> dirichlet.Found:
         sight = CosetSight(units.plane, cosets)
         if (abs(sight.motions(new)[1]) < 1e-6).any():
             continue
-        shape = grown(sight, cosets.block(0, order.rows(units.units)), new)
+        shape = enlarge_polygon(sight, cosets.block(0, order.rows(units.units)), new)
         elements = [g for row in shape.rows if (g := cosets.element(row)) is not None]
         sides = Polygon(units.plane, elements)
         found = dirichlet.proof(sides.without_points(), area / count)

@@ -63,7 +63,7 @@ class Drawing(NamedTuple):
 
     title: str
     facts: str
-    look: dict[str, str]
+    theme: dict[str, str]
     areas: list[Area]
     own: list[Side]
     colors: list[str]
@@ -110,9 +110,9 @@ def drawing_of(domain: Domain, dark: bool, depth: int | None) -> Drawing:
     orders = [(complex(corners[n]), order) for n, order in _orders(domain) if order > 1]
     halves = [(_middle(own[n]), 2) for n, p in enumerate(domain.partners) if n == p]
     colors = [shade(number, 0, dark) for number in numbers]
-    look = DARK if dark else LIGHT
+    theme = DARK if dark else LIGHT
     names = letters(domain.partners, numbers)
-    return Drawing(*_words(domain), look, areas, own, colors, names, orders + halves)
+    return Drawing(*_words(domain), theme, areas, own, colors, names, orders + halves)
 
 
 def _words(domain: Domain) -> tuple[str, str]:
@@ -227,7 +227,7 @@ def _row(row: list[tuple[str | None, int | None, str]], y: float) -> Iterator[En
 
 def _svg(drawing: Drawing) -> str:
     """Write the picture: numbers are pixels from the middle of the disc, y downwards."""
-    look = drawing.look
+    theme = drawing.theme
     width, above, below = RADIUS + 12, RADIUS + 62, RADIUS + 92
     size = min(17, 780 / len(drawing.title))
     parts = [
@@ -235,34 +235,34 @@ def _svg(drawing: Drawing) -> str:
         f'{above + below:g}" width="{2 * width:g}" height="{above + below:g}" '
         'font-family="DejaVu Sans, Verdana, sans-serif" text-anchor="middle" stroke-linejoin="round">',
         f"<title>{escape(drawing.title)}</title>",
-        f'<rect x="{-width:g}" y="{-above:g}" width="100%" height="100%" fill="{look["page"]}"/>',
-        f'<text y="{-above + 28:g}" font-size="{size:.3g}" fill="{look["ink"]}">'
+        f'<rect x="{-width:g}" y="{-above:g}" width="100%" height="100%" fill="{theme["page"]}"/>',
+        f'<text y="{-above + 28:g}" font-size="{size:.3g}" fill="{theme["ink"]}">'
         f"{escape(drawing.title)}</text>",
-        f'<text y="{-above + 49:g}" font-size="12" fill="{look["ink"]}" opacity="0.75">'
+        f'<text y="{-above + 49:g}" font-size="12" fill="{theme["ink"]}" opacity="0.75">'
         f"{escape(drawing.facts)}</text>",
-        f'<circle r="{RADIUS:g}" fill="{look["disc"]}"/>',
-        f'<g stroke="{look["edge"]}" stroke-width="0.4">',
+        f'<circle r="{RADIUS:g}" fill="{theme["disc"]}"/>',
+        f'<g stroke="{theme["edge"]}" stroke-width="0.4">',
     ]
     for color, images in drawing.areas:
         way = "".join(_way(sides, MIN_SIDE_PIXELS) + "z" for sides in images)
         parts.append(f'<path fill="{color}" d="{way}"/>')
     parts += [
         "</g>",
-        f'<path fill="{look["domain"]}" d="{_way(drawing.own)}z"/>',
-        f'<circle r="{RADIUS:g}" fill="none" stroke="{look["ink"]}" stroke-width="1.2"/>',
+        f'<path fill="{theme["domain"]}" d="{_way(drawing.own)}z"/>',
+        f'<circle r="{RADIUS:g}" fill="none" stroke="{theme["ink"]}" stroke-width="1.2"/>',
         '<g fill="none" stroke-width="3" stroke-linecap="round">',
     ]
     for side, color in zip(drawing.own, drawing.colors, strict=True):
         parts.append(f'<path stroke="{color}" d="{_way([side])}"/>')
-    parts.append(f'</g><g fill="{look["ink"]}" stroke="{look["domain"]}" stroke-width="1">')
+    parts.append(f'</g><g fill="{theme["ink"]}" stroke="{theme["domain"]}" stroke-width="1">')
     for point, order in drawing.points:
         corners = " ".join(_numbers(RADIUS * point + z) for z in _mark(order))
         parts.append(f'<polygon points="{corners}"/>')
-    parts.append(f'<circle r="2.5" stroke="none"/></g><g fill="{look["ink"]}">')
+    parts.append(f'<circle r="2.5" stroke="none"/></g><g fill="{theme["ink"]}">')
     for place, size, text in letters_on_sides(drawing):
         x, y = place.real, -place.imag + 0.36 * size
         parts.append(f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size:.3g}">{text}</text>')
-    parts.append(f'</g><g fill="{look["ink"]}" font-size="{LEGEND_SIZE:g}" text-anchor="start">')
+    parts.append(f'</g><g fill="{theme["ink"]}" font-size="{LEGEND_SIZE:g}" text-anchor="start">')
     parts += [part for entry in legend(drawing) for part in _svg_entry(entry)]
     parts.append("</g></svg>")
     return "\n".join(parts) + "\n"
@@ -327,20 +327,20 @@ def _save(drawing: Drawing, path: Path) -> None:
         from matplotlib.figure import Figure
         from matplotlib.patches import Circle, PathPatch, Polygon
 
-        look = drawing.look
-        figure = Figure(figsize=(7, 8.55), facecolor=look["page"])
+        theme = drawing.theme
+        figure = Figure(figsize=(7, 8.55), facecolor=theme["page"])
         FigureCanvasAgg(figure)
         axes: Any = figure.add_axes((0, 0, 1, 1))
         axes.set(aspect="equal", xlim=(-1.04, 1.04), ylim=(-1.305, 1.235))
         axes.axis("off")
-        axes.add_patch(Circle((0, 0), 1, facecolor=look["disc"], edgecolor="none"))
+        axes.add_patch(Circle((0, 0), 1, facecolor=theme["disc"], edgecolor="none"))
         for color, images in drawing.areas:
             for sides in images:
                 axes.add_patch(
-                    PathPatch(_curve(sides), facecolor=color, edgecolor=look["edge"], lw=0.35)
+                    PathPatch(_curve(sides), facecolor=color, edgecolor=theme["edge"], lw=0.35)
                 )
-        axes.add_patch(PathPatch(_curve(drawing.own), facecolor=look["domain"], edgecolor="none"))
-        axes.add_patch(Circle((0, 0), 1, facecolor="none", edgecolor=look["ink"], lw=1.1))
+        axes.add_patch(PathPatch(_curve(drawing.own), facecolor=theme["domain"], edgecolor="none"))
+        axes.add_patch(Circle((0, 0), 1, facecolor="none", edgecolor=theme["ink"], lw=1.1))
         for side, color in zip(drawing.own, drawing.colors, strict=True):
             axes.add_patch(
                 PathPatch(
@@ -352,30 +352,30 @@ def _save(drawing: Drawing, path: Path) -> None:
             axes.add_patch(
                 Polygon(
                     [(z.real, z.imag) for z in corners],
-                    facecolor=look["ink"],
-                    edgecolor=look["domain"],
+                    facecolor=theme["ink"],
+                    edgecolor=theme["domain"],
                     lw=1,
                 )
             )
-        axes.add_patch(Circle((0, 0), 2.5 / RADIUS, facecolor=look["ink"], edgecolor="none"))
+        axes.add_patch(Circle((0, 0), 2.5 / RADIUS, facecolor=theme["ink"], edgecolor="none"))
         points = 72 * 7 / (2.08 * RADIUS)  # of type, in a pixel
         for place, size, text in letters_on_sides(drawing):
             axes.text(place.real / RADIUS, place.imag / RADIUS, text, ha="center", va="center_baseline",
-                      color=look["ink"], fontsize=size * points)  # fmt: skip
+                      color=theme["ink"], fontsize=size * points)  # fmt: skip
         for entry in legend(drawing):
             x, y = entry.x / RADIUS, entry.y / RADIUS
             if entry.color is not None:
                 axes.plot([x, x + 16 / RADIUS], [y, y], color=entry.color, linewidth=2.2)
             elif entry.order is not None:
                 ends = [(entry.x + 8 + z.real, entry.y + z.imag) for z in _mark(entry.order)]
-                axes.add_patch(Polygon(np.array(ends) / RADIUS, facecolor=look["ink"], lw=0))
-            axes.text(entry.text_x / RADIUS, y, entry.text, va="center_baseline", color=look["ink"],
+                axes.add_patch(Polygon(np.array(ends) / RADIUS, facecolor=theme["ink"], lw=0))
+            axes.text(entry.text_x / RADIUS, y, entry.text, va="center_baseline", color=theme["ink"],
                       fontsize=LEGEND_SIZE * points)  # fmt: skip
         for patch in axes.patches:
             patch.set_zorder(1)  # in this order
-        figure.text(0.5, 0.97, drawing.title, ha="center", va="center", color=look["ink"],
+        figure.text(0.5, 0.97, drawing.title, ha="center", va="center", color=theme["ink"],
                     fontsize=min(14, 700 / len(drawing.title)))  # fmt: skip
-        figure.text(0.5, 0.94, drawing.facts, ha="center", va="center", color=look["ink"],
+        figure.text(0.5, 0.94, drawing.facts, ha="center", va="center", color=theme["ink"],
                     fontsize=10, alpha=0.75)  # fmt: skip
         save_figure(figure, path)
 

@@ -61,16 +61,18 @@ class Sight:
         self.rank = len(basis)
         self.empty = np.empty((0, self.rank), dtype=np.int64)
         # the norms at the other places, one form each
-        traces = np.array(order.traces_elsewhere(basis), dtype=float)
-        self.elsewhere: Any = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
+        traces = np.array(order.traces_at_other_places(basis), dtype=float)
+        self.other_norms: Any = np.moveaxis(traces.reshape(self.rank, self.rank, -1), 2, 0) / 2
         if norm is not None:  # elements of this norm, of another lattice, look as units do
             size = math.sqrt(abs(real(norm)))
             self.a, self.b = self.a / size, self.b / size
-            self.elsewhere = self.elsewhere / np.reshape(order.elsewhere(norm), (-1, 1, 1))
-        values, vectors = np.linalg.eigh(self.elsewhere.sum(axis=0))
+            self.other_norms = self.other_norms / np.reshape(
+                order.values_at_other_places(norm), (-1, 1, 1)
+            )
+        values, vectors = np.linalg.eigh(self.other_norms.sum(axis=0))
         self._others = (vectors * np.sqrt(np.maximum(values, 0)))[:, 4:]
         covolume = abs(np.linalg.det(self.forms(np.zeros(1), 1.0)[0]))
-        size = len(self.elsewhere) + 1
+        size = len(self.other_norms) + 1
         ball = math.pi ** (2 * size) / math.gamma(2 * size + 1) * size ** (2 * size)
         self.cosh = max(2.0, math.sqrt(VECTORS_PER_POINT * covolume / ball))
         """Units within this distance of a point are found, by the hyperbolic cosine."""
@@ -116,7 +118,7 @@ class Sight:
         """Return elements other than 0, up to the sign, that are short from some point of the disc."""
         forms = self.forms(points, self.cosh if cosh is None else cosh)
         steps = np.array([reduction(form) for form in forms])
-        which, vectors = short_vectors(steps @ forms, len(self.elsewhere) + 1 + 1e-9)
+        which, vectors = short_vectors(steps @ forms, len(self.other_norms) + 1 + 1e-9)
         # in the order of the forms
         starts = np.searchsorted(which, np.arange(len(steps) + 1))
         rows = [vectors[s:e] @ steps[n] for n, (s, e) in enumerate(pairwise(starts))]
@@ -126,7 +128,7 @@ class Sight:
         """Tell of which elements the norm is ±1, at the place with this sign."""
         a, b = self.motions(rows)
         good = abs(abs(a) ** 2 - abs(b) ** 2 - sign) < 0.2
-        for form in self.elsewhere:
+        for form in self.other_norms:
             good &= abs(np.einsum("ni,ij,nj->n", rows, form, rows) - 1) < 0.2
         return good
 

@@ -140,7 +140,7 @@ class Shape:
         return float((len(z) - 2) / 2 - angles.sum() / (2 * np.pi))
 
 
-def grown(sight: Sight, rows: Rows, new: Rows) -> Shape:
+def enlarge_polygon(sight: Sight, rows: Rows, new: Rows) -> Shape:
     """Return the polygon of the group that units generate, or of as much of it as bounds it so far.
 
     ``rows`` are units of sides, with their inverses, ``new`` are others.

@@ -92,7 +92,7 @@ class SplitOrder:
         """Return a ball around the value, with flint's present precision."""
         return self.base.ball(x, self.place)
 
-    def elsewhere(self, x: Any) -> list[float]:
+    def values_at_other_places(self, x: Any) -> list[float]:
         """Return about the values at the other real places, where the norm is definite."""
         return [self.base.real(x, v) for v in self.base.real_places if v != self.place]
 
@@ -134,10 +134,12 @@ class SplitOrder:
         """The products of each element of the basis by each, row after row."""
         return self.rows([x * y for x in self.basis for y in self.basis])
 
-    def traces_elsewhere(self, basis: tuple[Quaternion, ...]) -> list[list[float]]:
+    def traces_at_other_places(self, basis: tuple[Quaternion, ...]) -> list[list[float]]:
         """Return about the values of tr(x·conj(y)) at the other real places, for all x and y of a basis."""
         bars = [x.conjugate() for x in basis]
-        return [self.elsewhere(self.scalar((x * y).trace())) for x in basis for y in bars]
+        return [
+            self.values_at_other_places(self.scalar((x * y).trace())) for x in basis for y in bars
+        ]
 
     def element(self, row: list[int]) -> Quaternion:
         """Return the element with these coordinates with respect to the basis."""

@@ -1,7 +1,8 @@
 """Arrays of matrices of floating-point quaternions as pairs of complex ones: U + V·J, J·z = z̄·J, J² = −1.
 
-A column p + q·J is held as (p, −q̄), so that [[U, V], [−V̄, Ū]] times it is its image, and complex numbers act
-on it from the right (F. Zhang, "Quaternions and matrices of quaternions", Linear Algebra Appl. 251 (1997)).
+A column p + q·J is stored as (p, −q̄), so that [[U, V], [−V̄, Ū]] times it is its image, and complex numbers
+act on it from the right (F. Zhang, "Quaternions and matrices of quaternions", Linear Algebra Appl. 251,
+1997).
 """
 
 from __future__ import annotations

@@ -95,7 +95,7 @@ class Lattice(Hinted, PrintedBySympy):
     """
 
     foreign_names = LATTICE
-    multiplied_by_elements = True  # so that ``q * L`` is asked of L
+    multiplied_by_elements = True  # so that ``q * L`` calls the method of L
     value: LatticeValue
 
     def __init__(self, value: LatticeValue) -> None:
@@ -357,7 +357,7 @@ class Lattice(Hinted, PrintedBySympy):
 
 
 @dataclass(frozen=True)
-class Because:
+class ExplainedBool:
     """True or false in an ``if``, with the ``reason``; it equals True or False."""
 
     holds: bool
@@ -367,7 +367,9 @@ class Because:
         return self.holds
 
     def __eq__(self, other: object) -> bool:
-        return self.holds == bool(other) if isinstance(other, bool | Because) else NotImplemented
+        return (
+            self.holds == bool(other) if isinstance(other, bool | ExplainedBool) else NotImplemented
+        )
 
     def __hash__(self) -> int:
         return hash(self.holds)
@@ -486,13 +488,13 @@ class Order(WithStableClasses, Certified, Lattice):
         """Tell whether the algebra is totally definite: units modulo those of the field are finitely many."""
         return bool(self.value.ambient.definite)
 
-    def is_maximal(self) -> Because:
+    def is_maximal(self) -> ExplainedBool:
         """Tell whether no larger order contains this one, with a ``reason``: its discriminant decides."""
         level = self.level
         whole = f"its discriminant {self.discriminant()} is that of the algebra"
         if level == 1:
-            return Because(True, whole)
-        return Because(False, f"{whole}, {self.value.ambient.discriminant}, times {level}")
+            return ExplainedBool(True, whole)
+        return ExplainedBool(False, f"{whole}, {self.value.ambient.discriminant}, times {level}")
 
     def is_eichler(self) -> bool:
         """Tell whether this is an intersection of two maximal orders (Voight, section 24.3)."""

@@ -1,5 +1,5 @@
 from .base import INFINITY as INFINITY
-from .base import Known as Known
+from .base import Fact as Fact
 from .base import Ring as Ring
 from .checking import RingReport as RingReport
 from .checking import check_ring as check_ring

@@ -72,10 +72,10 @@ def owned(array: np.ndarray, source: object) -> np.ndarray:
 def read_only(array: np.ndarray) -> np.ndarray:
     """Return a view through which nobody changes the array; its flag cannot be set back either."""
     view = array.view()
-    owner: object = view
-    while isinstance(owner, np.ndarray):
-        owner.setflags(write=False)
-        owner = owner.base
+    base: object = view
+    while isinstance(base, np.ndarray):
+        base.setflags(write=False)
+        base = base.base
     return view
 
 

@@ -23,7 +23,7 @@ def precision(bits: int) -> Iterator[None]:
 
 
 def fingerprint(enclosure: Enclosure) -> tuple[int, int]:
-    """Return integers that depend on the number alone: floors of ``2³⁰·re + π`` and ``2³⁰·im + π``.
+    """Return integers that depend on the number alone: ``⌊2³⁰·re + π⌋`` and ``⌊2³⁰·im + π⌋``.
 
     The shift by π keeps an algebraic number off the integers, where no enclosure would decide a floor.
     """

@@ -26,11 +26,11 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.rings.holding import Batch, Holding
-from hfield.rings.owners import describe
+from hfield.rings.foreign_values import describe
 from hfield.rings.powers import power
 from hfield.rings.printing import from_unicode, number_text
 from hfield.rings.registry import REGISTRY
+from hfield.rings.storage.base import Batch, Storage
 
 if TYPE_CHECKING:
     import numpy as np
@@ -51,7 +51,7 @@ FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers tak
 
 
 @dataclass(frozen=True)
-class Known:
+class Fact:
     """A fact about a ring with its reason: ``value`` is None where it is not known."""
 
     value: Any
@@ -342,15 +342,15 @@ class WithSquares(Core[E]):
     closure: str | None = None  # "real closed" or "algebraically closed", where it is
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """The level s(F): the least number of squares with sum −1, ``inf`` if there is none."""
-        return Known(None, "nothing is known of the squares of this ring")
+        return Fact(None, "nothing is known of the squares of this ring")
 
-    def level_of(self, squares: Sequence[E], fewer: str = "−1 itself is no square") -> Known:
+    def level_of(self, squares: Sequence[E], fewer: str = "−1 itself is no square") -> Fact:
         """Return the level that squares with sum −1 show, where ``fewer`` is why fewer do not do."""
         shown = " + ".join(f"({self.text(y)})^2" for y in squares)
         more = f", and {fewer}" if len(squares) > 1 else ""
-        return Known(len(squares), f"−1 = {shown} in {self.name}{more}")
+        return Fact(len(squares), f"−1 = {shown} in {self.name}{more}")
 
     def minus_one_as_squares(self) -> tuple[E, ...]:
         """Elements, as few as the level says, whose squares add up to −1; () if not known."""
@@ -392,13 +392,13 @@ class WithSquares(Core[E]):
             return False
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """How many orderings the field has (0 exactly when the level is finite)."""
         if self.level.value is None:
-            return Known(None, self.level.reason)
+            return Fact(None, self.level.reason)
         if self.level.value == INFINITY:
-            return Known(None, "at least one, for −1 is not a sum of squares")
-        return Known(0, f"−1 is a square or a sum of squares: {self.level.reason}")
+            return Fact(None, "at least one, for −1 is not a sum of squares")
+        return Fact(0, f"−1 is a square or a sum of squares: {self.level.reason}")
 
     def sign(self, x: E, ordering: int = 0) -> int:
         """Return −1, 0 or 1: the sign of x in an ordering of the field (numbered from 0).
@@ -607,31 +607,31 @@ class Ring(
     WithArrays[E],
     WithPlaces[E],
 ):
-    """A commutative ring with 1: all that is asked of one, with answers that say "not known".
+    """A commutative ring with 1. Its methods say "not known" rather than guess.
 
-    A class of rings gives ``name``, ``characteristic``, ``__call__``, and what else it knows.
+    A class of rings defines ``name``, ``characteristic``, ``__call__``, and overrides what it can compute.
 
     >>> from hfield import GF
     >>> isinstance(GF(9), Ring), GF(9).order, GF(9).gen_name
     (True, 9, 'x')
     """
 
-    def holding(self, constants: Constants) -> Holding:
-        """Return how elements of the algebra with these constants are held; by default as they are."""
-        from hfield.rings.held.plain import Plain
+    def storage(self, constants: Constants) -> Storage:
+        """Return the storage of elements of the algebra with these constants; by default of tuples."""
+        from hfield.rings.storage.plain import Plain
 
         return Plain(self, constants)
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Return how arrays of such elements are held: as these are, one by one.
+    def array_storage(self, constants: Constants) -> Batch:
+        """Return the storage of arrays of such elements: by default each entry is stored by :meth:`storage`.
 
         A ring whose arrays are a library's own computes with four of those.
         """
         if type(self).array is not WithArrays.array:
             return Batch(self, constants)
-        from hfield.rings.array_held.held_values import HeldArrays
+        from hfield.rings.array_storage.object_arrays import ObjectArrays
 
-        return HeldArrays(self, constants)
+        return ObjectArrays(self, constants)
 
 
 def shared(kind: Callable[..., R], *arguments: Hashable) -> R:

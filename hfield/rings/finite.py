@@ -13,15 +13,15 @@ import flint
 
 from hfield.core.product import Constants
 from hfield.errors import NotInvertibleError, shorten
-from hfield.rings.base import FINITE_LIMIT, Known, Ring, shared
-from hfield.rings.held import tables
-from hfield.rings.held.quotients import PolynomialRepresentation
-from hfield.rings.holding import Batch, Holding
+from hfield.rings.base import FINITE_LIMIT, Fact, Ring, shared
 from hfield.rings.integers import ZZ
 from hfield.rings.modular import Modular
 from hfield.rings.printing import sum_text
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import of_flint
+from hfield.rings.storage import tables
+from hfield.rings.storage.base import Batch, Storage
+from hfield.rings.storage.quotients import PolynomialStorage
 
 if TYPE_CHECKING:
     import galois
@@ -72,11 +72,11 @@ class FiniteField(Ring):
         """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
         return _arrays().of_labels(self, row)
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Hold arrays as rows of labels, unless the field is too large."""
-        from hfield.rings.array_held.finite import array_holding
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store arrays as rows of labels, unless the field is too large."""
+        from hfield.rings.array_storage.finite import array_storage
 
-        return array_holding(self, constants)
+        return array_storage(self, constants)
 
     def scalar(self, x: object) -> Coefficient:
         """Turn an entry of ``array`` back into an element."""
@@ -151,7 +151,7 @@ class ExtensionField(FiniteField):
     def modulus_origin(self) -> str:
         """Where the modulus comes from: ``given``, ``Conway`` or ``sparse``.
 
-        Above 2³² the tables have gaps, and galois is asked (and imported).
+        Above 2³² the tables have gaps, and galois (imported then) decides.
         """
         if not self.is_default:
             return "given"
@@ -235,7 +235,7 @@ class ExtensionField(FiniteField):
         return of_flint(self, flint.fq_default_poly_ctx(self.context)(list(coefficients)), self)
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """1 when −1 is a square, else 2."""
         return self.level_of(self.minus_one_as_squares())
 
@@ -247,11 +247,11 @@ class ExtensionField(FiniteField):
                 return (y,) if x.is_zero() else (x, y)
         raise AssertionError("in a finite field −1 is a sum of two squares")
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements over a small field are held as labels, over a large one as polynomials."""
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements over a small field as labels, over a large one as polynomials."""
         if self.order < tables.BELOW:
             return tables.Labels(self, constants)
-        return PolynomialRepresentation(self, constants)
+        return PolynomialStorage(self, constants)
 
     @cached_property
     def tables(self) -> tables.ElementTables:
@@ -302,7 +302,7 @@ def is_galois(x: object) -> bool:
 
 
 def _arrays() -> Any:
-    """Import the galois side only when an array is asked for."""
+    """Import galois, which only arrays need."""
     from hfield.rings import galois_arrays
 
     return galois_arrays

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
-from hfield.rings.base import Known
+from hfield.rings.base import Fact
 from hfield.rings.expressions import is_of_sympy
-from hfield.rings.holding import Batch
 from hfield.rings.printing import Factor, number_text, sum_text
 from hfield.rings.rational import rational, unwrap
+from hfield.rings.storage.base import Batch
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -123,9 +123,9 @@ class FloatingPoint(ValueRing[N]):
         """Invert an array of nonzero entries elementwise."""
         return 1.0 / values
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Arrays of elements are held as one array of numpy."""
-        from hfield.rings.array_held.floats import FloatArrays
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store an array of elements as one numpy array."""
+        from hfield.rings.array_storage.floats import FloatArrays
 
         return FloatArrays(self, constants)
 
@@ -194,9 +194,9 @@ class Floats(FloatingPoint[float]):
         return math.sqrt(x) if x >= 0 else None
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """Not known: float arithmetic is no proof of anything."""
-        return Known(None, "floats are rounded, so nothing about RDF is proved; RR is exact")
+        return Fact(None, "floats are rounded, so nothing about RDF is proved; RR is exact")
 
     def sign(self, x: float, ordering: int = 0) -> int:
         """Return the sign of the float. Raises :class:`RingError` for a second ordering."""
@@ -295,9 +295,9 @@ class ComplexFloats(FloatingPoint[complex]):
         return cmath.sqrt(x + 0)  # −1 − 0i has the root −i, and −1 + 0i the principal one
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """Not known: float arithmetic is no proof of anything."""
-        return Known(None, "floats are rounded, so nothing about CDF is proved; CC is exact")
+        return Fact(None, "floats are rounded, so nothing about CDF is proved; CC is exact")
 
     def names(self) -> dict[str, complex]:
         """The imaginary unit I and the constant pi."""

@@ -9,8 +9,8 @@ import numpy as np
 
 from hfield.compiling.machine_code import available, lock
 from hfield.errors import CoercionError
-from hfield.rings.array_held.finite import primitive
-from hfield.rings.array_held.labels import check_galois, labels
+from hfield.rings.array_storage.finite import primitive
+from hfield.rings.array_storage.labels import check_galois, labels
 from hfield.rings.arrays import Objects, objects
 from hfield.rings.base import Ring
 
@@ -45,7 +45,7 @@ def _made_class(F: Any) -> galois.FieldArray:
     options: dict[str, Any] = {"compile": "python-calculate" if available() else "auto"}
     subfield = galois.GF(F.characteristic, **options)
     if F.degree > 1:
-        # With a primitive element given, galois need not search for one, which may take it seconds.
+        # With a primitive element given, galois does not search for one, which may take seconds.
         poly = galois.Poly(F.coefficients[::-1], field=subfield)
         options |= {"irreducible_poly": poly, "primitive_element": primitive(F), "verify": False}
     cls = galois.GF(F.order, **options)

@@ -12,12 +12,12 @@ import flint
 from hfield.core.primality import is_prime, primes
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
-from hfield.rings.base import INFINITY, Known, Ring, shared
-from hfield.rings.holding import Batch, Holding
+from hfield.rings.base import INFINITY, Fact, Ring, shared
 from hfield.rings.modular import Modular
 from hfield.rings.printing import number_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.roots import of_flint, rational_roots
+from hfield.rings.storage.base import Batch, Storage
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -37,14 +37,14 @@ class _Ordered(ValueRing):
         return self.name
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """Infinite: −1 is no sum of squares."""
-        return Known(INFINITY, _ORDERED)
+        return Fact(INFINITY, _ORDERED)
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """The usual ordering is the only one."""
-        return Known(1, "every positive number is a sum of four squares over one square")
+        return Fact(1, "every positive number is a sum of four squares over one square")
 
     def sign(self, x: flint.fmpz | flint.fmpq, ordering: int = 0) -> int:
         """Return −1, 0 or 1."""
@@ -106,20 +106,20 @@ class Integers(_Ordered):
         """Return ℤ/n."""
         return Zmod(n)
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as four ints, as those over ℚ are."""
-        from hfield.rings.held.fractions import FractionRepresentation
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as four ints, as over ℚ."""
+        from hfield.rings.storage.fractions import FractionStorage
 
-        return FractionRepresentation(
+        return FractionStorage(
             self, constants, (0,), lambda x: (flint.fmpq(x),), lambda n, _=1: flint.fmpz(n)
         )
 
     def __truediv__(self, n: int) -> Modular:
         return Zmod(n)
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Hold arrays as rows of 64-bit integers, as long as they fit."""
-        from hfield.rings.array_held.words import WholeArrays
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store arrays as rows of 64-bit integers, as long as they fit."""
+        from hfield.rings.array_storage.words import WholeArrays
 
         return WholeArrays(self, constants)
 
@@ -188,9 +188,9 @@ class Rationals(_Ordered):
             return self.foreign(x)
         return fmpq(number)
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Hold arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
-        from hfield.rings.array_held.fractions import FractionArrays
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store arrays as rows of 64-bit integers, one of them the denominators, as long as they fit."""
+        from hfield.rings.array_storage.fractions import FractionArrays
 
         return FractionArrays(self, constants)
 
@@ -228,11 +228,11 @@ class Rationals(_Ordered):
         """Return a small random fraction; the same for the same seed."""
         return flint.fmpq(rng.randint(-9, 9), rng.choice((1, 1, 2, 3, 5)))
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as four ints over one denominator."""
-        from hfield.rings.held.fractions import FractionRepresentation
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as four ints over one denominator."""
+        from hfield.rings.storage.fractions import FractionStorage
 
-        return FractionRepresentation(self, constants, (0,), lambda x: (x,), flint.fmpq)
+        return FractionStorage(self, constants, (0,), lambda x: (x,), flint.fmpq)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""
@@ -260,11 +260,11 @@ class Residues(Modular):
 
         return objects(row, lambda n: self(int(n)))
 
-    def array_holding(self, constants: Constants) -> Batch:
-        """Hold arrays as rows of residues, unless the modulus is too large."""
-        from hfield.rings.array_held.finite import array_holding
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store arrays as rows of residues, unless the modulus is too large."""
+        from hfield.rings.array_storage.finite import array_storage
 
-        return array_holding(self, constants)
+        return array_storage(self, constants)
 
     def in_words(self) -> str:
         """Say what ℤ/n is."""

@@ -49,7 +49,7 @@ class IsolatedRoots:
 
 
 def _order(z: flint.acb, w: flint.acb) -> int:
-    """Order by real parts, and by imaginary ones where those are not told apart."""
+    """Order by real parts, and by imaginary ones where the real parts may be equal."""
     for x, y in ((z.real, w.real), (z.imag, w.imag)):
         if x < y or x > y:
             return -1 if x < y else 1

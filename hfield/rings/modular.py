@@ -17,10 +17,10 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
-from hfield.rings.base import FINITE_LIMIT, Known, Ring
-from hfield.rings.holding import Holding
+from hfield.rings.base import FINITE_LIMIT, Fact, Ring
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import of_flint, residue_roots
+from hfield.rings.storage.base import Storage
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -174,14 +174,14 @@ class Modular(ValueRing):
         return of_flint(self, over([int(c) for c in coefficients]), lambda c: self.residue(int(c)))
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """The least number of squares with sum −1."""
         squares = self.minus_one_as_squares()
         if not squares:
-            return Known(None, f"the modulus is too large to search (above {SEARCH})")
+            return Fact(None, f"the modulus is too large to search (above {SEARCH})")
         shown = " + ".join(f"{int(y)}²" for y in squares)
         fewer = ", and fewer squares do not do" if len(squares) > 1 else ""
-        return Known(len(squares), f"−1 = {shown} in {shorten(self.name)}{fewer}")
+        return Fact(len(squares), f"−1 = {shown} in {shorten(self.name)}{fewer}")
 
     def minus_one_as_squares(self) -> tuple[flint.nmod | flint.fmpz_mod, ...]:
         """Return as few elements as possible whose squares add up to −1; () if n is too large."""
@@ -221,11 +221,11 @@ class Modular(ValueRing):
         found = next(parts for count in range(1, 5) if (parts := find(n - 1, count)))
         return tuple(self.residue(y) for y in found)
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as four ints between 0 and n − 1."""
-        from hfield.rings.held.quotients import ResidueRepresentation
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as four ints between 0 and n − 1."""
+        from hfield.rings.storage.quotients import ResidueStorage
 
-        return ResidueRepresentation(self, constants)
+        return ResidueStorage(self, constants)
 
     def elements(self) -> Iterator[flint.nmod | flint.fmpz_mod]:
         """Run through 0, 1, …, n − 1."""

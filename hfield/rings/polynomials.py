@@ -19,7 +19,7 @@ from hfield.errors import (
     TooLargeError,
     shorten,
 )
-from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.base import INFINITY, Fact, Ring, shared
 from hfield.rings.expressions import is_of_sympy
 from hfield.rings.finite import PrimeField
 from hfield.rings.integers import QQ, ZZ
@@ -204,22 +204,22 @@ class PolynomialRing(Ring):
         return root if root * root == x else None
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """The level of the base ring: setting all variables to 0 keeps a sum of squares."""
         known = self.base.level
         why = f"{known.reason}; setting all variables to 0 carries this from {self.base} to {self.name}"
-        return Known(known.value, why)
+        return Fact(known.value, why)
 
     def minus_one_as_squares(self) -> tuple[SparsePolynomial, ...]:
         """Return constants whose squares add up to −1."""
         return tuple(self.constant(c) for c in self.base.minus_one_as_squares())
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """Infinitely many in characteristic 0, none else."""
         if self.characteristic:
             return super().orderings
-        return Known(INFINITY, "each variable may be infinitely large or near any point")
+        return Fact(INFINITY, "each variable may be infinitely large or near any point")
 
     def sign(self, x: SparsePolynomial, ordering: int = 0) -> int:
         """Return the sign in the ordering by leading coefficients, the first variable the largest."""

@@ -24,7 +24,7 @@ SLOW = 1_000  # bits that a node of a symbolic expression counts for
 # Polynomials over finite rings: nobody need look at their coefficients.
 _OVER_FINITE = ("nmod_poly", "fmpz_mod_poly", "fq_default_poly")
 # What our own elements are made of; their rings are no part of their size.
-_INSIDE = ("num", "den", "coefficients", "poly", "terms", "value", "_held")
+_INSIDE = ("num", "den", "coefficients", "poly", "terms", "value", "_stored")
 
 
 def bits(x: Any) -> int:

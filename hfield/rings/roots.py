@@ -118,7 +118,7 @@ def _need_small(coefficients: Sequence[Scalar]) -> None:
 def by_square_roots(ring: Any, coefficients: Sequence[Any]) -> list[list[Any]]:
     """Factor a polynomial of degree 1 or 2, or of degree 4 in x², over a field whose squares are known.
 
-    In characteristic 0 that is asked of the polynomial that has each of its roots once.
+    In characteristic 0 the condition is on the squarefree part of the polynomial.
 
     Raises :class:`UndecidedError` for others, and in characteristic 2 where roots are not computed.
     """

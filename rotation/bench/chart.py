@@ -17,7 +17,7 @@ from rotation.figures.saving import FORMATS, picture, try_folder, write_whole
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-# Told apart by colour, hatch and lightness.
+# Distinguished by colour, hatch and lightness.
 LOOKS: dict[str, dict[str, Any]] = {
     "floor": {"facecolor": "white", "edgecolor": INK},
     "ours": {"facecolor": BLUE, "edgecolor": INK},

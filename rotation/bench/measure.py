@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from rotation.bench.tasks import Array, Task, Test
-from rotation.bench.ways.way import Frame, Way
+from rotation.bench.ways.way import FrameFunction, Way
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -38,7 +38,7 @@ SHORT_FRAME_SECONDS = (
 )
 
 Status = Literal["ok", "missing", "wrong", "failed"]
-Told = Callable[[str], None]
+Report = Callable[[str], None]
 
 
 @dataclass(frozen=True)
@@ -97,15 +97,15 @@ class Result:
 @dataclass
 class _Runner:
     result: Result
-    frame: Frame
+    frame: FrameFunction
     chosen: Sequence[int]
     repeats: int
 
 
 def run_test(
-    test: Test, ways: Sequence[Way], settings: Settings, told: Told = lambda what: None
+    test: Test, ways: Sequence[Way], settings: Settings, report: Report = lambda what: None
 ) -> list[Result]:
-    """Check and time the ways that can do the test; ``told`` hears what is in work."""
+    """Check and time the ways that can do the test; ``report`` is called with the current step."""
     task = settings.task(test)
     expected = task.expected(task.check)
     results, runners = [], []
@@ -113,7 +113,7 @@ def run_test(
         stack.enter_context(_own_threads(settings.threads))
         deal = stack.enter_context(_dealer(settings.threads))
         for way in (way for way in ways if task.kind in way.makes):
-            told(f"{test.name}: checking {way.name}")
+            report(f"{test.name}: checking {way.name}")
             result = Result(test, way)
             results.append(result)
             runner = _prepare(result, task, expected, settings, deal)
@@ -122,7 +122,7 @@ def run_test(
         stack.enter_context(_no_collector())
         for turn in range(settings.repeats):
             for runner in (runner for runner in runners if turn < runner.repeats):
-                told(f"{test.name}: {runner.result.way.name}")
+                report(f"{test.name}: {runner.result.way.name}")
                 _sample(runner)
     return results
 
@@ -132,7 +132,7 @@ def _prepare(
     task: Task,
     expected: Array,
     settings: Settings,
-    deal: Callable[[Way, Task], Frame],
+    deal: Callable[[Way, Task], FrameFunction],
 ) -> _Runner | None:
     """Lay the task out for a way, check it, choose how many frames to time; None if it cannot run."""
     way = result.way
@@ -220,7 +220,7 @@ def _sample(runner: _Runner) -> None:
     result.best = min(result.best, *times)
 
 
-def _times(frame: Frame, chosen: Sequence[int]) -> list[float]:
+def _times(frame: FrameFunction, chosen: Sequence[int]) -> list[float]:
     """Return the seconds of each frame."""
     times = []
     for n in chosen:
@@ -257,7 +257,7 @@ def _own_threads(number: int) -> Iterator[None]:
 
 
 @contextmanager
-def _dealer(number: int) -> Iterator[Callable[[Way, Task], Frame]]:
+def _dealer(number: int) -> Iterator[Callable[[Way, Task], FrameFunction]]:
     """Yield what prepares a way for ``number`` threads.
 
     Ours share the work themselves. To the others, which use one thread, the points are dealt: each
@@ -265,7 +265,7 @@ def _dealer(number: int) -> Iterator[Callable[[Way, Task], Frame]]:
     """
     with ThreadPoolExecutor(number) as pool:
 
-        def deal(way: Way, task: Task) -> Frame:
+        def deal(way: Way, task: Task) -> FrameFunction:
             make = way.makes[task.kind]
             if number == 1 or way.role == "ours":
                 return make(task)
@@ -285,5 +285,5 @@ class _Pieces(list[Any]):
         return np.concatenate([np.asarray(part) for part in self])
 
 
-def _together(pool: ThreadPoolExecutor, parts: Sequence[Frame], n: int) -> _Pieces:
+def _together(pool: ThreadPoolExecutor, parts: Sequence[FrameFunction], n: int) -> _Pieces:
     return _Pieces(pool.map(lambda part: part(n), parts))

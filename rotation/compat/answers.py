@@ -24,7 +24,7 @@ _POORLY = "Optimal rotation is not uniquely or poorly defined for the given sets
 _TURNS = np.zeros((3, 3, 3))  # the sign of a permutation of the axes
 for _k in range(3):
     _TURNS[_k, _k - 2, _k - 1], _TURNS[_k, _k - 1, _k - 2] = 1.0, -1.0
-_BLOCK = 2**20  # products that are held at once
+_BLOCK = 2**20  # products that are in memory at once
 
 
 @quiet

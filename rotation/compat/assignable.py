@@ -8,7 +8,7 @@ Array = Any
 
 
 class Assignable:
-    """One rotation or transform, or an array of them, each held in ``_axes`` axes of an array."""
+    """One rotation or transform, or an array of them, each stored in ``_axes`` axes of an array."""
 
     __array_ufunc__ = None
 

@@ -18,7 +18,7 @@ from rotation.rotation import Rotation
 _WEIGHTS = ((5.0, 3.0, -3.0, 1.0), (1.0, 3.0, 3.0, -2.0), (0.0, 0.0, 0.0, 1.0))
 
 
-@pytrees.holding("control", "start", "step", "_steps")
+@pytrees.register_pytree("control", "start", "step", "_steps")
 class BSpline:
     """The cubic curve near control rotations or rigid motions at even times: two continuous derivatives.
 

@@ -92,7 +92,7 @@ def _nearer(q: Rotation, p: Rotation) -> Rotation:
     return Rotation._of(xp.where(far, -q._q, q._q))
 
 
-@pytrees.holding("times", "rotations")
+@pytrees.register_pytree("times", "rotations")
 class Slerp:
     """The curve through keyframes that turns at constant rate between each two of them.
 
@@ -183,7 +183,7 @@ def picked(rotations: Rotation, n: Array) -> Rotation:
     return Rotation._of(taken(rotations._q, n))
 
 
-@pytrees.holding("times", "rotations", "_after", "_before")
+@pytrees.register_pytree("times", "rotations", "_after", "_before")
 class Squad(Slerp):
     """The curve through keyframes whose angular velocity is continuous: spherical cubics, joined.
 

@@ -21,7 +21,7 @@ from rotation.curves.interpolation import Slerp, interval, picked, ratios, taken
 from rotation.errors import RotationError
 from rotation.jacobians import inverse_left_jacobian, left_jacobian
 from rotation.namespaces import Array, floats, namespace, quiet
-from rotation.rigid_motions import SWEPT, UNSWEPT, cross, swept
+from rotation.rigid_motions import INVERSE_JACOBIAN_TIMES, JACOBIAN_TIMES, cross, jacobian_times
 from rotation.rotation import Rotation
 from rotation.rowwise import Formula
 
@@ -30,7 +30,7 @@ _FEW = 24  # equations that are solved as one
 _LEAST = 2.0**-7  # of the quadratic term that is let in at once
 
 
-@pytrees.holding("times", "rotations", "_keys", "_pieces")
+@pytrees.register_pytree("times", "rotations", "_keys", "_pieces")
 class RotationSpline:
     """The smooth curve through keyframes: two continuous derivatives.
 
@@ -134,7 +134,7 @@ class _Jumps:
     def ends(self, turns: Array) -> tuple[Array, Array]:
         """Return θ' at the starts of all intervals and at their ends, by the fraction of each."""
         d, concat = self._steps, namespace(turns).concat
-        back = UNSWEPT(-d[:-1, ...], self._late * turns)
+        back = INVERSE_JACOBIAN_TIMES(-d[:-1, ...], self._late * turns)
         return concat([d[:1, ...], self._early * turns]), concat([back, d[-1:, ...]])
 
     def removed(self, turns: Array, share: float) -> Array | None:
@@ -161,8 +161,8 @@ class _Jumps:
         into = self._into[:-1, ...]
         late, early, xp = self._late, self._early, namespace(turns)
         starts, ends = self.ends(turns)
-        rate = UNSWEPT(-d, turns)
-        before = (2.0 * SWEPT(-d, starts[:-1, ...]) - 6.0 * d) / late / late
+        rate = INVERSE_JACOBIAN_TIMES(-d, turns)
+        before = (2.0 * JACOBIAN_TIMES(-d, starts[:-1, ...]) - 6.0 * d) / late / late
         after = (2.0 * ends[1:, ...] - 6.0 * d_next) / early / early
         jumps = before + after + 4.0 * turns + share * _CHANGE(d, rate)
         # Of a quadratic term this difference is the derivative; by the columns of the matrix.
@@ -234,9 +234,9 @@ def _cubic(piece: Array, time: Array, order: int) -> Array:
     back = tuple(-x for x in theta)
     turn = mixed(6.0 * s * rest, rest * (1.0 - 3.0 * s), s * (3.0 * s - 2.0))
     if order == 1:
-        return join(xp, tuple(x / h for x in swept(xp, back, turn)))
+        return join(xp, tuple(x / h for x in jacobian_times(xp, back, turn)))
     bend = mixed(6.0 * (1.0 - 2.0 * s), 6.0 * s - 4.0, 6.0 * s - 2.0)
-    both = zip(swept(xp, back, bend), _changed(xp, theta, turn), strict=True)
+    both = zip(jacobian_times(xp, back, bend), _changed(xp, theta, turn), strict=True)
     return join(xp, tuple((x + y) / h / h for x, y in both))
 
 
@@ -263,10 +263,10 @@ def _changed(xp: Any, u: Coordinates, v: Coordinates) -> Coordinates:
     return tuple(along * (db * y - da * x) + b * z for x, y, z in terms)
 
 
-def _series(first: int, derived: bool) -> list[float]:
+def _series(first: int, derivative: bool) -> list[float]:
     """Coefficients of A (first = 2) or B (3) by θ², or of twice their derivatives."""
     values = [(-1.0) ** k / factorial(2 * k + first) for k in range(12)]
-    return [2.0 * (k + 1) * v for k, v in enumerate(values[1:])] if derived else values
+    return [2.0 * (k + 1) * v for k, v in enumerate(values[1:])] if derivative else values
 
 
 _B, _DA, _DB = _series(3, False), _series(2, True), _series(3, True)

@@ -1,4 +1,4 @@
-"""What a figure is, and the look that all of them share."""
+"""What a figure is, and the style that all of them share."""
 
 from __future__ import annotations
 

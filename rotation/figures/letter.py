@@ -110,8 +110,8 @@ def _images(ax: Any, matrices: Matrices) -> None:
     images = transform(m[:, None], LETTER_T)
     kept = np.isclose(area(images), area(LETTER_T))
     for image, keeps in zip(images, kept, strict=True):
-        look = {"facecolor": PALE, "lw": 1.6} if keeps else {"fill": False, "lw": 1.0, "ls": "--"}
-        outline(ax, image, edgecolor=INK if keeps else GREY, **look)
+        style = {"facecolor": PALE, "lw": 1.6} if keeps else {"fill": False, "lw": 1.0, "ls": "--"}
+        outline(ax, image, edgecolor=INK if keeps else GREY, **style)
     outline(ax, np.array(LETTER_T, float), fill=False, edgecolor=RED, lw=2.2, hatch="////")
     for n, (x, y) in enumerate(transform(m, BEYOND)):
         name, side = ("0, 10", "left") if n == 0 else (str(n), "center")
@@ -121,14 +121,14 @@ def _images(ax: Any, matrices: Matrices) -> None:
 def _areas(ax: Any) -> None:
     """Plot the areas of the images over n."""
     fine = np.linspace(0, 360, 361)
-    for matrices, colour, look in (
+    for matrices, colour, style in (
         (reflection, BLUE, {"marker": "o", "ls": "-"}),
         (printed_orthogonal, RED, {"marker": "s", "ls": "--"}),
     ):
         smooth = area(transform(matrices(fine, degrees=True)[:, None], LETTER_T))
-        ax.plot(fine / 36, smooth, color=colour, lw=1.4, ls=look["ls"])
+        ax.plot(fine / 36, smooth, color=colour, lw=1.4, ls=style["ls"])
         points = area(transform(matrices(ANGLES, degrees=True)[:, None], LETTER_T))
-        ax.plot(range(11), points, color=colour, ls="none", marker=look["marker"], ms=6)
+        ax.plot(range(11), points, color=colour, ls="none", marker=style["marker"], ms=6)
     ax.text(2.5, 10.25, "(c) as it should be: always 10", color=BLUE, ha="center", va="bottom")
     ax.text(5, 1.5, "as printed,\n(a) and (b):\n10 |cos 2θ|", color=RED, ha="center", va="center")
     ax.set_title("(d) area of the image of the T, whose own area is 10")

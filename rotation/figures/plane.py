@@ -114,19 +114,19 @@ def plane_axes(ax: Axes, colour: Any, width: float = 0.8) -> None:
     ax.axvline(0, color=colour, lw=width)
 
 
-def outline(ax: Axes, corners: Floats, **look: Any) -> None:
+def outline(ax: Axes, corners: Floats, **style: Any) -> None:
     """Draw a polygon (n, 2); with fewer than three corners a segment or a point."""
     if len(corners) < 3:
-        dots(ax, corners, **look)
+        dots(ax, corners, **style)
     if len(corners) > 1:
-        ax.fill(*corners.T, **look)
+        ax.fill(*corners.T, **style)
 
 
-def dots(ax: Axes, points: Floats, **look: Any) -> None:
-    """Draw points (n, 2) alone, with the look of a polygon."""
-    look.pop("ls", None)
+def dots(ax: Axes, points: Floats, **style: Any) -> None:
+    """Draw points (n, 2) alone, in the style of a polygon."""
+    style.pop("ls", None)
     x, y = points.T
-    ax.scatter(x, y, 24, **look)
+    ax.scatter(x, y, 24, **style)
 
 
 def arrow(
@@ -137,8 +137,8 @@ def arrow(
     width: float = 1.8,
 ) -> None:
     """Draw an arrow from point to point."""
-    look = {"arrowstyle": "-|>", "color": colour, "lw": width, "shrinkA": 0, "shrinkB": 0}
-    ax.annotate("", xy=end, xytext=start, arrowprops=look)
+    style = {"arrowstyle": "-|>", "color": colour, "lw": width, "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", xy=end, xytext=start, arrowprops=style)
 
 
 def arc(ax: Axes, radius: float, start: float, end: float, colour: Any) -> None:

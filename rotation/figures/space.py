@@ -86,9 +86,9 @@ def _draw(ax: Any, q: Floats, start: Floats, frame: bool) -> None:
         _draw_frame(ax, start, before, "", 1.12, ls="--", lw=1.3, zorder=3, label="axes x, y, z")
         _draw_frame(ax, end, after, "′", 1.3, lw=2.6, label="turned")
     else:
-        look = {"s": 24, "depthshade": False}
-        ax.scatter(*start.T, edgecolors=[before], facecolors="none", label="points", **look)
-        ax.scatter(*end.T, color=[after], label="turned", **look)
+        style = {"s": 24, "depthshade": False}
+        ax.scatter(*start.T, edgecolors=[before], facecolors="none", label="points", **style)
+        ax.scatter(*end.T, color=[after], label="turned", **style)
     if angle and len(start) <= MAX_ARCS:
         _draw_paths(ax, axis, float(angle), start, ink)
     _equal_lengths(ax)
@@ -98,14 +98,14 @@ def _draw(ax: Any, q: Floats, start: Floats, frame: bool) -> None:
 
 
 def _draw_frame(
-    ax: Any, frame: Floats, colour: Colour, mark: str, beyond: float, **look: Any
+    ax: Any, frame: Floats, colour: Colour, mark: str, beyond: float, **style: Any
 ) -> None:
     """Draw three vectors from the origin, with the letters x, y and z beyond their ends."""
     vectors = np.stack([0 * frame, frame], axis=-1)
     for letter, vector, point in zip(LETTERS, vectors, frame, strict=True):
-        ax.plot(*vector, color=colour, **look)
+        ax.plot(*vector, color=colour, **style)
         ax.text(*(beyond * point), letter + mark, color=colour, ha="center", va="center")
-        look.pop("label", None)
+        style.pop("label", None)
     ax.auto_scale_xyz(*(beyond * frame).T)  # with room for the letters
 
 

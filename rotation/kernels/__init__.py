@@ -19,7 +19,7 @@ from rotation.arrays import Array
 from rotation.kernels import twins
 from rotation.kernels.strides import parameters, plan
 from rotation.native import builtins
-from rotation.native.strided_loop import Operand, Way, swept
+from rotation.native.strided_loop import Operand, Way, strided_loop
 from rotation.pool import threads
 
 __all__ = ["axis_angle", "contains_zero", "cumulative", "euler", "one", "quaternions", "threads"]
@@ -138,7 +138,7 @@ def _loop(
         builtins.register_symbols()
         found = formulas.kernel(*name)
         number = operands[0].number if name[0] == "one" else "double"
-        text = swept(found.fast, found.careful, operands, int(writes), number)
+        text = strided_loop(found.fast, found.careful, operands, int(writes), number)
         return machine_code.function(machine_code.compiled(text, "entry", announce=_announce))
 
 

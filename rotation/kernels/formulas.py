@@ -192,7 +192,7 @@ def _axis_angle_carefully(
     degrees: bool, single: bool, points: Rows, axis: Rows, angle: Rows
 ) -> Any:
     a = split(axis)
-    tracing.tell(tracing.all([c == 0.0 for c in a]))
+    tracing.flag_if(tracing.all([c == 0.0 for c in a]))
     return action.turned_by(about_axis(a, angle[...], degrees), split(points), False)
 
 
@@ -262,7 +262,7 @@ def _contains_zero_carefully(rows: Rows) -> Any:
     zero, *others = (c == 0.0 for c in split(rows))
     for other in others:
         zero = zero & other
-    tracing.tell(zero)
+    tracing.flag_if(zero)
     return ()
 
 

@@ -48,7 +48,7 @@ def is_made_of_words(seed: int) -> bool:
 def within(interval: str, holds: Callable[[float, float], bool]) -> Computed:
     """Say that all that ``random()`` returns lies in an interval; ``holds`` tells it of the extremes."""
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         low, high = returned(0, 0), returned(ONES, ONES)
         return CheckResult(
             holds(low, high) and all(map(is_made_of_words, range(SAMPLES))),
@@ -56,4 +56,4 @@ def within(interval: str, holds: Callable[[float, float], bool]) -> Computed:
             {"least": [repr(low)], "greatest": [repr(high)]},
         )
 
-    return Computed(f"random() returns numbers in {interval}", look)
+    return Computed(f"random() returns numbers in {interval}", check_claim)

@@ -25,7 +25,7 @@ def mean_is(times: printed_times.Times, printed: str) -> InField:
 def repeated(count: int) -> Computed:
     """Say that each of the four rows of the tables has so many times, in whole seconds."""
 
-    def look() -> CheckResult:
+    def check_claim() -> CheckResult:
         lengths = [len(row) for row in printed_times.ALL]
         whole = all(isinstance(time, int) for row in printed_times.ALL for time in row)
         return CheckResult(
@@ -35,7 +35,7 @@ def repeated(count: int) -> Computed:
             ),
         )
 
-    return Computed(f"each row of the tables has {count} times in whole seconds", look)
+    return Computed(f"each row of the tables has {count} times in whole seconds", check_claim)
 
 
 COMPUTED = {

@@ -76,7 +76,7 @@ def determined(*cosines: str) -> Statement:
     The last row and the first column of the matrices tell the angles already.
     """
     circles = [f"{a}[0]**2 + {a}[1]**2 == 1" for a in (FIRST[1], SECOND[1])]
-    told = [
+    angle_entries = [
         [m[2][0], m[2][1], m[2][2], m[0][0], m[1][0]] for m in map(euler_matrix, (FIRST, SECOND))
     ]
     pairs = zip(names("p q r"), names("u v w"), strict=True)
@@ -84,4 +84,4 @@ def determined(*cosines: str) -> Statement:
     words = (
         "if rotationMatrixZYX(x) = rotationMatrixZYX(y) and the middle cosines are positive, x = y"
     )
-    return Statement.of(alike, (*circles, equal(*told), *cosines), words)
+    return Statement.of(alike, (*circles, equal(*angle_entries), *cosines), words)

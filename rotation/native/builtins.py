@@ -35,8 +35,8 @@ from rotation.native.entry import (
 )
 from rotation.native.symbols import LIBRARY, WIDTH, Lanes, Program, Rows
 
-AHEAD = 4  # blocks, whose memory is asked for to be written and so is not fetched twice
-SOON = 8  # blocks, whose memory is asked for to be read while numbers are computed
+AHEAD = 4  # blocks: their memory is prefetched for writing, so that it is not fetched twice
+SOON = 8  # blocks: their memory is prefetched for reading while numbers are computed
 FREE = 2048  # rows for which it pays to free the interpreter lock
 BYTES = {"double": 8, "float": 4}
 NUMPY = {"PyArray_New": 93, "PyArray_Return": 76}  # the places in its table of functions
@@ -128,8 +128,8 @@ def compile_builtin(
     ``where`` is None for a new array, or a class, for an object of it that holds that, read-only. The answer
     is None where nothing was made: the arrays are not such as it reads (numpy's, of the types said, in C
     order and aligned, each of the same batch or of one row without a batch; a float of Python is an array of
-    no axes), the result has more than `MUCH` numbers, or the formula had something to `tell`.
-    An array for ``where`` is filled, however many numbers it has; the answer is whether something was told.
+    no axes), the result has more than `MUCH` numbers, or the formula flagged a row.
+    An array for ``where`` is filled, however many numbers it has; the answer is whether a row was flagged.
 
     Second comes the shape of a row of the result, third how many steps eight rows take.
 
@@ -203,10 +203,10 @@ def _block(
     if words[-1] == "float":
         names = [program.value(f"fptrunc {program.kind} {x} to {HALVES}") for x in names]
     _store(program, names, words[-1])
-    told = "false"
+    flag = "false"
     for condition in program.conditions:
-        told = program.value(f"or i1 {told}, {program.some(condition)}")
-    program.end(f"i1 {told}")
+        flag = program.value(f"or i1 {flag}, {program.some(condition)}")
+    program.end(f"i1 {flag}")
     return program, _shape(answer)
 
 
@@ -288,7 +288,7 @@ def _store_few(program: Program, names: list[str], word: str) -> None:
 
 
 def _rows(shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...]) -> Code:
-    """Write the function that runs through blocks of eight rows; it returns whether one told something.
+    """Write the function that runs through blocks of eight rows; it returns whether one was flagged.
 
     It takes the number of rows, for each array where its numbers lie and whether it has one row for all,
     and where to write. The rows left over at the end go through a buffer, as does the one row of an array
@@ -310,7 +310,7 @@ def _rows(shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...]) 
     long = v(f"icmp sge i64 %count, {FREE}")
     (state,) = code.when(long, lambda: [("ptr", code.call("ptr", "PyEval_SaveThread"), "null")])
 
-    def turn(i: str, told: str) -> list[str]:
+    def turn(i: str, flag: str) -> list[str]:
         left = v(f"sub i64 %count, {i}")
         full = v(f"icmp sge i64 {left}, {WIDTH}")
         few = v(f"xor i1 {full}, true")
@@ -333,11 +333,11 @@ def _rows(shapes: tuple[Shape, ...], moving: list[int], words: tuple[str, ...]) 
         there = code.at("i8", "%out", v(f"mul i64 {i}, {bytes_of[-1]}"))
         target = v(f"select i1 {full}, ptr {there}, ptr {buffers[-1]}")
         passed = ", ".join(f"ptr {x}" for x in (*sources, target))
-        told = v(f"or i1 {told}, {code.once(f'call i1 @block({passed})')}")
+        flag = v(f"or i1 {flag}, {code.once(f'call i1 @block({passed})')}")
         code.when(few, lambda: code.copy(there, buffers[-1], v(f"mul i64 {left}, {bytes_of[-1]}")))
-        return [told]
+        return [flag]
 
-    (told,) = code.loop("0", "%count", turn, WIDTH, [("i1", "false")])
+    (flag,) = code.loop("0", "%count", turn, WIDTH, [("i1", "false")])
     code.when(long, lambda: code.call("void", "PyEval_RestoreThread", ("ptr", state)))
-    code.end(f"i1 {told}")
+    code.end(f"i1 {flag}")
     return code

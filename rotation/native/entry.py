@@ -49,8 +49,8 @@ class Entry(Code):
         self.require(fits, self.value(f"icmp eq i64 {numbers}, {total}"))
         passed = "".join(f", ptr {d}, i1 {one}" for d, one in zip(data, ones, strict=True))
         target = self.load("ptr", self.at("i8", out, DATA))
-        told = self.once(f"call i1 @rows(i64 {rows}{passed}, ptr {target})")
-        self.answer(where, filling, out, told, slot)
+        flag = self.once(f"call i1 @rows(i64 {rows}{passed}, ptr {target})")
+        self.answer(where, filling, out, flag, slot)
 
     def require(self, *conditions: str) -> None:
         """Return None, which says that nothing was done, unless all conditions hold."""
@@ -147,19 +147,19 @@ class Entry(Code):
         self.leave(v(f"icmp eq ptr {made}, null"), lambda: "ptr null")
         return made
 
-    def answer(self, where: str, filling: str, out: str, told: str, slot: int) -> None:
-        """Return whether something was told; or if not that, the values or an object that holds them."""
+    def answer(self, where: str, filling: str, out: str, flag: str, slot: int) -> None:
+        """Return whether a row was flagged, or the values, or an object that has them."""
 
         def dropped(result: Callable[[], str]) -> str:
             self.call("void", "Py_DecRef", ("ptr", out))
             return result()
 
         def said() -> str:
-            told_of = self.value(f"zext i1 {told} to i64")
-            return f"ptr {self.call('ptr', 'PyBool_FromLong', ('i64', told_of))}"
+            flag_word = self.value(f"zext i1 {flag} to i64")
+            return f"ptr {self.call('ptr', 'PyBool_FromLong', ('i64', flag_word))}"
 
         self.leave(filling, said)
-        self.leave(told, lambda: dropped(self.nothing))
+        self.leave(flag, lambda: dropped(self.nothing))
         plain = self.value(f"icmp eq ptr {where}, {self.none}")
         self.leave(plain, lambda: f"ptr {self.call('ptr', 'PyArray_Return', ('ptr', out))}")
         flags = self.at("i8", out, FLAGS)

@@ -60,14 +60,14 @@ class Operand(NamedTuple):
         return self.size * (self.width if self.way is Way.SIDE_BY_SIDE else 1)
 
 
-def swept(
+def strided_loop(
     fast: Fast, careful: Careful | None, operands: tuple[Operand, ...], results: int, number: str
 ) -> str:
     """Write the function ``entry(counter, table)``: it takes blocks from the counter until none is left.
 
     The table is of 64-bit integers: the outer and the inner length of the batch, then for each operand its
     address and its strides in bytes, between components, along the outer and along the inner axis.
-    The function returns whether the careful form had something to `tell`.
+    The function returns whether the careful form flagged a row.
 
     Parameters
     ----------
@@ -120,7 +120,7 @@ def _eight(
     results: int,
     number: str,
 ) -> Program:
-    """Write the function that does eight rows in columns of eight, whatever they hold, and may tell."""
+    """Write the function for eight rows in columns of eight; it returns whether it flagged one."""
     pointers = ", ".join(f"ptr %p{n}" for n in range(len(operands)))
     program = Program(f"internal i1 @eight({pointers})", number, fused=True)
     near = [operand._replace(way=Way.COLUMNS) for operand in operands]
@@ -141,10 +141,10 @@ def _eight(
         image = program.rarely((~right).name, mended, image)
     if results:
         _write(program, near[-1], columns[-1], image, "0")
-    told = "false"
+    flag = "false"
     for condition in program.conditions:
-        told = program.value(f"or i1 {told}, {program.some(condition)}")
-    program.end(f"i1 {told}")
+        flag = program.value(f"or i1 {flag}, {program.some(condition)}")
+    program.end(f"i1 {flag}")
     return program
 
 
@@ -163,10 +163,10 @@ def _few(operands: tuple[Operand, ...], results: int) -> Code:
         copies.append((o, near, f"ptr {place}, i64 %c{n}, i64 {o.step}"))
     for o, near, far in copies[: len(operands) - results]:
         _copied(code, o, near, far, str(WIDTH), last)
-    told = code.once(f"call i1 @eight({', '.join(f'ptr {b}' for b in buffers)})")
+    flag = code.once(f"call i1 @eight({', '.join(f'ptr {b}' for b in buffers)})")
     for o, near, far in copies[len(operands) - results :]:
         _copied(code, o, far, near, "%m", "%m")
-    code.end(f"i1 {told}")
+    code.end(f"i1 {flag}")
     return code
 
 
@@ -185,13 +185,13 @@ def _entry(operands: tuple[Operand, ...], results: int) -> Code:
     def least(x: str, y: str) -> str:
         return code.call("i64", "llvm.smin.i64", ("i64", x), ("i64", y))
 
-    def turn(told: str) -> tuple[str, list[str]]:
+    def turn(flag: str) -> tuple[str, list[str]]:
         begin = code.once(f"atomicrmw add ptr %counter, i64 {TAKE} monotonic")
         end = least(v(f"add i64 {begin}, {TAKE}"), total)
-        (told,) = code.loop(begin, end, block, first=[("i1", told)])
-        return v(f"icmp slt i64 {begin}, {total}"), [told]
+        (flag,) = code.loop(begin, end, block, first=[("i1", flag)])
+        return v(f"icmp slt i64 {begin}, {total}"), [flag]
 
-    def block(number: str, told: str) -> list[str]:
+    def block(number: str, flag: str) -> list[str]:
         row = v(f"mul i64 {v(f'srem i64 {number}, {each}')}, {BLOCK}")
         length = least(v(f"sub i64 {inner}, {row}"), str(BLOCK))
         along = v(f"sdiv i64 {number}, {each}")
@@ -214,25 +214,25 @@ def _entry(operands: tuple[Operand, ...], results: int) -> Code:
         given = "".join(passed)
         whole = v(f"and i64 {length}, -{WIDTH}")
 
-        def few(start: str, count: str, told: str) -> list[tuple[str, str, str]]:
+        def few(start: str, count: str, flag: str) -> list[tuple[str, str, str]]:
             some = code.once(f"call i1 @few(i64 {start}, i64 {count}{given})")
-            return [("i1", v(f"or i1 {told}, {some}"), told)]
+            return [("i1", v(f"or i1 {flag}, {some}"), flag)]
 
-        def stretch(start: str, told: str) -> tuple[str, list[str]]:
+        def stretch(start: str, flag: str) -> tuple[str, list[str]]:
             i = code.once(f"call i64 @stretch(i64 {start}, i64 {whole}{given})")
             stopped = v(f"icmp slt i64 {i}, {whole}")
-            (told,) = code.when(stopped, lambda: few(i, str(WIDTH), told))
-            return stopped, [v(f"add i64 {i}, {WIDTH}"), told]
+            (flag,) = code.when(stopped, lambda: few(i, str(WIDTH), flag))
+            return stopped, [v(f"add i64 {i}, {WIDTH}"), flag]
 
-        _, told = code.repeat([("i64", "0"), ("i1", told)], stretch)
+        _, flag = code.repeat([("i64", "0"), ("i1", flag)], stretch)
         odd = v(f"sub i64 {length}, {whole}")
-        (told,) = code.when(v(f"icmp ne i64 {odd}, 0"), lambda: few(whole, odd, told))
+        (flag,) = code.when(v(f"icmp ne i64 {odd}, 0"), lambda: few(whole, odd, flag))
         for o, far, near in copies:
             _copied(code, o, far, near, length, length)
-        return [told]
+        return [flag]
 
-    (told,) = code.repeat([("i1", "false")], turn)
-    code.end(f"i64 {v(f'zext i1 {told} to i64')}")
+    (flag,) = code.repeat([("i1", "false")], turn)
+    code.end(f"i64 {v(f'zext i1 {flag} to i64')}")
     return code
 
 

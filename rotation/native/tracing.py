@@ -135,8 +135,8 @@ def rarely(condition: Condition, compute: Callable[[], Any], usual: tuple[Lanes,
     return condition.program.rarely(condition.name, compute, usual)
 
 
-def tell(condition: Condition) -> None:
-    """Have the function say so at the end if the condition holds in a row."""
+def flag_if(condition: Condition) -> None:
+    """Make the function return True if the condition holds in a row."""
     condition.program.conditions.append(condition.name)
 
 

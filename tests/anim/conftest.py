@@ -5,7 +5,7 @@ import pytest
 
 from anim.film import clip
 from anim.model import Model
-from anim.picture import Look
+from anim.picture import RenderSettings
 from anim.pipelines import kinematic
 from anim.rendering import Scene, frames
 from tests.anim.films import FRAMES, SIZE
@@ -13,7 +13,7 @@ from tests.anim.films import FRAMES, SIZE
 
 @pytest.fixture(scope="module")
 def scene() -> Scene:
-    look = Look(size=SIZE, trace=True, shadow=True)
+    look = RenderSettings(size=SIZE, trace=True, shadow=True)
     return Scene(Model(ring=60), kinematic("product", clip(frames=FRAMES, fps=25)), look)
 
 

@@ -10,7 +10,7 @@ from anim.motion import Motion
 from anim.physics import physical
 from anim.physics.simulate import STORY
 from anim.picture.captions import FORMULAS, WORDS, caption, strip
-from anim.picture.look import FILM_LOOK, Look
+from anim.picture.settings import FILM_SETTINGS, RenderSettings
 from anim.pipelines import PIPELINES, kinematic
 from anim.rendering import Scene, draw, framed
 from tests.subcases import pairs_quick
@@ -27,11 +27,13 @@ def test_they_stand_above_a_whole_picture_of_the_scene(name, size):
     model, motion = Model(ring=30), MOTIONS[name]
     assert name in FORMULAS
     for language in WORDS:
-        look = framed(Look(size, FILM_LOOK.style, trace=True, shadow=True), model, motion)
+        look = framed(
+            RenderSettings(size, FILM_SETTINGS.style, trace=True, shadow=True), model, motion
+        )
         task = Scene(model, motion, look, captions=language).task(5)
         picture, height = draw(task), strip(size, language, name)
         assert picture.shape == (size[1], size[0], 3)
-        plain = Scene(model, motion, task.look).task(5)
+        plain = Scene(model, motion, task.settings).task(5)
         np.testing.assert_array_equal(picture[height:], draw(plain))
         letters = (picture[:height] != picture[0, 0]).any(axis=-1)
         assert letters.sum() > 100
@@ -41,7 +43,7 @@ def test_they_stand_above_a_whole_picture_of_the_scene(name, size):
 
 def test_small_pictures_are_refused():
     with pytest.raises(AnimationError, match="captions are too large for a picture of 64x48"):
-        Scene(Model(30), MOTIONS["physics"], Look((64, 48)), captions="en")
+        Scene(Model(30), MOTIONS["physics"], RenderSettings((64, 48)), captions="en")
 
 
 def test_they_say_what_they_said():

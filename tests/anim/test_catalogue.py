@@ -12,7 +12,7 @@ from anim.catalogue import Catalogue
 from anim.commands.arguments import declare
 from anim.model import Model
 from anim.output import FORMATS, Film, check, open_film
-from anim.picture import STYLES, Look, painter
+from anim.picture import STYLES, RenderSettings, painter
 from anim.picture.style import Style
 
 NEGATIVE = '''"""Colours turned round.
@@ -58,8 +58,8 @@ def test_a_style_joins_by_its_file(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert "negative" not in STYLES
     add(tmp_path / "negative", NEGATIVE, STYLES, anim.picture.styles, monkeypatch)
     colours = ("#d02040", "#204080")
-    look = Look((64, 48), "negative", colours=colours, tilt=0)
-    other = Look((64, 48), "flat", colours=("#2fdfbf", "#dfbf7f"), tilt=0)
+    look = RenderSettings((64, 48), "negative", colours=colours, tilt=0)
+    other = RenderSettings((64, 48), "flat", colours=("#2fdfbf", "#dfbf7f"), tilt=0)
     np.testing.assert_array_equal(*(painter(Model(), x).draw(np.eye(3)) for x in (look, other)))
     parser = argparse.ArgumentParser(formatter_class=argparse.RawTextHelpFormatter)
     declare(parser)

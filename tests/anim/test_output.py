@@ -27,7 +27,7 @@ from tests.thorough import pairwise
 @pytest.mark.slow
 def test_mp4(scene: Scene, tmp_path: Path) -> None:
     path, size = tmp_path / "top.mp4", (640, 480)
-    large = Scene(scene.model, scene.motion, replace(scene.look, size=size))
+    large = Scene(scene.model, scene.motion, replace(scene.settings, size=size))
     render(large, path, replace(FILM, size=size))
     raw, found = np.stack(list(frames(large))), decoded(path, size)
     assert found.shape == raw.shape
@@ -82,7 +82,7 @@ def test_every_frame_of_an_mp4_is_like_what_was_drawn(
     scene: Scene, tmp_path: Path, style: str, size: tuple[int, int]
 ) -> None:
     path, count = tmp_path / "top.mp4", 6
-    small = Scene(scene.model, scene.motion, replace(scene.look, size=size, style=style))
+    small = Scene(scene.model, scene.motion, replace(scene.settings, size=size, style=style))
     drawn = list(frames(small, numbers=range(FRAMES - count, FRAMES)))
     with open_film(path, Film(size, count, 25)) as write:
         deque(map(write, drawn))
@@ -175,7 +175,7 @@ def test_at_most_two_frames_a_process_are_in_flight(scene: Scene) -> None:
 
 
 def test_motion_blur_is_the_mean_of_moments(scene: Scene, raw: np.ndarray) -> None:
-    blurred = Scene(scene.model, scene.motion, scene.look, blur=1.0, steps=4)
+    blurred = Scene(scene.model, scene.motion, scene.settings, blur=1.0, steps=4)
     task = blurred.task(7)
     assert len(task.matrices) == 4
     singles = [next(frames(Still(scene, m), numbers=range(1))) for m in task.matrices]
@@ -183,14 +183,14 @@ def test_motion_blur_is_the_mean_of_moments(scene: Scene, raw: np.ndarray) -> No
     np.testing.assert_allclose(picture, np.mean(singles, axis=0), atol=0.5)
     assert (picture != raw[7]).any()
     with pytest.raises(AnimationError, match="from 0 to 1"):
-        Scene(scene.model, scene.motion, scene.look, blur=1.5)
+        Scene(scene.model, scene.motion, scene.settings, blur=1.5)
 
 
 class Still(Scene):
     """A scene in one attitude, with the trail of another's seventh frame."""
 
     def __init__(self, scene: Scene, matrix: np.ndarray) -> None:
-        super().__init__(scene.model, scene.motion, scene.look)
+        super().__init__(scene.model, scene.motion, scene.settings)
         object.__setattr__(self, "still", replace(scene.task(7), matrices=matrix[None]))
 
     def task(self, number: int):

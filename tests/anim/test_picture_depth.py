@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from anim.model import Model
-from anim.picture import Camera, Look, merge, painter
+from anim.picture import Camera, RenderSettings, merge, painter
 from anim.picture.styles import flat, shaded
 from tests.anim.cones import NOTHING, interior, nearest, random_rotation, reference
 from tests.subcases import pairs_quick, subcases
@@ -31,7 +31,7 @@ def attitudes():
     return [random_rotation(rng) for _ in range(cases(200))]
 
 
-def coloured(model: Model, look: Look):
+def coloured(model: Model, look: RenderSettings):
     """Return a painter whose pieces have the colours above and whose light is even."""
     brush = painter(model, look)
     if look.style == "shaded":
@@ -49,7 +49,7 @@ def coloured(model: Model, look: Look):
 
 def wrong(brush, rotation, empty) -> tuple[int, int]:
     """Return how many interior pixels differ from the reference, and how many show the top."""
-    expected = reference(brush.view.matrix, brush.look.size, rotation, brush.model)
+    expected = reference(brush.view.matrix, brush.settings.size, rotation, brush.model)
     inside = interior(expected)
     picture, expected = brush.draw(rotation)[inside], expected[inside]
     shown = np.full(expected.shape, NOTHING)
@@ -69,7 +69,7 @@ def share_wrong(brush, rotations) -> float:
 @pytest.mark.slow
 @pytest.mark.parametrize("style", ["flat", "classic", "shaded"])
 def test_depth_is_right_in_many_attitudes(style, attitudes):
-    brush = coloured(Model(), Look(SIZE, style, tilt=180))
+    brush = coloured(Model(), RenderSettings(SIZE, style, tilt=180))
     assert share_wrong(brush, attitudes) <= LIMIT
 
 
@@ -85,13 +85,13 @@ def test_depth_is_right_in_many_attitudes(style, attitudes):
 )
 @subcases("style", ["flat", "classic", "shaded"])
 def test_depth_is_right_from_other_cameras(style, camera, attitudes):
-    brush = coloured(Model(p2="third"), Look(SIZE, style, camera, tilt=180))
+    brush = coloured(Model(p2="third"), RenderSettings(SIZE, style, camera, tilt=180))
     assert share_wrong(brush, attitudes[:8]) <= LIMIT
 
 
 @pytest.mark.parametrize(("p2", "style"), pairs_quick([0.1, 0.9, 1.4], ["flat", "shaded"], 2))
 def test_depth_is_right_for_other_collars(style, p2, attitudes):
-    brush = coloured(Model(p2=p2, bands=7), Look(SIZE, style, tilt=180))
+    brush = coloured(Model(p2=p2, bands=7), RenderSettings(SIZE, style, tilt=180))
     assert share_wrong(brush, attitudes[8:16]) <= LIMIT
 
 
@@ -107,13 +107,15 @@ OUTLINES = {
 def test_depth_is_right_for_other_outlines(style, name, attitudes):
     model = Model.from_outline(OUTLINES[name], bands=7)
     # Rays know nothing of the picture's unit: the model is as large as its picture.
-    brush = coloured(model.scaled(model.magnified), Look(SIZE, style, tilt=180))
+    brush = coloured(model.scaled(model.magnified), RenderSettings(SIZE, style, tilt=180))
     assert share_wrong(brush, attitudes[16:22]) <= LIMIT
 
 
 def test_between_the_rings_the_band_hides_both_cones():
     # The eye in the slab between P₁ and P₂ of the upright top: the order with two far sides.
-    brush = coloured(Model(p2=0.9), Look(SIZE, "flat", Camera(0, -1.0, distance=8), tilt=0))
+    brush = coloured(
+        Model(p2=0.9), RenderSettings(SIZE, "flat", Camera(0, -1.0, distance=8), tilt=0)
+    )
     height = brush.view.eye[2]
     assert 1 < height < 1.1
     bad, total = wrong(brush, np.eye(3), brush.canvas.rgb())
@@ -122,7 +124,7 @@ def test_between_the_rings_the_band_hides_both_cones():
 
 def test_a_wrong_order_would_be_found(monkeypatch, attitudes):
     monkeypatch.setattr(flat, "drawing_order", lambda eye, heights: (2, 1, 0))
-    brush = coloured(Model(), Look(SIZE, "flat", tilt=180))
+    brush = coloured(Model(), RenderSettings(SIZE, "flat", tilt=180))
     assert share_wrong(brush, attitudes[:10]) > 5 * LIMIT
 
 
@@ -130,13 +132,15 @@ def test_without_culling_it_would_be_found(monkeypatch, attitudes):
     from anim.picture.solid import Piece
 
     monkeypatch.setattr(Piece, "facing", lambda self, eye: np.ones(len(self.low), bool))
-    brush = coloured(Model(), Look(SIZE, "flat", tilt=180))
+    brush = coloured(Model(), RenderSettings(SIZE, "flat", tilt=180))
     assert share_wrong(brush, attitudes[:10]) > 5 * LIMIT
 
 
 def leaking(ring: int, rotations) -> float:
     """Return the share of the interior in which a top of a single colour shows another one."""
-    look = Look(SIZE, "classic", background="white", tilt=180, colours=("#d02040", "#d02040"))
+    look = RenderSettings(
+        SIZE, "classic", background="white", tilt=180, colours=("#d02040", "#d02040")
+    )
     brush = painter(Model(ring=ring), look)
     empty = brush.canvas.rgb()
     leaks = total = 0
@@ -163,8 +167,8 @@ def test_seams_without_overlap_would_be_found(monkeypatch, attitudes):
 def test_flat_and_shaded_agree_on_a_coarse_top():
     # With few points the cones are no reference; but outlines and triangles are independent.
     model, rng = Model(ring=5, bands=5), np.random.default_rng(5)
-    flat_one = coloured(model, Look(SIZE, "flat", background="white", tilt=180))
-    deep_one = coloured(model, Look(SIZE, "shaded", background="white", tilt=180))
+    flat_one = coloured(model, RenderSettings(SIZE, "flat", background="white", tilt=180))
+    deep_one = coloured(model, RenderSettings(SIZE, "shaded", background="white", tilt=180))
     for _ in range(8):
         rotation = random_rotation(rng)
         palette = [*PALETTE, (255, 255, 255)]

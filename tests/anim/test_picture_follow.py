@@ -10,12 +10,12 @@ from anim.errors import AnimationError
 from anim.film import clip
 from anim.model import Model
 from anim.motion import Motion
-from anim.picture import Look, painter
-from anim.picture.look import FILM_LOOK
+from anim.picture import RenderSettings, painter
+from anim.picture.settings import FILM_SETTINGS
 from anim.picture.trace import in_sight, strengths
 from anim.rendering import Scene, Track, draw, framed
 
-SMALL = replace(FILM_LOOK, size=(160, 120))
+SMALL = replace(FILM_SETTINGS, size=(160, 120))
 MODEL = Model(ring=60)
 
 
@@ -31,7 +31,7 @@ def gliding(far: float) -> Motion:
     return Motion.sample("gliding", clip(frames=501), upright, None, places)
 
 
-def height_of_the_top(look: Look, motion: Motion) -> int:
+def height_of_the_top(look: RenderSettings, motion: Motion) -> int:
     look = replace(look, trace=False, shadow=False)
     picture = draw(Scene(MODEL, motion, look).task(250))
     yellow = (picture[..., 0] > 150) & (picture[..., 2] < 80)
@@ -78,12 +78,12 @@ def test_the_track_is_the_middle_of_the_top_and_calm() -> None:
 def test_axes_are_not_followed() -> None:
     assert not framed(replace(SMALL, style="classic"), MODEL, gliding(40)).follow
     with pytest.raises(AnimationError, match="fixed axes"):
-        Look(style="classic", follow=True)
+        RenderSettings(style="classic", follow=True)
 
 
 @pytest.mark.parametrize("style", ["flat", "shaded", "classic"])
 def test_the_path_fades_with_its_age(style: str) -> None:
-    look = Look((160, 120), style, trace=True)
+    look = RenderSettings((160, 120), style, trace=True)
     trail = np.column_stack([np.linspace(-2, 2, 50), np.full(50, 0.0), np.full(50, 2.0)])
     brush = painter(MODEL, look)
     empty = brush.draw(np.diag([1.0, -1, -1])).astype(int)

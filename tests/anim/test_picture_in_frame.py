@@ -6,8 +6,8 @@ import pytest
 from anim.film import clip
 from anim.model import Model
 from anim.physics import Launch, physical
-from anim.picture import STYLES, Camera, Look, painter
-from anim.picture.look import FILM_LOOK
+from anim.picture import STYLES, Camera, RenderSettings, painter
+from anim.picture.settings import FILM_SETTINGS
 from anim.pipelines import PIPELINES, kinematic
 from anim.rendering import Scene, framed, frames
 from tests.anim.test_picture_projection import about_y, about_z
@@ -37,14 +37,14 @@ def scene_of(motion, look):
 
 
 def empty_room(scene):
-    return painter(scene.model, scene.look).canvas.rgb()
+    return painter(scene.model, scene.settings).canvas.rgb()
 
 
 @pytest.mark.slow
 @subcases("motion", MOTIONS)
 @subcases("size", [HD, WIDE, TALL, SMALL])
 def test_the_default_film(motion, size):
-    look = Look(size, FILM_LOOK.style, trace=True, shadow=True, quality=1)
+    look = RenderSettings(size, FILM_SETTINGS.style, trace=True, shadow=True, quality=1)
     scene = scene_of(MOTIONS[motion], look)
     mask = drawn(frames(scene, numbers=range(2, 9, 3)), empty_room(scene))
     assert mask.any()
@@ -55,15 +55,17 @@ def test_the_default_film(motion, size):
 @subcases("style", STYLES)
 @subcases("camera", CAMERAS)
 def test_long_shadows_from_every_side(style, camera):
-    scene = scene_of(MOTIONS["a fall"], Look((320, 180), style, camera, trace=True, shadow=True))
+    scene = scene_of(
+        MOTIONS["a fall"], RenderSettings((320, 180), style, camera, trace=True, shadow=True)
+    )
     assert on_the_edge(drawn(frames(scene), empty_room(scene))) == [False] * 4
-    brush = painter(scene.model, Look((320, 180), style, camera, shadow=True, tilt=60))
+    brush = painter(scene.model, RenderSettings((320, 180), style, camera, shadow=True, tilt=60))
     empty = brush.canvas.rgb()
     leaning = [brush.draw(about_z(turn) @ about_y(np.pi / 3)) for turn in np.arange(0, 6.2, 0.35)]
     assert on_the_edge(drawn(leaning, empty)) == [False] * 4
 
 
 def test_the_picture_is_filled():
-    scene = scene_of(MOTIONS["physics"], Look((320, 240), trace=True, shadow=True))
+    scene = scene_of(MOTIONS["physics"], RenderSettings((320, 240), trace=True, shadow=True))
     rows, columns = np.nonzero(drawn(frames(scene), empty_room(scene)))
     assert max(np.ptp(rows) / 240, np.ptp(columns) / 320) > 0.8

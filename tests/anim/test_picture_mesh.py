@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from anim.film import clip
 from anim.model import Model
-from anim.picture import STYLES, Camera, Look, painter
+from anim.picture import STYLES, Camera, RenderSettings, painter
 from anim.picture.mesh import INVISIBLE, Mesh
 from anim.picture.projection import reached
 from anim.picture.styles import shaded
@@ -33,12 +33,12 @@ def test_a_mesh_keeps_the_edges_of_the_bands_and_strays_little(ring, bands, magn
 
 def test_coarse_models_are_drawn_as_they_are():
     for ring in (3, 10, 60):
-        assert painter(Model(ring), Look()).mesh.ring == ring
+        assert painter(Model(ring), RenderSettings()).mesh.ring == ring
 
 
 @pytest.mark.parametrize("style", STYLES)
 def test_nobody_sees_what_the_mesh_leaves_out(style, monkeypatch):
-    model, look = Model(), Look((320, 240), style, shadow=True)
+    model, look = Model(), RenderSettings((320, 240), style, shadow=True)
     thin = painter(model, look)
     assert thin.mesh.ring < 300
     monkeypatch.setattr("anim.picture.mesh.INVISIBLE", 0.0)
@@ -52,15 +52,15 @@ def test_nobody_sees_what_the_mesh_leaves_out(style, monkeypatch):
 
 
 def test_a_million_points_cost_what_the_picture_can_show():
-    assert painter(Model(1_000_000), Look((640, 480), "shaded")).mesh.ring < 600
+    assert painter(Model(1_000_000), RenderSettings((640, 480), "shaded")).mesh.ring < 600
 
 
 @settings(max_examples=25, deadline=None)
 @given(st.booleans(), st.floats(-90, 90), st.floats(6, 100), st.floats(0.1, 100))
 def test_the_magnification_is_how_many_pixels_a_short_way_makes(flat, elevation, distance, zoom):
-    look = Look((64, 48), camera=Camera(10, elevation, distance, zoom, not flat))
+    look = RenderSettings((64, 48), camera=Camera(10, elevation, distance, zoom, not flat))
     view = painter(Model(3), look).view
-    points = reached(Model(3), Look(tilt=90))
+    points = reached(Model(3), RenderSettings(tilt=90))
     steps = 1e-6 * np.random.default_rng(1).normal(size=points.shape)
     moved = np.linalg.norm(view.project(points + steps) - view.project(points), axis=1)
     most = (moved / np.linalg.norm(steps, axis=1)).max()
@@ -85,7 +85,7 @@ def test_a_thinned_line_strays_no_further_than_allowed(seed, count, tolerance):
 def test_the_trace_of_a_long_film_has_no_more_points_than_that_of_a_short_one():
     lengths = []
     for frames in (10, 500, 20_000):
-        scene = Scene(Model(10), kinematic(clip=clip(frames=frames)), Look(trace=True))
+        scene = Scene(Model(10), kinematic(clip=clip(frames=frames)), RenderSettings(trace=True))
         trail = scene.task(frames - 1).trail
         assert trail is not None
         np.testing.assert_array_equal(trail[-1], scene.motion.apex()[-1])

@@ -7,7 +7,7 @@ import pytest
 
 from anim.errors import AnimationError
 from anim.model import Model
-from anim.picture import STYLES, Camera, Look, painter
+from anim.picture import STYLES, Camera, RenderSettings, painter
 from anim.picture.styles.shaded import LINEAR
 from anim.rendering import Task, draw
 from tests.anim.cones import cone_hits, interior, random_rotation, rays
@@ -34,7 +34,7 @@ def reddish(picture):
 
 @pytest.mark.parametrize("style", STYLES)
 def test_pictures_depend_on_the_arguments_only(style):
-    look = Look(SIZE, style, trace=True, shadow=True)
+    look = RenderSettings(SIZE, style, trace=True, shadow=True)
     rng = np.random.default_rng(1)
     rotations = [random_rotation(rng) for _ in range(4)]
     trails = [spiral(n) for n in (1, 3, 100, 200)]
@@ -57,7 +57,7 @@ def test_pictures_depend_on_the_arguments_only(style):
 
 @pytest.mark.parametrize("style", STYLES)
 def test_a_picture_handed_out_is_left_alone(style):
-    brush = painter(MODEL, Look(SIZE, style))
+    brush = painter(MODEL, RenderSettings(SIZE, style))
     picture = brush.draw(np.eye(3))
     kept = picture.copy()
     brush.draw(about_y(1.0))
@@ -68,15 +68,15 @@ def test_a_picture_handed_out_is_left_alone(style):
 
 @pytest.mark.parametrize("style", STYLES)
 def test_background_is_what_was_asked_for(style):
-    picture = painter(MODEL, Look(SIZE, style, background="#102030")).draw(np.eye(3))
+    picture = painter(MODEL, RenderSettings(SIZE, style, background="#102030")).draw(np.eye(3))
     assert tuple(picture[0, 0]) == (16, 32, 48)
 
 
 @pytest.mark.parametrize("style", STYLES)
 def test_colours_are_what_was_asked_for(style):
-    picture = painter(MODEL, Look(SIZE, style, colours=("#3060ff", "white"), tilt=0)).draw(
-        np.eye(3)
-    )
+    picture = painter(
+        MODEL, RenderSettings(SIZE, style, colours=("#3060ff", "white"), tilt=0)
+    ).draw(np.eye(3))
     blue = picture[..., 2].astype(int) - picture[..., 0]
     yellow = picture[..., 0].astype(int) - picture[..., 2]
     assert (blue > 60).sum() > 500
@@ -84,14 +84,14 @@ def test_colours_are_what_was_asked_for(style):
 
 
 def test_without_smoothing_there_are_no_mixed_colours():
-    picture = painter(MODEL, Look(SIZE, quality=1)).draw(about_y(0.4))
+    picture = painter(MODEL, RenderSettings(SIZE, quality=1)).draw(about_y(0.4))
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) <= 7
 
 
 @pytest.mark.parametrize("lean", [0.1, 1.0, 2.2])
 def test_edges_of_lit_pictures_are_the_shares_that_faces_cover(lean):
     size, fine = (100, 75), 12
-    look = Look(size, "shaded", background="#e9ecef", tilt=180)
+    look = RenderSettings(size, "shaded", background="#e9ecef", tilt=180)
     large = replace(look, size=(size[0] * fine, size[1] * fine), quality=1)
     turn = about_z(0.3) @ about_y(lean)
     light = LINEAR[painter(MODEL, large).draw(turn)]
@@ -103,10 +103,12 @@ def test_edges_of_lit_pictures_are_the_shares_that_faces_cover(lean):
 
 @pytest.mark.parametrize("style", STYLES)
 def test_trace_is_drawn_when_asked_for(style):
-    bare = painter(MODEL, Look(SIZE, style)).draw(np.eye(3), spiral())
-    np.testing.assert_array_equal(bare, painter(MODEL, Look(SIZE, style)).draw(np.eye(3)))
+    bare = painter(MODEL, RenderSettings(SIZE, style)).draw(np.eye(3), spiral())
+    np.testing.assert_array_equal(bare, painter(MODEL, RenderSettings(SIZE, style)).draw(np.eye(3)))
     assert not reddish(bare).any()
-    assert reddish(painter(MODEL, Look(SIZE, style, trace=True)).draw(np.eye(3), spiral())).any()
+    assert reddish(
+        painter(MODEL, RenderSettings(SIZE, style, trace=True)).draw(np.eye(3), spiral())
+    ).any()
 
 
 @pytest.mark.parametrize("style", STYLES)
@@ -114,7 +116,7 @@ def test_trace_is_drawn_when_asked_for(style):
 def test_the_top_hides_the_trace_behind_it_and_not_before_it(style, perspective):
     # From above the ground, level with the upper cone: the trace runs round the sphere at a height of 2.
     camera = Camera(0, 5, perspective=perspective)
-    look = Look((400, 300), style, camera, trace=True, tilt=10)
+    look = RenderSettings((400, 300), style, camera, trace=True, tilt=10)
     brush = painter(MODEL, look)
     turns = np.linspace(-0.15, 0.15, 30)
     ring = np.column_stack([np.cos(turns), np.sin(turns), np.zeros(30)]) * np.sqrt(5)
@@ -131,13 +133,13 @@ def test_the_top_hides_the_trace_behind_it_and_not_before_it(style, perspective)
 
 def without_shadow(brush):
     """Return a painter with the same view, framed for the shadow, that leaves the shadow out."""
-    other = painter(brush.model, brush.look)
-    other.look = replace(brush.look, shadow=False)
+    other = painter(brush.model, brush.settings)
+    other.settings = replace(brush.settings, shadow=False)
     return other
 
 
 def test_shadow_is_where_no_light_comes():
-    look = Look((320, 240), "flat", Camera(40, 35), shadow=True, tilt=45)
+    look = RenderSettings((320, 240), "flat", Camera(40, 35), shadow=True, tilt=45)
     model = Model()
     brush = painter(model, look)
     for rotation in (np.eye(3), about_z(1.0) @ about_y(0.5) @ about_z(2.0), about_y(-0.78)):
@@ -159,7 +161,7 @@ def test_shadow_is_where_no_light_comes():
 
 
 def test_seen_from_below_the_shadow_lies_over_the_top():
-    below = Look(SIZE, "flat", Camera(0, -30), shadow=True)
+    below = RenderSettings(SIZE, "flat", Camera(0, -30), shadow=True)
     brush = painter(MODEL, below)
     bare = without_shadow(brush).draw(np.eye(3)).astype(int)
     picture = brush.draw(np.eye(3)).astype(int)
@@ -168,7 +170,7 @@ def test_seen_from_below_the_shadow_lies_over_the_top():
 
 
 def test_a_top_sunk_into_the_ground_throws_the_shadow_of_what_is_above():
-    look = Look(SIZE, "flat", shadow=True, tilt=180)
+    look = RenderSettings(SIZE, "flat", shadow=True, tilt=180)
     brush = painter(MODEL, look)
     for lean in (1.2, 2.0, np.pi):
         assert brush.draw(about_y(lean)).shape == (180, 240, 3)
@@ -179,7 +181,7 @@ def test_a_top_sunk_into_the_ground_throws_the_shadow_of_what_is_above():
 
 @pytest.mark.parametrize("spin", [0.0, 2.0, np.pi])
 def test_the_side_to_the_light_is_brighter_however_the_top_has_turned(spin):
-    look = Look(SIZE, "shaded", Camera(0, 10), colours=("grey", "grey"), tilt=0)
+    look = RenderSettings(SIZE, "shaded", Camera(0, 10), colours=("grey", "grey"), tilt=0)
     brush = painter(MODEL, look)
     empty = brush.canvas.rgb()
     picture = brush.draw(about_z(spin))
@@ -202,13 +204,13 @@ def test_the_side_to_the_light_is_brighter_however_the_top_has_turned(spin):
 )
 def test_what_is_no_rotation_is_refused(matrix):
     with pytest.raises(AnimationError, match="attitude"):
-        painter(MODEL, Look((16, 16))).draw(matrix)
+        painter(MODEL, RenderSettings((16, 16))).draw(matrix)
 
 
 @pytest.mark.parametrize("trail", [[0, 0, 3], [[0, 0]], [[0, 0, np.inf]]], ids=str)
 def test_what_is_no_trail_is_refused(trail):
     with pytest.raises(AnimationError, match="trail"):
-        painter(MODEL, Look((16, 16), trace=True)).draw(np.eye(3), trail)
+        painter(MODEL, RenderSettings((16, 16), trace=True)).draw(np.eye(3), trail)
 
 
 def test_figures_of_the_thesis(tmp_path):
@@ -244,7 +246,8 @@ def test_figures_of_the_thesis(tmp_path):
 def test_the_soft_shadow_is_the_sharp_one_with_a_soft_edge_and_dark_where_the_top_stands():
     camera, size = Camera(40, 12), (320, 240)
     lit, flat = (
-        painter(Model(), Look(size, s, camera, shadow=True, tilt=45)) for s in ("shaded", "flat")
+        painter(Model(), RenderSettings(size, s, camera, shadow=True, tilt=45))
+        for s in ("shaded", "flat")
     )
     for rotation in (about_y(0.3), about_z(4.0) @ about_y(0.7)):
         without = without_shadow(lit).draw(rotation)
@@ -262,7 +265,7 @@ def test_the_soft_shadow_is_the_sharp_one_with_a_soft_edge_and_dark_where_the_to
 
 
 def test_the_ground_has_no_bands_and_far_off_is_paper():
-    empty = painter(Model(), Look((640, 480), "shaded")).canvas.rgb()
+    empty = painter(Model(), RenderSettings((640, 480), "shaded")).canvas.rgb()
     assert len(np.unique(empty[0], axis=0)) == 1
     row = empty[400, 200:440, 1].astype(int)
     runs = np.diff(np.flatnonzero(np.diff(row)))
@@ -272,7 +275,7 @@ def test_the_ground_has_no_bands_and_far_off_is_paper():
 
 def test_on_dark_paper_the_black_of_the_top_is_seen():
     light, dark = (
-        painter(Model(), Look((320, 240), "shaded", background=paper, tilt=20))
+        painter(Model(), RenderSettings((320, 240), "shaded", background=paper, tilt=20))
         .draw(about_y(0.3))
         .astype(int)
         for paper in (None, "#17181b")
@@ -285,14 +288,14 @@ def test_on_dark_paper_the_black_of_the_top_is_seen():
 @pytest.mark.slow
 def test_an_open_shutter_shows_the_mean_of_many_moments_without_steps():
     """Eight moments, one sample a pixel each, are nearer to eighty than the mean of eight pictures."""
-    brush = painter(Model(), Look((640, 480), "shaded", tilt=30))
+    brush = painter(Model(), RenderSettings((640, 480), "shaded", tilt=30))
     eight, eighty = (
         [about_y(0.3) @ about_z(turn) for turn in np.linspace(-half, half, count)]
         for half, count in ((0.4, 8), (0.4 * 80 / 79 * 8 / 7, 80))
     )
     many, few = (np.mean([LINEAR[brush.draw(m)] for m in some], axis=0) for some in (eighty, eight))
     blurred = LINEAR[brush.expose(eight, None, np.zeros((8, 3)), 0.8)]
-    empty = painter(Model(), brush.look).canvas.rgb()
+    empty = painter(Model(), brush.settings).canvas.rgb()
     top = (brush.draw(eight[0]) != empty).any(axis=-1)
     inside = interior(top.astype(int)) & top
     rough, smooth = (abs(found - many)[inside].mean() for found in (few, blurred))

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 
 from anim.errors import AnimationError
 from anim.model import Model
-from anim.picture import Camera, Look, painter
+from anim.picture import Camera, RenderSettings, painter
 from anim.picture.mesh import Mesh
 from anim.picture.projection import frame, reached, view
 from anim.picture.solid import drawing_order, pieces
@@ -40,7 +40,7 @@ def about_z(angle):
 @given(cameras)
 @settings(max_examples=30)
 def test_eye_is_where_the_camera_stands(camera):
-    eye = view(camera, SIZE, reached(MODEL, Look(tilt=90))).eye
+    eye = view(camera, SIZE, reached(MODEL, RenderSettings(tilt=90))).eye
     towards = frame(camera)[2]
     if camera.perspective:
         np.testing.assert_allclose(
@@ -56,7 +56,9 @@ def test_leaning_top_stays_in_frame(camera, tilt, seed):
     rng = np.random.default_rng(seed)
     turns = rng.uniform(-np.pi, np.pi, 2)
     rotation = about_z(turns[0]) @ about_y(np.radians(tilt) * rng.uniform()) @ about_z(turns[1])
-    seen = view(camera, SIZE, reached(MODEL, Look(tilt=tilt))).project(MODEL.points @ rotation.T)
+    seen = view(camera, SIZE, reached(MODEL, RenderSettings(tilt=tilt))).project(
+        MODEL.points @ rotation.T
+    )
     assert (seen > 0).all()
     assert (seen < SIZE).all()
 
@@ -65,7 +67,7 @@ def test_leaning_top_stays_in_frame(camera, tilt, seed):
 @settings(max_examples=30)
 def test_turning_the_top_or_the_view_is_the_same(camera, seed):
     rotation = random_rotation(np.random.default_rng(seed))
-    seen = view(camera, SIZE, reached(MODEL, Look(tilt=90)))
+    seen = view(camera, SIZE, reached(MODEL, RenderSettings(tilt=90)))
     turned = seen.moved(rotation, np.zeros(3))
     points = MODEL.points
     np.testing.assert_allclose(turned.project(points), seen.project(points @ rotation.T), atol=1e-8)
@@ -76,7 +78,7 @@ def test_turning_the_top_or_the_view_is_the_same(camera, seed):
 @given(cameras, seeds)
 @settings(max_examples=30)
 def test_faces_turned_to_the_eye_turn_counterclockwise(camera, seed):
-    seen = view(camera, SIZE, reached(MODEL, Look(tilt=180))).moved(
+    seen = view(camera, SIZE, reached(MODEL, RenderSettings(tilt=180))).moved(
         random_rotation(np.random.default_rng(seed)), np.zeros(3)
     )
     x, y = seen.project(MODEL.points).T
@@ -92,7 +94,7 @@ def test_faces_turned_to_the_eye_turn_counterclockwise(camera, seed):
 @given(cameras, seeds)
 @settings(max_examples=30)
 def test_what_lies_towards_the_eye_is_seen_at_one_place(camera, seed):
-    seen = view(camera, SIZE, reached(MODEL, Look(tilt=90)))
+    seen = view(camera, SIZE, reached(MODEL, RenderSettings(tilt=90)))
     point = np.random.default_rng(seed).uniform(-1, 1, 3)
     towards = seen.eye[:3] - point * seen.eye[3]
     nearer = point + 0.1 * towards / np.linalg.norm(towards)
@@ -103,7 +105,7 @@ def test_what_lies_towards_the_eye_is_seen_at_one_place(camera, seed):
 @pytest.mark.parametrize("perspective", [True, False])
 def test_classic_camera_stands_where_it_is_told(perspective):
     camera = Camera(-37, 24, perspective=perspective)
-    brush = painter(MODEL, Look((400, 300), "classic", camera, tilt=50))
+    brush = painter(MODEL, RenderSettings((400, 300), "classic", camera, tilt=50))
     eye = brush.view.eye
     direction = eye[:3] - np.array([0, 0, 1.5]) * eye[3]
     np.testing.assert_allclose(direction / np.linalg.norm(direction), frame(camera)[2], atol=1e-6)
@@ -112,7 +114,7 @@ def test_classic_camera_stands_where_it_is_told(perspective):
 
 
 def test_classic_axes_are_drawn_where_they_are_projected():
-    brush = painter(MODEL, Look((400, 300), "classic", Camera(-60, 20), tilt=0))
+    brush = painter(MODEL, RenderSettings((400, 300), "classic", Camera(-60, 20), tilt=0))
     picture = brush.draw(np.eye(3))
     edge = np.column_stack([np.linspace(-0.9, 0.9, 30), np.full(30, -1.0), np.zeros(30)])
     for x, y in brush.view.project(edge):
@@ -134,14 +136,14 @@ def test_drawing_order_follows_the_side_of_the_eye():
 def test_a_camera_inside_the_reach_of_a_top_is_refused():
     far = ((0, 0, 0), (0, 0, 3), (30, 0, 0))
     with pytest.raises(AnimationError, match="too near"):
-        painter(MODEL, Look(SIZE, reach=far))
-    painter(MODEL, Look(SIZE, camera=Camera(distance=60), reach=far))
+        painter(MODEL, RenderSettings(SIZE, reach=far))
+    painter(MODEL, RenderSettings(SIZE, camera=Camera(distance=60), reach=far))
 
 
 def test_a_classic_axis_has_few_numbers_so_that_they_do_not_touch(monkeypatch):
     seen = []
     view_of = classic.view_of
     monkeypatch.setattr(classic, "view_of", lambda axes: seen.append(axes) or view_of(axes))
-    painter(MODEL, Look((640, 480), "classic", Camera(-60, 20), tilt=50))
+    painter(MODEL, RenderSettings((640, 480), "classic", Camera(-60, 20), tilt=50))
     for axis in (seen[-1].xaxis, seen[-1].yaxis, seen[-1].zaxis):
         assert 3 <= len(axis.get_ticklabels()) <= 7

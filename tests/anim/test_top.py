@@ -17,8 +17,8 @@ from anim.errors import AnimationError
 from anim.film import clip
 from anim.model import Model
 from anim.output.writing import suffixes
-from anim.picture import Look
-from anim.picture.look import FILM_LOOK
+from anim.picture import RenderSettings
+from anim.picture.settings import FILM_SETTINGS
 from anim.picture.styles.classic import view_of
 from anim.pipelines import kinematic
 from anim.rendering import framed
@@ -59,7 +59,7 @@ def test_elsewhere_it_opens_in_the_browser(monkeypatch: pytest.MonkeyPatch, tmp_
 
 def test_save(tmp_path: Path) -> None:
     top = Top(kinematic("matrix", clip(frames=3)), SMALL)
-    top.save(tmp_path / "top.gif", Look(size=(32, 24)))
+    top.save(tmp_path / "top.gif", RenderSettings(size=(32, 24)))
     assert (tmp_path / "top.gif").stat().st_size > 100
     with pytest.raises(AnimationError, match="--force"):
         top.save(tmp_path / "top.gif")
@@ -79,7 +79,7 @@ def test_python_and_the_command_make_the_same_of_a_name(tmp_path: Path, suffix: 
             top.save(ours)
         return
     assert status == 0
-    top.save(ours, framed(replace(FILM_LOOK, size=(32, 24)), SMALL, top.motion))
+    top.save(ours, framed(replace(FILM_SETTINGS, size=(32, 24)), SMALL, top.motion))
     if suffix == ".html":
         assert "<!doctype html>" in ours.read_text("utf-8").lower()
     elif suffix:
@@ -98,7 +98,7 @@ TURNING = [[1, 0, 0, 0.1 * n] for n in range(5)]
 
 def test_frames_are_those_of_the_film(tmp_path: Path) -> None:
     top = Top(TURNING, Model.from_outline([(0, 0), (1, 2), (2, 0)], ring=30))
-    look = Look(size=(64, 48), style="shaded", trace=True, shadow=True)
+    look = RenderSettings(size=(64, 48), style="shaded", trace=True, shadow=True)
     frames = list(top.frames(look))
     assert len(frames) == 5
     for number, frame in enumerate(frames):
@@ -149,7 +149,7 @@ def test_in_axes_of_three_dimensions_faces_hide_each_other_rightly(elevation: fl
 
 def test_axes_of_three_dimensions_have_their_own_look() -> None:
     axes = Figure().add_subplot(projection="3d")
-    with pytest.raises(AnimationError, match="expected no look"):
-        Top(TURNING, SMALL).draw(axes, 0, Look())
+    with pytest.raises(AnimationError, match="expected no settings"):
+        Top(TURNING, SMALL).draw(axes, 0, RenderSettings())
     with pytest.raises(AnimationError, match="ax is a int"):
         Top(TURNING, SMALL).draw(3)  # type: ignore[arg-type]

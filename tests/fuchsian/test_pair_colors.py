@@ -105,9 +105,9 @@ def test_ten_pairs_are_told_apart(pairs, eyes) -> None:
     assert min(difference(one, other) for one, other in combinations(seen, 2)) >= 15
 
 
-@pytest.mark.parametrize(("pairs", "look"), [(LIGHT_PAIRS, LIGHT), (DARK_PAIRS, DARK)])
-def test_sides_stand_out_from_the_domain(pairs, look) -> None:
-    ground = TO_XYZ[1] @ linear(look["domain"]) + 0.05
+@pytest.mark.parametrize(("pairs", "theme"), [(LIGHT_PAIRS, LIGHT), (DARK_PAIRS, DARK)])
+def test_sides_stand_out_from_the_domain(pairs, theme) -> None:
+    ground = TO_XYZ[1] @ linear(theme["domain"]) + 0.05
     for color in pairs:
         ratio = (TO_XYZ[1] @ linear(color) + 0.05) / ground
         assert max(ratio, 1 / ratio) >= 3

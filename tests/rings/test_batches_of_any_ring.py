@@ -1,4 +1,4 @@
-"""What holds elements and arrays of any ring, as they are, against the table of products."""
+"""The default storage of elements and arrays of any ring, against the table of products."""
 
 import pickle
 from contextlib import suppress
@@ -13,7 +13,7 @@ from hfield.compiling import memory
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, HFieldError
 from hfield.rings.arrays import check_shapes, objects, one_shape
-from hfield.rings.holding import Batch, Holding
+from hfield.rings.storage.base import Batch, Storage
 from tests.subcases import first_quick, subcases
 
 NAMES = ("QQ", "QQ[x]", "GF(5)[x,y]", "ZZ/6", "QQ(sqrt(2))", "QQ(x)[u]/(u^2-x)")
@@ -51,32 +51,32 @@ def drawn(name, count=4):
 @pytest.mark.parametrize("name", NAMES)
 def test_elements_held_as_they_are(name: str) -> None:
     R, constants, elements = drawn(name)
-    held = Holding(R, constants)
+    stored = Storage(R, constants)
     zero = (R.zero,) * 4
     for p, q in product(elements, elements):
-        assert same(R, held.product(p, q), table(R, constants, p, q))
-        assert same(R, held.sum(p, q), [x + y for x, y in zip(p, q, strict=True)])
-        assert same(R, held.difference(p, q), [x - y for x, y in zip(p, q, strict=True)])
-        assert held.equal(p, q) == same(R, p, q)
-        assert (held.key(p) == held.key(q)) == same(R, p, q)
+        assert same(R, stored.product(p, q), table(R, constants, p, q))
+        assert same(R, stored.sum(p, q), [x + y for x, y in zip(p, q, strict=True)])
+        assert same(R, stored.difference(p, q), [x - y for x, y in zip(p, q, strict=True)])
+        assert stored.equal(p, q) == same(R, p, q)
+        assert (stored.key(p) == stored.key(q)) == same(R, p, q)
     for p in elements:
-        conjugate = held.conjugate(p)
-        assert same(R, held.negative(p), [-x for x in p])
-        assert same(R, held.product(p, conjugate), (held.norm(p), R.zero, R.zero, R.zero))
-        assert same(R, held.sum(p, conjugate), (held.trace(p), R.zero, R.zero, R.zero))
-        assert same(R, held.scaled(p, R(3)), [x * 3 for x in p])
-        assert held.is_zero(p) == same(R, p, zero)
-        assert same(R, held.read(held.state(p)), p)
-        inverse = held.inverse(p)
-        assert (inverse is None) == (not R.is_unit(held.norm(p)))
+        conjugate = stored.conjugate(p)
+        assert same(R, stored.negative(p), [-x for x in p])
+        assert same(R, stored.product(p, conjugate), (stored.norm(p), R.zero, R.zero, R.zero))
+        assert same(R, stored.sum(p, conjugate), (stored.trace(p), R.zero, R.zero, R.zero))
+        assert same(R, stored.scaled(p, R(3)), [x * 3 for x in p])
+        assert stored.is_zero(p) == same(R, p, zero)
+        assert same(R, stored.read(stored.state(p)), p)
+        inverse = stored.inverse(p)
+        assert (inverse is None) == (not R.is_unit(stored.norm(p)))
         if inverse is not None:
-            assert same(R, held.product(p, inverse), (R.one, R.zero, R.zero, R.zero))
-    assert held.coordinates(held.hold(elements[0])) == elements[0]
+            assert same(R, stored.product(p, inverse), (R.one, R.zero, R.zero, R.zero))
+    assert stored.coordinates(stored.encode(elements[0])) == elements[0]
     assert (
-        held.explain("product")
+        stored.explain("product")
         == "# the formula of hfield.core.product, on the coordinates: product"
     )
-    assert (held.ring, held.constants, held.is_batch, held.is_unique) == (
+    assert (stored.ring, stored.constants, stored.is_batch, stored.is_unique) == (
         R,
         constants,
         False,
@@ -87,59 +87,59 @@ def test_elements_held_as_they_are(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_arrays_held_as_they_are(name: str) -> None:
     R, constants, elements = drawn(name)
-    held, one = Batch(R, constants), Holding(R, constants)
+    stored, one = Batch(R, constants), Storage(R, constants)
     columns = [[p[n] for p in elements] for n in range(4)]
-    p = held.read(tuple(columns))
-    q = held.read(tuple(list(reversed(c)) for c in columns))
+    p = stored.read(tuple(columns))
+    q = stored.read(tuple(list(reversed(c)) for c in columns))
     backwards = list(reversed(elements))
 
     def entries(array):
-        return [held.single(held.part(array, n)) for n in range(len(elements))]
+        return [stored.single(stored.part(array, n)) for n in range(len(elements))]
 
-    assert held.shape(p) == (len(elements),)
+    assert stored.shape(p) == (len(elements),)
     for operation in ("product", "sum", "difference"):
-        found = entries(getattr(held, operation)(p, q))
+        found = entries(getattr(stored, operation)(p, q))
         wanted = [getattr(one, operation)(x, y) for x, y in zip(elements, backwards, strict=True)]
         assert all(same(R, x, y) for x, y in zip(found, wanted, strict=True))
     for operation in ("negative", "conjugate"):
-        found = entries(getattr(held, operation)(p))
+        found = entries(getattr(stored, operation)(p))
         assert all(
             same(R, x, getattr(one, operation)(y)) for x, y in zip(found, elements, strict=True)
         )
     for operation in ("norm", "trace"):
-        found = [R.scalar(x) for x in getattr(held, operation)(p)]
+        found = [R.scalar(x) for x in getattr(stored, operation)(p)]
         assert all(
             R.equal(x, getattr(one, operation)(y)) for x, y in zip(found, elements, strict=True)
         )
-    assert list(held.units(p)) == [R.is_unit(one.norm(x)) for x in elements]
-    assert list(held.equal(p, q)) == [
+    assert list(stored.units(p)) == [R.is_unit(one.norm(x)) for x in elements]
+    assert list(stored.equal(p, q)) == [
         one.equal(x, y) for x, y in zip(elements, backwards, strict=True)
     ]
-    assert list(held.is_zero(p)) == [one.is_zero(x) for x in elements]
-    assert held.equal(p, p).dtype == bool
-    assert held.inverse(p) is None  # 0 is among them
+    assert list(stored.is_zero(p)) == [one.is_zero(x) for x in elements]
+    assert stored.equal(p, p).dtype == bool
+    assert stored.inverse(p) is None  # 0 is among them
     good = [n for n, x in enumerate(elements) if R.is_unit(one.norm(x))]
-    units = held.part(p, good)
-    assert held.shape(units) == (len(good),)
-    ones = held.product(units, held.inverse(units))
-    assert held.equal(ones, held.lift((R.one, R.zero, R.zero, R.zero))).all()
-    square = held.reshaped(p, (2, 3))
-    assert held.shape(square) == (2, 3)
-    assert same(R, held.single(held.part(square, (1, 0))), elements[3])
-    single = held.lift(elements[0])
-    assert held.shape(single) == ()
-    assert same(R, held.single(single), elements[0])
-    assert held.shape(held.product(single, p)) == (len(elements),)
-    assert held.shape(held.sum(square, single)) == (2, 3)
+    units = stored.part(p, good)
+    assert stored.shape(units) == (len(good),)
+    ones = stored.product(units, stored.inverse(units))
+    assert stored.equal(ones, stored.lift((R.one, R.zero, R.zero, R.zero))).all()
+    square = stored.reshaped(p, (2, 3))
+    assert stored.shape(square) == (2, 3)
+    assert same(R, stored.single(stored.part(square, (1, 0))), elements[3])
+    single = stored.lift(elements[0])
+    assert stored.shape(single) == ()
+    assert same(R, stored.single(single), elements[0])
+    assert stored.shape(stored.product(single, p)) == (len(elements),)
+    assert stored.shape(stored.sum(square, single)) == (2, 3)
     for operation, word in (("product", "multiply"), ("sum", "add"), ("difference", "subtract"),
                             ("equal", "compare")):  # fmt: skip
         with pytest.raises(CoercionError) as caught:
-            getattr(held, operation)(p, held.part(p, slice(0, 4)))
+            getattr(stored, operation)(p, stored.part(p, slice(0, 4)))
         assert str(caught.value) == (
             f"cannot {word} arrays of quaternions of the shapes (6,) and (4,): expected one shape for both, "
             "or shapes that broadcast as numpy's do"
         )
-    for work in (held.to_array, held.from_array):
+    for work in (stored.to_array, stored.from_array):
         with pytest.raises(CoercionError) as caught:
             work(p)
         assert str(caught.value) == (
@@ -148,8 +148,8 @@ def test_arrays_held_as_they_are(name: str) -> None:
     with pytest.raises(
         CoercionError, match=r"shapes \(6,\), \(4,\), \(6,\), \(6,\); expected one shape"
     ):
-        held.read((columns[0], columns[1][:4], columns[2], columns[3]))
-    assert held.shape(held.read((columns[0], R.one, R.zero, columns[3]))) == (6,)
+        stored.read((columns[0], columns[1][:4], columns[2], columns[3]))
+    assert stored.shape(stored.read((columns[0], R.one, R.zero, columns[3]))) == (6,)
 
 
 def test_shapes() -> None:
@@ -195,19 +195,21 @@ def test_shapes() -> None:
                                   "QQ[s]/(s^3-2)", "QQ[s]/(s^5-s-1)", "RR"])  # fmt: skip
 def test_compact_forms_compute_the_table(name: str) -> None:
     R, constants, elements = drawn(name)
-    held = R.holding(constants)
-    forms = [held.hold(p) for p in elements]
+    stored = R.storage(constants)
+    forms = [stored.encode(p) for p in elements]
     for (p, x), (q, y) in product(list(zip(elements, forms, strict=True)), repeat=2):
-        assert same(R, held.coordinates(held.product(x, y)), table(R, constants, p, q))
-        assert same(R, held.coordinates(held.sum(x, y)), [v + w for v, w in zip(p, q, strict=True)])
+        assert same(R, stored.coordinates(stored.product(x, y)), table(R, constants, p, q))
+        assert same(
+            R, stored.coordinates(stored.sum(x, y)), [v + w for v, w in zip(p, q, strict=True)]
+        )
     for p, x in zip(elements, forms, strict=True):
-        assert same(R, held.coordinates(x), p)
-        conjugate = held.coordinates(held.conjugate(x))
-        assert same(R, table(R, constants, p, conjugate), (held.norm(x), R.zero, R.zero, R.zero))
-        assert R.equal(held.trace(x), p[0] + conjugate[0])
+        assert same(R, stored.coordinates(x), p)
+        conjugate = stored.coordinates(stored.conjugate(x))
+        assert same(R, table(R, constants, p, conjugate), (stored.norm(x), R.zero, R.zero, R.zero))
+        assert R.equal(stored.trace(x), p[0] + conjugate[0])
     if name == "GF(9)":  # arrays over it are galois's, and tested with galois
         return
-    arrays = R.array_holding(constants)
+    arrays = R.array_storage(constants)
     columns = tuple([p[n] for p in elements] for n in range(4))
     array = arrays.read(columns)
     squares = arrays.product(array, array)
@@ -244,8 +246,8 @@ def test_nothing_that_a_caller_holds_changes_an_element(name: str) -> None:
     A = H(name)
     p = A([[0, 1, 2], [1, 0, 5]], 1, [3, 0, 1], 1)
     shown = str(p)
-    handed_out = (p, p[0], p.reshape(6), +p, p**1, p + 0, *p)
-    for q in (*handed_out, pickle.loads(pickle.dumps(p)), p.conjugate(), p * p):
+    read_only_coordinates = (p, p[0], p.reshape(6), +p, p**1, p + 0, *p)
+    for q in (*read_only_coordinates, pickle.loads(pickle.dumps(p)), p.conjugate(), p * p):
         before = str(q)
         assert not spoilt(*q.coordinates, *q.vector_part.coordinates, q.scalar_part)
         assert (str(q), str(p)) == (before, shown)
@@ -278,10 +280,10 @@ def test_arrays_of_integers_are_copied(
     for q in (p, p * p):
         assert not spoilt(q.to_array(), q[1:].to_array())
     assert (p == A(np.arange(size) % 5, 1, 2, 0)).all()
-    held = np.array(p.to_array())
-    for kind in {held.dtype, np.dtype(np.int64), np.dtype(np.int8)}:
+    stored = np.array(p.to_array())
+    for kind in {stored.dtype, np.dtype(np.int64), np.dtype(np.int8)}:
         for frozen in (False, True):
-            w = held.astype(kind)
+            w = stored.astype(kind)
             w.flags.writeable = not frozen
             q = A.from_array(w)
             assert (q == p).all()

@@ -30,7 +30,7 @@ def drawn(count: int, bits: int = 20, seed: int = 1) -> Quaternion:
 
 
 def place(q: Quaternion) -> int:
-    address: int = q._held[0].__array_interface__["data"][0]
+    address: int = q._stored[0].__array_interface__["data"][0]
     return address
 
 
@@ -39,11 +39,11 @@ def test_memory_is_used_again_when_nobody_holds_it() -> None:
     p, q = drawn(1000), drawn(1000, seed=2)
     first = p * q
     values, where = first.to_array().copy(), place(first)  # to_array() shares the memory
-    row = first._held[2]
+    row = first._stored[2]
     del first
     gc.collect()
     other = q * p
-    assert place(other) != where  # a row of the first is held
+    assert place(other) != where  # a row of the first is still referenced
     assert (row == values[2]).all()
     del row
     gc.collect()
@@ -55,9 +55,9 @@ def test_memory_is_used_again_when_nobody_holds_it() -> None:
 
 def test_what_is_kept_is_bounded() -> None:
     p = drawn(4000)  # 128 000 bytes a product
-    held = [p * p for _ in range(20)]
-    assert len({place(q) for q in held}) == 20
-    del held
+    stored = [p * p for _ in range(20)]
+    assert len({place(q) for q in stored}) == 20
+    del stored
     gc.collect()
     assert sum(m.nbytes for m in memory._kept) <= memory.KEPT
     assert len(memory._kept) == memory.KEPT // 128_000

@@ -91,11 +91,11 @@ def test_a_formula_tells_of_rows_and_of_the_rows_alone() -> None:
     formula = Formula(normalise, (4,))
     for n in (1, 3, 8, 19):
         q = RNG.standard_normal((n, 4))
-        assert not formula.told(q)[1]
+        assert not formula.with_flag(q)[1]
         for row in range(n):
             spoilt = q.copy()
             spoilt[row] = 0.0
-            assert formula.told(spoilt)[1]
+            assert formula.with_flag(spoilt)[1]
 
 
 @pytest.mark.slow
@@ -238,7 +238,7 @@ def test_what_is_made_and_what_is_not_leaves_no_reference_behind() -> None:
 
     def all_ways() -> None:
         r * r, r.inv(), r**0.3, r.magnitude(), r[0].magnitude()
-        formula.told(zeros), PRODUCT(one, two), PRODUCT.function(None, zeros)
+        formula.with_flag(zeros), PRODUCT(one, two), PRODUCT.function(None, zeros)
 
     def counts() -> list[int]:
         things = (None, Marked, np.dtype(np.float64), np.ndarray, zeros, one, r._q)

@@ -6,7 +6,7 @@ import numpy as np
 
 from anim.errors import AnimationError
 from anim.output.encoder import Encoded
-from anim.output.format import Film, Frame
+from anim.output.format import Film, Pixels
 
 # Tagged, so that players show the colours that were drawn, and ffmpeg converts nothing.
 TAGS = [word for name in ("space", "_primaries", "_trc") for word in (f"-color{name}", "bt709")]
@@ -31,7 +31,7 @@ class Mp4(Encoded):
             )
         super().check(film)
 
-    def raw(self, film: Film) -> tuple[Sequence[str], Callable[[Frame], memoryview]]:
+    def raw(self, film: Film) -> tuple[Sequence[str], Callable[[Pixels], memoryview]]:
         """Return luma and chroma: averaged over each block of four, which keeps the most of sharp bands."""
         from anim.output.luma import planes
 
@@ -41,7 +41,7 @@ class Mp4(Encoded):
         luma, rest = whole[: width * height].reshape(height, width), whole[width * height :]
         blue, red = rest.reshape(2, height // block, width // block)
 
-        def encoded(frame: Frame) -> memoryview:
+        def encoded(frame: Pixels) -> memoryview:
             planes(np.ascontiguousarray(frame).reshape(height, -1), luma, blue, red)
             return whole.data
 

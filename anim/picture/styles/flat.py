@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from anim.picture.canvas import Canvas
-from anim.picture.look import RGB, Look
 from anim.picture.merge import HIDDEN, Rim, outlines, reach_under
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View
+from anim.picture.settings import RGB, RenderSettings
 from anim.picture.solid import drawing_order, pieces
 from anim.picture.style import Style
 
@@ -80,7 +80,9 @@ class FlatBody:
 class Flat(Style):
     """Even colours; pieces differ in lightness."""
 
-    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> FlatBody:
+    def body(
+        self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, settings: RenderSettings
+    ) -> FlatBody:
         """Return the body in tinted colours."""
         return FlatBody(mesh, tinted(colours, mesh))
 

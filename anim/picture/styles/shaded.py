@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from anim.model import Model
 from anim.picture.light import places
 from anim.picture.lit_surface import LitSurface
-from anim.picture.look import RGB, Look, colour
 from anim.picture.mesh import Mesh
 from anim.picture.projection import View, view
 from anim.picture.room import darkness, of_darkness, room
+from anim.picture.settings import RGB, RenderSettings, colour
 from anim.picture.soft_shadow import SoftShadow
 from anim.picture.solid import drawing_order
 from anim.picture.style import Style
@@ -185,22 +185,26 @@ def _encoding() -> Pixels:
 class Shaded(Style):
     """Lit cones on a lit ground; on dark paper a pool of light, and a rim that shows where they end."""
 
-    def paper_of(self, look: Look) -> RGB:
-        """Return the look's background, or the room's own paper."""
-        return colour("background", look.background or room()["paper"]["light"])
+    def paper_of(self, settings: RenderSettings) -> RGB:
+        """Return the background of the settings, or the paper of the environment."""
+        return colour("background", settings.background or room()["paper"]["light"])
 
-    def scene(self, model: Model, look: Look) -> tuple[View, LitSurface]:
+    def scene(self, model: Model, settings: RenderSettings) -> tuple[View, LitSurface]:
         """Return the projection and the ground."""
-        seen = view(look.camera, look.size, places(model, look))
-        return seen, LitSurface(seen, look, self.paper_of(look))
+        seen = view(settings.camera, settings.size, places(model, settings))
+        return seen, LitSurface(seen, settings, self.paper_of(settings))
 
-    def shadow(self, mesh: Mesh, light: Floats, view: View, look: Look) -> SoftShadow:
+    def shadow(self, mesh: Mesh, light: Floats, view: View, settings: RenderSettings) -> SoftShadow:
         """Return a shadow that is soft away from what throws it."""
         return SoftShadow(mesh.profile, light, view)
 
-    def body(self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, look: Look) -> ShadedBody:
+    def body(
+        self, mesh: Mesh, colours: tuple[RGB, RGB], light: Floats, settings: RenderSettings
+    ) -> ShadedBody:
         """Return the body under the light."""
-        return ShadedBody(mesh, colours, light, look.quality > 1, darkness(self.paper_of(look)))
+        return ShadedBody(
+            mesh, colours, light, settings.quality > 1, darkness(self.paper_of(settings))
+        )
 
 
 STYLE = Shaded()

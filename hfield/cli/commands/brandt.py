@@ -72,12 +72,12 @@ def _answer(args: Namespace) -> OutputDocument:
 
     replace = bool(args.plot) and try_picture(args.plot)
     A = algebra_of(args.algebra)
-    over_integers = A.over_integers
-    n = level_of(args.prime, A) if over_integers else _index(args.prime)
+    is_over_number_field = A.is_over_number_field
+    n = level_of(args.prime, A) if is_over_number_field else _index(args.prime)
     level = level_of(args.level, A)
     O = A.eichler_order(level)
-    sparse = args.format == "edges" and not args.plot and (over_integers or is_prime(n))
-    if not over_integers:
+    sparse = args.format == "edges" and not args.plot and (is_over_number_field or is_prime(n))
+    if not is_over_number_field:
         _announce(A.class_number(level), sparse, args.format in ("plain", "json"))
     C = O.class_set()
     if args.plot and len(C) > MAX_DRAWN_CLASSES:
@@ -96,16 +96,16 @@ def _answer(args: Namespace) -> OutputDocument:
         return found
 
     def data() -> dict[str, object]:
-        shown = ideal_json if over_integers else int
-        whole = ideal_json(O.discriminant()) if over_integers else A.discriminant()
+        shown = ideal_json if is_over_number_field else int
+        whole = ideal_json(O.discriminant()) if is_over_number_field else A.discriminant()
         return {
             "schema": "hfield-brandt/1",
-            "algebra": str(A) if over_integers else A.name,
+            "algebra": str(A) if is_over_number_field else A.name,
             "discriminant": whole,
             "level": shown(level),
             "n": shown(n),
             "classes": len(C),
-            "units": C.units if over_integers else C.unit_counts,
+            "units": C.units if is_over_number_field else C.unit_counts,
             "matrix": matrix,
             "characteristic_polynomial": characteristic(),
         }
@@ -198,7 +198,7 @@ def _graph(A: QuaternionAlgebra, C: Any, matrix: list[list[int]], n: Any) -> Bra
     from hfield.core.primality import is_prime
 
     level = C.order.level
-    if A.over_integers:
+    if A.is_over_number_field:
         return BrandtGraph(matrix, C.units, f"Brandt graph of {n} in {A}, level {level}")
     if level == 1 and is_prime(p := A.discriminant()):
         title = f"Isogenies of degree {n} between supersingular curves in characteristic {p}"

@@ -76,8 +76,8 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
     O = A.eichler_order(level)
     if not O.is_definite():
         return _indefinite(args, O)
-    if A.over_integers:
-        return _over_integers(args, O)
+    if A.is_over_number_field:
+        return _over_number_field(args, O)
     number, mass = A.class_number(level), O.mass()
     if args.formula:
         C = None
@@ -136,7 +136,7 @@ def _table(C: ClassSet) -> Part:
     )
 
 
-def _over_integers(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], Claim]]:
+def _over_number_field(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], Claim]]:
     """Answer for an order over the integers of a number field."""
     if args.formula:
         raise UsageError(
@@ -197,16 +197,19 @@ def _indefinite(args: Namespace, O: Any) -> tuple[OutputDocument, Callable[[], C
     from hfield.evidence import Claim
     from hfield.orders.certificates import REFUSAL
 
-    A, over_integers = O.algebra, O.algebra.over_integers
+    A, is_over_number_field = O.algebra, O.algebra.is_over_number_field
     if args.newforms:
         raise UsageError(f"--newforms asks for a definite algebra, and {A} is indefinite")
-    ideals: Any = O.classes_by_norm() if over_integers else [O]
-    types = ideals.type_number if over_integers else 1
-    to_json = ideal_json if over_integers else int
+    ideals: Any = O.classes_by_norm() if is_over_number_field else [O]
+    types = ideals.type_number if is_over_number_field else 1
+    to_json = ideal_json if is_over_number_field else int
 
     def data() -> dict[str, object]:
         classes = [
-            {"norm": to_json(I.norm()), **({"pseudo_basis": summands(I)} if over_integers else {})}
+            {
+                "norm": to_json(I.norm()),
+                **({"pseudo_basis": summands(I)} if is_over_number_field else {}),
+            }
             for I in ideals
         ]
         return {

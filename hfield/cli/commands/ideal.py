@@ -114,12 +114,12 @@ def _lattice_json(I: Ideal) -> dict[str, object]:
 
 def _kinds(I: Ideal) -> str:
     """Return what an ideal is, after a colon."""
-    held = (
+    properties = (
         ("integral", I.is_integral()),
         ("locally principal", I.is_invertible()),
         ("two-sided", I.is_two_sided()),
     )
-    words = [word for word, holds in held if holds]
+    words = [word for word, holds in properties if holds]
     return f"{': ' * bool(words)}{', '.join(words)}"
 
 

@@ -68,8 +68,8 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
     O = _made(args)
     data: Callable[[Any], dict[str, Any]] = to_json
     page: Callable[[Any], list[Part]] = parts
-    if O.algebra.over_integers:
-        data, page = data_over_integers, parts_over_integers
+    if O.algebra.is_over_number_field:
+        data, page = data_over_number_field, parts_over_number_field
     if not args.units:
         return of_parts(lambda: data(O), lambda: page(O)), lambda: O.claim
     if not O.is_definite():
@@ -91,7 +91,7 @@ def _listed_units(O: Any) -> Part:
     """Return the units for people; over a number field one of each coset of those of the field."""
     from hfield.presenting import Facts
 
-    name = "unit" if not O.algebra.over_integers else "coset of unit"
+    name = "unit" if not O.algebra.is_over_number_field else "coset of unit"
     return Facts([(name, str(q)) for q in O.units()], 22)
 
 
@@ -169,7 +169,7 @@ def parts(O: Order) -> list[Part]:
     return [Facts(facts, 22, formulas=formulas)]
 
 
-def data_over_integers(O: Order) -> dict[str, Any]:
+def data_over_number_field(O: Order) -> dict[str, Any]:
     """Return what programs read of an order over the integers of a number field."""
     maximal = O.is_maximal()
     return {
@@ -200,7 +200,7 @@ def _units(O: Order) -> tuple[int | None, str]:
         return None, f"not counted: {error}"
 
 
-def parts_over_integers(O: Order) -> list[Part]:
+def parts_over_number_field(O: Order) -> list[Part]:
     """Return what people read of it."""
     from hfield.presenting import Facts
 

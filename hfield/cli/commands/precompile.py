@@ -52,7 +52,7 @@ def run(args: Namespace) -> int:
     with open_output(args.output) as out:
         for A in algebras if available() else []:
             start = monotonic()
-            A.array_holding.prepare()
+            A.array_storage.prepare()
             took[A.name] = round(monotonic() - start, 2)
             if args.format == "plain":
                 out.write(f"{A.name}: {took[A.name]:.2f} s")

@@ -23,7 +23,7 @@ from hfield.fields.circles.ring import CircleFunctions, in_latex, pole
 from hfield.fields.circles.ring import build as build_circles
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.number_fields.spelled_names import NamedNumber, SpelledField
-from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.base import INFINITY, Fact, Ring, shared
 from hfield.rings.closed_fields.algebraic import RR
 from hfield.rings.closed_fields.surds import Surd
 from hfield.rings.integers import QQ
@@ -339,16 +339,16 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
         return ratio * RR(c), None if root is None else self.element(root)
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """∞: values are real numbers."""
-        return Known(
+        return Fact(
             INFINITY, f"{self.name} has an ordering, where all angles are small and positive"
         )
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """Infinitely many."""
-        return Known(INFINITY, "each angle may be near any point of the circle")
+        return Fact(INFINITY, "each angle may be near any point of the circle")
 
     def sign(self, x: RealCircleElement, ordering: int = 0) -> int:
         """Return the sign of x where all angles are small and positive. Raises :class:`RingError`."""

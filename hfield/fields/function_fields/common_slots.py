@@ -39,7 +39,7 @@ SameClass = Callable[[NormalForm, NormalForm], bool]
 
 @dataclass(frozen=True)
 class _Local:
-    """What is asked of e at a prime π: its valuation, 0 or 1, and whether e/π^valuation is a square there."""
+    """Conditions on e at a prime π: its valuation, 0 or 1, and whether e/π^valuation is a square there."""
 
     kappa: ResidueField
     valuation: int

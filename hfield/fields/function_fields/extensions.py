@@ -18,7 +18,7 @@ from hfield.errors import (
 from hfield.fields.function_fields.quotients import Quotient
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.several_variables.ring import RationalFunctions
-from hfield.rings.base import Known, Ring, shared
+from hfield.rings.base import Fact, Ring, shared
 from hfield.rings.operators import Element, Overfield
 from hfield.rings.polynomials import build as build_polynomials
 from hfield.rings.printing import blackboard, from_unicode, sum_text
@@ -168,12 +168,12 @@ class SimpleExtension(Overfield[ExtensionElement]):
         return _without_zeros([c.num * (den // c.den) for c in fractions]), den
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """1 where it is 1 below; else not known."""
         known = self.base.level
         if known.value == 1:
-            return Known(1, f"it is that of {self.base.name}; there {known.reason}")
-        return Known(None, f"nothing is known of the squares of {self.name}")
+            return Fact(1, f"it is that of {self.base.name}; there {known.reason}")
+        return Fact(None, f"nothing is known of the squares of {self.name}")
 
     def minus_one_as_squares(self) -> tuple[ExtensionElement, ...]:
         """Return a root of −1 from below."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.errors import CoercionError, NotInvertibleError, shorten
 from hfield.fields.function_fields.extensions import ExtensionElement, SimpleExtension
 from hfield.fields.function_fields.ring import FunctionField
-from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.base import INFINITY, Fact, Ring, shared
 from hfield.rings.printing import blackboard, sum_text
 from hfield.rings.roots import monic_root
 
@@ -129,12 +129,12 @@ class OverNumberField(SimpleExtension):
         return self.constant(self._field.inverse(c))
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """The level of the number field."""
         known = self._field.level
         if known.value == INFINITY:
-            return Known(INFINITY, f"{self.name} has an ordering, as {self._field.name} has one")
-        return Known(
+            return Fact(INFINITY, f"{self.name} has an ordering, as {self._field.name} has one")
+        return Fact(
             known.value,
             f"it is the level of {self._field.name}, for −1 is as many squares there: {known.reason}",
         )

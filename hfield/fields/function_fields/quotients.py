@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.checker.glossary import reads_like_a_constant
 from hfield.errors import NotInvertibleError, shorten
-from hfield.rings.base import INFINITY, Known
+from hfield.rings.base import INFINITY, Fact
 from hfield.rings.operators import Element, Overfield
 from hfield.rings.powers import polynomial_power
 from hfield.rings.roots import monic
@@ -210,15 +210,15 @@ class FractionField(Overfield[Quotient]):
         return self.quotient(num * x.den - x.num * den, x.den * x.den)
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """The level of the field k of constants: squares with sum −1 have such values, where no pole is."""
         known, *several = self.base.level, *self.variables[1:]
         large = "the variables" if several else self.variables[0]
         if known.value == INFINITY:
-            return Known(INFINITY, f"{self.name} has an ordering, with {large} infinitely large")
+            return Fact(INFINITY, f"{self.name} has an ordering, with {large} infinitely large")
         there = (self.name, "there") if several else ("F(t)", "in F")
         shown = f"it is the level of {self.base.name}, for −1 is as many squares in {' as '.join(there)}"
-        return Known(known.value, f"{shown}; there {known.reason}")
+        return Fact(known.value, f"{shown}; there {known.reason}")
 
     def minus_one_as_squares(self) -> tuple[Quotient, ...]:
         """Return constants whose squares add up to −1."""

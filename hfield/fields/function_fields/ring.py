@@ -18,14 +18,14 @@ import flint
 from hfield.core.product import Constants
 from hfield.errors import CoercionError
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
-from hfield.fields.function_fields.representation import FunctionRepresentation
-from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.fields.function_fields.storage import FunctionStorage
+from hfield.rings.base import INFINITY, Fact, Ring, shared
 from hfield.rings.finite import ExtensionField, PrimeField
-from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.printing import blackboard, quotient_text, sum_text
 from hfield.rings.residue_polynomials import polynomials_modulo
 from hfield.rings.roots import common_divisor, monic, multiplied, substituted
+from hfield.rings.storage.base import Storage
 from hfield.rings.to_sympy import polynomial_in, symbol
 
 if TYPE_CHECKING:
@@ -206,11 +206,11 @@ class FunctionField(FractionField):
         )  # flint's root may be −(a monic one)
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """Infinitely many over QQ, none over a finite field."""
         if self.characteristic:
             return super().orderings
-        return Known(INFINITY, f"{self.gen_name} may lie infinitely near any point of the line")
+        return Fact(INFINITY, f"{self.gen_name} may lie infinitely near any point of the line")
 
     def sign(self, x: Quotient, ordering: int = 0) -> int:
         """Return the sign of x in the ordering in which the variable is infinitely large."""
@@ -223,10 +223,10 @@ class FunctionField(FractionField):
         draw = [self._polynomial([self.base.random(rng) for _ in range(3)]) for _ in range(2)]
         return self.quotient(draw[0], draw[1] if draw[1] != 0 else self._one)
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as four polynomials over one."""
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as four polynomials over one."""
 
-        return FunctionRepresentation(self, constants)
+        return FunctionStorage(self, constants)
 
     def places(self) -> Iterator[Hashable]:
         """Run through the places over a finite field: infinity, then polynomials by degree."""

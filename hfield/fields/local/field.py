@@ -13,7 +13,7 @@ from hfield.errors import CoercionError, HFieldError, UndecidedError
 from hfield.fields.local.completion import Completion
 from hfield.fields.local.element import LocalElement
 from hfield.fields.local.square_roots import minus_one, square_root
-from hfield.rings.base import Known, Ring
+from hfield.rings.base import Fact, Ring
 from hfield.rings.printing import is_sum, parentheses, power_text
 from hfield.rings.roots import integral, irreducible_factors, near_root
 from hfield.syntax import Binary, Call, Node, Number, Reader, children, parse, rebuild, weight
@@ -185,7 +185,7 @@ class LocalField(Completion[LocalElement]):
         )
 
     @cached_property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """1, 2 or 4: 4 only above 2, in odd degree over ℚ₂ (Lam, *Introduction to Quadratic Forms*, XI.2)."""
         squares = self.minus_one_as_squares()
         if len(squares) < 4:

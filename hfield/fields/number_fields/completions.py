@@ -18,7 +18,7 @@ from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.quadratic.places import QuadraticPrime
 from hfield.fields.number_fields.quadratic.residues import prime_at
 from hfield.fields.number_fields.residues import local_place
-from hfield.rings.base import INFINITY, Known, Ring
+from hfield.rings.base import INFINITY, Fact, Ring
 from hfield.rings.closed_fields.algebraic import CC, RR
 from hfield.rings.operators import Element
 from hfield.rings.printing import SUBSCRIPTS, blackboard
@@ -121,14 +121,14 @@ class RealCompletion(InfiniteCompletion):
     place: RealPlace
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """∞: squares of real numbers are not negative."""
-        return Known(INFINITY, "squares of real numbers are not negative")
+        return Fact(INFINITY, "squares of real numbers are not negative")
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """The one of the real numbers."""
-        return Known(1, "the positive real numbers are the squares")
+        return Fact(1, "the positive real numbers are the squares")
 
     def sign(self, x: EmbeddedElement, ordering: int = 0) -> int:
         """Return the sign of x at the place."""
@@ -148,9 +148,9 @@ class ComplexCompletion(InfiniteCompletion):
     """ℂ, as the completion of a number field at a complex place."""
 
     @cached_property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """1: −1 is a square."""
-        return Known(1, "−1 is a square in ℂ")
+        return Fact(1, "−1 is a square in ℂ")
 
     def minus_one_as_squares(self) -> tuple[EmbeddedElement, ...]:
         """Return a square root of −1 if the number field has one."""

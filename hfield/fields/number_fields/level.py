@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from hfield.core.factorisation import factorise
 from hfield.fields.number_fields.integers import small_integer
-from hfield.rings.base import INFINITY, Known
+from hfield.rings.base import INFINITY, Fact
 from hfield.rings.squares import minus_one
 
 if TYPE_CHECKING:
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 SEARCHED = 6_000  # elements x tried for −1 = x² + y², fewer in degree 16 and more
 
 
-def level(field: NumberField) -> Known:
+def level(field: NumberField) -> Fact:
     """Return ∞ with a real place; else 1, 2 or 4: at most 2 where every local degree above 2 is even."""
     if field.signature[0]:
-        return Known(INFINITY, f"{field.name} has a real place, so it has an ordering")
+        return Fact(INFINITY, f"{field.name} has a real place, so it has an ordering")
     squares = field.minus_one_as_squares()
     if len(squares) == 1:
         return field.level_of(squares)
@@ -31,8 +31,8 @@ def level(field: NumberField) -> Known:
     if squares:
         return field.level_of(squares, fewer)
     if odd:
-        return Known(4, fewer)
-    return Known(2, "every completion above 2 has even degree over ℚ₂ (Hasse and Minkowski)")
+        return Fact(4, fewer)
+    return Fact(2, "every completion above 2 has even degree over ℚ₂ (Hasse and Minkowski)")
 
 
 def minus_one_as_squares(field: NumberField) -> tuple[FieldElement, ...]:

@@ -15,12 +15,12 @@ from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
 from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.embeddings import ComplexEmbeddings, square_root
 from hfield.fields.number_fields.with_ideals import WithIdeals
-from hfield.rings.base import Known, Ring, shared
-from hfield.rings.holding import Holding
+from hfield.rings.base import Fact, Ring, shared
 from hfield.rings.integers import QQ
 from hfield.rings.printing import blackboard, number_text, rational_json, sum_text
 from hfield.rings.rational import fmpq, rational, unwrap
 from hfield.rings.roots import irreducible_factors
+from hfield.rings.storage.base import Storage
 from hfield.rings.values import ValueRing
 
 if TYPE_CHECKING:
@@ -276,11 +276,11 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         roots = ComplexEmbeddings(flint.fmpq_poly(x.minimal_polynomial()))
         return any(value.overlaps(z) for z in roots.at(64)[: roots.real_count])
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as integer vectors or polynomials over one denominator."""
-        from hfield.fields.number_fields import held as number_fields
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as integer vectors or polynomials over one denominator."""
+        from hfield.fields.number_fields import storage as number_fields
 
-        return number_fields.holding(self, constants)
+        return number_fields.storage(self, constants)
 
     def random(self, rng: Random) -> FieldElement:
         """Return a small random element; the same for the same seed."""
@@ -317,12 +317,12 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
         return self.embeddings.close(self(x).poly, index, digits)
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """One for each real root, ascending."""
         real = self.signature[0]
         if not real:
             return super().orderings
-        return Known(real, f"the polynomial of {self.name} has so many real roots")
+        return Fact(real, f"the polynomial of {self.name} has so many real roots")
 
     def sign(self, x: FieldElement, ordering: int = 0) -> int:
         """Return the sign of x where s is the real root of that number, ascending from 0."""
@@ -342,7 +342,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
             )
 
     @cached_property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """∞ with a real place; else 1, 2 or 4: at most 2 where every local degree above 2 is even."""
         from hfield.fields.number_fields.level import level
 

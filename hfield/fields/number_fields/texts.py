@@ -24,7 +24,7 @@ def power_sum(coefficients: list[flint.fmpq], name: str, style: str = "plain") -
 
 
 class ReducibleError(RingError):
-    """A reducible polynomial, where a number field is asked for."""
+    """The polynomial of a number field is reducible."""
 
 
 def irreducible(polynomial: flint.fmpq_poly | str, name: str) -> flint.fmpq_poly:

@@ -7,7 +7,7 @@ from random import Random
 from typing import TYPE_CHECKING, Any
 
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
-from hfield.rings.base import Known, Ring, shared
+from hfield.rings.base import Fact, Ring, shared
 from hfield.rings.polynomials import PolynomialRing
 from hfield.rings.printing import blackboard, quotient_text
 
@@ -103,7 +103,7 @@ class RationalFunctions(FractionField):
         return None if root is None else self.quotient(root, x.den)
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """Infinitely many over QQ, none over GF(p)."""
         return super().orderings if self.characteristic else self.polynomials.orderings
 

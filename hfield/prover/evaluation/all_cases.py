@@ -142,7 +142,7 @@ class _Table:
     def __init__(self, field: Ring, loops: bool) -> None:
         import numpy as np
 
-        from hfield.rings.array_held.finite import scalar_arrays
+        from hfield.rings.array_storage.finite import scalar_arrays
 
         self.field, p = field, field.characteristic
         prime = field.order == p  # the n-th element is then n·1

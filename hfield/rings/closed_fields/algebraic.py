@@ -1,7 +1,7 @@
-"""RR and CC: the real and the complex algebraic numbers, exact, and what else can be told from 0.
+"""RR and CC: the real and the complex algebraic numbers, exact, and other numbers that can be tested for 0.
 
 Sums of square roots are :class:`Surd` numbers; all else (roots of higher degree, nested roots, cosines,
-π) is a :class:`Closed` form, which sympy holds and which is imported when the first one is met.
+π) is a :class:`Closed` form, a sympy expression; sympy is imported when the first one is met.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import flint
 from hfield import syntax
 from hfield.core.product import Scalar
 from hfield.errors import CoercionError, NotInvertibleError, shorten
-from hfield.rings.base import INFINITY, Known
+from hfield.rings.base import INFINITY, Fact
 from hfield.rings.closed_fields.radicals import FUNCTIONS, ROOTS
 from hfield.rings.closed_fields.surds import Surd, from_rational
 from hfield.rings.printing import from_unicode
@@ -100,7 +100,7 @@ class AlgebraicNumbers(ValueRing):
         """Turn a rational number, a surd, a closed form or a sympy number into an element; read a text.
 
         Raises :class:`CoercionError` for what is not in the field, and :class:`UndecidedError` for a
-        transcendental number that cannot be told from 0.
+        transcendental number that cannot be tested for 0.
         """
         x = unwrap(x)
         if isinstance(x, str):
@@ -121,7 +121,7 @@ class AlgebraicNumbers(ValueRing):
             if isinstance(x, closed.Closed):
                 if self.is_real and not x.is_real():
                     raise self.refuse(x, "it is not real; CC has it")
-                # A transcendental number is let in when it can be told from 0.
+                # A transcendental number is accepted if it can be tested for 0.
                 return from_rational(0) if x.bounds is None and x.is_zero() else x
         value: Surd | Closed = self.foreign(x)
         return value
@@ -234,21 +234,21 @@ class AlgebraicNumbers(ValueRing):
         return linear + [[RR(n), -RR(t), RR.one] for t, n in pairs]
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """∞ in RR, where squares are not negative; 1 in CC."""
         if self.is_real:
-            return Known(INFINITY, "squares of real numbers are not negative")
-        return Known(1, "−1 = I^2")
+            return Fact(INFINITY, "squares of real numbers are not negative")
+        return Fact(1, "−1 = I^2")
 
     def minus_one_as_squares(self) -> tuple[Surd | Closed, ...]:
         """Return (I,) in CC, () in RR."""
         return () if self.is_real else (_I,)
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """One in RR, for the positive numbers are the squares; none in CC."""
         if self.is_real:
-            return Known(1, "the positive numbers are the squares")
+            return Fact(1, "the positive numbers are the squares")
         return super().orderings
 
     def sign(self, x: Surd | Closed, ordering: int = 0) -> int:

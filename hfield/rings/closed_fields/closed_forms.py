@@ -1,4 +1,4 @@
-"""Closed forms: numbers that sympy holds as expressions, with a test for 0 that does not guess."""
+"""Closed forms: numbers as sympy expressions, with a test for 0 that does not guess."""
 
 from __future__ import annotations
 
@@ -261,7 +261,7 @@ def to_sympy(x: object) -> sympy.Expr:
 
 
 def from_sympy(x: object) -> Surd | Closed | None:
-    """Return a sympy number that can be told from 0; None if x has symbols, floats or unknown parts.
+    """Return a sympy number that can be tested for 0; None if x has symbols, floats or unknown parts.
 
     Raises :class:`UndecidedError` for a transcendental number that cannot.
     """

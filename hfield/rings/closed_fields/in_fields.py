@@ -1,8 +1,8 @@
 """Algebraic numbers as polynomials over ℚ in one root α of an irreducible polynomial.
 
-Those of one ℚ(α) are added, multiplied, divided and told from 0 modulo the polynomial of α. Each is also a
-root of its own minimal polynomial, with a number among the roots of that: so it is written, and compared with
-those of other fields. Where fields meet otherwise, numbers are the expressions of :mod:`.closed_forms`.
+Those of one ℚ(α) are added, multiplied, divided and compared with 0 modulo the polynomial of α. Each is also
+a root of its own minimal polynomial, with a number among the roots of that: so it is written, and compared
+with those of other fields. Where fields meet otherwise, numbers are the expressions of :mod:`.closed_forms`.
 """
 
 from __future__ import annotations

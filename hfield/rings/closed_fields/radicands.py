@@ -1,4 +1,4 @@
-"""Integers under square roots, up to squares: what can be told of them without their primes.
+"""Integers under square roots, up to squares: what can be computed without factoring them.
 
 √n₁, √n₂, … are linearly independent over ℚ exactly when no product nᵢ·nⱼ, i ≠ j, is a square (Besicovitch,
 1940), and that is seen by greatest common divisors and integer square roots. Factoring makes radicands

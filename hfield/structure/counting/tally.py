@@ -20,7 +20,7 @@ from hfield.structure.counting.formulas_finite import Count, count
 if TYPE_CHECKING:
     import numpy as np
 
-    from hfield.rings.array_held.labels import LabelArrays
+    from hfield.rings.array_storage.labels import LabelArrays
 
 Rows = tuple["np.ndarray", ...]
 
@@ -63,7 +63,7 @@ class RingTables:
         self.negatives = np.array(negatives, dtype=np.int32)
 
     def _table(self, np: Any, name: str, operation: Callable[[Scalar, Scalar], Scalar]) -> Any:
-        from hfield.rings.array_held.finite import scalar_arrays
+        from hfield.rings.array_storage.finite import scalar_arrays
 
         key, index = self.ring.key, self.index
         loops = scalar_arrays(self.ring) if self.size >= MANY_SCALARS else None
@@ -182,9 +182,9 @@ class _ByLoops:
 
 def compiled_loops(ring: Ring, c: Constants) -> LabelArrays | None:
     """Return the compiled loops of an algebra over a ring that lists its elements by labels, if any."""
-    from hfield.rings.array_held.labels import LabelArrays
+    from hfield.rings.array_storage.labels import LabelArrays
 
-    how = ring.array_holding(c)
+    how = ring.array_storage(c)
     return how if isinstance(how, LabelArrays) and how.compiles else None
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from rotation.arrays import Layout
 from rotation.bench.tasks import Array, Task, half_turn
-from rotation.bench.ways.way import Frame, Way
+from rotation.bench.ways.way import FrameFunction, Way
 from rotation.fused import rotate, rotate_euler, rotate_quat
 
 Z = np.array([0.0, 0.0, 1.0])
@@ -19,7 +19,7 @@ def _laid_out(array: Array, layout: Layout) -> Array:
     return array if layout == "aos" else np.ascontiguousarray(array.T)
 
 
-def _rotate(task: Task, layout: Layout) -> Frame:
+def _rotate(task: Task, layout: Layout) -> FrameFunction:
     points, axes = _laid_out(task.points, layout), _laid_out(task.axes, layout)
     out, length = np.empty_like(points), len(task.points)
 
@@ -34,12 +34,12 @@ def _rotate(task: Task, layout: Layout) -> Frame:
     return one if task.kind == "one axis" else own
 
 
-def _rotate_quat(task: Task) -> Frame:
+def _rotate_quat(task: Task) -> FrameFunction:
     points, out = task.points, np.empty_like(task.points)
     return lambda n: rotate_quat(points, np.array(half_turn(Z, task.angles[n])), out=out)
 
 
-def _rotate_euler(task: Task, layout: Layout) -> Frame:
+def _rotate_euler(task: Task, layout: Layout) -> FrameFunction:
     points = _laid_out(task.points, layout)
     out = np.empty_like(points)
     angles = points.copy()  # apart from the points, as angles usually are

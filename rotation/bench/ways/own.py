@@ -16,7 +16,7 @@ from typing import Any
 from hfield.errors import shorten
 from rotation.bench.tasks import Array, Kind, Task
 from rotation.bench.ways.ours import Z
-from rotation.bench.ways.way import Frame, Way
+from rotation.bench.ways.way import FrameFunction, Way
 from rotation.errors import RotationError
 
 Function = Callable[..., Any]
@@ -42,7 +42,7 @@ def own_way(name: str, function: Function) -> Way:
     return Way(name, "own", "rotation", "", "new", dict.fromkeys(kinds, partial(_frames, function)))
 
 
-def _frames(function: Function, task: Task) -> Frame:
+def _frames(function: Function, task: Task) -> FrameFunction:
     points, axes, angles = (_read_only(a) for a in (task.points, task.axes, task.angles))
     length = len(points)
     if task.kind == "euler":

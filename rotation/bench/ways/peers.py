@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from rotation.bench.tasks import Array, Task
-from rotation.bench.ways.way import Frame, Way
+from rotation.bench.ways.way import FrameFunction, Way
 
 
 def _rotation_vectors(task: Task, frame: int) -> Array:
@@ -18,25 +18,25 @@ def _rotation_vectors(task: Task, frame: int) -> Array:
     return vectors
 
 
-def _scipy_one_axis(task: Task) -> Frame:
+def _scipy_one_axis(task: Task) -> FrameFunction:
     from scipy.spatial.transform import Rotation
 
     return lambda n: Rotation.from_rotvec([0.0, 0.0, task.angles[n]]).apply(task.points)
 
 
-def _scipy_own_axis(task: Task) -> Frame:
+def _scipy_own_axis(task: Task) -> FrameFunction:
     from scipy.spatial.transform import Rotation
 
     return lambda n: Rotation.from_rotvec(_rotation_vectors(task, n)).apply(task.points)
 
 
-def _scipy_euler(task: Task) -> Frame:
+def _scipy_euler(task: Task) -> FrameFunction:
     from scipy.spatial.transform import Rotation
 
     return lambda n: Rotation.from_euler("ZYX", task.points).apply(task.points)
 
 
-def _quaternionic_one_axis(task: Task) -> Frame:
+def _quaternionic_one_axis(task: Task) -> FrameFunction:
     import quaternionic
 
     def frame(n: int) -> Any:
@@ -46,7 +46,7 @@ def _quaternionic_one_axis(task: Task) -> Frame:
     return frame
 
 
-def _quaternionic_own_axis(task: Task) -> Frame:
+def _quaternionic_own_axis(task: Task) -> FrameFunction:
     """By products: ``rotate`` gives all pairs of quaternions and points."""
     import quaternionic
 
@@ -59,7 +59,7 @@ def _quaternionic_own_axis(task: Task) -> Frame:
     return frame
 
 
-def _quaternionic_euler(task: Task) -> Frame:
+def _quaternionic_euler(task: Task) -> FrameFunction:
     """By three quaternions: ``from_euler_angles`` knows ZYZ alone."""
     import quaternionic
 
@@ -73,7 +73,7 @@ def _quaternionic_euler(task: Task) -> Frame:
     return frame
 
 
-def _numpy_quaternion_one_axis(task: Task) -> Frame:
+def _numpy_quaternion_one_axis(task: Task) -> FrameFunction:
     import quaternion
 
     def frame(n: int) -> Any:
@@ -83,7 +83,7 @@ def _numpy_quaternion_one_axis(task: Task) -> Frame:
     return frame
 
 
-def _numpy_quaternion_own_axis(task: Task) -> Frame:
+def _numpy_quaternion_own_axis(task: Task) -> FrameFunction:
     """By products: ``rotate_vectors`` gives all pairs of quaternions and points."""
     import quaternion
 
@@ -96,7 +96,7 @@ def _numpy_quaternion_own_axis(task: Task) -> Frame:
     return frame
 
 
-def _numpy_quaternion_euler(task: Task) -> Frame:
+def _numpy_quaternion_euler(task: Task) -> FrameFunction:
     """By three quaternions: ``from_euler_angles`` knows ZYZ alone."""
     import quaternion
 

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 
 from rotation.bench.tasks import Array, Task
-from rotation.bench.ways.way import Frame, Way
+from rotation.bench.ways.way import FrameFunction, Way
 from rotation.thesis import zaxisMatrixrotation
 
 
-def _copy(task: Task) -> Frame:
+def _copy(task: Task) -> FrameFunction:
     out = np.empty_like(task.points)
 
     def frame(n: int) -> Any:
@@ -21,7 +21,7 @@ def _copy(task: Task) -> Frame:
     return frame
 
 
-def _one_axis(task: Task) -> Frame:
+def _one_axis(task: Task) -> FrameFunction:
     out = np.empty_like(task.points)
 
     def frame(n: int) -> Any:
@@ -31,7 +31,7 @@ def _one_axis(task: Task) -> Frame:
     return frame
 
 
-def _own_axis(task: Task) -> Frame:
+def _own_axis(task: Task) -> FrameFunction:
     """Rodrigues' formula, component by component: several times faster than ``np.cross``."""
     x, y, z = np.ascontiguousarray(task.points.T)
     out = np.empty_like(task.points)
@@ -51,7 +51,7 @@ def _own_axis(task: Task) -> Frame:
     return frame
 
 
-def _euler(task: Task) -> Frame:
+def _euler(task: Task) -> FrameFunction:
     x, y, z = angles = np.ascontiguousarray(task.points.T)
     out = np.empty_like(task.points)
 

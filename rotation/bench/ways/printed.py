@@ -6,16 +6,16 @@ import numpy as np
 
 from rotation import thesis
 from rotation.bench.tasks import Task
-from rotation.bench.ways.way import Frame, Way
+from rotation.bench.ways.way import FrameFunction, Way
 
 
-def _quaternion_one_axis(task: Task) -> Frame:
+def _quaternion_one_axis(task: Task) -> FrameFunction:
     points, axis, turn = task.points.tolist(), [0.0, 0.0, 1.0], thesis.rotationquaternion
     angles = task.angles.tolist()
     return lambda n: [turn(angles[n], axis, point) for point in points]
 
 
-def _quaternion_own_axis(task: Task) -> Frame:
+def _quaternion_own_axis(task: Task) -> FrameFunction:
     points, axes = task.points.tolist(), task.axes.tolist()
     angles, length, turn = task.angles.tolist(), len(points), thesis.rotationquaternionNormalized
     return lambda n: [
@@ -24,7 +24,7 @@ def _quaternion_own_axis(task: Task) -> Frame:
     ]
 
 
-def _matrix_one_axis(task: Task) -> Frame:
+def _matrix_one_axis(task: Task) -> FrameFunction:
     points, angles, turn = task.points.tolist(), task.angles.tolist(), thesis.rotationbyMatrix
 
     def frame(n: int) -> list[list[float]]:
@@ -34,12 +34,12 @@ def _matrix_one_axis(task: Task) -> Frame:
     return frame
 
 
-def _matrix_euler(task: Task) -> Frame:
+def _matrix_euler(task: Task) -> FrameFunction:
     points, turn, matrix = task.points.tolist(), thesis.rotationbyMatrix, thesis.rotationMatrixZYX
     return lambda n: [turn(matrix(*point), point) for point in points]
 
 
-def _matmul_one_axis(task: Task) -> Frame:
+def _matmul_one_axis(task: Task) -> FrameFunction:
     points, angles, turn = task.points.tolist(), task.angles.tolist(), thesis.rotationbyMatrix
 
     def frame(n: int) -> list[list[float]]:
@@ -49,7 +49,7 @@ def _matmul_one_axis(task: Task) -> Frame:
     return frame
 
 
-def _matmul_euler(task: Task) -> Frame:
+def _matmul_euler(task: Task) -> FrameFunction:
     points, turn, matrix = task.points.tolist(), thesis.rotationbyMatrix, thesis.rotationMatrixZYX
     return lambda n: [
         turn(matrix(*point, matmul=np.matmul), point, matmul=np.matmul) for point in points

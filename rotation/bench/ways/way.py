@@ -8,7 +8,9 @@ from typing import Any, Literal
 
 from rotation.bench.tasks import Kind, Task
 
-Frame = Callable[[int], Any]  # computes one frame and returns the points, (n, 3) or a list of lists
+FrameFunction = Callable[
+    [int], Any
+]  # computes one frame and returns the points, (n, 3) or a list of lists
 Role = Literal["floor", "ours", "peer", "thesis", "own"]
 
 
@@ -26,6 +28,6 @@ class Way:
     module: str
     distribution: str
     writes: Literal["out", "new"]
-    makes: Mapping[Kind, Callable[[Task], Frame]] = field(repr=False)
+    makes: Mapping[Kind, Callable[[Task], FrameFunction]] = field(repr=False)
     slow: bool = False
     rotates: bool = True

@@ -13,14 +13,14 @@ from hfield.core.product import Constants
 from hfield.errors import CoercionError, HFieldError, RingError, shorten
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ring import NumberField
-from hfield.rings.base import INFINITY, Known, Ring, shared
+from hfield.rings.base import INFINITY, Fact, Ring, shared
 from hfield.rings.closed_fields.radicands import reduced
 from hfield.rings.closed_fields.surds import Surd, sympy_of
-from hfield.rings.holding import Holding
 from hfield.rings.integers import QQ
 from hfield.rings.rational import rational, unwrap
 from hfield.rings.roots import irreducible_factors
 from hfield.rings.squares import minus_one
+from hfield.rings.storage.base import Storage
 
 if TYPE_CHECKING:
     import sympy
@@ -155,11 +155,11 @@ class QuadraticField(NumberField):
                     out += [self.divide(y - self(g[1]), self(2)) for y in (root, -root)]
         return out
 
-    def holding(self, constants: Constants) -> Holding:
-        """Elements are held as eight ints over one denominator."""
-        from hfield.rings.held.fractions import FractionRepresentation
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements as eight ints over one denominator."""
+        from hfield.rings.storage.fractions import FractionStorage
 
-        return FractionRepresentation(self, constants, (self.d, 0), self._vector, self._element)
+        return FractionStorage(self, constants, (self.d, 0), self._vector, self._element)
 
     @staticmethod
     def _vector(x: FieldElement) -> tuple[flint.fmpq, flint.fmpq]:
@@ -176,10 +176,10 @@ class QuadraticField(NumberField):
     # --- squares and orderings ---------------------------------------------------------------------
 
     @property
-    def level(self) -> Known:
+    def level(self) -> Fact:
         """∞ for d > 0; else 1 for d = −1, 4 where −d ≡ 7 mod 8, and 2 for all others."""
         if self.d > 0:
-            return Known(INFINITY, f"{self.name} is a field of real numbers, so it has an ordering")
+            return Fact(INFINITY, f"{self.name} is a field of real numbers, so it has an ordering")
         squares = self.minus_one_as_squares()
         if len(squares) < 4:
             return self.level_of(squares)
@@ -194,11 +194,11 @@ class QuadraticField(NumberField):
         return tuple(map(self, minus_one(-self.d, self.gen)))
 
     @property
-    def orderings(self) -> Known:
+    def orderings(self) -> Fact:
         """Two for d > 0, in which √d is positive or negative; none for d < 0."""
         if self.d < 0:
             return super().orderings
-        return Known(2, f"{self.gen_name} may be positive (ordering 0) or negative (ordering 1)")
+        return Fact(2, f"{self.gen_name} may be positive (ordering 0) or negative (ordering 1)")
 
     def check_ordering(self, ordering: int) -> None:
         """Refuse the number of an ordering that the field does not have."""

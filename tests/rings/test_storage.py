@@ -1,4 +1,4 @@
-"""How single elements are held: every compact form computes what the formula does on coordinates."""
+"""Storage of single elements: every compact form computes what the formula does on coordinates."""
 
 import pickle
 from itertools import product as tuples
@@ -15,9 +15,9 @@ from hfield.core import product
 from hfield.core.product import Constants
 from hfield.errors import NotInvertibleError
 from hfield.rings.base import Ring
-from hfield.rings.held.compact import LARGE
-from hfield.rings.held.plain import Plain
-from hfield.rings.holding import Holding
+from hfield.rings.storage.base import Storage
+from hfield.rings.storage.compact import LARGE
+from hfield.rings.storage.plain import Plain
 from tests.conformance import CONSTANTS, RINGS
 from tests.subcases import share_quick, subcases
 
@@ -25,10 +25,10 @@ FIELDS = ("QQ[s]/(s^3-1/2*s-1/3)", "QQ[s]/(s^4-s-1)", "QQ[s]/(s^5-1/3*s+2/5)")
 
 
 def is_compact(name):
-    return not isinstance(QuaternionAlgebra(ring(name), -1, -1).holding, Plain)
+    return not isinstance(QuaternionAlgebra(ring(name), -1, -1).storage, Plain)
 
 
-# Of the rings whose elements are held as they are, a few will do; conformance has them all.
+# Of the rings that store tuples of coordinates, a few will do; conformance has them all.
 EXACT = [
     *(name for name in (*RINGS, *FIELDS) if is_compact(name)),
     *("RR", "CC", "ZZ[a,b,c]", "QQ[x]", "GF(5)[x,y]"),
@@ -65,9 +65,9 @@ def test_every_operation_is_the_formula(name, seed) -> None:
     F = ring(name)
     for _, constants in (pair for pair in ALGEBRAS if pair[0] == name):
         A = algebra(name, constants)
-        how, plain = A.holding, Holding(F, A.constants)
+        how, plain = A.storage, Storage(F, A.constants)
         u, v = (A.random_element(seed + n).coordinates for n in (0, 1))
-        p, q = how.hold(u), how.hold(v)
+        p, q = how.encode(u), how.encode(v)
         s = u[0] + v[1]
         found = [
             how.coordinates(x)
@@ -87,12 +87,12 @@ def test_every_operation_is_the_formula(name, seed) -> None:
         assert F.equal(how.trace(p), product.trace(A.constants, u))
         assert how.equal(p, q) == plain.equal(u, v)
         scalar, quotient = how.scalar(s), how.divided(p, s)
-        assert scalar == how.hold((s, F.zero, F.zero, F.zero)) or not how.is_unique
-        assert how.equal(scalar, how.hold((s, F.zero, F.zero, F.zero)))
-        assert how.equal(how.whole(5, -3, 0, 2**300), how.hold(tuple(map(F, (5, -3, 0, 2**300)))))
+        assert scalar == how.encode((s, F.zero, F.zero, F.zero)) or not how.is_unique
+        assert how.equal(scalar, how.encode((s, F.zero, F.zero, F.zero)))
+        assert how.equal(how.whole(5, -3, 0, 2**300), how.encode(tuple(map(F, (5, -3, 0, 2**300)))))
         assert (quotient is None) == (not F.is_unit(s))
         if quotient is not None:
-            expected = how.hold(tuple(F.divide(x, s) for x in u))
+            expected = how.encode(tuple(F.divide(x, s) for x in u))
             assert quotient == expected or not how.is_unique
             assert how.equal(quotient, expected)
         assert how.divided(p, F.zero) is None or F.is_unit(F.zero)
@@ -110,7 +110,7 @@ def same_type(x, y):
 def test_all_elements_and_constants_of_prime_fields(q) -> None:
     elements = list(tuples(range(q), repeat=4))
     for a, t, b in tuples(range(q), repeat=3):
-        how = QuaternionAlgebra(f"GF({q})", a, b, t).holding
+        how = QuaternionAlgebra(f"GF({q})", a, b, t).storage
         c = Constants(a, t, b)
         for u in elements:
             for v in elements:
@@ -149,7 +149,7 @@ def test_all_elements_and_constants_of_four() -> None:
     columns = np.array(elements, dtype=np.uint8).T
     left, right = ([Four(c.reshape(shape)) for c in columns] for shape in ((-1, 1), (1, -1)))
     for a, t, b in tuples(range(4), repeat=3):
-        how = QuaternionAlgebra(F, *map(F.from_label, (a, b, t))).holding
+        how = QuaternionAlgebra(F, *map(F.from_label, (a, b, t))).storage
         expected = product.multiply(Constants(Four(a), Four(t), Four(b)), left, right)
         how.product(elements[0], elements[0])  # the first call makes what the others call
         multiply = how.product
@@ -196,7 +196,7 @@ DENOMINATORS = st.one_of(st.integers(1, 9), st.sampled_from([LARGE, LARGE + 1, L
 def test_where_large_numbers_begin(numbers, denominators, constants) -> None:
     """Python's ints and flint's take turns; the values do not show it."""
     A = algebra("QQ", constants)
-    how, plain = A.holding, Holding(A.ring, A.constants)
+    how, plain = A.storage, Storage(A.ring, A.constants)
     u, v = (
         tuple(
             flint.fmpq(n, d)
@@ -204,13 +204,13 @@ def test_where_large_numbers_begin(numbers, denominators, constants) -> None:
         )
         for k in (0, 4)
     )
-    p, q = how.hold(u), how.hold(v)
+    p, q = how.encode(u), how.encode(v)
     for operation in ("product", "sum", "difference"):
         found = getattr(how, operation)(p, q)
         expected = getattr(plain, operation)(u, v)
         assert how.coordinates(found) == expected
-        assert how.key(found) == how.key(how.hold(expected))
-        assert hash(how.key(found)) == hash(how.key(how.hold(expected)))
+        assert how.key(found) == how.key(how.encode(expected))
+        assert hash(how.key(found)) == hash(how.key(how.encode(expected)))
     assert how.norm(p) == plain.norm(u)
     if plain.norm(u) != 0:
         assert how.coordinates(how.inverse(p)) == plain.inverse(u)
@@ -319,14 +319,14 @@ def test_multiples_and_inverses_are_held_as_products_are(name) -> None:
     A = QuaternionAlgebra(F, -1, F.random(rng) + F(7))
     for _ in range(5):
         p, s = A(*(F.random(rng) for _ in range(4))), F.random(rng)
-        assert (s * p)._held == (p * s)._held == (A.scalar(s) * p)._held
+        assert (s * p)._stored == (p * s)._stored == (A.scalar(s) * p)._stored
         large = s + F(2) ** 300
-        assert ((p * large) + large)._held == (p * A.scalar(large) + A(large, 0, 0, 0))._held
+        assert ((p * large) + large)._stored == (p * A.scalar(large) + A(large, 0, 0, 0))._stored
         if F.is_unit(s):
-            assert (p / s)._held == (p * A.scalar(s).inverse())._held
+            assert (p / s)._stored == (p * A.scalar(s).inverse())._stored
         else:
             with pytest.raises(NotInvertibleError, match="cannot invert"):
                 p / s
         if p.is_unit():
             assert p * p.inverse() == A.one
-            assert p.inverse()._held == (p.conjugate() * A.scalar(F.inverse(p.norm())))._held
+            assert p.inverse()._stored == (p.conjugate() * A.scalar(F.inverse(p.norm())))._stored

@@ -1,4 +1,4 @@
-"""Arrays over any ring as arrays of what single elements are held as, with the operations of those.
+"""Storage of arrays over any ring as object arrays: each entry is the stored value of an element.
 
 The entries become elements of the ring where coordinates, norms or traces are asked for.
 """
@@ -13,7 +13,7 @@ import numpy as np
 
 from hfield.core.product import Constants, Coordinates
 from hfield.rings.arrays import Objects, objects, one_shape, wrap
-from hfield.rings.holding import Batch, Holding
+from hfield.rings.storage.base import Batch, Storage
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index
@@ -22,37 +22,37 @@ if TYPE_CHECKING:
 Values = np.ndarray[Any, np.dtype[Any]]
 
 
-class HeldArrays(Batch[Values]):
-    """Arrays over a ring of any kind; ``entries`` holds and computes each.
+class ObjectArrays(Batch[Values]):
+    """Arrays over a ring of any kind; ``entries`` encodes each and computes with it.
 
-    ``held`` is an array of objects, each the held value of an element.
+    A stored value is an array of objects, each the stored value of an element.
     """
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
-        Holding.__init__(self, ring, constants)
-        self.entries = ring.holding(constants)
+        Storage.__init__(self, ring, constants)
+        self.entries = ring.storage(constants)
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def hold(self, coordinates: Coordinates) -> Values:
-        """Hold four arrays of the ring, of one shape."""
+    def encode(self, coordinates: Coordinates) -> Values:
+        """Encode four arrays of the ring, of one shape."""
         scalar = self.ring.scalar
         elements = (c if type(c) is Objects else objects(c, scalar) for c in coordinates)
         every = (c.view(np.ndarray) for c in elements)
-        return each(lambda *four: self.entries.hold(four), *every)[0]
+        return each(lambda *four: self.entries.encode(four), *every)[0]
 
     def read(self, values: tuple[object, ...]) -> Values:
-        """Hold four values that the ring reads, entry by entry. Raises :class:`CoercionError`."""
+        """Encode four values that the ring reads, entry by entry. Raises :class:`CoercionError`."""
         w, x, y, z = one_shape([objects(v, self.ring) for v in values])
-        return self.hold((w, x, y, z))
+        return self.encode((w, x, y, z))
 
     def lift(self, coordinates: Coordinates) -> Values:
-        """Hold one element as an array of no dimensions."""
-        return wrap(self.entries.hold(coordinates))
+        """Encode one element as an array of no dimensions."""
+        return wrap(self.entries.encode(coordinates))
 
-    def coordinates(self, held: Values) -> Coordinates:
+    def coordinates(self, stored: Values) -> Coordinates:
         """Return the coordinates as new arrays of the ring."""
-        w, x, y, z = map(self._of_the_ring, each(self.entries.coordinates, held, results=4))
+        w, x, y, z = map(self._of_the_ring, each(self.entries.coordinates, stored, results=4))
         return w, x, y, z
 
     def _of_the_ring(self, elements: Values) -> Any:

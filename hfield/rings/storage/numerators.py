@@ -8,12 +8,12 @@ from typing import Any
 
 from hfield.core.product import Scalar
 from hfield.core.straight_line import FIRST, SECOND, parts, specialise_extension
-from hfield.rings.held.compact import Compact, function, statements
+from hfield.rings.storage.compact import Compact, function, statements
 
-Held = tuple[Any, ...]  # the numerators of w, x, y, z, and the denominator last
+FractionTuple = tuple[Any, ...]  # the numerators of w, x, y, z, and the denominator last
 
 
-class NumeratorRepresentation(Compact[Held]):
+class NumeratorStorage(Compact[FractionTuple]):
     """Elements whose coordinates have a denominator in common, in lowest terms.
 
     A coordinate has n numerators, the coefficients of 1, s, …, sⁿ⁻¹; ``relation`` says what sⁿ is. The basis
@@ -31,7 +31,7 @@ class NumeratorRepresentation(Compact[Held]):
     relation: tuple[str, ...]
 
     @abstractmethod
-    def fraction(self, s: Any) -> Held:
+    def fraction(self, s: Any) -> FractionTuple:
         """Return the numerators of an element of the ring over one denominator, in lowest terms."""
 
     @abstractmethod
@@ -82,21 +82,21 @@ class NumeratorRepresentation(Compact[Held]):
         """Return what every source names; a field adds its constants and how it puts in lowest terms."""
         return {"by_norm": self._by_norm}
 
-    def _by_norm(self, p: Held) -> Held | None:
+    def _by_norm(self, p: FractionTuple) -> FractionTuple | None:
         """Return the inverse through that of the norm in the ring."""
-        held: Held | None = self.divided(self.conjugate(p), self.norm(p))
-        return held
+        stored: FractionTuple | None = self.divided(self.conjugate(p), self.norm(p))
+        return stored
 
-    def scaled(self, p: Held, s: Scalar) -> Held:
+    def scaled(self, p: FractionTuple, s: Scalar) -> FractionTuple:
         """Return s·p for an element s of the ring."""
-        held: Held = self.multiple(p, self.fraction(s))
-        return held
+        stored: FractionTuple = self.multiple(p, self.fraction(s))
+        return stored
 
-    def is_zero(self, p: Held) -> bool:
+    def is_zero(self, p: FractionTuple) -> bool:
         """Tell whether p = 0."""
         return all(c == 0 for c in p[:-1])
 
-    def key(self, p: Held) -> Hashable:
+    def key(self, p: FractionTuple) -> Hashable:
         """Return p itself."""
         return p
 

@@ -1,4 +1,4 @@
-"""Arrays over rings without a loop: what single elements compute, by what they are held as."""
+"""Object arrays over rings without a loop, against the operations of single elements."""
 
 from random import Random
 
@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from hfield import H, Quaternion, QuaternionAlgebra, ring
 from hfield.errors import NotInvertibleError
-from hfield.rings.array_held.held_values import HeldArrays
+from hfield.rings.array_storage.object_arrays import ObjectArrays
 from tests.thorough import cases
 
 RINGS = (
@@ -64,8 +64,8 @@ def test_arrays_are_what_single_elements_are(name: str, seed: int) -> None:
 def test_products_make_no_elements_of_the_ring(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     A = H(name)
     singles, p = drawn(A, Random(1), 6)
-    how = A.array_holding
-    assert isinstance(how, HeldArrays)
+    how = A.array_storage
+    assert isinstance(how, ObjectArrays)
     wanted = [x * x + x for x in singles]
     p * p + p  # the functions are made at the first call
     made, multiplied = [], []
@@ -76,7 +76,7 @@ def test_products_make_no_elements_of_the_ring(name: str, monkeypatch: pytest.Mo
         return multiply(x, y)
 
     monkeypatch.setattr(how.entries, "product", product)
-    for operation in ("hold", "coordinates"):
+    for operation in ("encode", "coordinates"):
         monkeypatch.setattr(type(how.entries), operation, lambda *_: made.append(_))
     found = p * p + p
     assert len(multiplied) == len(singles)

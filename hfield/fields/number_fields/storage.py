@@ -11,10 +11,10 @@ import flint
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import named
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.rings.held.compact import Compact
-from hfield.rings.held.fractions import FractionRepresentation
-from hfield.rings.held.numerators import Held, NumeratorRepresentation
 from hfield.rings.roots import integral
+from hfield.rings.storage.compact import Compact
+from hfield.rings.storage.fractions import FractionStorage
+from hfield.rings.storage.numerators import FractionTuple, NumeratorStorage
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 UNROLLED = 3  # up to this degree, the product is written out in ints
 
 
-def holding(field: NumberField, constants: Constants) -> Compact:
-    """Return how elements over the field are held, by its degree."""
+def storage(field: NumberField, constants: Constants) -> Compact:
+    """Return the storage of elements over the field, by its degree."""
     if field.degree > UNROLLED:
         return IntegralPolynomials(field, constants)
     scale = int(field.polynomial.denom())  # scale·s is an algebraic integer
@@ -38,10 +38,10 @@ def holding(field: NumberField, constants: Constants) -> Compact:
         return FieldElement(field, flint.fmpq_poly(scaled, *d))
 
     relation = [-int(c) for c in integral(field.polynomial).coeffs()[:-1]]
-    return FractionRepresentation(field, constants, tuple(relation), vector, element)
+    return FractionStorage(field, constants, tuple(relation), vector, element)
 
 
-class IntegralPolynomials(NumeratorRepresentation):
+class IntegralPolynomials(NumeratorStorage):
     """Elements over ℚ(s) as four polynomials in c·s, an algebraic integer, over one denominator."""
 
     relation = ("0",)
@@ -68,7 +68,7 @@ class IntegralPolynomials(NumeratorRepresentation):
         poly = flint.fmpq_poly(numerator % self._modulus, denominator)
         return FieldElement(self._field, poly if self._scale == 1 else poly(self._back))
 
-    def hold(self, coordinates: Coordinates) -> Held:
+    def encode(self, coordinates: Coordinates) -> FractionTuple:
         """Return the element with these coordinates in the field."""
         scales = 1, self._m, self._k, self._m * self._k
         every = [self._polynomial(c) / s for c, s in zip(coordinates, scales, strict=True)]
@@ -76,15 +76,15 @@ class IntegralPolynomials(NumeratorRepresentation):
         w, x, y, z = (c.numer() * (d // int(c.denom())) for c in every)
         return self._lowest(w, x, y, z, d)
 
-    def whole(self, w: int, x: int, y: int, z: int) -> Held:
-        """Hold four ints."""
+    def whole(self, w: int, x: int, y: int, z: int) -> FractionTuple:
+        """Encode four ints."""
         if self._m != 1 or self._k != 1:
-            held: Held = super().whole(w, x, y, z)
-            return held
+            stored: FractionTuple = super().whole(w, x, y, z)
+            return stored
         return (*(flint.fmpz_poly([c]) for c in (w, x, y, z)), 1)
 
-    def scalar(self, s: Scalar) -> Held:
-        """Hold s·e for an element s of the field."""
+    def scalar(self, s: Scalar) -> FractionTuple:
+        """Encode s·e for an element s of the field."""
         zero = flint.fmpz_poly()
         numerator, d = self.fraction(s)
         return numerator, zero, zero, zero, d
@@ -94,9 +94,9 @@ class IntegralPolynomials(NumeratorRepresentation):
         poly = self._polynomial(s)
         return poly.numer(), int(poly.denom())
 
-    def coordinates(self, held: Held) -> Coordinates:
+    def coordinates(self, stored: FractionTuple) -> Coordinates:
         """Return the four coordinates, elements of the field."""
-        w, x, y, z, d = held
+        w, x, y, z, d = stored
         m, k, element = self._m, self._k, self._element
         return element(w, d), element(x * m, d), element(y * k, d), element(z * (m * k), d)
 
@@ -112,7 +112,7 @@ class IntegralPolynomials(NumeratorRepresentation):
 
     def _lowest(
         self, w: flint.fmpz_poly, x: flint.fmpz_poly, y: flint.fmpz_poly, z: flint.fmpz_poly, d: int
-    ) -> Held:
+    ) -> FractionTuple:
         g = d
         for f in (w, x, y, z):
             if g == 1:
@@ -126,6 +126,6 @@ class IntegralPolynomials(NumeratorRepresentation):
             return "def inverse(p):\n    return by_norm(p)"
         return super().source(operation)
 
-    def key(self, p: Held) -> tuple[Hashable, ...]:
+    def key(self, p: FractionTuple) -> tuple[Hashable, ...]:
         """Return the coefficients and the denominator."""
         return (*(tuple(map(int, f.coeffs())) for f in p[:4]), p[4])

@@ -1,4 +1,4 @@
-"""Arrays held as rows of integers: equal to the one formula on the ring's own arrays, bit by bit."""
+"""Arrays stored as rows of integers: equal to the one formula on the ring's own arrays, bit by bit."""
 
 import copy
 import pickle
@@ -22,8 +22,8 @@ from hfield.compiling.arithmetics.register_tables import RegisterField
 from hfield.compiling.threads import threads
 from hfield.core.product import conjugate, multiply, norm, trace
 from hfield.errors import CoercionError, NotInvertibleError
-from hfield.rings.array_held.labels import LabelArrays
-from hfield.rings.array_held.rows import RowArrays
+from hfield.rings.array_storage.labels import LabelArrays
+from hfield.rings.array_storage.rows import RowArrays
 from tests.galois_classes import galois_class
 from tests.subcases import first_quick, share_quick, subcases
 from tests.thorough import THOROUGH
@@ -74,17 +74,17 @@ def extremes(F):
 
 def scalars(A, p, name):
     """The norms or traces of an array; over finite rings as labels, for galois takes seconds a field."""
-    how = A.array_holding
+    how = A.array_storage
     if not isinstance(how, LabelArrays):
         return [A.ring.scalar(x) for x in getattr(p, name)()]
-    return [A.ring.from_label(int(n)) for n in how.kernel(name)(p._held)[0][0]]
+    return [A.ring.from_label(int(n)) for n in how.kernel(name)(p._stored)[0][0]]
 
 
 def agrees(A, P, Q):
     """Compare every operation on arrays with the formula on the coordinates of each element."""
     F, c = A.ring, A.constants
     p, q = (A(*map(list, zip(*four, strict=True))) for four in (P, Q))
-    assert isinstance(A.array_holding, RowArrays)
+    assert isinstance(A.array_storage, RowArrays)
 
     def same(array, expected):
         found = [array[n].coordinates for n in range(len(expected))]
@@ -155,7 +155,7 @@ def test_fields_whose_labels_are_bytes(name, instruction, monkeypatch):
     turn = BYTES.index(name) + instruction
     for c in kinds if THOROUGH else (kinds[turn % 5], kinds[(turn + 2) % 5]):
         A = QuaternionAlgebra(F, *c)
-        assert isinstance(A.array_holding.arithmetic, RegisterField) == instruction
+        assert isinstance(A.array_storage.arithmetic, RegisterField) == instruction
         P, Q = (elements(F, rng, 70) for _ in range(2))  # a turn of 64, and one that is not full
         agrees(A, P, Q)
 
@@ -178,7 +178,7 @@ def multiplied(F, u, v):
 def test_all_products_of_bytes(name):
     F = ring(name)
     every = np.arange(F.order, dtype="u1")
-    how = QuaternionAlgebra(F, -1, -1).array_holding
+    how = QuaternionAlgebra(F, -1, -1).array_storage
     u, v = (x.ravel() for x in np.meshgrid(every, every))
     assert (how.kernel("scalar product")((u,), (v,))[0][0] == multiplied(F, u, v)).all()
 
@@ -247,7 +247,7 @@ def test_whole_numbers_at_the_ends_of_every_width(seed):
         four[3] = (F(2**bits - 1),) * 4
         four[4] = (F(1 - 2**bits),) * 4
         rows.append(four)
-        dtype = A(*map(list, zip(*four, strict=True)))._held[0].dtype
+        dtype = A(*map(list, zip(*four, strict=True)))._stored[0].dtype
         assert (
             dtype.kind == "O" if bits > 63 else 8 * dtype.itemsize > bits > 4 * dtype.itemsize - 1
         )
@@ -424,7 +424,7 @@ def test_arrays_of_integers_go_out_and_in(name, tmp_path):
     assert (A.from_array(q[::-1].to_array()) == q[::-1]).all()
     product = q * q
     assert (A.from_array(product[::-1].to_array()) == product[::-1]).all()
-    if name == "ZZ":  # held in 16 bits; given as int64 they stay that wide
+    if name == "ZZ":  # stored in 16 bits; given as int64 they stay that wide
         product = A.from_array(product.to_array())
         assert product.to_array().dtype == np.int64
     assert np.shares_memory(product.to_array(), product.to_array())

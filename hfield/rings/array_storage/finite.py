@@ -19,11 +19,11 @@ from hfield.compiling.arithmetics.residues import Residues
 from hfield.compiling.calling import Kernel
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants
-from hfield.rings.array_held import programs
-from hfield.rings.array_held.held_values import HeldArrays
-from hfield.rings.array_held.labels import LabelArrays
-from hfield.rings.array_held.rows import Row
-from hfield.rings.holding import Batch
+from hfield.rings.array_storage import programs
+from hfield.rings.array_storage.labels import LabelArrays
+from hfield.rings.array_storage.object_arrays import ObjectArrays
+from hfield.rings.array_storage.rows import Row
+from hfield.rings.storage.base import Batch
 
 if TYPE_CHECKING:
     from hfield.rings.finite import FiniteField
@@ -36,12 +36,12 @@ LOGARITHMS_UP_TO = 1 << 16  # elements: beyond, tables leave the caches
 POLYNOMIALS_UP_TO = 6  # degrees: beyond, compiling takes seconds
 
 
-def array_holding(ring: Any, constants: Constants) -> Batch:
-    """Return how arrays over ℤ/n or a finite field are held: as labels where an arithmetic serves them."""
+def array_storage(ring: Any, constants: Constants) -> Batch:
+    """Return the storage of arrays over ℤ/n or a finite field: as labels where an arithmetic serves them."""
     arithmetic = arithmetic_of(ring)
     if arithmetic is not None:
         return LabelArrays(ring, constants, arithmetic)
-    return HeldArrays(ring, constants)
+    return ObjectArrays(ring, constants)
 
 
 def arithmetic_of(ring: Any) -> Arithmetic | None:

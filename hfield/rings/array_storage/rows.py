@@ -13,10 +13,10 @@ from hfield.compiling.memory import Rows, address, rows_of
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import FIRST, SECOND, Program, pattern, specialise
 from hfield.errors import CoercionError
-from hfield.rings.array_held import programs
-from hfield.rings.array_held.programs import Sides
+from hfield.rings.array_storage import programs
+from hfield.rings.array_storage.programs import Sides
 from hfield.rings.arrays import one_shape, owned, read_only
-from hfield.rings.holding import Batch, Holding
+from hfield.rings.storage.base import Batch, Storage
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index
@@ -26,23 +26,23 @@ Row = np.ndarray[Any, np.dtype[Any]]
 
 
 class RowArrays(Batch[Rows]):
-    """What arrays held as four rows share; each ring has its own numbers in the rows.
+    """Base class for storage as four rows; each ring has its own numbers in the rows.
 
-    ``held`` is a tuple of four numpy arrays of one shape and of the type ``dtype``.
+    A stored value is a tuple of four numpy arrays of one shape and of the type ``dtype``.
     """
 
     dtype: str
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
-        Holding.__init__(self, ring, constants)
+        Storage.__init__(self, ring, constants)
 
     @cached_property
     def plain(self) -> Batch:
-        """The holding that computes with arrays of the ring: the reference, and where there is no LLVM."""
+        """The storage that computes with arrays of the ring: the reference, and where there is no LLVM."""
         return Batch(self.ring, self.constants)
 
     def by_arrays(self, operation: str, *operands: Rows) -> Any:
-        """Do as the plain holding does, on arrays of the ring."""
+        """Do as the plain storage does, on arrays of the ring."""
         return getattr(self.plain, operation)(*map(self.coordinates, operands))
 
     def program(self, name: str) -> tuple[Program, Sides]:
@@ -68,21 +68,21 @@ class RowArrays(Batch[Rows]):
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def hold(self, coordinates: Coordinates) -> Rows:
-        """Hold four arrays of the ring, of one shape."""
+    def encode(self, coordinates: Coordinates) -> Rows:
+        """Encode four arrays of the ring, of one shape."""
         return tuple(self.row(c) for c in coordinates)
 
     def read(self, values: tuple[object, ...]) -> Rows:
-        """Hold four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
+        """Encode four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
         return tuple(one_shape([owned(self.row(v), v) for v in values]))
 
     def lift(self, coordinates: Coordinates) -> Rows:
-        """Hold one element as an array of no dimensions."""
-        return self.hold(coordinates)
+        """Encode one element as an array of no dimensions."""
+        return self.encode(coordinates)
 
-    def coordinates(self, held: Rows) -> Coordinates:
+    def coordinates(self, stored: Rows) -> Coordinates:
         """Return the coordinates as arrays of the ring."""
-        w, x, y, z = map(self.ring_array, held)
+        w, x, y, z = map(self.ring_array, stored)
         return w, x, y, z
 
     def shape(self, p: Rows) -> tuple[int, ...]:
@@ -125,7 +125,7 @@ class RowArrays(Batch[Rows]):
         return read_only(np.stack(p) if block is None else block)
 
     def from_array(self, values: object, copy: bool = True) -> Rows:
-        """Hold a copy of an array of shape (4, …), made by ``to_array``. Raises :class:`CoercionError`."""
+        """Encode a copy of an array of shape (4, …), made by ``to_array``. Raises :class:`CoercionError`."""
         return self.checked_block(values, 4)
 
     def checked_block(self, values: object, count: int) -> Rows:
@@ -142,7 +142,7 @@ class RowArrays(Batch[Rows]):
         return rows_of(self.block(block))
 
     def block(self, values: Row) -> Row:
-        """Return an array of integers as an array in one piece, of the type that is held."""
+        """Return an array of integers as an array in one piece, of the stored type."""
         return values.astype(self.dtype, copy=False)
 
     def check_numbers(self, block: Row) -> None:

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import named
-from hfield.rings.held.numerators import Held, NumeratorRepresentation
+from hfield.rings.storage.numerators import FractionTuple, NumeratorStorage
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.ring import FunctionField
     from hfield.rings.flint_types import Polynomial
 
 
-class FunctionRepresentation(NumeratorRepresentation):
+class FunctionStorage(NumeratorStorage):
     """Elements over F(t) as four polynomials over one denominator."""
 
     relation = ("0",)
@@ -38,7 +38,7 @@ class FunctionRepresentation(NumeratorRepresentation):
             common = common * (f // common.gcd(f))
         return common
 
-    def hold(self, coordinates: Coordinates) -> Held:
+    def encode(self, coordinates: Coordinates) -> FractionTuple:
         """Return the element with these coordinates, rational functions."""
         scales = self._one, self._m, self._k, self._m * self._k
         denominators = [c.den * s for c, s in zip(coordinates, scales, strict=True)]
@@ -46,14 +46,14 @@ class FunctionRepresentation(NumeratorRepresentation):
         w, x, y, z = (c.num * (d // e) for c, e in zip(coordinates, denominators, strict=True))
         return self._lowest(w, x, y, z, d)
 
-    def fraction(self, s: Any) -> Held:
+    def fraction(self, s: Any) -> FractionTuple:
         """Return numerator and denominator of a rational function."""
         return s.num, s.den
 
-    def coordinates(self, held: Held) -> Coordinates:
+    def coordinates(self, stored: FractionTuple) -> Coordinates:
         """Return the four coordinates, rational functions."""
         quotient, m, k = self._field.quotient, self._m, self._k
-        w, x, y, z, d = held
+        w, x, y, z, d = stored
         return quotient(w, d), quotient(x * m, d), quotient(y * k, d), quotient(z * m * k, d)
 
     def names(self) -> dict[str, object]:
@@ -66,7 +66,7 @@ class FunctionRepresentation(NumeratorRepresentation):
         listed = ", ".join(names)
         return [f"return ({listed}, d) if d == one else lowest({listed}, d)"]
 
-    def _lowest(self, *fraction: Polynomial) -> Held:
+    def _lowest(self, *fraction: Polynomial) -> FractionTuple:
         """Put polynomials over one denominator, which is the last, in lowest terms, and make that monic."""
         one = self._one
         common = fraction[-1]
@@ -78,7 +78,7 @@ class FunctionRepresentation(NumeratorRepresentation):
         common = common * lead if common.degree() else one * lead
         return fraction if common == one else tuple(f // common for f in fraction)
 
-    def key(self, p: Held) -> tuple[tuple[Any, ...], ...]:
+    def key(self, p: FractionTuple) -> tuple[tuple[Any, ...], ...]:
         """Return the coefficients."""
         F = self._field
         return tuple(tuple(F.base.key(F.base_element(c)) for c in f.coeffs()) for f in p)

@@ -3,7 +3,7 @@ import pytest
 
 from anim.errors import AnimationError
 from anim.model import Model
-from anim.picture import STYLES, Camera, Look, painter
+from anim.picture import STYLES, Camera, RenderSettings, painter
 from tests.subcases import subcases
 
 
@@ -33,7 +33,7 @@ from tests.subcases import subcases
 )
 def test_looks_that_make_no_sense_are_refused(values):
     with pytest.raises(AnimationError, match=r"expected|is a"):
-        Look(**values)
+        RenderSettings(**values)
 
 
 @pytest.mark.parametrize(
@@ -64,15 +64,15 @@ def test_camera_from_text():
 
 
 def test_looks_are_values():
-    assert Look() == Look(size=[640, 480])
-    assert hash(Look(background="white")) == hash(Look(background="white"))
-    assert Look(shadow=True) != Look()
+    assert RenderSettings() == RenderSettings(size=[640, 480])
+    assert hash(RenderSettings(background="white")) == hash(RenderSettings(background="white"))
+    assert RenderSettings(shadow=True) != RenderSettings()
 
 
 @subcases("style", STYLES)
 @subcases("size", [(1, 1), (1, 30), (31, 2), (33, 27), (641, 5)])
 def test_any_size_is_drawn(style, size):
-    look = Look(size, style, trace=True, shadow=True)
+    look = RenderSettings(size, style, trace=True, shadow=True)
     trail = [[0, 0, 3.0], [0, 3.0, 0], [3.0, 0, 0]]
     picture = painter(Model(ring=12), look).draw(np.eye(3), trail)
     assert picture.shape == (size[1], size[0], 3)

@@ -16,9 +16,9 @@ from hfield.compiling.memory import Rows
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import FIRST, SECOND, Program
 from hfield.errors import CoercionError
-from hfield.rings.array_held import programs
-from hfield.rings.array_held.programs import Sides
-from hfield.rings.array_held.words import WORD, WordArrays
+from hfield.rings.array_storage import programs
+from hfield.rings.array_storage.programs import Sides
+from hfield.rings.array_storage.words import WORD, WordArrays
 from hfield.rings.arrays import objects, one_shape
 from hfield.rings.rational import is_plain_array
 
@@ -57,25 +57,25 @@ class FractionArrays(WordArrays):
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def hold(self, coordinates: Coordinates) -> Rows:
-        """Hold four arrays of rational numbers, in words if they fit."""
-        return self.packed(self.plain.hold(coordinates))
+    def encode(self, coordinates: Coordinates) -> Rows:
+        """Encode four arrays of rational numbers, in words if they fit."""
+        return self.packed(self.plain.encode(coordinates))
 
     def read(self, values: tuple[object, ...]) -> Rows:
-        """Hold four values that ℚ reads. Raises :class:`CoercionError`."""
+        """Encode four values that ℚ reads. Raises :class:`CoercionError`."""
         if self._is_unscaled and all(is_whole(v) for v in values):
             rows = one_shape([np.array(v, WORD) for v in values])
             return (*rows, np.ones(rows[0].shape, WORD))
         w, x, y, z = one_shape([self.ring.array(v) for v in values])
-        return self.hold((w, x, y, z))
+        return self.encode((w, x, y, z))
 
     def lift(self, coordinates: Coordinates) -> Rows:
-        """Hold one element as an array of no dimensions."""
+        """Encode one element as an array of no dimensions."""
         w, x, y, z = map(self.ring.array, coordinates)
-        return self.hold((w, x, y, z))
+        return self.encode((w, x, y, z))
 
     def from_array(self, values: object, copy: bool = True) -> Rows:
-        """Hold a copy of an array of shape (5, …), made by ``to_array``. Raises :class:`CoercionError`."""
+        """Encode a copy of an array of shape (5, …), made by ``to_array``. Raises :class:`CoercionError`."""
         rows = self.checked_block(values, 5)
         if not rows[4].all():
             raise CoercionError("a denominator is 0: the last of the five rows must not contain 0")

@@ -1,7 +1,7 @@
-"""How the elements of an algebra are held: four coordinates as one value, and what is computed with it.
+"""Storage of elements of an algebra: encode four coordinates as one value, and compute with such values.
 
-A ring says how by :meth:`~hfield.rings.base.Ring.holding` (single elements) and
-:meth:`~hfield.rings.base.Ring.array_holding` (arrays of them). :class:`Holding` holds the tuple of the
+:meth:`~hfield.rings.base.Ring.storage` of a ring returns the storage of single elements, and
+:meth:`~hfield.rings.base.Ring.array_storage` that of arrays of them. :class:`Storage` stores the tuple of the
 coordinates and serves every ring, a user's own too; a ring with a compact form derives from it.
 """
 
@@ -23,46 +23,46 @@ if TYPE_CHECKING:
     from hfield.rings.arrays import Index
     from hfield.rings.base import Ring
 
-    H = TypeVar("H", default=Any)  # ``Holding`` alone: of values that nobody checks
+    H = TypeVar("H", default=Any)  # ``Storage`` alone: of values that nobody checks
 else:
     from typing import TypeVar
 
-    H = TypeVar("H")  # what stands for an element
+    H = TypeVar("H")  # the type of a stored value
 
 
-class Holding(Generic[H]):
-    """The elements over one ring with one choice of structure constants, held as they are.
+class Storage(Generic[H]):
+    """Storage of elements over one ring with given structure constants, here as tuples of coordinates.
 
-    ``held`` is what stands for an element, here the tuple of its coordinates: an immutable value that no
-    operation changes. Operands of the operations are held by this very holding, or by an equal one (of an
-    equal ring and equal constants); nothing is checked.
+    A stored value stands for an element. It is immutable: no operation changes it. The operands of an
+    operation are values of this storage, or of an equal one (of an equal ring and equal constants); nothing
+    is checked.
     """
 
     is_batch = False
-    is_unique = False  # whether ``==`` between held values tells whether elements are equal
+    is_unique = False  # whether stored values of equal elements are equal
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         self.ring, self.constants = ring, constants
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def hold(self, coordinates: Coordinates) -> H:
-        """Return what stands for the element with these coordinates, elements of the ring."""
+    def encode(self, coordinates: Coordinates) -> H:
+        """Return the stored value of the element with these coordinates, elements of the ring."""
         return coordinates  # type: ignore[return-value]  # H is the tuple, where this serves
 
-    def coordinates(self, held: H) -> Coordinates:
+    def coordinates(self, stored: H) -> Coordinates:
         """Return the coordinates as elements of the ring: the library's own values."""
-        return held  # type: ignore[return-value]
+        return stored  # type: ignore[return-value]
 
     def scalar(self, s: Scalar) -> H:
-        """Hold s·e for an element s of the ring."""
+        """Encode s·e for an element s of the ring."""
         zero = self.ring.zero
-        return self.hold((s, zero, zero, zero))
+        return self.encode((s, zero, zero, zero))
 
     def read(self, values: tuple[object, ...]) -> H:
-        """Hold four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
+        """Encode four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
         w, x, y, z = map(self.ring, values)
-        return self.hold((w, x, y, z))
+        return self.encode((w, x, y, z))
 
     def explain(self, operation: str) -> str:
         """Return the text of what computes an operation, such as ``product``."""
@@ -72,31 +72,33 @@ class Holding(Generic[H]):
 
     def product(self, p: H, q: H, /) -> H:
         """Return p·q."""
-        return self.hold(product.multiply(self.constants, self.coordinates(p), self.coordinates(q)))
+        return self.encode(
+            product.multiply(self.constants, self.coordinates(p), self.coordinates(q))
+        )
 
     def sum(self, p: H, q: H, /) -> H:
         """Return p + q."""
         (w1, x1, y1, z1), (w2, x2, y2, z2) = self.coordinates(p), self.coordinates(q)
-        return self.hold((w1 + w2, x1 + x2, y1 + y2, z1 + z2))
+        return self.encode((w1 + w2, x1 + x2, y1 + y2, z1 + z2))
 
     def difference(self, p: H, q: H, /) -> H:
         """Return p − q."""
         (w1, x1, y1, z1), (w2, x2, y2, z2) = self.coordinates(p), self.coordinates(q)
-        return self.hold((w1 - w2, x1 - x2, y1 - y2, z1 - z2))
+        return self.encode((w1 - w2, x1 - x2, y1 - y2, z1 - z2))
 
     def negative(self, p: H, /) -> H:
         """Return −p."""
         w, x, y, z = self.coordinates(p)
-        return self.hold((-w, -x, -y, -z))
+        return self.encode((-w, -x, -y, -z))
 
     def conjugate(self, p: H, /) -> H:
         """Return the standard involution of p."""
-        return self.hold(product.conjugate(self.constants, self.coordinates(p)))
+        return self.encode(product.conjugate(self.constants, self.coordinates(p)))
 
     def scaled(self, p: H, s: Scalar) -> H:
         """Return s·p for an element s of the ring."""
         w, x, y, z = self.coordinates(p)
-        return self.hold((w * s, x * s, y * s, z * s))
+        return self.encode((w * s, x * s, y * s, z * s))
 
     def divided(self, p: H, s: Scalar) -> H | None:
         """Return p/s, or None where s is not a unit of the ring."""
@@ -107,7 +109,7 @@ class Holding(Generic[H]):
         return self.divided(self.conjugate(p), self.norm(p))
 
     def one(self, p: H) -> H:
-        """Hold e; an array of it, as large as p is."""
+        """Encode e; an array of it, as large as p is."""
         return self.scalar(self.ring.one)
 
     def power(self, p: H, n: int) -> H:
@@ -155,8 +157,8 @@ class Holding(Generic[H]):
         return tuple(map(self.ring.state, self.coordinates(p)))
 
 
-class Batch(Holding[H]):
-    """Arrays of elements, held as four arrays of one shape that compute elementwise.
+class Batch(Storage[H]):
+    """Storage of arrays of elements, here as four arrays of one shape that compute elementwise.
 
     A single operand is lifted to an array of no dimensions before. Shapes broadcast as numpy's do; where
     they do not, the operations raise :class:`CoercionError`. ``norm`` and ``trace`` return arrays of the
@@ -171,23 +173,23 @@ class Batch(Holding[H]):
     # --- in and out ----------------------------------------------------------------------------
 
     def read(self, values: tuple[object, ...]) -> H:
-        """Hold four arrays that the ring reads, broadcast to one shape. Raises :class:`CoercionError`."""
+        """Encode four arrays that the ring reads, broadcast to one shape. Raises :class:`CoercionError`."""
         from hfield.rings.arrays import one_shape, owned
 
         w, x, y, z = one_shape([owned(self.ring.array(v), v) for v in values])
-        return self.hold((w, x, y, z))
+        return self.encode((w, x, y, z))
 
-    def handed_out(self, held: H) -> Coordinates:
+    def read_only_coordinates(self, stored: H) -> Coordinates:
         """Return the coordinates as arrays that cannot be written to."""
         from hfield.rings.arrays import read_only
 
-        w, x, y, z = map(read_only, self.coordinates(held))
+        w, x, y, z = map(read_only, self.coordinates(stored))
         return w, x, y, z
 
     def lift(self, coordinates: Coordinates) -> H:
-        """Hold one element, given by its coordinates in the ring, as an array of no dimensions."""
+        """Encode one element, given by its coordinates in the ring, as an array of no dimensions."""
         w, x, y, z = map(self.ring.array, coordinates)
-        return self.hold((w, x, y, z))
+        return self.encode((w, x, y, z))
 
     def shape(self, p: H) -> tuple[int, ...]:
         """Return the shape of the array."""
@@ -197,7 +199,7 @@ class Batch(Holding[H]):
     def part(self, p: H, index: Index) -> H:
         """Return the elements at a numpy index; where its shape is (), it is good for ``single`` only."""
         w, x, y, z = (c[index] for c in self.coordinates(p))
-        return self.hold((w, x, y, z))
+        return self.encode((w, x, y, z))
 
     def single(self, p: H) -> Coordinates:
         """Return the coordinates, elements of the ring, of a part of no dimensions."""
@@ -207,16 +209,16 @@ class Batch(Holding[H]):
     def reshaped(self, p: H, shape: tuple[int, ...]) -> H:
         """Return the elements in another shape. Raises ValueError."""
         w, x, y, z = (c.reshape(shape) for c in self.coordinates(p))
-        return self.hold((w, x, y, z))
+        return self.encode((w, x, y, z))
 
     def to_array(self, p: H) -> object:
         """Return the elements as one array of numbers. Raises :class:`CoercionError` where there is none."""
         raise CoercionError(self._no_integers())
 
     def from_array(self, values: object, copy: bool = True) -> H:
-        """Hold what ``to_array`` returned. Raises :class:`CoercionError`.
+        """Encode an array that ``to_array`` returned. Raises :class:`CoercionError`.
 
-        Without ``copy`` the memory is shared where the numbers are held as they are.
+        Without ``copy`` the memory is shared where the storage has numbers of this type.
         """
         raise CoercionError(self._no_integers())
 
@@ -265,7 +267,7 @@ class Batch(Holding[H]):
         return self.scaled(self.conjugate(p), self.ring.array_inverse(n))
 
     def one(self, p: H) -> H:
-        """Hold an array of e, of the shape of p."""
+        """Encode an array of e, of the shape of p."""
         return self._filled(1, self.shape(p))
 
     def total(self, p: H, axis: int | None) -> H:

@@ -1,4 +1,4 @@
-"""Whose element a value is, in words, for the errors that refuse it."""
+"""Describe a value of another ring in error messages."""
 
 import numbers
 from typing import Any
@@ -8,8 +8,8 @@ import flint
 from hfield.core.primality import is_prime
 
 
-def owner(x: Any) -> str | None:
-    """Return a name for what x belongs to, or None if x is a number or nothing that is known."""
+def parent_name(x: Any) -> str | None:
+    """Return the name of the ring or library that x belongs to, or None for numbers and unknown types."""
     kind = type(x).__name__
     if isinstance(x, flint.nmod):
         n = x.modulus()
@@ -31,8 +31,8 @@ def owner(x: Any) -> str | None:
 
 
 def describe(x: object, ring: str, is_exact: bool, characteristic: int) -> tuple[str, str]:
-    """Return how to call x, and how to mend it where it is refused by the ring of that name."""
-    found = owner(x)
+    """Return a name for x, and how to mend it, for the error of a ring that refuses it."""
+    found = parent_name(x)
     if found is not None:
         other = ", with another modulus" if found == ring else ""
         return (

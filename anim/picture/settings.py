@@ -1,4 +1,4 @@
-"""What a picture shall look like: camera, size, style, colours. Plain values, checked once."""
+"""Settings of pictures: camera, size, style, colours. Plain values, checked once."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -23,7 +23,7 @@ MAX_PIXELS = 7680 * 4320
 
 @dataclass(frozen=True)
 class Camera:
-    """Where the picture is taken from; it always looks at the top and holds z upright.
+    """Where the picture is taken from; it always looks at the top and keeps z upright.
 
     ``azimuth`` and ``elevation`` in degrees as in matplotlib (azimuth from the x axis towards the y
     axis, elevation above the ground, −90 to 90); ``distance`` from the top in the thesis's unit (6 or
@@ -79,7 +79,7 @@ class Camera:
 
 
 @dataclass(frozen=True)
-class Look:
+class RenderSettings:
     """All that decides a picture besides the model and its attitude. Immutable, hashable, picklable.
 
     ``size`` is (width, height) in pixels, ``style`` a name in :data:`~anim.picture.styles.STYLES`.
@@ -91,7 +91,7 @@ class Look:
     top that wanders.
     Raises :class:`~anim.errors.AnimationError`.
 
-    >>> Look(size=(1920, 1080), style="shaded", shadow=True).style
+    >>> RenderSettings(size=(1920, 1080), style="shaded", shadow=True).style
     'shaded'
     """
 
@@ -177,5 +177,5 @@ def _two(colours: Any) -> tuple[str, str]:
     return values[0], values[1]
 
 
-FILM_LOOK = Look(style="shaded", trace=True, shadow=True)
-"""What a film looks like unless it is told otherwise."""
+FILM_SETTINGS = RenderSettings(style="shaded", trace=True, shadow=True)
+"""The default settings of films."""

@@ -14,10 +14,10 @@ from hfield.compiling.memory import rows_of
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import FIRST, SECOND, pattern, specialise
 from hfield.errors import CoercionError
-from hfield.rings.array_held import programs
-from hfield.rings.array_held.rows import block_of
+from hfield.rings.array_storage import programs
+from hfield.rings.array_storage.rows import block_of
 from hfield.rings.arrays import one_shape, read_only
-from hfield.rings.holding import Batch
+from hfield.rings.storage.base import Batch
 
 if TYPE_CHECKING:
     from hfield.rings.arrays import Index
@@ -28,7 +28,7 @@ MIN_COMPILED = 1000  # quaternions from which on a loop is compiled for them
 
 
 class FloatArrays(Batch[Block]):
-    """Arrays over a ring of floats: ``held`` has the shape (4, …)."""
+    """Storage of arrays over a ring of floats as one array of shape (4, …)."""
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)
@@ -57,9 +57,9 @@ class FloatArrays(Batch[Block]):
     def elementwise(self, name: str, *operands: Block) -> Block:
         """Do an operation, of many elements in a compiled loop."""
         if not self._compiles(max(p[0].size for p in operands)):
-            return self.hold(self.plain.elementwise(name, *map(self.coordinates, operands)))
+            return self.encode(self.plain.elementwise(name, *map(self.coordinates, operands)))
         (w, x, y, z), _ = self.kernel(name)(*map(rows_of, operands))
-        return self.hold((w, x, y, z))
+        return self.encode((w, x, y, z))
 
     def norm(self, p: Block, /) -> Any:
         """Return the norms, of many elements in a compiled loop."""
@@ -70,8 +70,8 @@ class FloatArrays(Batch[Block]):
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def hold(self, coordinates: Coordinates) -> Block:
-        """Hold four arrays of one shape; no copy is made of rows of one array, nor of the array itself."""
+    def encode(self, coordinates: Coordinates) -> Block:
+        """Encode four arrays of one shape; no copy is made of rows of one array, nor of the array itself."""
         block = coordinates if isinstance(coordinates, np.ndarray) else block_of(coordinates)
         if block is None:
             block, _ = memory.block((4, *coordinates[0].shape), self.dtype)
@@ -80,12 +80,12 @@ class FloatArrays(Batch[Block]):
         return block
 
     def read(self, values: tuple[object, ...]) -> Block:
-        """Hold copies of four arrays that the ring reads. Raises :class:`CoercionError`."""
+        """Encode copies of four arrays that the ring reads. Raises :class:`CoercionError`."""
         return np.stack(one_shape([self.ring.array(v) for v in values]))
 
-    def coordinates(self, held: Block) -> Coordinates:
+    def coordinates(self, stored: Block) -> Coordinates:
         """Return the four rows."""
-        w, x, y, z = held[0, ...], held[1, ...], held[2, ...], held[3, ...]
+        w, x, y, z = stored[0, ...], stored[1, ...], stored[2, ...], stored[3, ...]
         return w, x, y, z
 
     def shape(self, p: Block) -> tuple[int, ...]:
@@ -110,7 +110,7 @@ class FloatArrays(Batch[Block]):
         return read_only(p)
 
     def from_array(self, values: object, copy: bool = True) -> Block:
-        """Hold an array of floats of shape (4, …). Raises :class:`CoercionError`."""
+        """Encode an array of floats of shape (4, …). Raises :class:`CoercionError`."""
         given = np.asarray(values)
         if given.ndim == 0 or given.shape[0] != 4 or given.dtype.kind not in "iufc":
             raise CoercionError(

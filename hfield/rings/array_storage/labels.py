@@ -15,8 +15,8 @@ from hfield.core.factorisation import factorise
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import Program
 from hfield.errors import CoercionError, shorten
-from hfield.rings.array_held import programs
-from hfield.rings.array_held.rows import Row, RowArrays, inverses
+from hfield.rings.array_storage import programs
+from hfield.rings.array_storage.rows import Row, RowArrays, inverses
 from hfield.rings.arrays import objects
 from hfield.rings.rational import is_plain_array
 
@@ -100,7 +100,7 @@ class LabelArrays(RowArrays):
         """Run a loop that returns elements."""
         if self.compiles:
             return self.kernel(name)(*operands)[0]
-        return self.hold(self.by_arrays(name, *operands))
+        return self.encode(self.by_arrays(name, *operands))
 
     def _run_scalar(self, name: str, p: Rows) -> Any:
         """Run a loop that returns an array of the ring."""
@@ -128,7 +128,7 @@ class LabelArrays(RowArrays):
         """Return the inverses, or None where some norm is not a unit of the ring."""
         if not self.compiles:
             found = self.by_arrays("inverse", p)
-            return None if found is None else self.hold(found)
+            return None if found is None else self.encode(found)
         *conjugate, norms = self.kernel("adjoint")(p)[0]
         if not self._units(norms).all():
             return None

@@ -26,8 +26,8 @@ from hfield.compiling.memory import Rows, rows_of
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import Program, pattern
 from hfield.errors import CoercionError
-from hfield.rings.array_held.held_values import HeldArrays, each
-from hfield.rings.array_held.rows import Row, RowArrays
+from hfield.rings.array_storage.object_arrays import ObjectArrays, each
+from hfield.rings.array_storage.rows import Row, RowArrays
 from hfield.rings.arrays import objects, read_only
 from hfield.rings.rational import is_plain_array
 
@@ -43,11 +43,11 @@ NARROW = ("i1", "i2", "i4")
 
 
 class WordArrays(RowArrays):
-    """What ℤ and ℚ share: rows of words, or one row of what single elements are held as.
+    """What ℤ and ℚ share: rows of words, or one row of the stored values of single elements.
 
     The latter is where a number is larger than a word. An operation runs without checks where the operands
     are small, else again with every overflow noticed, else as on single elements. Integers of less than 64
-    bits are as large as their negatives: −128 is held in 16.
+    bits are as large as their negatives: −128 is stored in 16.
     """
 
     dtype = "i8"
@@ -96,27 +96,27 @@ class WordArrays(RowArrays):
         if self.compiles and all(is_words(p) for p in operands):
             dtype = f"i{max(p[0].itemsize for p in operands)}"
             for kernel in self.kernels(name, dtype):
-                rows, told = kernel(*(of_type(p, kernel.arithmetic.dtype) for p in operands))
-                if not told:
+                rows, overflowed = kernel(*(of_type(p, kernel.arithmetic.dtype) for p in operands))
+                if not overflowed:
                     return rows
         return None
 
     # --- larger numbers ------------------------------------------------------------------------
 
     @cached_property
-    def plain(self) -> HeldArrays:
-        """The holding that computes with what single elements are held as."""
-        return HeldArrays(self.ring, self.constants)
+    def plain(self) -> ObjectArrays:
+        """The storage that computes with the stored values of single elements."""
+        return ObjectArrays(self.ring, self.constants)
 
     def values(self, p: Rows) -> Row:
-        """Return an array of what single elements are held as: numerators over a denominator."""
+        """Return an array of the stored values of single elements: numerators over a denominator."""
         if not is_words(p):
             return p[0]
         ones = () if len(p) == 5 else (np.ones(p[0].shape, object),)
         return each(lambda *numbers: numbers, *(row.astype(object) for row in p), *ones)[0]
 
     def packed(self, values: Row) -> Rows:
-        """Return what single elements are held as in rows of words, or as it is if a number is larger."""
+        """Return an array of stored single elements as rows of words, or as it is if a number is larger."""
         try:
             block = np.array(values.ravel().tolist(), WORD).reshape(-1, 5)
         except OverflowError:
@@ -132,13 +132,13 @@ class WordArrays(RowArrays):
         return getattr(self.plain, operation)(*map(self.values, operands))
 
     def elementwise(self, name: str, *operands: Rows) -> Rows:
-        """Run an operation in words, else on what single elements are held as."""
+        """Run an operation in words, else on the stored values of single elements."""
         rows = self.in_words(name, *operands)
         return self.packed(self.by_arrays(name, *operands)) if rows is None else rows
 
-    def coordinates(self, held: Rows) -> Coordinates:
+    def coordinates(self, stored: Rows) -> Coordinates:
         """Return the coordinates as arrays of objects."""
-        return self.plain.coordinates(self.values(held))
+        return self.plain.coordinates(self.values(stored))
 
     def single(self, p: Rows) -> Coordinates:
         """Return the coordinates of an array of no dimensions."""
@@ -205,12 +205,12 @@ class WholeArrays(WordArrays):
         except OverflowError:
             return made
 
-    def hold(self, coordinates: Coordinates) -> Rows:
-        """Hold four arrays, all as words or none."""
+    def encode(self, coordinates: Coordinates) -> Rows:
+        """Encode four arrays, all as words or none."""
         return self._alike([self.row(c) for c in coordinates])
 
     def read(self, values: tuple[object, ...]) -> Rows:
-        """Hold four values that ℤ reads. Raises :class:`CoercionError`."""
+        """Encode four values that ℤ reads. Raises :class:`CoercionError`."""
         return self._alike(super().read(values))
 
     def in_rows(self, block: Row) -> Rows:
@@ -221,7 +221,7 @@ class WholeArrays(WordArrays):
         if all(row.dtype != object for row in rows):
             return alike(rows)
         w, x, y, z = map(self.ring_array, rows)
-        return (self.plain.hold((w, x, y, z)),)
+        return (self.plain.encode((w, x, y, z)),)
 
     def ring_array(self, row: Row) -> Any:
         """Return a row as an array of flint's integers."""

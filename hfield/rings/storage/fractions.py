@@ -10,8 +10,8 @@ import flint
 
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import FIRST, named, parts, specialise_extension
-from hfield.rings.held.compact import LARGE, function, statements
-from hfield.rings.held.numerators import Held, NumeratorRepresentation
+from hfield.rings.storage.compact import LARGE, function, statements
+from hfield.rings.storage.numerators import FractionTuple, NumeratorStorage
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 Vector = tuple[Any, ...]  # of rational numbers
 
 
-class FractionRepresentation(NumeratorRepresentation):
+class FractionStorage(NumeratorStorage):
     """Elements over ℚ(s) as ints over one denominator.
 
     Here ``sⁿ = Σ relation[k]·sᵏ`` with integers; ℚ and ℤ have n = 1 and s = 0.
@@ -30,7 +30,7 @@ class FractionRepresentation(NumeratorRepresentation):
         "    return None",
         "if d < 0:",
         "    d, d1 = -d, -d1",
-        *NumeratorRepresentation.inverted[2:],
+        *NumeratorStorage.inverted[2:],
     ]
 
     def __init__(
@@ -66,35 +66,35 @@ class FractionRepresentation(NumeratorRepresentation):
 
     # --- in and out ----------------------------------------------------------------------------
 
-    def hold(self, coordinates: Coordinates) -> Held:
+    def encode(self, coordinates: Coordinates) -> FractionTuple:
         """Return the element with these coordinates in the field."""
         scales = 1, self._m, self._k, self._m * self._k
         vectors = map(self._vector, coordinates)
         every = [c / s for v, s in zip(vectors, scales, strict=True) for c in v]
         d = lcm(*(int(c.q) for c in every))
-        held = *(int(c.p) * (d // int(c.q)) for c in every), d
-        return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
+        stored = *(int(c.p) * (d // int(c.q)) for c in every), d
+        return stored if -LARGE < min(stored) <= max(stored) < LARGE else lowest(*stored)
 
-    def whole(self, w: int, x: int, y: int, z: int) -> Held:
-        """Hold four ints."""
-        held: Held
+    def whole(self, w: int, x: int, y: int, z: int) -> FractionTuple:
+        """Encode four ints."""
+        stored: FractionTuple
         if self.is_scaled:
-            held = super().whole(w, x, y, z)
-            return held
+            stored = super().whole(w, x, y, z)
+            return stored
         zeros = (0,) * (self.degree - 1)
-        held = (w, *zeros, x, *zeros, y, *zeros, z, *zeros, 1)
-        return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
+        stored = (w, *zeros, x, *zeros, y, *zeros, z, *zeros, 1)
+        return stored if -LARGE < min(stored) <= max(stored) < LARGE else lowest(*stored)
 
-    def scalar(self, s: Scalar) -> Held:
-        """Hold s·e for an element s of the field."""
+    def scalar(self, s: Scalar) -> FractionTuple:
+        """Encode s·e for an element s of the field."""
         *numerators, d = self.fraction(s)
-        held = *numerators, *(0,) * (3 * self.degree), d
-        return held if -LARGE < min(held) <= max(held) < LARGE else lowest(*held)
+        stored = *numerators, *(0,) * (3 * self.degree), d
+        return stored if -LARGE < min(stored) <= max(stored) < LARGE else lowest(*stored)
 
-    def coordinates(self, held: Held) -> Coordinates:
+    def coordinates(self, stored: FractionTuple) -> Coordinates:
         """Return the four coordinates, elements of the field."""
         element, m, k, n = self._element, self._m, self._k, self.degree
-        *every, d = held
+        *every, d = stored
         if self.is_scaled:
             scales = [s for s in (1, m, k, m * k) for _ in range(n)]
             every = [c * s for c, s in zip(every, scales, strict=True)]
@@ -139,22 +139,22 @@ class FractionRepresentation(NumeratorRepresentation):
         ]
         return function("inverse", {"p": f"{', '.join(first)}, d1"}, body)
 
-    def divided(self, p: Held, s: Scalar) -> Held | None:
+    def divided(self, p: FractionTuple, s: Scalar) -> FractionTuple | None:
         """Return p/s for an element s of the ring, or None where it is not a unit."""
-        held: Held | None
+        stored: FractionTuple | None
         if not self.ring.is_field:
-            held = super().divided(p, s)
-            return held
+            stored = super().divided(p, s)
+            return stored
         *numerators, d1 = self.fraction(s)
         *inverse, d = self._reciprocal(*numerators)
         if d == 0:
             return None
         if d < 0:
             d, d1 = -d, -d1
-        held = self.multiple(p, (*(c * d1 for c in inverse), d))
-        return held
+        stored = self.multiple(p, (*(c * d1 for c in inverse), d))
+        return stored
 
-    def fraction(self, s: Scalar) -> Held:
+    def fraction(self, s: Scalar) -> FractionTuple:
         """Return the numerators of an element of the ring over one denominator."""
         vector = self._vector(s)
         d = _denominator(vector)
@@ -198,7 +198,7 @@ def _denominator(vector: Vector) -> int:
     return lcm(*(int(c.q) for c in vector))
 
 
-def lowest(*fraction: Any) -> Held:
+def lowest(*fraction: Any) -> FractionTuple:
     """Put integers over one positive denominator, which is the last, in lowest terms.
 
     Large ones become flint's, which multiply faster from 2²⁵⁶ on, the others Python's.

@@ -1,4 +1,4 @@
-"""Holdings whose operations are Python functions made from the straight-line program, at the first call."""
+"""Storage whose operations are Python functions made from the straight-line program, at the first call."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.core.product import Constants
 from hfield.core.straight_line import Program, arithmetic_text
 from hfield.errors import shorten
-from hfield.rings.holding import H, Holding
+from hfield.rings.storage.base import H, Storage
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,8 +33,8 @@ MADE = (
 )
 
 
-class Compact(Holding[H]):
-    """A holding that is made from source text: :meth:`source` of each operation, read once.
+class Compact(Storage[H]):
+    """A storage whose operations are compiled from source text: :meth:`source` of each operation, read once.
 
     Algebras with the same constants among 0, 1 and −1 share the text and what Python compiled of it; all
     other constants are named.
@@ -59,14 +59,14 @@ class Compact(Holding[H]):
             setattr(self, name, partial(self._first_call, name))
 
     def read(self, values: tuple[object, ...]) -> H:
-        """Hold four values that the ring reads; ints take a short way."""
+        """Encode four values that the ring reads; ints take a short way."""
         w, x, y, z = values
         if type(w) is type(x) is type(y) is type(z) is int:
             return self.whole(w, x, y, z)
         return super().read(values)
 
     def whole(self, w: int, x: int, y: int, z: int) -> H:
-        """Hold four ints."""
+        """Encode four ints."""
         return super().read((w, x, y, z))
 
     def equal(self, p: H, q: H) -> bool:
@@ -75,14 +75,14 @@ class Compact(Holding[H]):
 
     @abstractmethod
     def source(self, operation: str) -> str:
-        """Return the text of a Python function with the name of the operation, on held values."""
+        """Return the text of a Python function with the name of the operation, on stored values."""
 
     @abstractmethod
     def names(self) -> dict[str, object]:
         """Return what the free names of the source mean."""
 
     def explain(self, operation: str) -> str:
-        """Return the source of an operation, after a line on what is held and one on the named constants."""
+        """Return the source of an operation, after lines on the stored values and the named constants."""
         source = self.source(operation)
         values = [
             f"{name} = {shorten(value)}"

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import BINARY, FIRST, GENERAL, pattern, specialise
-from hfield.rings.held.compact import Compact, function, statements
+from hfield.rings.storage.compact import Compact, function, statements
 
 if TYPE_CHECKING:
     import flint
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 BELOW = 257  # the orders that have tables, q² entries each
 
-Held = tuple[int, int, int, int]
+LabelTuple = tuple[int, int, int, int]
 Rows = list[list[int]]
 
 
@@ -69,7 +69,7 @@ def _powers(field: ExtensionField, elements: list[flint.fq_default]) -> list[int
     raise AssertionError("the multiplicative group of a finite field is cyclic")
 
 
-class Labels(Compact[Held]):
+class Labels(Compact[LabelTuple]):
     """Elements over a small GF(pⁿ) as four labels; products and sums are looked up."""
 
     def __init__(self, ring: ExtensionField, constants: Constants) -> None:
@@ -77,20 +77,20 @@ class Labels(Compact[Held]):
         self.p, self.tables, self._label = ring.characteristic, ring.tables, ring.label
         self.pattern = pattern(constants, lambda x, k: x == ring(k))
 
-    def hold(self, coordinates: Coordinates) -> Held:
+    def encode(self, coordinates: Coordinates) -> LabelTuple:
         """Return the element with these coordinates in GF(q)."""
         w, x, y, z = coordinates
         label = self._label
         return label(w), label(x), label(y), label(z)
 
-    def whole(self, w: int, x: int, y: int, z: int) -> Held:
-        """Hold four ints."""
+    def whole(self, w: int, x: int, y: int, z: int) -> LabelTuple:
+        """Encode four ints."""
         p = self.p
         return w % p, x % p, y % p, z % p
 
-    def coordinates(self, held: Held) -> Coordinates:
+    def coordinates(self, stored: LabelTuple) -> Coordinates:
         """Return the four coordinates, flint's elements."""
-        w, x, y, z = held
+        w, x, y, z = stored
         element = self.tables.elements
         return element[w], element[x], element[y], element[z]
 
@@ -132,16 +132,16 @@ class Labels(Compact[Held]):
             return f"{left} ^ {right}"
         return f"{'plus' if operation == '+' else 'minus'}[{left}][{right}]"
 
-    def scaled(self, p: Held, s: flint.fq_default) -> Held:
+    def scaled(self, p: LabelTuple, s: flint.fq_default) -> LabelTuple:
         """Return s·p for an element s of the field."""
         (w, x, y, z), row = p, self.tables.times[self._label(s)]
         return row[w], row[x], row[y], row[z]
 
-    def is_zero(self, p: Held) -> bool:
+    def is_zero(self, p: LabelTuple) -> bool:
         """Tell whether p = 0."""
         return p == (0, 0, 0, 0)
 
-    def key(self, p: Held) -> Held:
+    def key(self, p: LabelTuple) -> LabelTuple:
         """Return p itself."""
         return p
 

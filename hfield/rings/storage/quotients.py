@@ -9,8 +9,8 @@ import flint
 
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import BINARY, pattern, specialise
-from hfield.rings.held.compact import LARGE, Compact, function, statements
 from hfield.rings.residue_polynomials import polynomials_modulo
+from hfield.rings.storage.compact import LARGE, Compact, function, statements
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
     from hfield.rings.flint_types import Polynomial
     from hfield.rings.modular import Modular
 
-Held = tuple[Any, Any, Any, Any]
+Representatives = tuple[Any, Any, Any, Any]
 
 
-class Quotients(Compact[Held]):
-    """Elements over R/(n), held as representatives that ``%`` makes unique."""
+class Quotients(Compact[Representatives]):
+    """Storage of elements over R/(n) as representatives that ``%`` makes unique."""
 
     reduces_sums = True
 
@@ -44,14 +44,14 @@ class Quotients(Compact[Held]):
         self.lifted = Constants(*map(lift, constants))
         self.pattern = pattern(constants, lambda x, k: ring.equal(x, ring(k)))
 
-    def hold(self, coordinates: Coordinates) -> Held:
+    def encode(self, coordinates: Coordinates) -> Representatives:
         """Return the element with these coordinates in the ring."""
         w, x, y, z = map(self._lift, coordinates)
         return w, x, y, z
 
-    def coordinates(self, held: Held) -> Coordinates:
+    def coordinates(self, stored: Representatives) -> Coordinates:
         """Return the four coordinates, flint's residues or field elements."""
-        w, x, y, z = map(self._project, held)
+        w, x, y, z = map(self._project, stored)
         return w, x, y, z
 
     def names(self) -> dict[str, object]:
@@ -79,12 +79,12 @@ class Quotients(Compact[Held]):
             operands["q"] = "w2, x2, y2, z2"
         return function(operation, operands, body)
 
-    def scaled(self, p: Held, s: Scalar) -> Held:
+    def scaled(self, p: Representatives, s: Scalar) -> Representatives:
         """Return s·p for an element s of the ring."""
         (w, x, y, z), n, s = p, self.modulus, self._lift(s)
         return w * s % n, x * s % n, y * s % n, z * s % n
 
-    def is_zero(self, p: Held) -> bool:
+    def is_zero(self, p: Representatives) -> bool:
         """Tell whether p = 0."""
         return p == (0, 0, 0, 0)
 
@@ -99,7 +99,7 @@ INVERTED = [
 REDUCED = "return w % n, x % n, y % n, z % n"
 
 
-class ResidueRepresentation(Quotients):
+class ResidueStorage(Quotients):
     """Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large."""
 
     def __init__(self, ring: Modular, constants: Constants) -> None:
@@ -113,17 +113,17 @@ class ResidueRepresentation(Quotients):
             invert=lambda s: pow(int(s), -1, n),
         )
 
-    def whole(self, w: int, x: int, y: int, z: int) -> Held:
-        """Hold four ints."""
+    def whole(self, w: int, x: int, y: int, z: int) -> Representatives:
+        """Encode four ints."""
         n = self.modulus
         return w % n, x % n, y % n, z % n
 
-    def key(self, p: Held) -> Held:
+    def key(self, p: Representatives) -> Representatives:
         """Return p itself."""
         return p
 
 
-class PolynomialRepresentation(Quotients):
+class PolynomialStorage(Quotients):
     """Elements over GF(pⁿ) as four polynomials of degree below n."""
 
     reduces_sums = False  # their degrees are small enough
@@ -149,11 +149,11 @@ class PolynomialRepresentation(Quotients):
         )
         self._constant: Callable[[int], Any] = lambda n: polynomial([n % p])
 
-    def whole(self, w: int, x: int, y: int, z: int) -> Held:
-        """Hold four ints."""
+    def whole(self, w: int, x: int, y: int, z: int) -> Representatives:
+        """Encode four ints."""
         c = self._constant
         return c(w), c(x), c(y), c(z)
 
-    def key(self, p: Held) -> tuple[tuple[int, ...], ...]:
+    def key(self, p: Representatives) -> tuple[tuple[int, ...], ...]:
         """Return the coefficients."""
         return tuple(tuple(map(int, c.coeffs())) for c in p)

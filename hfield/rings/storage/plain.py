@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import BINARY, GENERAL, pattern, specialise
 from hfield.errors import HFieldError
-from hfield.rings.held.compact import Compact, function, statements
+from hfield.rings.storage.compact import Compact, function, statements
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring
 
 
 class Plain(Compact[Coordinates]):
-    """Elements held as the tuple of their four coordinates."""
+    """Storage of elements as tuples of their four coordinates."""
 
     def __init__(self, ring: Ring, constants: Constants) -> None:
         super().__init__(ring, constants)

@@ -1,0 +1,1 @@
+"""Compact storage of single elements: ints over one denominator, residues, labels, polynomials."""
