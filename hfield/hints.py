@@ -80,6 +80,7 @@ ELEMENT = {
 """Sage, GAP, Magma, numpy-quaternion."""
 
 ALGEBRA = {
+    "over_integers": "is_over_number_field",
     "gens": "basis",
     "gen": "basis[1]",
     "is_division": "is_division_algebra()",
