@@ -8,8 +8,8 @@ import pytest
 
 from tests.import_graph import ROOT, circles, graph, sources, stubs
 
-# From the ground up. A room may import rooms of lower floors, and its own.
-FLOORS = [
+# The parts of the packages by layers, lowest first. A part may import parts of lower layers, and itself.
+LAYERS = [
     {
         "hfield.errors",
         "hfield.core",
@@ -104,9 +104,9 @@ FLOORS = [
     {"anim.ledger"},
     {"anim.commands", "anim.report"},
 ]
-FLOOR = {room: n for n, floor in enumerate(FLOORS) for room in floor}
-# A face hands out names of all floors, and no room of the same package asks it for one.
-FACES = {"hfield", "rotation", "anim"}
+LAYER_OF = {part: n for n, layer in enumerate(LAYERS) for part in layer}
+# Packages whose stub lists names of all layers; no part of the same package imports one of these from it.
+STUBBED = {"hfield", "rotation", "anim"}
 # Modules that import each other in a circle, and why; no such circle may be larger than MAX_CIRCLE.
 CIRCLES = {
     ("hfield.fields.number_fields",): "a field, its places, ideals, classes and units are one idea",
@@ -128,9 +128,9 @@ KNOW_KINDS = {
 DISCREET = {"hfield.orders"}
 
 
-def room_of(module: str) -> str:
+def part_of(module: str) -> str:
     return next(
-        (r for r in sorted(FLOOR, key=len, reverse=True) if f"{module}.".startswith(f"{r}.")), ""
+        (r for r in sorted(LAYER_OF, key=len, reverse=True) if f"{module}.".startswith(f"{r}.")), ""
     )
 
 
@@ -158,12 +158,16 @@ def imports(source: str, package: str) -> set[str]:
 
 def breaches(module: str, source: str) -> list[str]:
     """The imports of ``module`` that do not run downwards."""
-    here = room_of(module)
+    here = part_of(module)
     return [
-        f"{module} (floor of {here}) imports {target}"
+        f"{module} (layer of {here}) imports {target}"
         for target in imports(source, module)
-        if room_of(target) != here
-        and (FLOOR[room_of(target)] >= FLOOR[here] if room_of(target) else own_face(here, target))
+        if part_of(target) != here
+        and (
+            LAYER_OF[part_of(target)] >= LAYER_OF[here]
+            if part_of(target)
+            else from_own_stub(here, target)
+        )
     ]
 
 
@@ -179,19 +183,19 @@ def kinds() -> set[str]:
     return {path.parent.name for path in (ROOT / "hfield/fields").glob("*/__init__.py")}
 
 
-def own_face(room: str, target: str) -> bool:
-    """Whether the target is a name that the room's own face hands out."""
+def from_own_stub(part: str, target: str) -> bool:
+    """Whether the target is a name in the stub of the part's own package."""
     package, _, name = target.partition(".")
     if name == "__version__":
         return False
-    return bool(name) and package in FACES and package == room.partition(".")[0]
+    return bool(name) and package in STUBBED and package == part.partition(".")[0]
 
 
 @pytest.mark.slow
 def test_imports_run_downwards() -> None:
     for module, source in sources():
-        if module not in FACES:
-            assert room_of(module), f"{module} stands on no floor: add its room to FLOORS"
+        if module not in STUBBED:
+            assert part_of(module), f"{module} is in no layer: add its part to LAYERS"
             assert breaches(module, source) == []
 
 
@@ -206,7 +210,7 @@ def test_the_check_can_fail() -> None:
 
 def test_only_orders_import_kinds_of_fields() -> None:
     """Outside its folder a kind of field is known by what it can do, by data and by names."""
-    asked = {room_of(module) for module, source in sources() if kinds_known(module, source)}
+    asked = {part_of(module) for module, source in sources() if kinds_known(module, source)}
     assert asked - {"hfield.checker"} == {"hfield.fields", *KNOW_KINDS}
 
 
@@ -280,7 +284,7 @@ def looked_into(source: str) -> set[str]:
 
 
 def test_no_private_attribute_is_asked_of_another_module() -> None:
-    found = {module: looked_into(text) for module, text in sources() if room_of(module) in DISCREET}
+    found = {module: looked_into(text) for module, text in sources() if part_of(module) in DISCREET}
     assert {module: names for module, names in found.items() if names} == {}
     assert looked_into("def f(x):\n    return x._rows\n") == {"_rows"}
     assert not looked_into("class A:\n    def f(self, x):\n        return self._a + x._a\n")
