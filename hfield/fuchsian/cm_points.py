@@ -34,6 +34,7 @@ from hfield.fuchsian.dirichlet import rotation_order
 from hfield.fuchsian.geodesics import orbit
 from hfield.fuchsian.plane import Plane, Vector, dot
 from hfield.fuchsian.search import free_centers
+from hfield.fuchsian.upper_half_plane import fixed_point
 from hfield.orders import enumeration
 from hfield.orders.invariants import is_eichler, level
 from hfield.orders.quadratic_orders import is_primitive, multiplications
@@ -75,8 +76,6 @@ class CMPoint:
     stabiliser: Quaternion
 
     def __complex__(self) -> complex:
-        from hfield.fuchsian.group import fixed_point
-
         return fixed_point(self.group.order, self.root)
 
     @property
