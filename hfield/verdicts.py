@@ -1,4 +1,4 @@
-"""The one type for answers to questions of yes or no: the value, the reason, and what shows it."""
+"""The result type of yes-or-no questions: the value, the reason, and a witness."""
 
 from __future__ import annotations
 

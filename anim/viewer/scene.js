@@ -29,8 +29,8 @@ function surface(profile, sectors, colours) {
   return new Float32Array(out);
 }
 
-// What light does is said here once, for every shader, in the numbers of room.toml that come with the page; noise
-// of one step of 8 bits keeps gradients free of bands.
+// Lighting that all shaders share, by the numbers of room.toml in the page. Noise of one 8-bit step prevents
+// banding in gradients.
 const number = (table, name) => data.room[table][name].toFixed(5);
 const byPaper = (name) => `mix(${number("light", name)}, ${number("dark", name)}, dark)`;
 const colourOf = (text) => [1, 3, 5].map((n) => parseInt(text.slice(n, n + 2), 16) / 255);

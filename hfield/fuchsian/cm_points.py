@@ -125,9 +125,9 @@ class TraceZeroLattice:
         return self.base.element_of([fmpq(round(float(x) * PRECISION), PRECISION) for x in digits])
 
     def form(self, center: Quaternion, norm: Any, radius: float) -> tuple[fmpz_mat, fmpz_mat, int]:
-        """Return a definite form for a ball on a reduced basis, the steps to that basis, and a bound.
+        """Return the Gram matrix of a definite form in a reduced basis, the change of basis, and a bound.
 
-        The form is at most the bound for all elements with the norm whose point or axis meets the ball.
+        The form is at most the bound at all elements of norm ``norm`` whose point or axis meets the ball.
         """
         order, base = self.order, self.base
         m = order.scalar(center.norm())
@@ -156,10 +156,11 @@ class TraceZeroLattice:
 
 
 def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
-    """Yield the images s of √d for all optimal embeddings whose point or axis meets a domain, and others.
+    """Yield pairs (s, v) for all optimal embeddings whose point or axis meets a domain, and for some others.
 
-    Each with its vector in the plane of the domain, one of s and −s: where s fixes a point, the one on the
-    sheet of the centre. ``d`` is a number of the field of the base. Raises :class:`TooLargeError`.
+    s is the image of √d, and v is the vector of s in the plane of the domain. Only one of s and −s is
+    yielded. Where s fixes a point, it is the one whose vector lies on the sheet of the centre. ``d`` is a
+    number of the field of the base. Raises :class:`TooLargeError`.
     """
     lattice, seen = TraceZeroLattice(domain.group.order), set()
     size = abs(domain.group.order.real(d))
@@ -353,10 +354,10 @@ def _on_sheet(polygon: Polygon, s: Quaternion) -> tuple[Quaternion, Vector]:
 def balls(
     domain: Domain, lattice: TraceZeroLattice, size: float
 ) -> Iterator[tuple[Quaternion, float]]:
-    """Yield balls, by elements that fix their centres and radii, that cover a domain.
+    """Yield balls that cover a domain, each as an element that fixes its centre, and its radius.
 
-    At a cusp the part is left out in which no primitive element of the lattice with the norm ``size`` has its
-    point.
+    A neighbourhood of each cusp is left out. It contains no fixed point of a primitive element of the lattice
+    of norm ``size``.
     """
     plane = domain.polygon.plane
     corners = [_corner(domain, lattice, size, n) for n in range(len(domain.polygon.starts))]

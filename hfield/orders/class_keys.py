@@ -5,10 +5,11 @@ of the base. The lattice x⁻¹·I lies in the class of I for every x in I, and 
 by its Hermite form in coordinates of the order. A lookup takes the shortest x of a reduced basis, and needs
 no proof that x is short: if x⁻¹·I is a lattice of a known class, I is in that class.
 
-Only for a lattice that is not known the x of least Tr(N(x)/ν) are enumerated, over all ν modulo squares of
-units. They are the same for c·I but for the factor c. Of these take those for which the numbers u·N(x)/ν come
-first. The x⁻¹·I are then all lattices of this kind in the class; as many x as the left order has units modulo
-those of the base give the same one, and the first of these keys represents the class.
+Only if the lattice is not known, all x of least Tr(u·N(x)/ν) are enumerated, where u runs over the totally
+positive units modulo squares. Passing from I to c·I multiplies these x by c, up to units of the base. Only
+those x are kept for which the coordinates of u·N(x)/ν are least. So the set of the lattices x⁻¹·I depends
+only on the class of I. Each of these lattices comes from as many x as the left order has units modulo those
+of the base. The least of their keys represents the class.
 """
 
 from __future__ import annotations
@@ -207,9 +208,10 @@ class SublatticeKeys:
         return Representative(*self.keys.divided(basis.rows, x), rest, units, list(quotients))
 
     def _chosen(self, found: list[tuple[int, list[int]]]) -> list[ShortElement]:
-        """Return those of the elements for which some numbers come first, which are the same for c·I.
+        """Return some of the elements, by a choice that is the same for every ideal c·I in the class.
 
-        The numbers are u·N(x)/ν, and for many elements the inner products with all the others.
+        Elements with the least coordinates of u·N(x)/ν are chosen. If more than MAX_QUOTIENTS are left, those
+        are chosen whose sorted absolute inner products with the others are least.
         """
         elements = [self.element(vector) for _, vector in found]
         base, units = self._ambient.base, self.keys.units

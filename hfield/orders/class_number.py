@@ -6,8 +6,8 @@ and Eichler's class number formula adds to it what orders with more units than �
 Right ideals I and J of a definite order are in one stable class where I ⊕ O ≅ J ⊕ O. These are the classes of
 norms of local generators in K^×₊ \\ Â^× / N(Ô^×): narrow classes of ideals, and at primes a class of local
 units modulo norms (A. Fröhlich, *J. reine angew. Math.* 274, 1975; D. Smertnig and J. Voight, *Trans. London
-Math. Soc.* 6, 2019, section 2). Squares are norms, so that there all is linear algebra over GF(2); and all
-local units are norms but where the Eichler symbol is 0.
+Math. Soc.* 6, 2019, section 2). Squares of local units are norms, so the classes of local units are computed
+by linear algebra over GF(2). Where the Eichler symbol is not 0, every local unit is a norm.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def mass(order: LatticeValue) -> Fraction:
 
 
 def local_factor(symbol: int | None, p: int) -> Fraction:
-    """Return what an order with an Eichler symbol at p brings to the mass, beside its discriminant."""
+    """Return the local factor λ of the mass formula, from the Eichler symbol and the number p of residues."""
     return {1: 1 + Fraction(1, p), -1: 1 - Fraction(1, p), 0: 1 - Fraction(1, p * p)}[symbol or 0]
 
 

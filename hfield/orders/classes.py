@@ -155,7 +155,7 @@ class Classes:
         return Counter(self.classes_inside(n, prime))
 
     def classes_inside(self, n: int, prime: Any) -> list[int]:
-        """Return the classes of the ideals of relative norm P in class n, in that of :meth:`at_prime`."""
+        """Return the classes of the ideals of relative norm P in class n, ordered as in :meth:`at_prime`."""
         ideal = self.ambient.base.prime_ideal(prime)
         norm = self.norms[n]
         around = SublatticeKeys(self.keys, *self._bases[n], self.keys.multiplied(norm, ideal))
@@ -182,7 +182,7 @@ class Classes:
         return self._class_of(by(self.lattice(n)), self.keys.multiplied(self.norms[n], norm))
 
     def multiplied(self, ideal: Any) -> list[int]:
-        """Return which class each becomes by an ideal of the base."""
+        """Return the permutation of the classes that multiplication by an ideal of the base induces."""
         if not self.ambient.base.class_generators:  # it is principal
             return list(range(len(self)))
         return self.moved(partial(times_ideal, ideal=ideal), ideal * ideal)
@@ -245,7 +245,10 @@ def types_by_isomorphism(classes: Classes) -> list[int]:
 
 
 def orbits(size: int, moves: list[list[int]]) -> list[int]:
-    """Return the number of the orbit of each of some things under permutations, in order."""
+    """Return the number of the orbit of each of 0, …, size − 1 under permutations.
+
+    Orbits are numbered in the order of their first elements.
+    """
     kinds = [-1] * size
     for start in range(size):
         todo = [start] if kinds[start] < 0 else []

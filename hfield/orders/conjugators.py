@@ -1,8 +1,8 @@
 """Conjugations that map one order of a totally definite algebra onto another, over any base.
 
-An isomorphism of orders is a conjugation (Skolem and Noether), hence an isometry of trace-0 parts. The images
-of two elements that do not commute tell it. Over ℤ these lattices of rank 3 have few reduced bases:
-:mod:`hfield.orders.isomorphic_orders` compares them, which is quick, however skew the lattices are.
+An isomorphism of orders is a conjugation (Skolem and Noether), hence an isometry of trace-0 parts. It is
+determined by the images of two elements that do not commute. Over ℤ these lattices of rank 3 have few reduced
+bases: :mod:`hfield.orders.isomorphic_orders` compares them, which is quick, however skew the lattices are.
 """
 
 from __future__ import annotations

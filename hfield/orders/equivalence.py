@@ -2,10 +2,11 @@
 
 ``J = I·c`` means that c lies in ``I⁻¹·J`` and that N(c) generates ``N(J)/N(I)``. Up to squares of units there
 are finitely many such norms. In a totally definite algebra an element of such a norm is a vector of least
-conceivable length in a positive definite lattice. It is there, or an exhausted enumeration says that it is
-not (Kirschmer and Voight, *SIAM J. Comput.* 39, 2010). In other algebras strong approximation decides. Where
-one real place splits and no other infinite one, the element is looked for, among short vectors of a form that
-majorises the norm, then among what is short from points of the hyperbolic plane.
+possible length in a positive definite lattice. A complete enumeration of these vectors finds an element or
+proves that there is none (Kirschmer and Voight, *SIAM J. Comput.* 39, 2010). In other algebras strong
+approximation decides. If exactly one infinite place splits and it is real, a search for an element comes
+first: over ℚ among short vectors of a majorant of the norm form, then, over every base, among short vectors
+of the definite forms that belong to points of the hyperbolic plane.
 """
 
 from __future__ import annotations

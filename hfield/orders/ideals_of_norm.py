@@ -244,10 +244,10 @@ def of_prime_power_norm(order: LatticeValue, prime: Any, e: int) -> list[Lattice
 
 
 def _through_a_maximal_order(order: LatticeValue, prime: Any, e: int) -> list[LatticeValue]:
-    """Return those at a prime of the level, through the ideals y·M of a maximal order M at P that contains O.
+    """Return the invertible right ideals of norm Pᵉ of O, from those of an overorder M that is maximal at P.
 
-    An ideal x·O has the norm Pᵉ where x·M has; then it is y·u·O with x·M = y·M, for a unit u of M modulo
-    units of O. Not all are products of ideals of norm P.
+    An ideal x·O has the norm Pᵉ if and only if x·M has. If x·M = y·M, then x = y·u for a unit u of M, and x·O
+    depends only on the coset of u modulo units of O. Not every such ideal is a product of ideals of norm P.
     """
     ambient, base, k = order.ambient, order.ambient.base, 1
     larger = maximal_at(order, prime, base.valuation(level(order), prime))

@@ -18,10 +18,10 @@ from hfield.orders.related_orders import connecting, gorenstein_closure
 def isomorphism(first: LatticeValue, second: LatticeValue) -> EquivalenceResult:
     """Return an answer with an element x such that ``x·first·x⁻¹ = second``.
 
-    Of an indefinite algebra, orders are decided where they are equal, or their discriminants or conductors
-    differ, or their Gorenstein closures are Eichler orders; others raise :class:`UndecidedError`. There every
-    ideal of the base has to have a generator that is positive where the algebra ramifies, else
-    :class:`IndefiniteError` is raised.
+    In an indefinite algebra equal orders, and orders with different discriminants or conductors, are decided
+    first. For other pairs the function raises :class:`IndefiniteError` unless every ideal of the base has a
+    generator that is positive where the algebra ramifies. It raises :class:`UndecidedError` unless both
+    Gorenstein closures are Eichler orders.
     """
     found = _decide(first, second)
     return replace(found, make_claim=partial(certificates.of_isomorphism, first, second))

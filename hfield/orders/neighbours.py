@@ -6,8 +6,8 @@ them come so. K contains p·O, and is the set of zeros of linear forms on O/p·O
 which these forms are 0 at y⁻¹·z. So the forms of all K are found once, and moved to each ideal.
 
 Where O is M₂ at P, with an idempotent e modulo P, the right ideals of norm P correspond to the lines of the
-plane (O/P·O)·e over the residue field: z lies in that of a line where z·e and z·g are on it, for an element g
-of (1 − e)·O·e that is not 0 modulo P.
+plane (O/P·O)·e over the residue field. Let g be an element of (1 − e)·O·e that is not 0 modulo P. Then z lies
+in the ideal of a line if and only if z·e and z·g lie on the line.
 """
 
 from __future__ import annotations
@@ -110,8 +110,8 @@ def neighbours_at(order: LatticeValue, prime: Any) -> Neighbours:
 def generator_above(around: SublatticeKeys, p: int, norm: Norm) -> ShortElement | None:
     """Return an element y of a right ideal I with I = y·O at all primes above p; None for 1.
 
-    Its norm has the valuations of that of the ideal there; values of a quadratic form that has no common
-    divisor P are not all divisible by P at a basis and its sums.
+    At these primes N(y) has the same valuations as N(I). If P does not divide all values of a quadratic form,
+    it does not divide its value at some basis element or at the sum of some two of them.
     """
     ambient = around.keys.ambient
     ideal = ambient.base.narrow_classes.ideals[norm.number]

@@ -216,10 +216,10 @@ class OrderAtPrime:
     # --- zero divisors ---------------------------------------------------------------------------
 
     def zero_divisor(self, e: int, lines: Iterable[Line]) -> fmpz_mat:
-        """Return an element that is not in P·O and has a norm in Pᵉ, over the denominator; O is M₂(ℤ_P).
+        """Return an element outside P·O with norm in Pᵉ, a row over the denominator; O is M₂(ℤ_P).
 
-        It is on one of some lines. On these the norm is a quadratic polynomial, and its simple roots give no
-        element of P·O.
+        The element lies on one of the given lines. On a line the norm is a quadratic polynomial in one
+        variable. An element at a simple root modulo P does not lie in P·O.
         """
         size = self.ambient.size
         squares = [[int(form[n, n]) // 2 for form in self.traces] for n in range(size)]

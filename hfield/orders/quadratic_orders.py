@@ -255,10 +255,11 @@ def _random_ideals(order: LatticeValue, norm: Any, rng: Random) -> Iterator[Latt
 
 
 def is_obstructed(order: LatticeValue, prime: Any, norm: Any) -> bool:
-    """Tell whether no element of the order has this norm in the completion at P; False where it is not seen.
+    """Return True if it is proved that the completion of the order at P has no element of this norm n.
 
-    An element outside of P·O with N(x) − n small beside the derivatives tr(x·conj(y)) can be changed to one
-    of norm n (Hensel); one in P·O has the norm of one of norm n/π².
+    False is also returned if the search would be too large. By Hensel's lemma an x outside P·O can be changed
+    to an element of norm n if v(N(x) − n) > 2·v(tr(x·conj(y))) for some y in O. If x in P·O has norm n, then
+    x/π has norm n/π².
     """
     at = OrderAtPrime(order, prime)
     if at.norm**4 > MAX_CLASSES:

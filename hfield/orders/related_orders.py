@@ -55,7 +55,7 @@ def in_steps(
     k: int,
     around: Callable[[LatticeValue], Iterator[tuple[int, LatticeValue]]],
 ) -> list[LatticeValue]:
-    """Return what is reached in steps whose lengths add up to k. Raises :class:`TooLargeError`."""
+    """Return the orders that chains of steps of total length k reach. Raises :class:`TooLargeError`."""
     reached: list[dict[LatticeValue, LatticeValue]] = [{start: start}, *({} for _ in range(k))]
     for n in range(k):
         for order in reached[n].values():
@@ -133,8 +133,8 @@ def _generated(lattice: LatticeValue, limit: LatticeValue) -> LatticeValue | Non
 def gorenstein_closure(order: LatticeValue) -> LatticeValue:
     """Return the Gorenstein order G with O = R + f·G, f the conductor.
 
-    R + 2G has the elements of trace 0 in R + 2O, divided by f. So where 2 is a unit G is R and what f⁻¹
-    multiplies of these; elsewhere a number is taken off each element of O first.
+    At each prime G is spanned by R and the f⁻¹·(y − a) for y in O, with a in R such that y − a is in f·G.
+    Where 2 is a unit, a is tr(y)/2. At other primes a is found from norms.
     """
     ambient, base, found = order.ambient, order.ambient.base, order
     for prime, m in base.factorisation(conductor(order)):

@@ -1,7 +1,8 @@
-"""The registry: what rings use and modules above them provide.
+"""The registry in which rings find the theory of their places.
 
-A ring cannot import the theory of its places, which is made of rings. So :mod:`hfield.fields.provided` hands
-the theories in when hfield is imported, as functions that import what they return on first use.
+The theory of the places of a ring is built on rings, so a ring cannot import it. Instead,
+:mod:`hfield.fields.provided` registers functions when hfield is imported. Each function imports its result on
+first use.
 """
 
 from __future__ import annotations

@@ -58,7 +58,7 @@ def _measured(point: Coordinates) -> Any:
 
 
 def _round_all(rows: Rows) -> None:
-    """Have nothing fused from here on but where a formula says so: some differences are to be exact."""
+    """Disallow implicit fused multiply-adds from here on, since some differences have to be exact."""
     rows[...].program.flags = ""
 
 
@@ -276,9 +276,10 @@ _KERNELS = {
 
 
 def kernel(name: str, *parameters: Any) -> Kernel:
-    """Return a kernel by its name; with that of Euler angles come the axes, and whether they go backward.
+    """Return a kernel by its name and its parameters.
 
-    With all of angles comes whether they are in degrees.
+    "axis_angle" takes whether angles are in degrees and whether the result is float32, "quaternions" only the
+    latter. "euler" takes the axes, whether they go backward, and whether angles are in degrees.
     """
     fast, careful = _KERNELS[name]
     return Kernel(partial(fast, *parameters), careful and partial(careful, *parameters))

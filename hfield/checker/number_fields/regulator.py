@@ -85,7 +85,7 @@ class ShortUnits:
 
 
 def shortest_logarithm(n: int, e: int, length: int) -> int:
-    """Return a lower bound of Σ log²|εᵥ|, over 2^DIGITS, for units ε that with 1/ε have Σ|xᵥ|² > ``length``.
+    """Return a lower bound of Σ log²|εᵥ|, over 2^DIGITS, for units ε with Σ|xᵥ|² > ``length`` at ε and 1/ε.
 
     It is e·u²/2 with e·(eᵘ − 1 − u + u²/2) = length − n, where e is 2 if all places are complex, else 1.
     """

@@ -2,13 +2,15 @@
 
 All primes P of norm up to Zimmert's bound generate the class group. For most of them an element is found
 whose ideal is P times earlier primes; S is the rest. Elements with all their primes in S span a subgroup
-of the S-units. Its index is that of the units, at most R'/R_min for a proved lower bound of regulators, times
-h'/h in the exponents. For every prime ℓ that divides h', and those up to R'/R_min, residues at primes of
-degree one and norm 1 mod ℓ show that no further product is an ℓ-th power, or the ℓ-th root is taken into the
-group: so the index is 1 in the end. Most elements come from one list of the shortest integers of the field,
-which bounds the regulator too. The reduced ideals of a quadratic field enumerate the classes, and only
-certificates need residues there (H. Cohen, *A Course in Computational Algebraic Number Theory*, section 6.5;
-M. Pohst and H. Zassenhaus, *Algorithmic Algebraic Number Theory*, chapter 5).
+of the S-units. Its index is the index of its units times h'/h, where h is the class number and h' the index
+of its exponents in ℤ^S. The index of its units is at most R'/R_min for a proved lower bound R_min of the
+regulator. So a prime ℓ that divides the index of the group divides h' or is at most R'/R_min. For each such
+ℓ, residues at primes of degree one and norm 1 mod ℓ show that no further product is an ℓ-th power; otherwise
+an ℓ-th root is added to the group. In the end the index is 1. Most elements come from one list of the
+shortest integers of the field, which bounds the regulator too. The reduced ideals of a quadratic field
+enumerate the classes, and only certificates need residues there (H. Cohen, *A Course in Computational
+Algebraic Number Theory*, section 6.5; M. Pohst and H. Zassenhaus, *Algorithmic Algebraic Number Theory*,
+chapter 5).
 """
 
 from __future__ import annotations

@@ -132,7 +132,7 @@ class ShortIntegers:
 
 
 def shortest_logarithm(n: int, e: int, length: float) -> float:
-    """Return a lower bound of Σ log²|εᵥ| over n embeddings, for units ε that with 1/ε have so large a T₂."""
+    """Return a lower bound of Σ log²|εᵥ| over n embeddings, for units ε with T₂(ε), T₂(1/ε) > ``length``."""
     low, high = 0.0, 64.0
     for _ in range(60):
         u = (low + high) / 2
