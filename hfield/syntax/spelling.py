@@ -4,6 +4,7 @@ import re
 import unicodedata
 from dataclasses import replace
 from functools import lru_cache
+from itertools import pairwise
 
 from hfield.errors import NotationError, shorten
 from hfield.syntax.products import Vocabulary, write_products
@@ -36,6 +37,7 @@ _DOLLARS = re.compile(r"(?s)\s*\$.*\$\s*$")
 _FUNCTIONS = {"N": "norm", "tr": "trace", "Sc": "scalar", "Vec": "vector"}
 _FUNCTIONS |= {"Nrd": "norm", "nrd": "norm", "Tr": "trace", "Trd": "trace", "trd": "trace"}
 _FUNCTIONS |= {"Re": "scalar", "Im": "vector"}
+_OTHER_FUNCTIONS = ("conj", "inv", "abs", "dot", "cross", "comm")
 _MODULUS = re.compile(r"[|‖]([^|‖]+)[|‖](\s*(?:\^|\*\*)\s*2(?!\d|\.|\s*(?:\^|\*\*)))?")
 _ROOT = re.compile(r"√(\d+)|√(?=\()")
 _WORDS = ("and", "or", "not")
@@ -54,7 +56,11 @@ _TO_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
 # A bar and a coordinate belong to the last letter, with its digits: qq̄ is q·q̄, and pq²₀ is p·(q²)₀.
 _LETTER = rf"[^\W\d_{_SUPERSCRIPTS}₀-₉][0-9_]*"
 _BAR = re.compile(f"({_LETTER})[\u0304\u0305]")
+_OPERAND_START, _OPERAND_END = re.compile(r"[\w(]"), re.compile(r"[\w)]$")
+_COMPARISON = re.compile(r"[=<>!]|\b(?:and|or|not)\b")
 _BAR_OF_GROUP = re.compile("\\)[\u0304\u0305]")
+_ALL_FUNCTIONS = "|".join({*_FUNCTIONS, *_FUNCTIONS.values(), *_OTHER_FUNCTIONS})
+_NAME_OF_FUNCTION = re.compile(rf"(?:\b|(?<=\d)|(?<=[a-z])(?=N\s*$))({_ALL_FUNCTIONS})\s*$")
 _COORDINATE_OF_POWER = re.compile(f"({_LETTER}[{_SUPERSCRIPTS}]+)([₀₁₂₃])")
 _COORDINATE = re.compile("[₀₁₂₃]")
 _TIMES = re.compile(r"[a-z]\s*(?:×|\\times\b)\s*[a-z]")
@@ -115,12 +121,26 @@ def _signs_read(letters: Letters) -> Letters:
         letters = _without_braces(letters, in_latex)
     if not letters.text.isascii():
         letters = _without_signs(letters)
+    _expect_one_reading_of_moduli(letters.text)
     letters = letters.sub(
         _MODULUS, lambda found: (_apart(found) + ("norm(" if found[2] else "abs("), 1, ")")
     )
     letters = letters.sub(_EQUAL, lambda found: ("==",))
     letters = letters.sub(_FUNCTION, lambda found: (_apart(found) + _FUNCTIONS[found[1]],))
     return _commutators(letters)
+
+
+def _expect_one_reading_of_moduli(text: str) -> None:
+    """Raise :class:`NotationError` for ``|p|q|r|``, which may be |p|·q·|r| or |p·|q|·r|."""
+    for first, second in pairwise(_MODULUS.finditer(text)):
+        between = text[first.end() : second.start()].strip()
+        is_operand = _OPERAND_START.match(between) and _OPERAND_END.search(between)
+        if is_operand and not _COMPARISON.search(between):
+            p, r = first[1].strip(), second[1].strip()
+            raise NotationError(
+                f"{text[first.start() : second.end()]!r} has two readings: write "
+                f"abs({p})*({between})*abs({r}) or abs({p}*abs({between})*{r})"
+            )
 
 
 def _without_signs(letters: Letters) -> Letters:
@@ -140,7 +160,7 @@ def _without_signs(letters: Letters) -> Letters:
 
 
 def _bars_of_groups(letters: Letters) -> Letters:
-    """Write ``(p + q)̄`` as ``conj(p + q)``."""
+    """Write ``(p + q)̄`` as ``conj(p + q)``, and ``N(p)̄`` as ``conj(N(p))``."""
     while (found := _BAR_OF_GROUP.search(letters.text)) is not None:
         depth, start = 0, found.start()
         for start in range(found.start(), -1, -1):
@@ -149,9 +169,15 @@ def _bars_of_groups(letters: Letters) -> Letters:
                 break
         if depth:
             return letters
+        if (name := _NAME_OF_FUNCTION.search(letters.text[:start])) is not None:
+            start = name.start(1)  # the bar is over the value of a function
         blank = " " if letters.text[start - 1 : start].isalpha() else ""
         conj = Letters.written(f"{blank}conj", letters.places[start])
         group = letters[start : found.start() + 1]
+        if name is not None:
+            opening = Letters.written("(", letters.places[start])
+            closing = Letters.written(")", letters.places[found.start()])
+            group = Letters.join([opening, group, closing])
         letters = Letters.join([letters[:start], conj, group, letters[found.end() :]])
     return letters
 
