@@ -1,6 +1,6 @@
-"""The theories of all kinds of fields, handed to the registry; each is imported on first use.
+"""The list of all kinds of fields with their theories, for the registry; each is imported on first use.
 
-This is the one list of kinds: a new kind of fields with places has an entry here.
+A new kind of fields with places has an entry here.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ class _Functions:
 
 
 def provide(registry: Registry) -> None:
-    """Hand the theories of all kinds of fields, and the functions that rings need, to a registry."""
+    """Add the theories of all kinds of fields, and the functions that rings need, to a registry."""
     registry.add("rationals", Theory(_rationals, _complete_rationals))
     registry.add("number field", Theory(_number_field, _complete_number_field, _read_number_field))
     registry.add("quadratic field", Theory(_quadratic_field, _complete_quadratic))

@@ -143,7 +143,7 @@ class StableClasses:
         return self._without(vector)
 
 
-# --- what a user asks ------------------------------------------------------------------------------
+# --- stable class numbers ------------------------------------------------------------------------------
 
 
 class WithStableClasses:

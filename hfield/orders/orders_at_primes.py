@@ -267,7 +267,7 @@ class OrderAtPrime:
             known *= 2
         return root
 
-    # --- what is not in P times a lattice --------------------------------------------------------
+    # --- elements outside P times a lattice -------------------------------------------------------
 
     def times_prime(self, lattice: LatticeValue) -> LatticeValue:
         """Return P·L."""

@@ -166,7 +166,7 @@ def _without_number(at: OrderAtPrime, y: fmpq_mat, m: int) -> fmpq_mat:
     return y
 
 
-# --- what connects two orders ----------------------------------------------------------------------
+# --- connecting ideals ----------------------------------------------------------------------
 
 
 def connecting(first: LatticeValue, second: LatticeValue) -> LatticeValue:

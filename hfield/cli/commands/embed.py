@@ -56,7 +56,7 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
 
 
 def to_json(E: Embeddings, shown: tuple[Quaternion, ...] | None) -> dict[str, object]:
-    """Return what programs read."""
+    """Return the answer as JSON data."""
     write = E.order.algebra.ring.text
 
     def coordinates(q: Quaternion | None) -> list[str] | None:
@@ -76,7 +76,7 @@ def to_json(E: Embeddings, shown: tuple[Quaternion, ...] | None) -> dict[str, ob
 
 
 def parts(E: Embeddings, shown: tuple[Quaternion, ...] | None) -> list[Part]:
-    """Return what people read."""
+    """Return the answer as facts."""
     from hfield.presenting import Facts
 
     facts = [("order", str(E.order)), ("discriminant", str(E.discriminant))]
