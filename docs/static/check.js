@@ -9,10 +9,10 @@ const WORKER = `
 from hfield.checker.check import check
 from hfield.checker.json_text import read_json
 from hfield.checker.rejection import Rejected
-from hfield.checker.budget import Work, bounded
+from hfield.checker.budget import Budget, bounded
 
 def judged(text):
-    most = Work()
+    most = Budget()
     try:
         with bounded(most):
             data = read_json(text)
