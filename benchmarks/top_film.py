@@ -86,7 +86,7 @@ def main(words: list[str]) -> None:
         blurred = min(cpu([*hfield, "-o", film, "--motion-blur", "0.5"]) for _ in range(ROUNDS))
         motion = physical(clip(), None, *STORY)
         with open(raw, "wb") as out:
-            for frame in frames(Scene(Model(), motion, framed(FILM_SETTINGS, motion))):
+            for frame in frames(Scene(Model(), motion, framed(FILM_SETTINGS, Model(), motion))):
                 out.write(frame.tobytes())
         encode = [ffmpeg(), "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24"]
         encode += ["-s", "640x480", "-r", "50", "-i", raw, "-vf", TO_BT709, "-pix_fmt", "yuv420p"]
