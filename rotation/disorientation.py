@@ -19,8 +19,8 @@ from rotation.rowwise import Formula
 
 TIE = 2.0**-40  # coordinates so near each other are the same
 _SAME = 1e-9  # and the products of a group, so near that of its elements
-_MOST = 160  # maps that are written out in one formula
-_LARGEST = 240  # rotations of a group
+_MAX_WRITTEN_MAPS = 160  # maps that are written out in one formula
+_MAX_GROUP_ORDER = 240  # rotations of a group
 _BLOCK = 2**21  # candidates that are in memory at once
 
 
@@ -69,7 +69,7 @@ def _maps(left: bytes, right: bytes) -> _Maps:
     some = first[np.argmax(alike, axis=1) == np.arange(len(first))]
     by_angle = _map(some[:, None, :], second[None, :, :]).reshape(-1, 4, 4)
     by_axis = _map(common, inverse(common))
-    if len(by_angle) + len(by_axis) > _MOST:
+    if len(by_angle) + len(by_axis) > _MAX_WRITTEN_MAPS:
         return _Maps(by_angle, by_axis, None)
     x = by_axis[:, 1]
     keep = by_axis[np.abs(x - [0.0, 1.0, 0.0, 0.0]).max(axis=1) < _SAME]
@@ -80,8 +80,8 @@ def _maps(left: bytes, right: bytes) -> _Maps:
 
 
 def _expect_group(q: Array) -> None:
-    if len(q) > _LARGEST:
-        raise RotationError(f"a group of {len(q)} rotations; at most {_LARGEST} are taken")
+    if len(q) > _MAX_GROUP_ORDER:
+        raise RotationError(f"a group of {len(q)} rotations; at most {_MAX_GROUP_ORDER} are taken")
     products = product(q[:, None, :], q[None, :, :]).reshape(-1, 4)
     inside = np.abs(products @ q.T) > 1.0 - _SAME
     if not len(q) or not (inside.sum(axis=1) == 1).all():

@@ -4,7 +4,7 @@ from rotation import kernels, quaternions
 from rotation.errors import RotationError
 from rotation.namespaces import Array, is_numpy, namespace
 
-_SHORT = 1000  # products, of which doubling loses no more than a digit
+_DOUBLED_PRODUCTS = 1000  # products, of which doubling loses no more than a digit
 
 
 def running_products(q: Array, frame: str) -> Array:
@@ -22,7 +22,7 @@ def running_products(q: Array, frame: str) -> Array:
     if q.ndim < 2:
         raise RotationError("a single rotation has no running products; a batch is expected")
     xp = namespace(q)
-    if is_numpy(xp) and q.ndim == 2 and len(q) > _SHORT:
+    if is_numpy(xp) and q.ndim == 2 and len(q) > _DOUBLED_PRODUCTS:
         if frame == "world":
             return kernels.cumulative(q)
         # Conjugation turns products round.

@@ -16,7 +16,7 @@ Profile = Sequence[tuple[float, float]]
 # The thesis's unit of length in m. A top of this size spins slowly enough for 50 frames a second to show.
 SCALE = 0.5
 # What mass and moments of inertia exceed, and their inverses too, so that products of three stay numbers.
-LEAST = 1e-90
+MIN_MAGNITUDE = 1e-90
 # The largest distance between the outline and the corners that may touch the ground, relative to the extent.
 CONTACT_TOLERANCE = 1e-3
 
@@ -72,7 +72,9 @@ class Body:
         unit = weight / volume
         square = size * size  # not a power, which refuses what is too large
         moments = unit * square * axial, unit * square * equatorial
-        if not (min(weight, *moments) > LEAST and max(weight, *moments) < 1 / LEAST):
+        if not (
+            min(weight, *moments) > MIN_MAGNITUDE and max(weight, *moments) < 1 / MIN_MAGNITUDE
+        ):
             raise AnimationError(
                 f"a top of {weight:.3g} kg and {size:.3g} m has moments of inertia that cannot be "
                 "computed with; choose another mass or size"

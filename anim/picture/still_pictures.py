@@ -25,7 +25,7 @@ Pixels = NDArray[np.uint8]
 GREEN: RGB = (0, 140, 60)
 RED: RGB = (205, 30, 40)
 BLUE: RGB = (31, 90, 180)
-FEW = 10
+POINTS_OF_FIGURES = 10
 """Points of each ring in the figures of section 3.3."""
 
 CAMERA = Camera(elevation=18)
@@ -50,7 +50,7 @@ def figures(directory: str | Path, force: bool = True) -> list[Path]:
     """
     folder = Path(directory)
     try_folder(folder)
-    few, many = Model(ring=FEW), Model()
+    few, many = Model(ring=POINTS_OF_FIGURES), Model()
     about_z = np.asarray(R_z(np.pi / 5))
     pictures = (
         _points(few),

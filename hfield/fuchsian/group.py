@@ -38,7 +38,7 @@ CENTERS = 4
 """So many centres are tried for a domain."""
 MAX_FAR = 1e9
 """No centre is farther from 0."""
-LARGE = 200
+MAX_AREA_OF_CENTERS = 200
 """For groups with more area, in units of 2π, only one is tried."""
 MAX_TRACE = 100_000
 """Traces of hyperbolic elements are listed up to here."""
@@ -191,7 +191,7 @@ class NormOneGroup(Certified, Hinted):
         Formulas for Eichler orders, by optimal embeddings, give them where the area is above 2π·200.
         Over ℚ and quadratic fields they are compared with every domain, and this raises unless they agree.
         """
-        if self.area > LARGE and (found := self._signature_by_formulas()) is not None:
+        if self.area > MAX_AREA_OF_CENTERS and (found := self._signature_by_formulas()) is not None:
             return found
         found = signature_of(self._domain.partners, self._domain.cycles, self.area)
         if self.order.degree <= 2 and self._signature_by_formulas() not in (None, found):
@@ -252,7 +252,7 @@ class NormOneGroup(Certified, Hinted):
             try:
                 return self._around(c)
             except TooLargeError:  # some centres see the plane worse than others
-                if n == CENTERS - 1 or self.area > LARGE:
+                if n == CENTERS - 1 or self.area > MAX_AREA_OF_CENTERS:
                     raise
         raise TooLargeError("no centre that units do not fix was found; try center=")
 

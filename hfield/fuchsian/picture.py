@@ -33,7 +33,7 @@ LEGEND_SIZE, LEGEND_STEP, LEGEND_GAP = 12.0, 22.0, 16.0
 ADVANCE = 0.55
 """About how wide a letter is, in terms of its size."""
 MAX_LEGEND_PAIRS = 14
-WIDE = 0.75
+MAX_ARC_ANGLE = 0.75
 """No piece of an arc drawn as a cubic curve has a wider angle, in radians."""
 
 
@@ -390,7 +390,7 @@ def _curve(sides: list[Side]) -> Any:
             points, codes = [*points, end], [*codes, Curve.LINETO]
             continue
         spoke, turn = start - center, float(np.angle((end - center) / (start - center)))
-        pieces = max(1, int(np.ceil(abs(turn) / WIDE)))
+        pieces = max(1, int(np.ceil(abs(turn) / MAX_ARC_ANGLE)))
         part = turn / pieces
         pull = 1j * 4 / 3 * np.tan(part / 4)  # along the tangents
         for n in range(pieces):

@@ -33,7 +33,7 @@ TRIES, LEVELS = 300, 10
 """So often elements of a norm are looked for from eight points, which come as near as 2⁻¹⁰ to the circle."""
 MANIFOLD = 7.0
 """Lattices that have e⁷ times as many short vectors as another one are left out."""
-FAR = 1e9
+MAX_COSH = 1e9
 """Units that move the centre so far, by the hyperbolic cosine, are left out."""
 
 
@@ -135,7 +135,7 @@ class Sight:
     def units(self, rows: Rows) -> Rows:
         """Return those of norm 1 that are not ±1 and do not go too far."""
         a, b = self.motions(rows)
-        far = abs(a) ** 2 > FAR
+        far = abs(a) ** 2 > MAX_COSH
         return rows[
             self.of_norm(rows, 1) & ~far & ((abs(b) > EQUAL_WITHIN) | (abs(a.imag) > EQUAL_WITHIN))
         ]

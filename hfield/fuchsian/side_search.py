@@ -12,7 +12,7 @@ import numpy as np
 
 from hfield.fuchsian.search import Rows, Sight, distinct
 
-NEAR = 1e-9
+EQUAL_WITHIN = 1e-9
 BESIDE = 24
 """So many sides on either side of a direction are looked at to find the one that a point lies beyond."""
 ROUNDED = 1e-14
@@ -39,7 +39,9 @@ class Shape:
         # without lines that only touch the polygon, at a vertex or cusp
         starts = corners(dual[every])
         every = [
-            n for n, x in zip(every, abs(starts - np.roll(starts, -1)), strict=True) if x > NEAR
+            n
+            for n, x in zip(every, abs(starts - np.roll(starts, -1)), strict=True)
+            if x > EQUAL_WITHIN
         ]
         sides = [n for n in every if n < len(rows)]
         self.bounds = np.zeros(len(rows), dtype=bool)
@@ -47,7 +49,9 @@ class Shape:
         self.rows, self.a, self.b, self.dual = rows[sides], a[sides], b[sides], dual[sides]
         self.corners = corners(self.dual)
         """Where each side begins, in Klein's model."""
-        self.closed = len(sides) == len(every) and bool((abs(self.corners) < 1 + NEAR).all())
+        self.closed = len(sides) == len(every) and bool(
+            (abs(self.corners) < 1 + EQUAL_WITHIN).all()
+        )
         self._back = sight.left(self.rows @ sight.bar)
         self._weight = 2 * abs(self.b) ** 2  # cosh d − 1
 
@@ -88,7 +92,7 @@ class Shape:
         angle, half = np.angle(self.dual), np.arccos(1 / abs(self.dual))
         start, end = angle + half, np.roll(angle - half, -1)
         width = (end - start + 1) % (2 * np.pi) - 1
-        wide = width > 100 * NEAR  # else it is a cusp, rounded
+        wide = width > 100 * EQUAL_WITHIN  # else it is a cusp, rounded
         return start[wide], width[wide]
 
     def inside(self, points: Any) -> Any:
@@ -124,7 +128,7 @@ class Shape:
         angle, half = np.angle(self.dual), np.arccos(np.minimum(1, 1 / abs(self.dual)))
         for corners, turn in ((self.corners, -half), (np.roll(self.corners, -1), half)):
             # where the next side is not met, the end is on the circle
-            ends = np.where(abs(corners) < 1 + NEAR, corners, np.exp(1j * (angle + turn)))
+            ends = np.where(abs(corners) < 1 + EQUAL_WITHIN, corners, np.exp(1j * (angle + turn)))
             side = self.beyond(moved(self.a.conj(), -self.b, ends))
             cut = side >= 0
             new.append(self.sight.times(self.sight.left(self.rows[cut]), self.rows[side[cut]]))

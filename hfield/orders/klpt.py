@@ -38,7 +38,7 @@ from hfield.orders.short_elements import expect_definite, least_norm, up_to
 from hfield.rings.whole_numbers import sqrt_mod
 
 DOUBLINGS = 12
-LONGER = 20_000
+MAX_TRIALS = 20_000
 
 
 def to_prime_norm(ideal: LatticeValue, avoid: frozenset[int]) -> Quaternion:
@@ -73,14 +73,14 @@ def longer(ideal: LatticeValue, rng: random.Random) -> Iterator[tuple[tuple[int,
     a quadratic order and n inert in it.
     """
     rows, _ = ideal.reduced
-    for trial in range(LONGER):
+    for trial in range(MAX_TRIALS):
         size = 1 + trial // 50
         row = hermite.combination([rng.randint(-size, size) for _ in range(4)], rows)
         if any(row):
             yield row, ideal.multiple(row)
 
 
-LARGEST = 1000
+MAX_FRAME_DISCRIMINANT = 1000
 """The largest discriminant of the quadratic order for which the norms are likely to be represented."""
 ATTEMPTS = 60
 
@@ -94,7 +94,7 @@ def to_power_norm(
     """
     expect_definite(ideal.ambient, "equivalent_of_power_norm()")
     p = int(discriminant(order))
-    f = extremal_frame(order, LARGEST) if level(order) == 1 else None
+    f = extremal_frame(order, MAX_FRAME_DISCRIMINANT) if level(order) == 1 else None
     if prime == p:
         raise LatticeError(f"the norm is to be a power of a prime other than the discriminant {p}")
     if side == "right" or f is None:

@@ -95,7 +95,7 @@ def _frame(order: LatticeValue, x: tuple[int, ...]) -> QuadraticFrame:
     return QuadraticFrame(d, int(str(beta.norm())), alpha, beta)
 
 
-SMALL = (2, 3, 5, 7, 11, 13)
+FIRST_PRIMES = (2, 3, 5, 7, 11, 13)
 
 
 def represent(d: int, m: int) -> tuple[int, int] | None:
@@ -106,7 +106,7 @@ def represent(d: int, m: int) -> tuple[int, int] | None:
     t = d % 2
     n = (t - d) // 4
     x, y = 1, 0
-    for p in SMALL:
+    for p in FIRST_PRIMES:
         while m % p == 0:
             m //= p
             root = _small(d, p)

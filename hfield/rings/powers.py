@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 M = TypeVar("M", bound=Arithmetic)
 
-FEW = 16  # a power up to this is computed whatever comes of it
+MAX_UNCHECKED_POWER = 16  # a power up to this is computed whatever comes of it
 MAX_BITS = 1 << 20
-QUICK = 1 << 16
+QUICK_BITS = 1 << 16
 TIMES = 8  # as much as this a value may grow in any case
 COEFFICIENT = 4  # bits that one counts for at least, even a 0
-SLOW = 1_000  # bits that a node of a symbolic expression counts for
+BITS_OF_NODE = 1_000  # bits that a node of a symbolic expression counts for
 
 # Polynomials over finite rings: nobody need look at their coefficients.
 _OVER_FINITE = ("nmod_poly", "fmpz_mod_poly", "fq_default_poly")
@@ -78,12 +78,14 @@ def _symbolic_bits(expr: Any) -> int:
     from sympy import preorder_traversal
 
     parts = list(preorder_traversal(expr))
-    return SLOW * len(parts) + sum(bits(int(x.p)) + bits(int(x.q)) for x in parts if x.is_Rational)
+    return BITS_OF_NODE * len(parts) + sum(
+        bits(int(x.p)) + bits(int(x.q)) for x in parts if x.is_Rational
+    )
 
 
 def is_quick(x: object, n: int) -> bool:
     """Tell whether the polynomial xⁿ is small: both its degree and its numbers are below QUICK bits."""
-    return n <= FEW or bits(x) * n <= QUICK
+    return n <= MAX_UNCHECKED_POWER or bits(x) * n <= QUICK_BITS
 
 
 def check_growth(start: int, power: object) -> None:
@@ -108,7 +110,7 @@ def power(one: M, x: M, n: int) -> M:
     unity, has powers of any size.
     """
     result = one
-    start = bits(x) if n > FEW else None
+    start = bits(x) if n > MAX_UNCHECKED_POWER else None
     while n:
         if n & 1:
             result = result * x

@@ -11,7 +11,7 @@ from hfield.core.product import Scalar
 
 S = TypeVar("S", bound=Scalar)
 
-SMALL = 10**6  # below this, two squares are searched one by one
+MAX_SEARCHED_SQUARES = 10**6  # below this, two squares are searched one by one
 
 
 def three_squares(n: int) -> tuple[int, int, int] | None:
@@ -47,7 +47,7 @@ def minus_one(m: int, w: S) -> tuple[S, ...]:
 
 def two_squares(n: int) -> tuple[int, int] | None:
     """Return b, c with b² + c² = n; None where there are none, or n is large and not twice a prime."""
-    if n < SMALL:
+    if n < MAX_SEARCHED_SQUARES:
         for b in range(isqrt(n), isqrt(n // 2) - 1, -1):
             c = isqrt(n - b * b)
             if b * b + c * c == n:

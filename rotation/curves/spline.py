@@ -26,7 +26,7 @@ from rotation.rotation import Rotation
 from rotation.rowwise import Formula
 
 _STEPS = 80  # of Newton's method; five are enough unless times are very uneven
-_FEW = 24  # equations that are solved as one
+_SOLVED_AS_ONE = 24  # equations that are solved as one
 _LEAST = 2.0**-7  # of the quadratic term that is let in at once
 
 
@@ -184,7 +184,7 @@ def _tridiagonal(before: Array, own: Array, after: Array, right: Array) -> Array
     xp, n = namespace(right), right.shape[0]
     if n == 0:
         return right
-    if n <= _FEW:
+    if n <= _SOLVED_AS_ONE:
         blocks = [(0, own)] if n == 1 else [(0, own), (-1, before), (1, after)]
         whole = sum(_placed(xp, n, k, x) for k, x in blocks)
         flat = xp.linalg.solve(xp.reshape(whole, (3 * n, 3 * n)), xp.reshape(right, (3 * n, 1)))

@@ -8,7 +8,7 @@ import numpy as np
 from hfield.compiling.memory import address
 from rotation.arrays import Array, Shape
 
-SHORT = 64  # an inner axis shorter than this is exchanged with a longer outer one
+MIN_INNER_AXIS = 64  # an inner axis shorter than this is exchanged with a longer outer one
 
 
 class Plan(NamedTuple):
@@ -77,7 +77,7 @@ def _reduce(batch: Shape, strides: list[Shape]) -> list[tuple[int, ...]]:
             merged[-1] = (merged[-1][0] * n, *steps)
         else:
             merged.append(axis)
-    if len(merged) == 2 and merged[1][0] < SHORT < merged[0][0]:
+    if len(merged) == 2 and merged[1][0] < MIN_INNER_AXIS < merged[0][0]:
         merged.reverse()
     return merged
 

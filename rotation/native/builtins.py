@@ -36,7 +36,7 @@ from rotation.native.entry import (
 from rotation.native.symbols import LIBRARY, WIDTH, Lanes, Program, Rows
 
 AHEAD = 4  # blocks: their memory is prefetched for writing, so that it is not fetched twice
-SOON = 8  # blocks: their memory is prefetched for reading while numbers are computed
+PREFETCHED_BLOCKS = 8  # blocks: their memory is prefetched for reading while numbers are computed
 FREE = 2048  # rows for which it pays to free the interpreter lock
 BYTES = {"double": 8, "float": 4}
 NUMPY = {"PyArray_New": 93, "PyArray_Return": 76}  # the places in its table of functions
@@ -189,7 +189,7 @@ def _block(
         else:
             kind = vector(word, size * WIDTH)
             whole = program.load(kind, pointer, BYTES[word])
-            _ask_ahead(program, pointer, size * BYTES[word], SOON)
+            _ask_ahead(program, pointer, size * BYTES[word], PREFETCHED_BLOCKS)
             columns = [
                 program.shuffled(kind, whole, "poison", range(n, size * WIDTH, size))
                 for n in range(size)

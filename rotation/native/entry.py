@@ -17,7 +17,7 @@ KIND = HEAD - 8  # where an object has its class
 DATA, NDIM, LENGTHS, DTYPE, FLAGS = (HEAD + n for n in (0, 8, 16, 40, 48))
 USABLE, WRITEABLE = 0x0001 | 0x0100, 0x0400  # C order, aligned
 NUMBERS = {"double": 12, "float": 11}  # of numpy's types
-MOST = 64  # axes of an array of numpy's
+MAX_AXES = 64  # axes of an array of numpy's
 METHOD = 32  # bytes of a PyMethodDef
 
 Shape = tuple[int, ...]
@@ -31,7 +31,7 @@ class Entry(Code):
     ) -> None:
         super().__init__("ptr @entry(ptr %self, ptr %args, i64 %nargs)")
         (*shapes_in, self.row), self.word = shapes, words[-1]
-        self.lengths = self.allocate(f"[{MOST} x i64]")
+        self.lengths = self.allocate(f"[{MAX_AXES} x i64]")
         method = self.load("ptr", self.at("i8", "%self", DATA))
         known = self.entries("ptr", self.at("i8", method, METHOD), 6)
         self.ndarray, self.number, self.none, self.one = known[:4]
@@ -133,7 +133,8 @@ class Entry(Code):
         """Return a new array for the values, unless it has too many numbers or axes."""
         v = self.value
         self.require(
-            v(f"icmp sle i64 {total}, {MUCH}"), v(f"icmp sle i64 {batch}, {MOST - len(self.row)}")
+            v(f"icmp sle i64 {total}, {MUCH}"),
+            v(f"icmp sle i64 {batch}, {MAX_AXES - len(self.row)}"),
         )
         self.copy(self.lengths, start, v(f"mul i64 {batch}, 8"))
         for k, length in enumerate(self.row):

@@ -423,7 +423,7 @@ def test_signatures_without_a_domain(monkeypatch) -> None:
     """By formulas alone where the area is large; here for all areas, against the domains."""
     orders = [order(D, N) for D, N in ((6, 1), (14, 1), (10, 9), (1, 36), (1, 13), (1, 1), (6, 7))]
     known = [O.norm_one_group().signature for O in orders]
-    monkeypatch.setattr(group, "LARGE", 0)
+    monkeypatch.setattr(group, "MAX_AREA_OF_CENTERS", 0)
     assert [O.norm_one_group().signature for O in orders] == known
     assert order(1, 10**9 + 7).norm_one_group().signature == (83_333_334, (), 2)
 
@@ -448,7 +448,7 @@ def test_signatures_over_number_fields_without_a_domain(
     with monkeypatch.context() as patch:
         patch.setattr(group.NormOneGroup, "_signature_by_formulas", lambda self: None)
         known = O.norm_one_group().signature
-    monkeypatch.setattr(group, "LARGE", 0)
+    monkeypatch.setattr(group, "MAX_AREA_OF_CENTERS", 0)
     monkeypatch.delattr(group.NormOneGroup, "_domain")
     assert O.norm_one_group().signature == known
 

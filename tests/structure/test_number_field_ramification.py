@@ -220,4 +220,4 @@ def test_a_search_that_finds_nothing_ends_within_its_bounds(monkeypatch):
     monkeypatch.setattr(walk, "combination", counted)
     with pytest.raises(UndecidedError, match="of each of 6 reduced bases"):
         solve_conic_number_field(K, a, x * x - a * y * y)
-    assert len(tried) <= 3 * K.degree + 6 * walk.MOST
+    assert len(tried) <= 3 * K.degree + 6 * walk.MAX_ZEROS

@@ -15,7 +15,7 @@ TAGS += ["-color_range", "tv"]
 # The bands' edges are of strong colours, and lose more by coarse chroma than by anything else. In small
 # pictures four pixels are too large for one chroma: they keep all of it (4:4:4).
 FINER_CHROMA = -6
-LARGE = 640 * 480
+LARGE_PICTURE_PIXELS = 640 * 480
 
 
 class Mp4(Encoded):
@@ -36,7 +36,7 @@ class Mp4(Encoded):
         from anim.output.luma import planes
 
         width, height = film.size
-        block = 2 if width * height >= LARGE else 1
+        block = 2 if width * height >= LARGE_PICTURE_PIXELS else 1
         whole = np.empty(width * height + 2 * (width // block) * (height // block), np.uint8)
         luma, rest = whole[: width * height].reshape(height, width), whole[width * height :]
         blue, red = rest.reshape(2, height // block, width // block)

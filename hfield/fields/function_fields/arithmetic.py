@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 
 
 POINTS, FEW = 400, 5  # values tried for a specialisation; those at which all primes are looked for
-SMALL = list(primes(1_000))
+PRIMES_TRIED = list(primes(1_000))
 
 Evidence = Mapping[str, Any]
 
@@ -242,7 +242,9 @@ def _rational(c: Constants, every: bool) -> Evidence | None:
         return {"by": "ordering"}
     whole = square_class(form.a) * square_class(form.b)
     primes: Iterable[Any] = (
-        p for p in SMALL if (p == 2 or whole % p == 0) and hilbert_symbol_q(form.a, form.b, p) < 0
+        p
+        for p in PRIMES_TRIED
+        if (p == 2 or whole % p == 0) and hilbert_symbol_q(form.a, form.b, p) < 0
     )
     if every:
         with suppress(UndecidedError):

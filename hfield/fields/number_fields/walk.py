@@ -27,7 +27,8 @@ MAX_DEGREE = 12
 COMBINATIONS = 60_000  # of a reduced basis
 WALKED = 60  # bases, as many more as fewer combinations there are of each
 CLOSE = 1e-5
-MOST = 50  # of the combinations at which the form is nearly 0: at so many it is computed exactly
+MAX_ZEROS = 50
+"""The form is computed exactly at so many of the combinations at which it is nearly 0."""
 SCALE = 2.0**40
 
 
@@ -159,7 +160,11 @@ class Walk:
         at = chosen @ values.real + 1j * (chosen @ values.imag)
         form = np.abs((at**2).reshape(len(chosen), -1, self.width).sum(axis=2)).sum(axis=1)
         largest = float(np.abs(values).max()) ** 2
-        nearest = np.argpartition(form, MOST)[:MOST] if len(form) > MOST else np.arange(len(form))
+        nearest = (
+            np.argpartition(form, MAX_ZEROS)[:MAX_ZEROS]
+            if len(form) > MAX_ZEROS
+            else np.arange(len(form))
+        )
         for index in sorted(nearest[form[nearest] < CLOSE * largest], key=form.__getitem__):
             u = [int(x) for x in chosen[index]]
             if steps is not None:

@@ -16,7 +16,7 @@ import sympy
 
 from hfield.core.factorisation import factor
 
-MOST = 1_000_000  # products of terms that are worked out, and terms that are looked at
+MAX_TERMS = 1_000_000  # products of terms that are worked out, and terms that are looked at
 MAX_DEGREE = 5_000  # of a radical
 
 Quotient = tuple[Any, Any]  # of polynomials over ℚ
@@ -77,7 +77,7 @@ class _Variables:
         self.context = flint.fmpq_mpoly_ctx.get(names, "lex")
         self.variables = dict(zip(self.degrees, self.context.gens(), strict=True))
         self.known: dict[sympy.Expr, Quotient] = {}
-        self.left = MOST
+        self.left = MAX_TERMS
 
     def vanish(self) -> bool:
         """Tell whether the numerator is 0 modulo what the powers of the radicals are."""

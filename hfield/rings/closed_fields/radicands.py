@@ -15,9 +15,8 @@ from hfield.core.primality import power_root
 PROVED_BELOW = 1 << SIEVED_BITS
 """Reduced radicands below are squarefree; greater ones may hide the square of a large prime."""
 
-QUICK = (
-    30  # primes of so many bits are sought in long radicands: nothing depends on it but their looks
-)
+DIVISOR_BITS = 30
+"""Primes of so many bits are sought in long radicands; only their printed form depends on it."""
 
 
 def reduced(n: int) -> tuple[int, int]:
@@ -28,7 +27,7 @@ def reduced(n: int) -> tuple[int, int]:
     root, sign = _exact_root(abs(n)), 1 if n > 0 else -1
     if root is not None:
         return root, sign
-    found = factor(n, bits=QUICK)
+    found = factor(n, bits=DIVISOR_BITS)
     parts = list(found.primes.items())
     if found.rest:
         parts.append(power_root(found.rest.value))

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Generic
 from hfield.core import product
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import CoercionError
-from hfield.rings.powers import FEW, bits, check_growth
+from hfield.rings.powers import MAX_UNCHECKED_POWER, bits, check_growth
 
 if TYPE_CHECKING:
     import numpy as np
@@ -117,7 +117,7 @@ class Storage(Generic[H]):
         if n == 0:
             return self.one(p)
         result = p
-        start = bits(p) if n > FEW else None
+        start = bits(p) if n > MAX_UNCHECKED_POWER else None
         for bit in bin(n)[3:]:
             if start is not None:
                 check_growth(start, result)

@@ -43,7 +43,7 @@ from hfield.rings.balls import precision
 from hfield.rings.residue_polynomials import residues
 
 MAX_BOUND = 20_000  # of the norms of primes that generate the class group
-FEW = 8
+MIN_PRIMES_OF_DEGREE_ONE = 8
 """At least so many primes of degree one: ratios of elements give units where few short ones are units."""
 MAX_SATURATED = 20_000  # primes at which a group of units is shown to be saturated
 TRIES = 400
@@ -98,7 +98,7 @@ class SUnits:
     def _least_bound(self) -> int:
         """Return the norm of the last of a few prime ideals of degree one."""
         norms = (P.norm() for p in primes() for P in self.frame.field.primes_above(p) if P.f == 1)
-        return list(islice(norms, FEW))[-1]
+        return list(islice(norms, MIN_PRIMES_OF_DEGREE_ONE))[-1]
 
     # --- smooth elements ---------------------------------------------------------------------------
 
@@ -278,7 +278,7 @@ class SUnits:
             if found is not None:
                 yield self.reduced(x, found)
         seen, size = set(), 1
-        pool = self.primes or range(min(len(self.base), FEW))
+        pool = self.primes or range(min(len(self.base), MIN_PRIMES_OF_DEGREE_ONE))
         for turn in range(1, 2_000):
             ideal = self.frame.one
             if pool:
