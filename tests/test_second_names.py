@@ -27,3 +27,18 @@ def test_nothing_is_imported_before_it_is_used() -> None:
         "assert (Rotation.__module__, Top.__module__) == ('rotation.rotation', 'anim.top')\n"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=120)
+
+
+@pytest.mark.parametrize(
+    ("module", "former", "name"),
+    [
+        ("hfield.rings", "ring", "hfield.ring"),
+        ("hfield.rings", "Known", "hfield.rings.Fact"),
+        ("anim", "Look", "anim.RenderSettings"),
+    ],
+)
+def test_former_names_work_with_a_warning(module: str, former: str, name: str) -> None:
+    package, _, present = name.rpartition(".")
+    with pytest.warns(DeprecationWarning, match=f"is now {name}"):
+        found = getattr(import_module(module), former)
+    assert found is getattr(import_module(package), present)
