@@ -122,7 +122,7 @@ def test_two_keyframes_and_mistakes() -> None:
 @pytest.mark.parametrize("few", [1, 2, 24])
 @pytest.mark.parametrize("n", [0, 1, 2, 3, 8, 9, 24, 25, 50, 97])
 def test_block_tridiagonal_equations(few: int, n: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(spline, "_FEW", few)
+    monkeypatch.setattr(spline, "_SOLVED_AS_ONE", few)
     before, after = RNG.standard_normal((2, max(n - 1, 0), 3, 3))
     own, right = RNG.standard_normal((n, 3, 3)) + 6 * np.eye(3), RNG.standard_normal((n, 3))
     whole = np.zeros((n, 3, n, 3))
