@@ -120,8 +120,8 @@ def prose(source: str, tree: ast.AST) -> Iterator[tuple[str, int]]:
 
 def faults(path: Path) -> Iterator[tuple[str, int]]:
     """Yield the retired words of a file, each with its line."""
-    if path.stem in IDENTIFIERS:
-        yield path.stem, 1
+    folders = path.relative_to(ROOT).parent.parts
+    yield from ((name, 1) for name in (*folders, path.stem) if name in IDENTIFIERS)
     source = path.read_text(encoding="utf-8")
     tree = ast.parse(source)
     yield from ((name, line) for name, line in names(tree) if name in IDENTIFIERS)

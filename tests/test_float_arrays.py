@@ -17,7 +17,7 @@ from hfield import (
     prove,
 )
 from hfield.rings.array_storage.floats import MIN_COMPILED
-from hfield.structure.single_elements import float_functions
+from hfield.structure.elements import float_functions
 from rotation import Rotation
 from rotation.compat import Rotation as ScipysRotation
 

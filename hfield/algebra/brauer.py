@@ -15,9 +15,9 @@ from hfield.core.product import Constants
 from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError
 from hfield.rings.base import WithIntegers
 from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
+from hfield.structure.elements.trace_and_norm import element_of
 from hfield.structure.global_field import GlobalField, global_field
 from hfield.structure.norm_forms.residue_forms import no_zero
-from hfield.structure.single_elements.trace_and_norm import element_of
 
 BOUND = 3  # coordinates of pure elements that are tried for a common slot
 MAX_CANDIDATES = 50_000  # scalars that are tried where local conditions tell which are slots

@@ -14,9 +14,9 @@ from hfield.errors import CoercionError, HFieldError, RingError, UndecidedError,
 from hfield.fields.names import ring as read_ring
 from hfield.rings.base import Ring
 from hfield.structure import is_central_simple
+from hfield.structure.elements.trace_and_norm import element_of, obstruction
 from hfield.structure.global_field import global_field
 from hfield.structure.norm_forms.residue_forms import no_zero
-from hfield.structure.single_elements.trace_and_norm import element_of, obstruction
 from hfield.syntax import plain_element
 from hfield.verdicts import Verdict
 

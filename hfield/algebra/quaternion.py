@@ -23,7 +23,7 @@ from hfield.notation import element_text
 from hfield.rings.base import Ring
 from hfield.rings.coefficients import Coefficients
 from hfield.rings.storage.base import Batch, Storage
-from hfield.structure.single_elements import analysis
+from hfield.structure.elements import analysis
 from hfield.symbols import element_to_sympy, values_given, variable_name
 from hfield.sympy_printing import PrintedBySympy
 from hfield.verdicts import Verdict
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     import sympy
 
     from hfield.rings.arrays import Index
-    from hfield.structure.single_elements.square_roots import RootCoordinates as Found
+    from hfield.structure.elements.square_roots import RootCoordinates as Found
 
 
 _blank: Any = object.__new__

@@ -32,8 +32,8 @@ from hfield.rings.expressions import check_symbols, is_of_sympy
 from hfield.rings.floats import CDF
 from hfield.rings.integers import QQ
 from hfield.rings.storage.base import Batch, Storage
+from hfield.structure.elements import analysis
 from hfield.structure.global_field import field_named_by, global_field, known_field, no_flag
-from hfield.structure.single_elements import analysis
 from hfield.symbols import (
     as_list,
     coordinates_in,

@@ -13,8 +13,8 @@ from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.exploring.labels import LabelledAlgebra, labelled, order_of_ring
 from hfield.rings.coefficients import Coefficients
+from hfield.structure.elements.trace_and_norm import element_of
 from hfield.structure.isomorphisms.splitting import CoordinateSplitting
-from hfield.structure.single_elements.trace_and_norm import element_of
 
 if TYPE_CHECKING:
     import numpy as np

@@ -15,7 +15,7 @@ from hfield import structure
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import UndecidedError
 from hfield.exploring.properties import Condition
-from hfield.structure.single_elements.trace_and_norm import element_of
+from hfield.structure.elements.trace_and_norm import element_of
 
 MAX_TRIALS = 200
 """So often in a row nothing new may be found."""

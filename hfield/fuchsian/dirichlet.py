@@ -1,6 +1,6 @@
 """Dirichlet domains of the units of norm 1 of an order, found by search and then proved to be complete.
 
-Elements are looked for, and reduced by one another, in floats (``search``, ``growing``), until they seem to
+Elements are sought, and reduced by one another, in floats (``search``, ``side_search``), until they seem to
 bound a polygon of finite area whose sides are paired. Then all is decided exactly. The points nearer to the
 centre than to its images under these units are a polygon that contains the true domain. By Poincaré's theorem
 its area is the sum of its exact angles, and the formula says what that of the true domain is: where they

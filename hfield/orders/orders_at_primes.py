@@ -312,7 +312,7 @@ def independent(larger: fmpq_mat, below: LatticeValue) -> list[fmpq_mat]:
 
 
 def small_lines(size: int) -> Iterator[Line]:
-    """Run through a coordinate and small values for the others, growing without end."""
+    """Yield a coordinate with small values for the others; the values grow without end."""
     for largest in count(1):
         for rest in product(range(-largest, largest + 1), repeat=size - 1):
             if max(map(abs, rest)) == largest:

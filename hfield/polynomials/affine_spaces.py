@@ -13,10 +13,10 @@ from typing import Any
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.rings.roots import stripped
 from hfield.structure import is_central_simple, is_division
+from hfield.structure.elements.trace_and_norm import element_of
 from hfield.structure.forms import pairing_matrix
 from hfield.structure.linear_algebra.echelon import null_space, solution
 from hfield.structure.linear_algebra.radical import square_parts
-from hfield.structure.single_elements.trace_and_norm import element_of
 
 Spaces = tuple[
     list[Quaternion], list[Quaternion]

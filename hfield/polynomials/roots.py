@@ -17,7 +17,7 @@ from hfield.errors import NotFiniteError, TooLargeError
 from hfield.polynomials.singular_polynomials import Matrix, count_other_roots, other_roots
 from hfield.structure import split
 from hfield.structure.counting.formulas_finite import count_trace_and_norm
-from hfield.structure.single_elements.trace_and_norm import all_elements_of
+from hfield.structure.elements.trace_and_norm import all_elements_of
 
 if TYPE_CHECKING:
     from hfield.polynomials.polynomial import Polynomial

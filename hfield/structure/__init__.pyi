@@ -2,6 +2,14 @@ from .counting.formulas_finite import count as count
 from .counting.formulas_finite import has_formulas as has_formulas
 from .counting.tally import confirm as confirm
 from .counting.tally import tally as tally
+from .elements.properties import characteristic_polynomial as characteristic_polynomial
+from .elements.properties import conjugator as conjugator
+from .elements.properties import is_idempotent as is_idempotent
+from .elements.properties import is_nilpotent as is_nilpotent
+from .elements.properties import is_unit as is_unit
+from .elements.square_roots import quadric as quadric
+from .elements.square_roots import square_roots as square_roots
+from .elements.torsion import multiplicative_order as multiplicative_order
 from .global_field import global_field as global_field
 from .hurwitz import four_squares as four_squares
 from .isomorphisms.isomorphic import is_isomorphic as is_isomorphic
@@ -26,11 +34,3 @@ from .ramification import place as place
 from .ramification import places as places
 from .ramification import ramified_places as ramified_places
 from .ramification import reduced_discriminant as reduced_discriminant
-from .single_elements.properties import characteristic_polynomial as characteristic_polynomial
-from .single_elements.properties import conjugator as conjugator
-from .single_elements.properties import is_idempotent as is_idempotent
-from .single_elements.properties import is_nilpotent as is_nilpotent
-from .single_elements.properties import is_unit as is_unit
-from .single_elements.square_roots import quadric as quadric
-from .single_elements.square_roots import square_roots as square_roots
-from .single_elements.torsion import multiplicative_order as multiplicative_order

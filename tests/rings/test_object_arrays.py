@@ -26,7 +26,7 @@ def drawn(A: QuaternionAlgebra, rng: Random, count: int) -> tuple[list[Quaternio
 
 @settings(max_examples=cases(75), deadline=None)
 @given(st.sampled_from(RINGS), st.integers(0, 10**6))
-def test_arrays_are_what_single_elements_are(name: str, seed: int) -> None:
+def test_arrays_are_what_elements_are(name: str, seed: int) -> None:
     rng, R = Random(seed), ring(name)
     A = QuaternionAlgebra(R, R.random(rng), R(2), R(rng.choice([0, 1])))
     (first, p), (second, q) = drawn(A, rng, 3), drawn(A, rng, 3)

@@ -9,8 +9,8 @@ from hfield.core.product import Constants, multiply, norm, trace
 from hfield.fields.function_fields.artin_schreier import artin_schreier
 from hfield.fields.names import ring
 from hfield.structure import is_isomorphic, isomorphism
+from hfield.structure.elements.square_roots import square_roots
 from hfield.structure.forms import discriminant
-from hfield.structure.single_elements.square_roots import square_roots
 from tests.subcases import subcases
 
 

@@ -7,15 +7,15 @@ from structure_cases import constants
 from hfield.core.product import multiply, norm, trace
 from hfield.errors import NotInvertibleError, UndecidedError
 from hfield.fields.names import ring
-from hfield.structure.single_elements.properties import (
+from hfield.structure.elements.properties import (
     characteristic_polynomial,
     conjugator,
     is_idempotent,
     is_nilpotent,
     is_unit,
 )
-from hfield.structure.single_elements.square_roots import square_roots
-from hfield.structure.single_elements.torsion import multiplicative_order
+from hfield.structure.elements.square_roots import square_roots
+from hfield.structure.elements.torsion import multiplicative_order
 from tests.subcases import subcases
 
 SMALL = [

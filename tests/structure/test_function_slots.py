@@ -9,9 +9,9 @@ from hfield.core.product import Constants, multiply, norm, trace
 from hfield.fields.function_fields.common_slots import common_slot_functions
 from hfield.fields.names import ring
 from hfield.structure import is_division, isomorphism, ramified_places
+from hfield.structure.elements.square_roots import square_roots
 from hfield.structure.forms import discriminant
 from hfield.structure.ramification import hilbert_symbol
-from hfield.structure.single_elements.square_roots import square_roots
 from tests.subcases import subcases
 from tests.thorough import quick_part
 

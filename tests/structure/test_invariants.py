@@ -8,6 +8,7 @@ from structure_cases import constants
 from hfield.core.product import Constants, multiply, norm
 from hfield.errors import UndecidedError
 from hfield.fields.names import ring
+from hfield.structure.elements.properties import is_nilpotent
 from hfield.structure.linear_algebra.centre import basis_of, centre
 from hfield.structure.linear_algebra.kernels import apply
 from hfield.structure.linear_algebra.radical import (
@@ -16,7 +17,6 @@ from hfield.structure.linear_algebra.radical import (
     radical,
     to_opposite,
 )
-from hfield.structure.single_elements.properties import is_nilpotent
 from tests.subcases import first_quick, subcases
 
 ALGEBRAS = [

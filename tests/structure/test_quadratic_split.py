@@ -19,8 +19,8 @@ from hfield.fields.number_fields.quadratic.residues import Inert, prime_at
 from hfield.fields.number_fields.quadratic.symbols import hilbert_symbol_quadratic, pair
 from hfield.fields.number_fields.symbols import candidates
 from hfield.structure import is_division, is_isomorphic, isomorphism, ramified_places, split
+from hfield.structure.elements.square_roots import square_roots
 from hfield.structure.minimal_conics import Conic
-from hfield.structure.single_elements.square_roots import square_roots
 from tests.subcases import slow, subcases
 from tests.thorough import cases
 

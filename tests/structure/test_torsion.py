@@ -10,7 +10,7 @@ from hfield import H, QuaternionAlgebra
 from hfield.core.product import multiply
 from hfield.errors import NotInvertibleError, UndecidedError
 from hfield.fields.names import ring
-from hfield.structure.single_elements.torsion import multiplicative_order
+from hfield.structure.elements.torsion import multiplicative_order
 from tests.subcases import subcases
 from tests.thorough import quick_part
 

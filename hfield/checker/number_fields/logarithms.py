@@ -82,7 +82,7 @@ class Places:
                     )
                 return out
             bits *= 2
-        reject("an element has conjugates too small to be told from 0 here")
+        reject("an element has conjugates too small to be distinguished from 0 here")
 
     def values(self, c: Sequence[int], den: int, bits: int) -> list[tuple[int, int]]:
         """Return real and imaginary parts of Σ cₖθᵏ/den at each place, less than 3 away over 2^bits."""

@@ -103,7 +103,7 @@ class Functions(Ring):
         f = dict(polynomials.mul(*x))
         degree = max(f)[0]
         if degree > MAX_DEGREE:
-            reject(f"squares are not told above the degree {MAX_DEGREE}")
+            reject(f"squares are not recognised above the degree {MAX_DEGREE}")
         spend(5 * degree**2)
         lead = f[(degree,)]
         if degree % 2 or not base.is_square(lead):

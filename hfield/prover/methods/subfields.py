@@ -39,7 +39,7 @@ SUBFIELD_RADICANDS = (-1, 2, -2, 3, -3, 5, -5, 6, -6, 7, -7, 10, -11, 17)
 
 
 @runtime_checkable
-class LocalField(Protocol):
+class CompletionAtPlace(Protocol):
     """A local field: the completion of a global one at a finite place."""
 
     global_field: Ring
@@ -65,7 +65,7 @@ class LocalField(Protocol):
 def decide_in_subfields(problem: Problem, decide: Callable[[Problem], Decision]) -> Decision | None:
     """Return what is decided over some ℚ(√d) in ℚ_p and carries over, or None."""
     F, statement = problem.field, problem.statement
-    if not isinstance(F, LocalField) or F.global_field != QQ or problem.setting.letters:
+    if not isinstance(F, CompletionAtPlace) or F.global_field != QQ or problem.setting.letters:
         return None
     bound = set(statement.exists)
     if bound and statement.given:
@@ -110,7 +110,7 @@ def _read_back(K: Any, root: Any, text: str) -> str:
     return str(F.text(total))
 
 
-def _subfields(F: LocalField, problem: Problem) -> Iterator[tuple[Ring, flint.fmpq]]:
+def _subfields(F: CompletionAtPlace, problem: Problem) -> Iterator[tuple[Ring, flint.fmpq]]:
     """Run through fields in ℚ_p, each with a rational number near its generator."""
     for d in _radicands(F, problem):
         yield ring(f"QQ(sqrt({d}))"), F.truncated(F.sqrt(F(d)).value, ROOT_DIGITS)
@@ -137,7 +137,7 @@ def _of_the_equations(problem: Problem) -> Iterator[flint.fmpz_poly]:
             yield from (integral(g) for g in irreducible_factors(dense) if g.degree() > 2)
 
 
-def _radicands(F: LocalField, problem: Problem) -> Iterator[int]:
+def _radicands(F: CompletionAtPlace, problem: Problem) -> Iterator[int]:
     """Run through a few d that are squares in F, first one for which the algebra splits over ℚ(√d)."""
     found: list[int] = []
     for d in (*_of_the_algebra(F, problem), *SUBFIELD_RADICANDS):
@@ -147,7 +147,7 @@ def _radicands(F: LocalField, problem: Problem) -> Iterator[int]:
             yield free
 
 
-def _of_the_algebra(F: LocalField, problem: Problem) -> Iterator[int]:
+def _of_the_algebra(F: CompletionAtPlace, problem: Problem) -> Iterator[int]:
     """Yield T² − 4·N(q)·N(u) for a plane of q and u on which the norm has a zero in ℚ_p."""
     exact = [F(text) for text in problem.setting.constants]
     if not all(x.is_exact for x in exact):

@@ -427,7 +427,7 @@ class SUnits:
             if size > 0 and size.rel_accuracy_bits() > 20:
                 return size
             bits *= 2
-        raise UndecidedError("a regulator was not told from zero")
+        raise UndecidedError("a regulator was not distinguished from zero")
 
     def _index_bound(self) -> int:
         """Return a bound for the index of the group in the S-units: h'R' over the least regulator."""

@@ -9,11 +9,11 @@ from typing import Any
 from hfield.core.product import Constants, Coordinates, norm, trace
 from hfield.errors import UndecidedError
 from hfield.rings.base import Ring
+from hfield.structure.elements.square_roots import quadric, square_roots
 from hfield.structure.forms import normal_form
 from hfield.structure.global_field import global_field, known_field
 from hfield.structure.isomorphisms.splitting import split
 from hfield.structure.norm_forms.zero_norms import is_division
-from hfield.structure.single_elements.square_roots import quadric, square_roots
 
 
 def element_of(ring: Ring, c: Constants, t: Any, n: Any) -> Coordinates | None:

@@ -24,7 +24,7 @@ from hfield.core.product import Constants, Coordinates, norm
 from hfield.core.straight_line import FIRST
 from hfield.errors import NoSolutionError
 from hfield.rings.array_storage.floats import MIN_COMPILED
-from hfield.structure.single_elements.no_values import NO_POLAR_FORM, no_value
+from hfield.structure.elements.no_values import NO_POLAR_FORM, no_value
 
 if TYPE_CHECKING:
     from hfield.rings.base import Ring

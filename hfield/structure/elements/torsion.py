@@ -16,8 +16,8 @@ from hfield.core.primality import primes
 from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.errors import NotInvertibleError, UndecidedError, shorten
 from hfield.rings.base import Ring, WithIntegers
+from hfield.structure.elements.closed_orders import closed_order
 from hfield.structure.linear_algebra.centre import basis_of
-from hfield.structure.single_elements.closed_orders import closed_order
 
 if TYPE_CHECKING:
     pass

@@ -21,8 +21,8 @@ from hfield.core.product import Constants, Coordinates, norm, trace
 from hfield.errors import CoercionError, HFieldError, NoSolutionError, RingError, shorten
 from hfield.rings.base import Ring
 from hfield.rings.floats import RDF
-from hfield.structure.single_elements.no_values import NO_POLAR_FORM, no_value
-from hfield.structure.single_elements.square_roots import square_roots
+from hfield.structure.elements.no_values import NO_POLAR_FORM, no_value
+from hfield.structure.elements.square_roots import square_roots
 
 
 def over_floats(ring: Ring) -> bool:
@@ -113,7 +113,7 @@ def modulus(ring: Ring, c: Constants, q: Coordinates) -> Any:
     over a ring without an ordering.
     """
     if over_floats(ring):
-        from hfield.structure.single_elements import float_functions
+        from hfield.structure.elements import float_functions
 
         return float_functions.modulus(c, q)
     square = norm(c, q)
@@ -144,7 +144,7 @@ def polar(ring: Ring, c: Constants, q: Coordinates) -> tuple[Any, Coordinates, A
     Raises :class:`NoSolutionError` where v² > 0, or v ≠ 0 and v² = 0.
     """
     if over_floats(ring):
-        from hfield.structure.single_elements import float_functions
+        from hfield.structure.elements import float_functions
 
         found: tuple[Any, Coordinates, Any] = float_functions.polar(c, q, lambda: _axis(ring, c))
         return found
@@ -236,7 +236,7 @@ def cosine_and_sine(ring: Ring, angle: Any) -> tuple[Any, Any]:
 def exp(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
     """Return the sum of ``qⁿ/n!``, in Hamilton's algebra ``eʷ·(cos φ + n·sin φ)`` for q = w + φ·n."""
     if over_floats(ring):
-        from hfield.structure.single_elements import float_functions
+        from hfield.structure.elements import float_functions
 
         return float_functions.value(ring, c, q, float_functions.EXP)
     if has_angles(ring):
@@ -263,7 +263,7 @@ def log(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
     Raises :class:`NoSolutionError` for 0, for negative scalars and where a real eigenvalue is negative.
     """
     if over_floats(ring):
-        from hfield.structure.single_elements import float_functions
+        from hfield.structure.elements import float_functions
 
         return float_functions.value(ring, c, q, float_functions.LOG)
     of = RealFunctions(ring, q)
@@ -300,6 +300,6 @@ def sqrt(ring: Ring, c: Constants, q: Coordinates) -> Coordinates:
 def power(ring: Ring, c: Constants, q: Coordinates, exponent: float | Fraction) -> Coordinates:
     """Return ``exp(exponent·log q)`` over RDF."""
     over_floats(ring)
-    from hfield.structure.single_elements import float_functions
+    from hfield.structure.elements import float_functions
 
     return float_functions.value(ring, c, q, float_functions.power_function(exponent))
