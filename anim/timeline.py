@@ -1,8 +1,8 @@
 """The thesis's motion (section 3.4): what its parameters are at each instant, and how its text is read.
 
 A film runs from progress 0 to 1. On the way the axis turns 16 times about the vertical while it leaves
-it, and the speed of the spin falls. ``docs/top.md`` says where the text is ambiguous, and why the defaults
-are what they are.
+it, and the speed of the spin falls. ``docs/reference/top.md`` says where the text is ambiguous, and why the
+defaults are what they are.
 """
 
 from dataclasses import dataclass

@@ -1,7 +1,7 @@
 """The kinds of evidence, and certificates made of them.
 
-What each kind shows is written in docs/certificates.md. The checker imports none of this: it reads the JSON,
-in its own way.
+What each kind shows is written in docs/reference/certificates.md. The checker imports none of this: it reads
+the JSON, in its own way.
 """
 
 from abc import abstractmethod

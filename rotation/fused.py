@@ -3,7 +3,7 @@
 Nothing is built in between: no matrices, no temporary quaternions. The points' dtype decides the
 result: float32 and float64 are kept, integers become float64, anything else raises. Batches broadcast
 by numpy's rules; any strides are taken. ``out`` may be the points themselves. A row with NaN or inf in
-it gives NaN in that row alone. See docs/rotation-kernels.md for accuracy, threads and caching.
+it gives NaN in that row alone. See docs/developers/rotation-kernels.md for accuracy, threads and caching.
 """
 
 import numpy as np
@@ -63,8 +63,8 @@ def rotate(
     Returns
     -------
     ndarray
-        ``out``, or a new array; ‖error‖₂ ≤ 5·2⁻⁵²·‖v‖ in float64, as docs/rotation-errors.md proves. In
-        float32 it is 2⁻²⁴·‖v‖, and 5·2⁻²³·‖v‖ for one axis and angle.
+        ``out``, or a new array; ‖error‖₂ ≤ 5·2⁻⁵²·‖v‖ in float64, as docs/explanation/rotation-errors.md
+        proves. In float32 it is 2⁻²⁴·‖v‖, and 5·2⁻²³·‖v‖ for one axis and angle.
 
     Raises
     ------

@@ -91,7 +91,7 @@ def to_matrix(q: Array) -> Array:
     """Return the matrices (…, 3, 3) of quaternions (…, 4) whose norm is 1, or off by rounding.
 
     N(q) is computed with twice the digits, and how far it is from 1 is taken off each entry: an entry is
-    right to 2·2⁻⁵² (docs/rotation-errors.md proves it), and the matrix orthogonal.
+    right to 2·2⁻⁵² (docs/explanation/rotation-errors.md proves it), and the matrix orthogonal.
     """
     return TO_MATRIX(q)
 

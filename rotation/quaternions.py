@@ -166,7 +166,7 @@ _ANGLE = [Formula(_angle, (4,), parameters=(degrees,)) for degrees in (False, Tr
 def power(q: Array, exponent: Any) -> Array:
     """Return the rotation about the same axis by ``exponent`` times the angle in [0, π].
 
-    It is within (3 + 2.5·|exponent|)·2⁻⁵² of the exact quaternion (docs/rotation-errors.md).
+    It is within (3 + 2.5·|exponent|)·2⁻⁵² of the exact quaternion (docs/explanation/rotation-errors.md).
 
     Parameters
     ----------

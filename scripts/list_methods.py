@@ -1,4 +1,4 @@
-"""Write the table of all methods of lattices, orders, ideals and class sets into docs/orders.md.
+"""Write the table of all methods of lattices, orders, ideals and class sets into docs/reference/orders.md.
 
     python -m scripts.list_methods
 
@@ -16,7 +16,7 @@ from types import FunctionType
 from hfield import ClassSet, Ideal, Lattice, Order
 from hfield.hints import Hinted
 
-PAGE = Path(__file__).parents[1] / "docs" / "orders.md"
+PAGE = Path(__file__).parents[1] / "docs" / "reference" / "orders.md"
 BEGIN = "<!-- written by python -m scripts.list_methods -->\n"
 END = "<!-- end of what is written -->\n"
 CLASSES: tuple[tuple[str, type[Hinted]], ...] = (

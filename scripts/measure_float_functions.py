@@ -4,7 +4,7 @@
 
 COUNT random quaternions (default 100 000, about two minutes) are divided among exponential, logarithm, square
 root, powers and n-th roots. The error is the modulus of the difference divided by the modulus of the value.
-The script prints the largest and the mean error of each function, as listed in docs/algebras.md.
+The script prints the largest and the mean error of each function, as listed in docs/reference/algebras.md.
 """
 
 import sys

@@ -6,7 +6,7 @@
 
 Each part of the code is mutated in a copy of the repository and tried with the few test files that
 are about it; mutmut runs for each mutant only the tests that reach its function, in a forked process.
-docs/mutation.md has the scores and explains the survivors.
+docs/developers/mutation.md has the scores and explains the survivors.
 """
 
 import argparse

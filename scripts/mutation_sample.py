@@ -5,7 +5,7 @@
 
 A mutant is one of the three packages with one operator, comparison, constant or condition changed at a
 place drawn by the seed. It is tried by the tests that reach the changed place, the fastest first. If the
-quick tests notice nothing, the slow tests follow. docs/mutation.md has the scores.
+quick tests notice nothing, the slow tests follow. docs/developers/mutation.md has the scores.
 
 Both commands start each file of tests, or each mutant, in a fork of a process that has imported the large
 libraries but none of the three packages. They need a system that forks, such as Linux.

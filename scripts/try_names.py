@@ -1,4 +1,4 @@
-"""Try many names and data of rings on the prover, the checker and a reader written from docs/rings.md.
+"""Try many names and data of rings on prover, checker and a reader written from docs/reference/rings.md.
 
     python scripts/try_names.py [--count 100000] [--seed 0] [--data]
 

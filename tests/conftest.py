@@ -18,7 +18,7 @@ QUICK_EXAMPLES, EXAMPLES = 15, 100  # that hypothesis draws where a test does no
 
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # a hundred commands are started: compiled once
 
-PAGE = Path(__file__).parents[1] / "docs" / "rings.md"
+PAGE = Path(__file__).parents[1] / "docs" / "reference" / "rings.md"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -111,7 +111,7 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object:
 
 @pytest.fixture(scope="module")
 def dual_numbers():
-    """The class of rings that docs/rings.md builds from scratch, a ring of a user's own."""
+    """The class of rings that docs/reference/rings.md builds from scratch, a ring of a user's own."""
     page = types.ModuleType("rings_page")  # a module, so that its classes can be pickled
     sys.modules[page.__name__] = page
     for example in doctest.DocTestParser().get_examples(PAGE.read_text(encoding="utf-8")):

@@ -60,7 +60,7 @@ def test_the_page_on_versions_has_every_schema():
 
 
 def test_each_dependency_has_a_row_with_its_licence():
-    page = read("docs/installed.md")
+    page = read("docs/developers/installed.md")
     rows = {
         cells[1].strip(): cells for line in page.splitlines() if len(cells := line.split("|")) == 7
     }

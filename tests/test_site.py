@@ -17,8 +17,8 @@ from tests.thorough import part
 
 SITE = Path(os.environ.get("HFIELD_SITE", Path(__file__).parents[1] / "hfield" / "site"))
 PAGES = [
-    *("index.html", "tutorial.html", "gallery.html", "coming-from.html"),
-    *("reference/hfield.html", "reference/rotation.html"),
+    *("index.html", "tutorials/first-steps.html", "gallery.html", "how-to/coming-from.html"),
+    *("api/hfield.html", "api/rotation/Rotation.html", "api/commands/prove.html"),
 ]
 WIDTHS = {"phone": 390, "desk": 1280}
 
@@ -138,14 +138,14 @@ def test_a_page_keeps_nobody_out(browser, axe, page, width, scheme):
 
 
 def test_a_phone_shows_wide_tables_as_cards_and_long_pictures_in_strips(browser):
-    show(browser, "coming-from.html", WIDTHS["phone"], "light")
+    show(browser, "how-to/coming-from.html", WIDTHS["phone"], "light")
     boxes = "[...document.querySelectorAll('.table-wrapper')].every((x) => x.scrollWidth <= x.clientWidth)"
     assert browser.evaluate(boxes)
     label = (
         "getComputedStyle(document.querySelector('.stacks td:nth-child(3)'), '::before').content"
     )
     assert browser.evaluate(label) == '"Sage"'
-    show(browser, "coming-from.html", WIDTHS["desk"], "light")
+    show(browser, "how-to/coming-from.html", WIDTHS["desk"], "light")
     assert (
         browser.evaluate("getComputedStyle(document.querySelector('.stacks')).display") == "table"
     )
@@ -159,7 +159,7 @@ def test_a_phone_shows_wide_tables_as_cards_and_long_pictures_in_strips(browser)
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_code_that_is_cut_has_a_shade_at_its_edge(browser, scheme):
     """The pixels of the last column differ from the sheet, until one has scrolled to the end."""
-    show(browser, "tutorial.html", WIDTHS["phone"], scheme)
+    show(browser, "tutorials/first-steps.html", WIDTHS["phone"], scheme)
     wide = "(x) => x.clientHeight < 500 && x.scrollWidth > x.clientWidth + 40"
     find = f"[...document.querySelectorAll('pre')].find({wide})"
     browser.evaluate(f"box = {find}; box.scrollIntoView({{block: 'end', behavior: 'instant'}}); 0")

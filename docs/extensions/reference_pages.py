@@ -1,6 +1,7 @@
-"""Writes one page of reference for each package: every public name, with what its docstring says.
+"""Write the reference of the interface into ``docs/api``: a page for each class and each command.
 
-A last page has the names of other systems, so that the search finds ours by them.
+The page of a package has its functions, values and errors and leads to the pages of its classes. A last page
+has the names of other systems, so that the search finds ours by them.
 """
 
 from collections.abc import Mapping
@@ -12,6 +13,7 @@ from typing import Any
 
 import hfield.hints as hints_of_algebras
 import rotation.hints as hints_of_rotations
+from hfield.cli.catalogue import command, groups
 
 PACKAGES = {
     "hfield": "Quaternion algebras, their fields, statements and verdicts.",
@@ -22,38 +24,74 @@ LONG = 12
 
 
 def write(app: Any) -> None:
-    """Write ``reference/PACKAGE.md`` for each package, where it changed."""
-    folder = Path(app.srcdir) / "reference"
-    folder.mkdir(exist_ok=True)
-    pages = {
-        package: f"# {package}\n\n{text}\n\n" + "\n\n".join(_sections(package)) + "\n"
-        for package, text in PACKAGES.items()
-    }
-    for name, page in (pages | {"other-names": "\n".join(_other_names())}).items():
+    """Write the pages into ``api``, each where it changed."""
+    folder = Path(app.srcdir) / "api"
+    pages = {"other-names": "\n".join(_other_names())}
+    for package, text in PACKAGES.items():
+        pages |= _pages_of_package(package, text)
+    pages |= _pages_of_commands()
+    for name, page in pages.items():
         path = folder / f"{name}.md"
+        path.parent.mkdir(parents=True, exist_ok=True)
         if not path.exists() or path.read_text(encoding="utf-8") != page:
             path.write_text(page, encoding="utf-8")
 
 
-def _sections(package: str) -> list[str]:
-    """Return classes, functions, values and errors, each under a heading."""
+def _pages_of_package(package: str, text: str) -> dict[str, str]:
+    """Return the page of a package and the pages of its classes, by name."""
     module = import_module(package)
-    found: dict[str, list[str]] = {"Classes": [], "Functions": [], "Values": [], "Errors": []}
+    directives: dict[str, list[str]] = {"Functions": [], "Values": [], "Errors": []}
+    classes: dict[str, str] = {}
     for name in dir(module):
         value = getattr(module, name)
         if ismodule(value):
             continue
         if isclass(value) and issubclass(value, Exception):
-            kind, directive = "Errors", "autoexception"
+            directives["Errors"].append(_directive("autoexception", package, name))
         elif isclass(value):
-            kind, directive = "Classes", "autoclass"
+            classes[name] = _class_page(package, name)
+        elif isroutine(value):
+            directives["Functions"].append(_directive("autofunction", package, name))
         else:
-            kind, directive = (
-                ("Functions", "autofunction") if isroutine(value) else ("Values", "autodata")
-            )
-        members = "\n   :members:\n   :inherited-members: tuple, Enum" if kind == "Classes" else ""
-        found[kind].append(f"```{{eval-rst}}\n.. {directive}:: {package}.{name}{members}\n```")
-    return [f"## {kind}\n\n" + "\n\n".join(entries) for kind, entries in found.items() if entries]
+            directives["Values"].append(_directive("autodata", package, name))
+    listed = "\n".join(f"{package}/{name}" for name in classes)
+    parts = [f"# {package}", text, "## Classes", f"```{{toctree}}\n:maxdepth: 1\n\n{listed}\n```"]
+    for kind, entries in directives.items():
+        if entries:
+            parts += [f"## {kind}", *entries]
+    return {package: "\n\n".join(parts) + "\n"} | {
+        f"{package}/{name}": page for name, page in classes.items()
+    }
+
+
+def _class_page(package: str, name: str) -> str:
+    """Return the page of a class."""
+    options = "\n   :members:\n   :inherited-members: tuple, Enum"
+    return f"# {name}\n\n{_directive('autoclass', package, name, options)}\n"
+
+
+def _directive(kind: str, package: str, name: str, options: str = "") -> str:
+    """Return a directive of autodoc."""
+    return f"```{{eval-rst}}\n.. {kind}:: {package}.{name}{options}\n```"
+
+
+def _pages_of_commands() -> dict[str, str]:
+    """Return the page that lists all commands, and for each command a page with its help."""
+    pages = {}
+    lines = [
+        "# Commands",
+        "",
+        "The lines that `hfield --help` prints, and a page for each command.",
+    ]
+    for title, group in groups().items():
+        rows = [f"| [`{name}`](commands/{name}.md) | {text} |" for name, text in group.items()]
+        lines += ["", f"## {title}", "", "| command | |", "|---|---|", *rows]
+        for name in group:
+            _, parser = command(name)
+            pages[f"commands/{name}"] = f"# hfield {name}\n\n```\n{parser.format_help()}```\n"
+    listed = "\n".join(pages)
+    lines += ["", f"```{{toctree}}\n:hidden:\n\n{listed}\n```", ""]
+    return {"commands": "\n".join(lines)} | pages
 
 
 def _other_names() -> list[str]:

@@ -2,7 +2,7 @@
 
 At a place two elements u and j of the algebra are given, such that N(x + y·u) has twice the valuation that x
 or y has, and N(j) an odd one; and such that nothing cancels in N(x + y·u + j·(z + w·u)). Nothing in this
-depends on the characteristic, nor on that of the residues. docs/trust.md has the proofs.
+depends on the characteristic, nor on that of the residues. docs/explanation/trust.md has the proofs.
 """
 
 from collections.abc import Hashable, Mapping

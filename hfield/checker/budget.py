@@ -1,7 +1,7 @@
 """A budget of work for one file: whatever takes time or memory is paid for before it begins.
 
-A unit is a microsecond and 100 bytes at worst, whichever is reached first; docs/trust.md has measurements.
-A function that computes with long numbers pays for their lengths itself.
+A unit is a microsecond and 100 bytes at worst, whichever is reached first; docs/explanation/trust.md has
+measurements. A function that computes with long numbers pays for their lengths itself.
 """
 
 from collections.abc import Callable, Collection, Hashable, Iterator

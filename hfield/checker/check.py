@@ -1,7 +1,7 @@
 """``check``: verify one certificate and return what it establishes.
 
 The target is derived from ``statement``, ``algebra`` and ``field``; the evidence has to show it.
-docs/certificates.md describes the format.
+docs/reference/certificates.md describes the format.
 """
 
 from collections.abc import Mapping

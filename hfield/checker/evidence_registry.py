@@ -1,7 +1,7 @@
 """The kinds of evidence for statements of the language, and the check of each.
 
 Each module of :mod:`hfield.checker.evidence` is read for its ``CHECKS``: a new kind is a new file.
-What each kind proves, and why, is written in docs/trust.md.
+What each kind proves, and why, is written in docs/explanation/trust.md.
 """
 
 from collections.abc import Callable, Mapping

@@ -1,4 +1,4 @@
-"""The checker's own parser of statements, for the grammar of docs/language.md.
+"""The checker's own parser of statements, for the grammar of docs/reference/language.md.
 
 A tree is a tuple that begins with what it is: ``("num", 3)``, ``("name", "q")``, ``("neg", x)``,
 ``("+", x, y)`` and so for ``- * / == != >= > <= < and or => <=>``, ``("pow", x, 3)``, ``("index", x, 0)``,

@@ -1,6 +1,6 @@
 """Check the rules of a field that steps of an implication use.
 
-Each is verified, before any step uses it. docs/trust.md has the proofs.
+Each is verified, before any step uses it. docs/explanation/trust.md has the proofs.
 
 That polynomials lie in an ideal: sums of cofactors times its generators, multiplied out.
 """

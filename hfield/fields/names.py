@@ -1,7 +1,7 @@
 """From text to ring: ``QQ``, ``ZZ/6``, ``GF(9, x^2+1)``, ``QQ(sqrt(2))``, ``GF(4)(t)``, ``QQ[x,y]``.
 
 Spellings that need no quotes in a shell are taken too: ``Q Z R C GF9 F9 ZZ6 Z6 QI Qsqrt2 Qsqrt-7 Qx
-GF2t``. White space does not matter. docs/rings.md has the grammar.
+GF2t``. White space does not matter. docs/reference/rings.md has the grammar.
 """
 
 import re

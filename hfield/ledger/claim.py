@@ -27,7 +27,7 @@ class Proposition(Protocol):
 
     @property
     def statement(self) -> str:
-        """The proposition as certificates state it (docs/certificates.md)."""
+        """The proposition as certificates state it (docs/reference/certificates.md)."""
 
     def decide(self, field: Ring | None) -> Decision:
         """Decide it over ``field``; None is every commutative ring (or field, where it needs one)."""

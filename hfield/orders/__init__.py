@@ -7,5 +7,5 @@ in modules of their own: ``equivalence``, ``isomorphisms`` and ``units`` serve e
 ideal classes, by ``neighbours`` and their ``class_keys``. ``certificates`` makes certificates of results. The
 public classes are in ``lattice`` and ``hurwitz_order``; their methods call these functions.
 ``standard_orders`` has the named orders of an algebra. Each module cites the theorems that it uses;
-``docs/orders.md`` has examples.
+``docs/reference/orders.md`` has examples.
 """

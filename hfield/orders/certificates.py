@@ -1,7 +1,7 @@
 """Orders, ideals and answers about them as certificates ``hfield-cert/2``.
 
 Statements over ℤ and over the integers of a number field have words and evidence of their own, which
-docs/certificates.md lists. ``_Rational`` and ``_OverField`` are these two vocabularies.
+docs/reference/certificates.md lists. ``_Rational`` and ``_OverField`` are these two vocabularies.
 """
 
 from __future__ import annotations

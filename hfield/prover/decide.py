@@ -82,7 +82,7 @@ def decide(
     algebra: str | None = None,
     timeout: float = TIMEOUT,
 ) -> Decision:
-    """Decide a statement about the quaternions over a field; see docs/language.md for the language.
+    """Decide a statement about the quaternions over a field; see docs/reference/language.md for the language.
 
     ``field`` is a ring, its text, or None for all fields at once. ``given`` are hypotheses that are
     put in front of the statement. ``algebra`` is H if None, else a text such as ``(-1,-3|QQ)``, or

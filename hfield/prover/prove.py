@@ -219,7 +219,7 @@ def prove(
     elements i, j and k that satisfy them, or every algebra with identity over ``field``: the answer has
     cofactors, or an algebra in which it fails (Theorem 1 of the thesis).
 
-    The language is described in docs/language.md.
+    The language is described in docs/reference/language.md.
 
     >>> prove("p*q == q*p", field="QQ").witness
     {'p': ['0', '1', '0', '0'], 'q': ['0', '0', '1', '0']}

@@ -3,7 +3,7 @@
 A ring is a parent object; its elements are the values of some library as they come, with ``+``,
 ``-`` and ``*`` of their own. Only four things have to be given: ``name``, ``characteristic``,
 ``__call__`` and, for whatever is not merely ``0 == x``, ``is_zero``. The rest has defaults that
-say "not known" rather than guess. ``docs/rings.md`` builds one from scratch.
+say "not known" rather than guess. ``docs/reference/rings.md`` builds one from scratch.
 """
 
 from __future__ import annotations
@@ -232,7 +232,7 @@ class Named(Core[E]):
 
     @property
     def data(self) -> dict[str, Any] | None:
-        """The ring as JSON data, of which certificates are (docs/certificates.md); None where it has none."""
+        """The ring as JSON data in certificates (docs/reference/certificates.md); None where it has none."""
         return None
 
     def names(self) -> dict[str, E]:

@@ -1,7 +1,7 @@
 """What an algebra is: functions of a ring, of its constants (a, t, b) and of coordinates.
 
 Nothing here knows the classes of algebras and elements, which hand over to these functions. The names
-below are what others use; ``docs/structure.md`` says which module decides what, and how.
+below are what others use; ``docs/reference/structure.md`` says which module decides what, and how.
 """
 
 import lazy_loader

@@ -1,7 +1,7 @@
 """What structure asks of a field with places: one protocol, one object for each kind of field.
 
 A kind is a class of rings that names its ``theory``: the registry has the :class:`GlobalField` of that name.
-``docs/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
+``docs/reference/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A drop-in for scipy's rotations: its names, its order of coordinates, item assignment, its warnings.
 
 ``from rotation.compat import Rotation`` in place of ``from scipy.spatial.transform import Rotation``; the
-arithmetic is ours. docs/rotation-compat.md lists what differs.
+arithmetic is ours. docs/how-to/coming-from-scipy.md lists what differs.
 """
 
 from rotation.compat.curves import RotationSpline, Slerp

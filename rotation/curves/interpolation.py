@@ -190,7 +190,8 @@ class Squad(Slerp):
     The velocity at a keyframe is the mean of those of the two neighbouring slerps, each weighted by
     the length of the other interval: that of the parabola through three keyframes. Where intervals are so
     uneven that a spherical cubic cannot have it, the weights are the nearest with which one can; see
-    docs/rotation.md. At the ends it is that of the only neighbour. With two keyframes it is a slerp.
+    docs/reference/rotation.md. At the ends it is that of the only neighbour. With two keyframes it is a
+    slerp.
     Parameters and errors as in `Slerp`.
 
     Examples

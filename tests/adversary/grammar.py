@@ -1,7 +1,7 @@
 """Statements to trees, by a reader of the judge's own.
 
-It is written from the grammar in docs/language.md alone and shares nothing with ``hfield.syntax`` nor
-with the checker's parser, so that a text which one of them takes for another statement is seen. A
+It is written from the grammar in docs/reference/language.md alone and shares nothing with ``hfield.syntax``
+nor with the checker's parser, so that a text which one of them takes for another statement is seen. A
 tree is a tuple that begins with its kind: ``("number", value)``, ``("name", text)``,
 ``("call", function, arguments)``, ``("coordinate", x, n)``, ``("power", x, n)``, ``("minus", x)``,
 ``("not", x)``, ``("exists", names, x)`` and ``(operator, left, right)``.

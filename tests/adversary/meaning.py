@@ -1,4 +1,4 @@
-"""What a statement means, from docs/language.md: truth at places, over scalars of any kind.
+"""What a statement means, from docs/reference/language.md: truth at places, over scalars of any kind.
 
 The product is Cayley and Dickson's doubling, not a table of basis products: with K = R[i]/(i² − t·i − a)
 and u ↦ ū, i ↦ t − i, a quaternion is u + v·j with u, v in K, and

@@ -1,4 +1,4 @@
-"""Names of rings and their data, judged by prover, checker and a reader of docs/rings.md, that share nothing.
+"""Names and data of rings, judged by prover, checker and an independent reader of docs/reference/rings.md.
 
 scripts/try_names.py judges as many as one likes.
 """

@@ -81,7 +81,7 @@ def test_each_word_is_one_text_with_one_name(words: dict[str, str]) -> None:
 
 
 def test_the_documents_list_the_methods() -> None:
-    text = (ROOT / "docs" / "certificates.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "reference" / "certificates.md").read_text(encoding="utf-8")
     table = text[text.index("## Methods") : text.index("## Polynomials")]
     rows = re.findall(r"^\| `(.+?)` \| (.+) \|$", table, re.MULTILINE)
     assert dict(rows) == METHODS

@@ -18,7 +18,9 @@ from tests.checker.cases import about_field, certified
 from tests.checker.ring_data import Data, data_of
 from tests.subcases import subcases
 
-PAGE = (Path(__file__).parents[2] / "docs" / "certificates.md").read_text(encoding="utf-8")
+PAGE = (Path(__file__).parents[2] / "docs" / "reference" / "certificates.md").read_text(
+    encoding="utf-8"
+)
 EXAMPLES = [json.loads(line) for line in re.findall(r'^\{"name": .*\}$', PAGE, re.MULTILINE)]
 IDENTITY = {"kind": "identity"}
 

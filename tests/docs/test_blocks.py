@@ -32,7 +32,7 @@ SCOPES = {
     "in characteristic 2": "characteristics [2]",
 }
 GALLERY = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
-LANGUAGE = (ROOT / "docs" / "language.md").read_text(encoding="utf-8")
+LANGUAGE = (ROOT / "docs" / "reference" / "language.md").read_text(encoding="utf-8")
 
 
 def blocks() -> Iterator[tuple[str, str, str]]:
@@ -88,7 +88,9 @@ def test_the_exercise_sheet_is_decided_as_its_page_says(capsys, tmp_path, monkey
 
 
 def test_the_exercises_of_the_afternoon_are_decided(capsys, tmp_path):
-    (sheet,) = (text for page, kind, text in blocks() if (page, kind) == ("afternoon.md", "toml"))
+    (sheet,) = (
+        text for page, kind, text in blocks() if (page, kind) == ("finite-fields.md", "toml")
+    )
     file = tmp_path / "afternoon.toml"
     file.write_text(sheet, encoding="utf-8")
     status, out, err = run(capsys, "verify", str(file))

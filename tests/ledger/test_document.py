@@ -158,7 +158,7 @@ def test_verify_runs_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
 
 
 def test_the_sheet_of_the_page_runs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    page = (ROOT / "docs" / "ledgers.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "how-to" / "ledgers.md").read_text(encoding="utf-8")
     sheet = page.split("```toml\n")[1].split("```")[0]
     assert main(["verify", written(tmp_path, sheet)]) == 0
     out = capsys.readouterr().out

@@ -1,4 +1,4 @@
-"""The ring that docs/rings.md builds from scratch, through the axioms and into quaternions."""
+"""The ring that docs/reference/rings.md builds from scratch, through the axioms and into quaternions."""
 
 from fractions import Fraction
 

@@ -1,4 +1,4 @@
-"""Bounds of errors, shown for all inputs: docs/rotation-errors.md says from what they follow."""
+"""Bounds of errors, shown for all inputs: docs/explanation/rotation-errors.md says from what they follow."""
 
 import itertools
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""The table of docs/rotation-compat.md: what users of other libraries wrote, and what they write here."""
+"""The table of docs/how-to/coming-from-scipy.md: what users of other libraries write here."""
 
 import re
 from pathlib import Path
@@ -9,7 +9,7 @@ import pytest
 
 import rotation
 
-PAGE = Path(__file__).parents[2] / "docs" / "rotation-compat.md"
+PAGE = Path(__file__).parents[2] / "docs" / "how-to" / "coming-from-scipy.md"
 RNG = np.random.default_rng(31)
 IMPORTS = {
     "pytransform3d": "from pytransform3d.rotations import *; from pytransform3d.transformations import *",

@@ -2,7 +2,7 @@
 
 S is a set of prime ideals that generates the class group: every class has an ideal of norm up to a bound that
 is cited, and each prime ideal up to there is reduced to S by an element. The S-units are seen to be all; the
-class group is ℤ^S modulo their exponents, and units are those with exponents 0 (docs/trust.md).
+class group is ℤ^S modulo their exponents, and units are those with exponents 0 (docs/explanation/trust.md).
 """
 
 from collections.abc import Sequence

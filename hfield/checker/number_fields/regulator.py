@@ -1,4 +1,4 @@
-"""A lower bound of the regulator of a number field, by all of its integers that are short (docs/trust.md)."""
+"""A lower bound of the regulator, from all short integers of the field (docs/explanation/trust.md)."""
 
 from collections.abc import Sequence
 from fractions import Fraction

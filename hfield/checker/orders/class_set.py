@@ -3,7 +3,7 @@
 The class of a right ideal I is recognised by the lattices x⁻¹·I for the x in I with the least Tr(N(x)/νu).
 They lie in the class of I, and c·I has the same ones. Here the norm of I is ν·a, where ν is totally positive
 and a represents a narrow ideal class. The totally positive unit u runs through representatives modulo
-squares (docs/trust.md). Over ℚ the x are the elements of least norm.
+squares (docs/explanation/trust.md). Over ℚ the x are the elements of least norm.
 """
 
 from collections.abc import Iterable, Sequence

@@ -2,7 +2,8 @@
 
 The plane is that of the elements of trace 0 with positive norm, up to positive factors, on the sheet of the
 centre c; g of norm 1 moves x to g·x·ḡ. Points and lines are rows of integers of the field, which are ordered
-by the place, and the polygon that lies nearer to c than to the g·c contains the domain (docs/trust.md).
+by the place, and the polygon that lies nearer to c than to the g·c contains the domain
+(docs/explanation/trust.md).
 """
 
 from collections.abc import Iterator, Sequence

@@ -45,7 +45,7 @@ def _divides(order: Lattice, P: Prime) -> bool:
 def _eichler_symbol(order: Lattice, P: Prime) -> int:
     """Return the Eichler symbol: that of the polynomial of some basis element with two roots, or 0.
 
-    It tells whether these are in the residue field (docs/trust.md).
+    It tells whether these are in the residue field (docs/explanation/trust.md).
     """
     algebra, p, q = order.algebra, P.p, P.norm
     integers, den = algebra.integers, algebra.scale * order.den

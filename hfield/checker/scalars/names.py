@@ -1,7 +1,7 @@
 """Canonical names, written from data; which names a variable may have, and how polynomials are written.
 
 The checker reads no names of rings. It makes a ring of data and writes the name, so that no two rings have
-one name; docs/certificates.md lists the kinds.
+one name; docs/reference/certificates.md lists the kinds.
 """
 
 import re

@@ -1,8 +1,8 @@
 """The part of ℝ and ℂ that square roots of rational numbers generate, and ℚ(√m, √n, …) in it.
 
 An element is a finite sum of rational multiples of √n, where n runs through products of −1 and
-distinct primes; these roots are linearly independent over ℚ (Besicovitch 1940; docs/trust.md has a
-proof), so an element is 0 only if all its coefficients are.
+distinct primes; these roots are linearly independent over ℚ (Besicovitch 1940; docs/explanation/trust.md has
+a proof), so an element is 0 only if all its coefficients are.
 """
 
 from collections.abc import Mapping

@@ -34,14 +34,24 @@ def run(args: Namespace) -> int:
             "this installation has no pages: in a checkout, `pip install '.[docs]'` and "
             "`python tasks.py docs` make them, and `pip install .` then brings them here"
         )
-    path = SITE / f"{args.page.removesuffix('.html')}.html"
-    if not path.is_file():
-        found = sorted(p.relative_to(SITE).with_suffix("").as_posix() for p in SITE.rglob("*.html"))
-        pages = ", ".join(p for p in found if not p.startswith(("_", "genindex", "py-modindex")))
-        raise UsageError(f"there is no page {args.page!r}; there are {pages}")
+    path = _find(args.page.removesuffix(".html"))
     print(path)
     if not args.where:
         import webbrowser
 
         webbrowser.open(path.as_uri())
     return 0
+
+
+def _find(name: str) -> Path:
+    """Return the page of a name such as ``rings`` or ``reference/rings``. Raises :class:`UsageError`."""
+    path = SITE / f"{name}.html"
+    if path.is_file():
+        return path
+    pages = {p.relative_to(SITE).with_suffix("").as_posix(): p for p in SITE.rglob("*.html")}
+    found = [p for page, p in sorted(pages.items()) if page.rpartition("/")[2] == name]
+    if found:
+        return found[0]
+    hidden = ("_", "api/", "genindex", "py-modindex", "search")
+    listed = ", ".join(sorted(page for page in pages if not page.startswith(hidden)))
+    raise UsageError(f"there is no page {name!r}; there are {listed}")

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from hfield.ledger.claim import Claim, Row
 
 HELP = (
-    "Decide every claim of the thesis, or of your own ledger FILE.toml (docs/ledgers.md), "
+    "Decide every claim of the thesis, or of your own ledger FILE.toml (docs/how-to/ledgers.md), "
     "over a panel of fields. A claim that is refuted as printed is decided once more as "
     "corrected. The last line says whether all is as expected. Exit status: 0 all is as "
     "expected; 1 a row is undecided, or two rows contradict each other; 2 bad usage."

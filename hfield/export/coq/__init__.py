@@ -1,1 +1,1 @@
-"""Write statements as theorems of Coq, which Coq checks independently (docs/coq.md)."""
+"""Write statements as theorems of Coq, which Coq checks independently (docs/explanation/coq.md)."""

@@ -2,7 +2,7 @@
 
 The cofactors of a presentation are sums of word·relation·word, which Coq multiplies out (words.v). Where
 the identity is not assumed, the table that refutes a claim becomes a counterexample over every
-commutative ring (docs/certificates.md).
+commutative ring (docs/reference/certificates.md).
 """
 
 import re

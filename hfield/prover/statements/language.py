@@ -3,7 +3,7 @@
 :mod:`hfield.syntax` turns text into a tree; this module gives every node a sort (quaternion,
 scalar or boolean), finds the unknowns and the constants of the field, and takes the statement
 apart into quantifiers, hypotheses and conclusion. The grammar and the meaning are written down in
-docs/language.md.
+docs/reference/language.md.
 """
 
 from __future__ import annotations

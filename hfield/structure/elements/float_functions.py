@@ -2,8 +2,8 @@
 
 A batch is computed in blocks that fit the processor's cache; a single element is a block of one. As in
 :mod:`.analysis`, q = w + v with tr(v) = 0, v² = s and φ = √|s|. Then ``f(q) = even + odd·v`` with numbers
-``even`` and ``odd``, which a function computes. The errors, in units of 2⁻⁵², are in docs/algebras.md;
-scripts/measure_float_functions.py measures them.
+``even`` and ``odd``, which a function computes. The errors, in units of 2⁻⁵², are in
+docs/reference/algebras.md; scripts/measure_float_functions.py measures them.
 """
 
 from __future__ import annotations

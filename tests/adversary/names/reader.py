@@ -1,4 +1,4 @@
-"""Names of rings, read by the grammar of docs/rings.md ("Names, and what they mean"), as data.
+"""Names of rings, read by the grammar of docs/reference/rings.md ("Names, and what they mean"), as data.
 
 Written from that page, without a look at the code that reads names. ``Refused`` says that the page allows
 no such name, ``Unsure`` that it takes more than is here to tell what it means.

@@ -25,7 +25,7 @@ CITED = {s_units.FRIEDMAN: FRIEDMAN, s_units.ARTIN: ARTIN, s_units.CUSICK: CUSIC
 
 
 def evidence(s: SUnits) -> dict[str, Any]:
-    """Return it as JSON data (docs/certificates.md); prime ideals are numbered as they are listed."""
+    """Return it as JSON data (docs/reference/certificates.md); prime ideals are numbered as listed."""
     coordinates = s.field.coordinates
     listed: list[Any] = []
     number: dict[Any, int] = {}

@@ -108,8 +108,8 @@ class ShortIntegers:
         For a unit that is not listed, nor its inverse, T₂ is above K = ``length`` for both. With x the
         logarithms of the |εᵥ|² at the n embeddings, let a and b be the sums of x² over the positive x and the
         others. Then K − n ≤ e·ψ(√(a/e)) + b/2 and the same with a and b exchanged, for ψ(t) = eᵗ − 1 − t, and
-        e = 2 where all places are complex, else 1. So a + b is least for a = b (docs/trust.md). With the
-        least square of the units that are listed this bounds their lattice from below, by Hermite.
+        e = 2 where all places are complex, else 1. So a + b is least for a = b (docs/explanation/trust.md).
+        With the least square of the units that are listed this bounds their lattice from below, by Hermite.
         """
         real, complex_ = self.field.signature
         rank, n = real + complex_ - 1, self.frame.n
