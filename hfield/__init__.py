@@ -3,7 +3,7 @@
 >>> from hfield import GF, H
 >>> A = H(GF(7)); e, i, j, k = A.basis
 >>> (1 + i) * (j - k)**-1
-6j
+6*j
 """
 
 import lazy_loader

@@ -16,7 +16,7 @@ def conj(q: Quaternion) -> Quaternion:
 
     >>> from hfield import H, QQ
     >>> conj(H(QQ)(1, 2, 0, 1))
-    1 − 2i − k
+    1 - 2*i - k
 
     Raises :class:`CoercionError` for what is no quaternion.
     """
@@ -28,7 +28,7 @@ def inv(q: Quaternion) -> Quaternion:
 
     >>> from hfield import H, QQ
     >>> inv(H(QQ)(1, 0, 1, 0))
-    1/2 − 1/2j
+    1/2 - 1/2*j
 
     Raises :class:`NotInvertibleError` for a zero divisor, :class:`CoercionError` for what is no quaternion.
     """

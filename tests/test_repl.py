@@ -81,7 +81,7 @@ def test_what_the_shell_reads_is_read(typed, python):
 
 def test_elements_as_in_the_shell(monkeypatch, capsys):
     lines = "(2i + 3j)^2\n2i·k − 1\nfor n in range(2):\n    2i^n\n\n"
-    assert piped(monkeypatch, capsys, lines, "GF7") == (0, "1\n6 + 5j\n2\n2i\n", "")
+    assert piped(monkeypatch, capsys, lines, "GF7") == (0, "1\n6 + 5*j\n2\n2*i\n", "")
 
 
 def test_help_of_an_algebra_is_one_screen(monkeypatch, capsys):
@@ -120,7 +120,7 @@ def test_completion_in_ipython():
 
 def test_lines_piped_in(monkeypatch, capsys):
     lines = "i*j\n-k\nfor n in range(2):\n    i**n\n\n2*A(1, 2, 0, 1)\nx = 1\n"
-    assert piped(monkeypatch, capsys, lines) == (0, "k\n−k\n1\ni\n2 + 4i + 2k\n", "")
+    assert piped(monkeypatch, capsys, lines) == (0, "k\n-k\n1\ni\n2 + 4*i + 2*k\n", "")
 
 
 def test_a_block_at_the_end_is_run(monkeypatch, capsys):
@@ -186,7 +186,7 @@ def test_a_session(tmp_path, without):
     lines = ["(1+i)*(j-k)**-1", "i/0", "exit()"]
     shown = talk(tmp_path, lines, SESSION.format(without))
     assert "(-1,-1|GF(7))" in shown
-    assert "6j" in shown
+    assert "6*j" in shown
     assert "NotInvertibleError: cannot invert 0" in shown
     assert "Traceback" not in shown
 

@@ -92,7 +92,7 @@ class Quaternion(Hinted, PrintedBySympy):
     >>> from hfield import H
     >>> q = H("QQ")(1, 2, 0, 1)
     >>> q * q.conjugate() == q.norm(), q.inverse()
-    (True, 1/6 − 1/3i − 1/6k)
+    (True, 1/6 - 1/3*i - 1/6*k)
     """
 
     # Only the storage _how reads _stored; coordinates are computed when they are read.
@@ -427,7 +427,7 @@ class Quaternion(Hinted, PrintedBySympy):
         >>> A = H("QQ")
         >>> p, q = A(0, 1, 2, 3), A(0, 4, 5, 6)
         >>> p.dot(q), p.cross(q), p * q == p.cross(q) - p.dot(q)
-        (32, −3i + 6j − 3k, True)
+        (32, -3*i + 6*j - 3*k, True)
         """
         return -(self.vector_part * self._operand(other, "multiply").vector_part).scalar_part
 
@@ -489,7 +489,7 @@ class Quaternion(Hinted, PrintedBySympy):
         >>> from hfield import H
         >>> q = H("QQ(a,b)")("a + i/b")
         >>> q.subs(a=1, b="1/2"), q.subs(a="b", b="a"), q.subs(a=1, b=2).algebra
-        (1 + 2i, b + (1/a)i, (-1,-1|QQ))
+        (1 + 2*i, b + (1/a)*i, (-1,-1|QQ))
         """
         algebra, value = self.algebra._substituted(values_given(values, named))
         return self._mapped(algebra, value)
@@ -502,7 +502,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
         >>> from hfield import H
         >>> H("QQ(t)")("t^2 + i/t").diff("t")
-        2·t + (−1/t²)i
+        2*t + (-1/t^2)*i
         """
         name, ring = variable_name(variable), self.ring
         if any(not ring.is_zero(ring.derivative(c, name)) for c in self.algebra.constants):
@@ -582,7 +582,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
         >>> from hfield import H
         >>> H("RR")(1, 1, 1, 1).polar()
-        Polar(modulus=2, axis=(1/3·√3)i + (1/3·√3)j + (1/3·√3)k, angle=1/3*pi)
+        Polar(modulus=2, axis=(1/3*sqrt(3))*i + (1/3*sqrt(3))*j + (1/3*sqrt(3))*k, angle=1/3*pi)
         >>> H("QQ(cos(t),sin(t))")("3*cos(2*t) + 3*sin(2*t)*k").polar()
         Polar(modulus=3, axis=k, angle=2*t)
         """
@@ -597,7 +597,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
         >>> from hfield import H
         >>> H("RR").parse("pi/3*k").exp()
-        1/2 + (1/2·√3)k
+        1/2 + (1/2*sqrt(3))*k
         """
         return self._computed(analysis.exp(self.ring, self.algebra.constants, self.coordinates))
 
@@ -629,7 +629,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
         >>> from hfield import H
         >>> H("QQ").parse("2*i").sqrt(), H("RR").parse("i") ** 0.5
-        (1 + i, 1/2·√2 + (1/2·√2)i)
+        (1 + i, 1/2*sqrt(2) + (1/2*sqrt(2))*i)
         """
         if self.is_batch and self.ring.is_exact:
             raise CoercionError("roots of arrays are computed over RDF: q.change_ring('RDF')")
@@ -745,7 +745,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
         >>> from hfield import H
         >>> list(H("QQ").parse("2*i").square_roots())
-        [1 + i, −1 − i]
+        [1 + i, -1 - i]
         """
         return SquareRoots(self, structure.square_roots(*self._single()))
 
@@ -817,7 +817,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
         >>> from hfield import H
         >>> H("GF(7)")([1, 2, 3], 1, 0, [4, 4, 4]).sum()
-        6 + 3i + 5k
+        6 + 3*i + 5*k
         """
         how = self._array("sum")
         return self._one_or_many(how, how.total(self._stored, axis))
@@ -829,7 +829,7 @@ class Quaternion(Hinted, PrintedBySympy):
 
         >>> from hfield import H
         >>> H("QQ")(0, [1, 0, 0], [0, 1, 0], [0, 0, 1]).product()  # i·j·k
-        −1
+        -1
         """
         how = self._array("product")
         return self._one_or_many(how, how.ordered_product(self._stored, axis))
@@ -885,7 +885,7 @@ class Quaternion(Hinted, PrintedBySympy):
         return self.text("plain")
 
     def __repr__(self) -> str:
-        return self.text("unicode")
+        return str(self)
 
     def __format__(self, spec: str) -> str:
         return self.text(spec) if spec in ("plain", "unicode", "latex") else format(str(self), spec)

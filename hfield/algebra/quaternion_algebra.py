@@ -353,9 +353,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         >>> import numpy as np
         >>> H("GF(7)").from_array(np.array([[1, 2], [0, 6], [0, 0], [5, 0]]))[0]
-        1 + 5k
+        1 + 5*k
         >>> H("RDF").from_array(np.array([[1.0, 0.5, 0, 0], [0, 0, 0, 2.0]]), axis=-1)[0]
-        1.0 + 0.5i
+        1.0 + 0.5*i
         """
         import numpy as np
 
@@ -371,7 +371,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         An array is multiplied along an axis, or all of it in order, neighbour by neighbour in a tree.
 
         >>> H("QQ").product(["i", "j", "k"])
-        −1
+        -1
         """
         if isinstance(values, Quaternion) and values.shape:
             return self(values).product(axis)
@@ -430,7 +430,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         >>> A = H("QQ(cos(t/2),sin(t/2))")
         >>> A.euler("Z", ["t"]), A.euler("ZX", ["pi", "t"])
-        (cos(t/2) + sin(t/2)·k, sin(t/2)·j + cos(t/2)·k)
+        (cos(t/2) + sin(t/2)*k, sin(t/2)*j + cos(t/2)*k)
         """
         found = list(angles)
         case = sequence in (sequence.upper(), sequence.lower())
@@ -568,7 +568,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         domains, and over rings of one's own, where elimination meets no units.
 
         >>> H("QQ").center(), H("ZZ/4").center()
-        ((1,), (1, 2i, 2j, 2k))
+        ((1,), (1, 2*i, 2*j, 2*k))
         """
         return tuple(self(*c) for c in structure.centre(*self._here()))
 
@@ -586,7 +586,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         ones, other than ℤ/n, that are too large to be gone through, and where n cannot be factored.
 
         >>> H("GF(2)").radical(), H("ZZ/9").radical()
-        ((1 + i, 1 + j, 1 + k), (3, 3i, 3j, 3k))
+        ((1 + i, 1 + j, 1 + k), (3, 3*i, 3*j, 3*k))
         """
         return tuple(self(*c) for c in structure.radical(*self._here()))
 
@@ -600,7 +600,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         >>> A = QuaternionAlgebra("GF(3)", -1, 0)
         >>> B, phi = A.quotient(A.radical()); A.radical(), B.basis, phi("1 + i + j"), B("i")**2
-        ((j, k), (e, i), e + i, −e)
+        ((j, k), (e, i), e + i, -e)
         """
         from hfield.algebra.quotients import quotient
 
@@ -714,7 +714,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         >>> A = H("RR")
         >>> A.from_polar(2, (0, 0, 1), "pi/6")
-        √3 + k
+        sqrt(3) + k
         """
         if isinstance(axis, (tuple, list)) and len(axis) == 3:
             axis = self(0, *axis)
@@ -845,7 +845,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """Return the collection of the zero divisors, 0 among them, as :meth:`units` does.
 
         >>> S = H("GF(7)").zero_divisors(); len(S), S.formula, S[1]
-        (385, 'q^3+q^2-q', i + 2j + 3k)
+        (385, 'q^3+q^2-q', i + 2*j + 3*k)
         """
         return self._collection("zero divisors")
 
@@ -853,7 +853,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """Return the collection of the q with q² = q, 0 and 1 among them, as :meth:`units` does.
 
         >>> len(H("GF(3)").idempotents()), list(H("ZZ/6").idempotents())[:3]
-        (14, [0, 1, 2 + 2j + 2k])
+        (14, [0, 1, 2 + 2*j + 2*k])
         """
         return self._collection("idempotents")
 
@@ -892,7 +892,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         >>> G = H("GF(3)").unit_group()
         >>> G.order, G.structure, G.exponent, G.generators, len(G.conjugacy_classes)
-        (48, 'GL(2,3)', 24, (j + k, 1 + 2i + 2j + 2k), 8)
+        (48, 'GL(2,3)', 24, (j + k, 1 + 2*i + 2*j + 2*k), 8)
         """
         from hfield.exploring.unit_groups import unit_group
 
@@ -1088,7 +1088,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         >>> A = QuaternionAlgebra(-1, -3)
         >>> A.embed(-7).element ** 2, A.embed(7).place, A.embed("QQ(zeta3)").element
-        (−7, 3, −1/2 + 1/2j)
+        (-7, 3, -1/2 + 1/2*j)
         >>> B = QuaternionAlgebra.from_text("[1,t|GF(2)(t))")
         >>> x = B.embed("y^2 + y + (t+1)/t").element; x*x + x
         (t+1)/t
@@ -1139,7 +1139,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> A = H("QQ"); e, i, j, k = A.basis
         >>> found = A.sylvester(i, j, i - j)
         >>> i*found.particular - found.particular*j == i - j, found.kernel
-        (True, (i + j, −1 + k))
+        (True, (i + j, -1 + k))
         >>> A.sylvester(i, j, k).reason
         '(-1, 0, 0, 1) times the coordinates of the left side is 0 for every x, and 1 for c = k'
         """
@@ -1168,7 +1168,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         >>> found = H("QQ").solve("i*x + y = j", "x - y*i = 0")
         >>> found.particular, found.kernel[0], bool(H("QQ").solve("i*x + y = j", "x - y*i = 1"))
-        ({'x': −1/2k, 'y': 1/2j}, {'x': i, 'y': 1}, False)
+        ({'x': -1/2*k, 'y': 1/2*j}, {'x': i, 'y': 1}, False)
         """
         from hfield.matrices.equations import read_system, unknowns_in
 

@@ -348,7 +348,7 @@ class StructureAlgebra:
 
         >>> B = StructureAlgebra("GF(3)", [["a", "0*a"], ["0*a", "b"]], names="a b")
         >>> list(B.zero_divisors())
-        [0, b, −b, a, −a]
+        [0, b, -b, a, -a]
         """
         return (x for x in self.elements() if x.is_zero_divisor())
 
@@ -512,7 +512,7 @@ class AlgebraElement:
         return format(self, "plain")
 
     def __repr__(self) -> str:
-        return format(self, "unicode")
+        return str(self)
 
     def _repr_latex_(self) -> str:
         return f"${self:latex}$"

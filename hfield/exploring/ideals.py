@@ -36,7 +36,7 @@ class AlgebraIdeal(Submodule):
     >>> from hfield import H
     >>> I = H("GF(3)").left_ideals()[1]
     >>> I.dimension, I.basis, all(q * I.generator in I for q in H("GF(3)").basis)
-    (2, (1 + j + k, i + 2j + k), True)
+    (2, (1 + j + k, i + 2*j + k), True)
     """
 
     def __init__(

@@ -30,7 +30,7 @@ class Submodule:
 
     >>> from hfield import H
     >>> I = H("ZZ/4").two_sided_ideals()[1]; I.basis, I.dimension, I.invariants, I.cardinality()
-    ((2 + 2i + 2j + 2k,), 1, (2,), 2)
+    ((2 + 2*i + 2*j + 2*k,), 1, (2,), 2)
     """
 
     def __init__(self, algebra: Parent, elements: Iterable[Quaternion]) -> None:

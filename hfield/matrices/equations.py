@@ -159,7 +159,7 @@ def read_system(algebra: Parent, texts: Sequence[str], unknowns: Sequence[str]) 
 
     >>> from hfield import H
     >>> read_system(H("QQ"), ["i*x + y = j", "x - y*i = 0"], ["x", "y"]).particular
-    {'x': −1/2k, 'y': 1/2j}
+    {'x': -1/2*k, 'y': 1/2*j}
     """
     if not texts or not unknowns:
         raise NotationError("expected equations, and the names of their unknowns")

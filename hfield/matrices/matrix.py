@@ -157,7 +157,7 @@ class Matrix(PrintedBySympy):
         >>> A = H("QQ"); e, i, j, k = A.basis
         >>> M = A.matrix([[0, i], [-i, 1]]); d, P = M.diagonal_form()
         >>> d, P.conjugate_transpose() @ M @ P
-        ((1, −1), [[1, 0], [0, -1]])
+        ((1, -1), [[1, 0], [0, -1]])
         """
         from hfield.matrices.hermitian import diagonal_form
 

@@ -793,7 +793,7 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order(); found = O.embeddings(-3)
         >>> len(found), found.orbits, found.element**3
-        (20, 1, −1)
+        (20, 1, -1)
         >>> O = QuaternionAlgebra(6).maximal_order(); found = O.embeddings(-24)
         >>> found.orbits, found.element.norm() * 4 - found.element.trace() ** 2
         (4, 24)

@@ -168,7 +168,7 @@ class AxisAngle:
     >>> from hfield import H
     >>> A = H("QQ(cos(t),sin(t))"); q = A("cos(t) + sin(t)*k")
     >>> q.log(), (3*q.log()).exp() == q**3, (A.k * A.ring.angle("pi/2 - t")).exp()
-    (k·(t), True, sin(t) + cos(t)·k)
+    (k·(t), True, sin(t) + cos(t)*k)
     """
 
     def __init__(self, axis: Any, angle: SymbolicAngle) -> None:
