@@ -31,7 +31,7 @@ import numpy as np
 
 from hfield import H, Quaternion
 from hfield.compiling.threads import threads
-from hfield.rings.array_storage.object_arrays import ObjectArrays
+from hfield.fields.base.array_storage.object_arrays import ObjectArrays
 
 FIELDS = [
     "GF(2)", "GF(3)", "GF(7)", "GF(251)", "GF(65521)", "GF(65537)", "GF(2147483647)", "GF(4294967291)",

@@ -9,8 +9,8 @@
 import lazy_loader
 
 import hfield.core.locks  # noqa: F401  # a fork may come while the names below are imported
+from hfield.fields.base.registry import REGISTRY
 from hfield.fields.provided import provide
-from hfield.rings.registry import REGISTRY
 
 __version__ = "0.3.0"
 

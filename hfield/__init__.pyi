@@ -3,6 +3,7 @@ from .algebra import H as H
 from .algebra import QuaternionAlgebra as QuaternionAlgebra
 from .algebra import ternary_form as ternary_form
 from .algebra.quaternion import Quaternion as Quaternion
+from .algebra.structure import four_squares as four_squares
 from .algebra.structure_algebra import StructureAlgebra as StructureAlgebra
 from .checker.check import check as check
 from .checker.rejection import Rejected as Rejected
@@ -22,8 +23,20 @@ from .errors import RingError as RingError
 from .errors import TableError as TableError
 from .errors import TooLargeError as TooLargeError
 from .errors import UndecidedError as UndecidedError
+from .fields import CC as CC
+from .fields import CDF as CDF
+from .fields import GF as GF
+from .fields import QQ as QQ
+from .fields import RDF as RDF
+from .fields import RR as RR
+from .fields import ZZ as ZZ
+from .fields import Ring as Ring
+from .fields import Zmod as Zmod
+from .fields import check_ring as check_ring
 from .fields.names import ring as ring
 from .fields.number_fields.ring import NumberField as NumberField
+from .fields.quadratic_forms import hilbert_symbol as hilbert_symbol
+from .fields.quadratic_forms import places as places
 from .functions import conj as conj
 from .functions import conjugator as conjugator
 from .functions import inv as inv
@@ -39,19 +52,6 @@ from .orders.lattice import Ideal as Ideal
 from .orders.lattice import Lattice as Lattice
 from .orders.lattice import Order as Order
 from .prover.prove import prove as prove
-from .rings import CC as CC
-from .rings import CDF as CDF
-from .rings import GF as GF
-from .rings import QQ as QQ
-from .rings import RDF as RDF
-from .rings import RR as RR
-from .rings import ZZ as ZZ
-from .rings import Ring as Ring
-from .rings import Zmod as Zmod
-from .rings import check_ring as check_ring
-from .structure import four_squares as four_squares
-from .structure import hilbert_symbol as hilbert_symbol
-from .structure import places as places
 from .symbols import to_sympy as to_sympy
 
 __version__: str

@@ -10,7 +10,7 @@ import re
 import unicodedata
 from collections.abc import Iterable, Sequence
 
-from hfield.rings.latex_names import latex_name
+from hfield.fields.base.latex_names import latex_name
 
 _SIGNS = {
     "·": r"\cdot ", "×": r"\times ", "−": "-", "±": r"\pm ", "∓": r"\mp ", "≠": r"\neq ", "≤": r"\leq ",

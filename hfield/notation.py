@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 from hfield.core.product import Constants, Scalar
 from hfield.errors import CoercionError, NotationError, NotInvertibleError, shorten
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
-from hfield.rings.base import Ring
 from hfield.syntax.brackets import outside, split
 from hfield.syntax.other_systems import read
 

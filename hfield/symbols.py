@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Any
 from hfield.algebra.embedding import embedding
 from hfield.core.product import Constants, Scalar
 from hfield.errors import CoercionError, HFieldError, shorten
-from hfield.rings.closed_fields.algebraic import CC, RR
-from hfield.rings.coefficients import Coefficients
-from hfield.rings.expressions import is_of_sympy
-from hfield.rings.to_sympy import polynomial_in, scalar_to_sympy, symbol
+from hfield.fields.algebraic.ring import CC, RR
+from hfield.fields.base.coefficients import Coefficients
+from hfield.fields.base.from_sympy import is_of_sympy
+from hfield.fields.base.to_sympy import polynomial_in, scalar_to_sympy, symbol
 
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.rings.base import Ring
+    from hfield.fields.base.ring import Ring
 
 
 def to_sympy(x: Any, symbols: Iterable[sympy.Symbol] = ()) -> Any:

@@ -82,9 +82,9 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         ),
     ),
     "rings": (
-        ("hfield/rings/*.py",),
+        ("hfield/fields/*.py",),
         tuple(
-            f"tests/rings/test_{name}.py"
+            f"tests/fields/test_{name}.py"
             for name in (
                 *("operations", "numbers", "finite", "functions", "floats", "names"),
                 *(

@@ -364,13 +364,12 @@ def _forked(task: Callable[[], None], wrong: list[str]) -> int:
 def _import_all(chosen: list[str]) -> None:
     """Import what the calls need: of an import in another thread a child has the lock, and no end."""
     import hfield.algebra
+    import hfield.algebra.structure
     import hfield.compiling
     import hfield.fields
-    import hfield.rings
-    import hfield.structure
     import rotation
 
-    packages = (hfield.compiling, hfield.rings, hfield.structure, hfield.fields)
+    packages = (hfield.compiling, hfield.fields, hfield.algebra.structure, hfield.fields)
     for package in (*packages, rotation):
         for found in walk_packages(package.__path__, f"{package.__name__}."):
             if found.name.split(".")[1] not in APART and (

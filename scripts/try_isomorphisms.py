@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from hfield import QuaternionAlgebra, ring
 from hfield.errors import HFieldError
-from tests.structure.test_number_field_isomorphisms import check, isomorphic_pair
+from tests.fields.quadratic_forms.test_number_field_isomorphisms import check, isomorphic_pair
 
 FIELDS = (
     "QQ(sqrt(5))", "QQ(I)", "QQ(sqrt(-23))", "QQ[s]/(s^3-2)", "QQ[s]/(s^3-s^2-2*s+1)", "QQ[s]/(s^4-5*s^2+5)",

@@ -1,7 +1,7 @@
 """Every ring and every algebra over it through the same axioms.
 
 A ring joins by a line in ``RINGS``; a user's own ring may call ``check_all`` of
-``tests/rings/axioms.py`` and ``check_algebra`` from its own tests.
+``tests/fields/axioms.py`` and ``check_algebra`` from its own tests.
 """
 
 from collections.abc import Callable
@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from hfield import Quaternion, QuaternionAlgebra, ring
 from hfield.errors import NotInvertibleError
-from tests.rings.axioms import CHECKS
+from tests.fields.axioms import CHECKS
 from tests.subcases import slow, subcases
 from tests.thorough import cases
 

@@ -16,7 +16,7 @@ from hfield import (
 )
 from hfield.algebra import brauer
 from hfield.algebra.embedding import embedding
-from hfield.structure.norm_forms.residue_forms import no_zero
+from hfield.fields.quadratic_forms.norm_forms.residue_forms import no_zero
 from tests.subcases import first_quick, subcases
 
 

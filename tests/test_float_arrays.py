@@ -16,8 +16,8 @@ from hfield import (
     check,
     prove,
 )
-from hfield.rings.array_storage.floats import MIN_COMPILED
-from hfield.structure.elements import float_functions
+from hfield.algebra.structure.elements import float_functions
+from hfield.fields.base.array_storage.floats import MIN_COMPILED
 from rotation import Rotation
 from rotation.compat import Rotation as ScipysRotation
 

@@ -34,8 +34,8 @@ LAYERS = [
         "hfield.anim",
     },
     {"hfield.compiling", "hfield.core.factorisation"},
-    {"hfield.rings"},
-    {"hfield.structure"},
+    {"hfield.fields"},
+    {"hfield.algebra.structure"},
     {"hfield.fields"},
     {"hfield.notation", "hfield.algebra.embedding", "hfield.latex"},
     {"hfield.presenting", "hfield.symbols"},
@@ -200,8 +200,8 @@ def test_imports_run_downwards() -> None:
 
 
 def test_the_check_can_fail() -> None:
-    assert breaches("hfield.rings.base", "def f():\n    from hfield.ledger import claim\n")
-    assert breaches("hfield.structure.x", "import hfield.algebra\n")
+    assert breaches("hfield.fields.base.ring", "def f():\n    from hfield.ledger import claim\n")
+    assert breaches("hfield.algebra.structure.x", "import hfield.algebra\n")
     assert breaches("hfield.orders.x", "from hfield.algebra import QuaternionAlgebra\n")
     assert not breaches("hfield.orders.x", "from hfield.algebra.quaternion import Quaternion\n")
     assert breaches("rotation.arrays", "from rotation import Rotation\n")
@@ -228,27 +228,27 @@ def _is_in(roots: tuple[str, ...], module: str) -> bool:
 
 
 def test_circles_are_found() -> None:
-    lazily = "def f():\n    match 1:\n        case 1:\n            from hfield.rings.a import x\n"
-    typed = "if TYPE_CHECKING:\n    from hfield.rings import a\nelse:\n    import hfield.errors\n"
-    above = "from hfield.rings import b\n"
-    both = {"hfield.rings.a", "hfield.rings.b"}
-    assert circles(graph({"hfield.rings.a": above, "hfield.rings.b": lazily})) == [both]
-    assert not circles(graph({"hfield.rings.a": above, "hfield.rings.b": typed}))
+    lazily = "def f():\n    match 1:\n        case 1:\n            from hfield.fields.a import x\n"
+    typed = "if TYPE_CHECKING:\n    from hfield.fields import a\nelse:\n    import hfield.errors\n"
+    above = "from hfield.fields import b\n"
+    both = {"hfield.fields.a", "hfield.fields.b"}
+    assert circles(graph({"hfield.fields.a": above, "hfield.fields.b": lazily})) == [both]
+    assert not circles(graph({"hfield.fields.a": above, "hfield.fields.b": typed}))
 
 
 def test_names_that_a_package_hands_on_lead_to_their_modules() -> None:
     modules = {
-        "hfield.rings": "",
-        "hfield.rings.a": "from hfield.rings import b\nx = 1\n",
-        "hfield.rings.b": "from hfield.rings import a, x\n",
+        "hfield.fields": "",
+        "hfield.fields.a": "from hfield.fields import b\nx = 1\n",
+        "hfield.fields.b": "from hfield.fields import a, x\n",
     }
-    stub = {"hfield.rings": "from .a import x as x\n"}
+    stub = {"hfield.fields": "from .a import x as x\n"}
     assert graph(modules, stub) == {
-        "hfield.rings": set(),
-        "hfield.rings.a": {"hfield.rings.b"},
-        "hfield.rings.b": {"hfield.rings.a", "hfield.rings"},
+        "hfield.fields": set(),
+        "hfield.fields.a": {"hfield.fields.b"},
+        "hfield.fields.b": {"hfield.fields.a", "hfield.fields"},
     }
-    assert circles(graph(modules | {"hfield.rings.b": "from hfield.rings import x\n"}, stub))
+    assert circles(graph(modules | {"hfield.fields.b": "from hfield.fields import x\n"}, stub))
 
 
 def test_imports_by_string_are_found() -> None:
@@ -258,8 +258,8 @@ def test_imports_by_string_are_found() -> None:
         "def f():\n    return import_module('hfield.fields.kinds.field')\n",
         "def f(name):\n    return importlib.import_module(f'hfield.fields.kinds.{name}')\n",
     ):
-        found = graph(below | {"hfield.rings.a": text})
-        assert found["hfield.rings.a"] == {"hfield.fields.kinds.field"}, text
+        found = graph(below | {"hfield.fields.a": text})
+        assert found["hfield.fields.a"] == {"hfield.fields.kinds.field"}, text
     apart = graph(below | {"rotation.a": "message = 'kinds.field.Field'\n"})
     assert apart["rotation.a"] == set()
 

@@ -204,7 +204,7 @@ def test_a_function_of_python_keeps_what_it_is_made_of() -> None:
 FORK = """
 import os, threading
 from hfield.compiling import machine_code
-from hfield.rings.balls import precision
+from hfield.fields.base.balls import precision
 
 def compiled(number):
     text = ADD.replace("add i64 %a, %b", f"add i64 %a, {number}")

@@ -7,7 +7,7 @@ import pytest
 
 from anim import compare
 from hfield import GF, QQ, RR, H, QuaternionAlgebra, explain, info, prove, ring, verify
-from hfield.rings.latex_names import latex_name
+from hfield.fields.base.latex_names import latex_name
 from rotation import RigidTransform, Rotation
 from tests.subcases import subcases
 

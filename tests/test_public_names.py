@@ -10,7 +10,7 @@ from types import FunctionType, ModuleType
 
 import pytest
 
-from hfield.rings.base import Ring
+from hfield.fields.base.ring import Ring
 
 NAMES = {
     "hfield": """

@@ -10,13 +10,13 @@ from itertools import pairwise
 
 from anim.ledger.counting import model_has
 from hfield.checker.glossary import CIRCLE, NO_MEANING
+from hfield.fields.base.ring import Ring
 from hfield.ledger.claim import CheckResult, Computed, Proposition
 from hfield.ledger.document import Propositions
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.real_geometry import REAL
 from hfield.ledger.scopes import OnlyOver
 from hfield.prover.decision import NOT_APPLICABLE, Decision
-from hfield.rings.base import Ring
 
 
 def cone(apex: str, radius2: str, height: str, base: str = "", name: str = "") -> Every:

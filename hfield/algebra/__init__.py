@@ -1,5 +1,6 @@
 """The algebra and its elements: the parent, the quaternion (one or an array of them), and their maps."""
 
-from hfield.algebra.quaternion_algebra import H, QuaternionAlgebra, ternary_form
+import lazy_loader
 
-__all__ = ["H", "QuaternionAlgebra", "ternary_form"]
+# The public names are listed once, in the stub beside this file, and imported on first use.
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

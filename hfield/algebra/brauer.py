@@ -11,13 +11,14 @@ from typing import Any
 
 from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.algebra.structure import is_central_simple
+from hfield.algebra.structure.elements.trace_and_norm import element_of
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, MixedParentsError, RingError, UndecidedError
-from hfield.rings.base import WithIntegers
-from hfield.structure import is_central_simple, is_division, is_isomorphic, ramified_places
-from hfield.structure.elements.trace_and_norm import element_of
-from hfield.structure.global_field import GlobalField, global_field
-from hfield.structure.norm_forms.residue_forms import no_zero
+from hfield.fields.base.ring import WithIntegers
+from hfield.fields.quadratic_forms import is_division, is_isomorphic, ramified_places
+from hfield.fields.quadratic_forms.global_field import GlobalField, global_field
+from hfield.fields.quadratic_forms.norm_forms.residue_forms import no_zero
 
 BOUND = 3  # coordinates of pure elements that are tried for a common slot
 MAX_CANDIDATES = 50_000  # scalars that are tried where local conditions tell which are slots

@@ -12,8 +12,8 @@ import flint
 from hfield import syntax
 from hfield.core.product import Scalar
 from hfield.errors import CoercionError, HFieldError, shorten
-from hfield.rings.base import Ring
-from hfield.rings.finite import ExtensionField
+from hfield.fields.base.ring import Ring
+from hfield.fields.finite.ring import ExtensionField
 
 
 def embedding(source: Ring, target: Ring) -> Callable[[Scalar], Scalar]:

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.product import Coordinates, Scalar
 from hfield.errors import CoercionError, MixedParentsError, NotInvertibleError, shorten
-from hfield.structure.isomorphisms import splitting
+from hfield.fields.quadratic_forms.isomorphisms import splitting
 
 if TYPE_CHECKING:
-    from hfield.rings.base import Ring
-    from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm
+    from hfield.fields.base.ring import Ring
+    from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm
 
 
 Matrix = splitting.Matrix

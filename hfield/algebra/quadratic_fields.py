@@ -10,13 +10,13 @@ from typing import Any
 from hfield.algebra.brauer import BOUND, pure_elements, pure_form
 from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.algebra.structure import is_central_simple
+from hfield.algebra.structure.elements.trace_and_norm import element_of, obstruction
 from hfield.errors import CoercionError, HFieldError, RingError, UndecidedError, shorten
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring as read_ring
-from hfield.rings.base import Ring
-from hfield.structure import is_central_simple
-from hfield.structure.elements.trace_and_norm import element_of, obstruction
-from hfield.structure.global_field import global_field
-from hfield.structure.norm_forms.residue_forms import no_zero
+from hfield.fields.quadratic_forms.global_field import global_field
+from hfield.fields.quadratic_forms.norm_forms.residue_forms import no_zero
 from hfield.syntax import plain_element
 from hfield.verdicts import Verdict
 

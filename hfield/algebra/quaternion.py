@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol
 
-from hfield import structure
+from hfield.algebra import structure
 from hfield.algebra.embedding import embedding
+from hfield.algebra.structure.elements import analysis
 from hfield.core import product
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import (
@@ -18,12 +19,11 @@ from hfield.errors import (
     NotInvertibleError,
     shorten,
 )
+from hfield.fields.base.coefficients import Coefficients
+from hfield.fields.base.ring import Ring
+from hfield.fields.base.storage.base import Batch, Storage
 from hfield.hints import ELEMENT, Hinted
 from hfield.notation import element_text
-from hfield.rings.base import Ring
-from hfield.rings.coefficients import Coefficients
-from hfield.rings.storage.base import Batch, Storage
-from hfield.structure.elements import analysis
 from hfield.symbols import element_to_sympy, values_given, variable_name
 from hfield.sympy_printing import PrintedBySympy
 from hfield.verdicts import Verdict
@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     import numpy as np
     import sympy
 
-    from hfield.rings.arrays import Index
-    from hfield.structure.elements.square_roots import RootCoordinates as Found
+    from hfield.algebra.structure.elements.square_roots import RootCoordinates as Found
+    from hfield.fields.base.arrays import Index
 
 
 _blank: Any = object.__new__

@@ -7,9 +7,11 @@ from functools import cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from hfield import notation, structure, syntax
+from hfield import notation, syntax
+from hfield.algebra import structure
 from hfield.algebra.embedding import embedding
 from hfield.algebra.quaternion import Parent, Quaternion, check_axis, from_stored, is_many
+from hfield.algebra.structure.elements import analysis
 from hfield.core.factorisation import Factors, factorise, known_primes
 from hfield.core.product import Constants, Scalar
 from hfield.errors import (
@@ -22,18 +24,23 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.fields import quadratic_forms
 from hfield.fields.adjoining import adjoin_variables
+from hfield.fields.base.from_sympy import check_symbols, is_of_sympy
+from hfield.fields.base.ring import Ring, WithIntegers
+from hfield.fields.base.storage.base import Batch, Storage
+from hfield.fields.floats import CDF
 from hfield.fields.names import RingName
 from hfield.fields.names import ring as read_ring
+from hfield.fields.quadratic_forms.global_field import (
+    field_named_by,
+    global_field,
+    known_field,
+    no_flag,
+)
+from hfield.fields.rationals.ring import QQ
 from hfield.hints import ALGEBRA, Hinted
 from hfield.notation import BASIS
-from hfield.rings.base import Ring, WithIntegers
-from hfield.rings.expressions import check_symbols, is_of_sympy
-from hfield.rings.floats import CDF
-from hfield.rings.integers import QQ
-from hfield.rings.storage.base import Batch, Storage
-from hfield.structure.elements import analysis
-from hfield.structure.global_field import field_named_by, global_field, known_field, no_flag
 from hfield.symbols import (
     as_list,
     coordinates_in,
@@ -648,13 +655,13 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         Raises :class:`UndecidedError` where neither is known; the message says what was tried.
         """
         with known_primes(factors):
-            found = structure.zero_norm(*self._here()).element
+            found = quadratic_forms.zero_norm(*self._here()).element
         return None if found is None else self(*found)
 
     def is_division_algebra(self, factors: Factors | None = None) -> bool:
         """Tell whether every nonzero element is invertible. Raises :class:`UndecidedError`."""
         with known_primes(factors):
-            return structure.is_division(*self._here())
+            return quadratic_forms.is_division(*self._here())
 
     def division_or_splitting(self, factors: Factors | None = None) -> Splitting | Division:
         """Return an isomorphism with M₂(F), or the reason why the algebra is a division algebra.
@@ -668,13 +675,15 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     @cached_property
     def _split_or_not(self) -> Splitting | Division:
         from hfield.algebra.maps import Division, Splitting
-        from hfield.structure.isomorphisms.splitting import CoordinateSplitting as Found
+        from hfield.fields.quadratic_forms.isomorphisms.splitting import (
+            CoordinateSplitting as Found,
+        )
 
         if not self.ring.is_exact:
             raise UndecidedError(
                 f"{self.ring} is inexact, so splitting is not decided there: ask over {self.ring.exact_ring}"
             )
-        answer = structure.division_or_splitting(*self._here())
+        answer = quadratic_forms.division_or_splitting(*self._here())
         return Splitting(self, answer) if isinstance(answer, Found) else Division(self, answer)
 
     def split(self, factors: Factors | None = None) -> Splitting | None:
@@ -692,7 +701,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """The splitting by a root of a, rounded."""
         from hfield.algebra.maps import Splitting
 
-        found: Any = structure.division_or_splitting(*self._here())  # CDF has all square roots
+        found: Any = quadratic_forms.division_or_splitting(
+            *self._here()
+        )  # CDF has all square roots
         return Splitting(self, found)
 
     def _splitting(self) -> Splitting:
@@ -744,14 +755,14 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         Raises :class:`RingError` for a degenerate algebra, :class:`UndecidedError` without a theory.
         """
-        return structure.ramified_places(self.ring, self.constants, factors)
+        return quadratic_forms.ramified_places(self.ring, self.constants, factors)
 
     def discriminant(self, factors: Factors | None = None) -> Any:
         """Return the product of the finite ramified places: an int over ℚ, a polynomial over k(t).
 
         Over a quadratic field, where it is an ideal, the tuple of its prime ideals.
         """
-        return structure.reduced_discriminant(*self._here(), factors)
+        return quadratic_forms.reduced_discriminant(*self._here(), factors)
 
     # --- isomorphism ---------------------------------------------------------------------------
 
@@ -774,7 +785,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         Raises :class:`MixedParentsError` for different fields, and :class:`UndecidedError`.
         """
         with known_primes(factors):
-            return structure.is_isomorphic(*self._here(), self._comparable(other))
+            return quadratic_forms.is_isomorphic(*self._here(), self._comparable(other))
 
     def isomorphism(self, other: Any, factors: Factors | None = None) -> Isomorphism | None:
         """Return an isomorphism onto ``other``, a callable, or None if there is none.
@@ -784,7 +795,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         from hfield.algebra.maps import Isomorphism
 
         with known_primes(factors):
-            found = structure.isomorphism(*self._here(), self._comparable(other))
+            found = quadratic_forms.isomorphism(*self._here(), self._comparable(other))
         return None if found is None else Isomorphism(self, other, found.images)
 
     # --- finite fields -------------------------------------------------------------------------
@@ -794,7 +805,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         ``kind`` is one of ``elements``, ``units``, ``nilpotent``, ``idempotent``; ``norm=n`` asks for those
         of norm n, ``square=s`` for those with square s. Closed formulas answer over a finite field and ℤ/n
-        (:func:`hfield.structure.confirm` confirms them), exhaustion over other finite rings.
+        (:func:`hfield.algebra.structure.confirm` confirms them), exhaustion over other finite rings.
         Raises :class:`NotFiniteError`, :class:`CoercionError` for a kind that does not exist,
         :class:`UndecidedError` over ℤ/n where n cannot be factored, and :class:`TooLargeError` where
         there is too much to go through.

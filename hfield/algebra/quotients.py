@@ -10,7 +10,7 @@ from hfield.algebra.structure_algebra import AlgebraElement, StructureAlgebra
 from hfield.core.product import Scalar
 from hfield.errors import CoercionError, RingError
 from hfield.exploring.submodules import Submodule, products
-from hfield.structure.linear_algebra.echelon import echelon
+from hfield.fields.linear_algebra.echelon import echelon
 
 
 class Quotient(NamedTuple):

@@ -21,11 +21,11 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.fields.base.modular import Modular
+from hfield.fields.linear_algebra.kernels import kernel
+from hfield.fields.linear_algebra.syzygies import Row
 from hfield.fields.names import RingName
 from hfield.fields.names import ring as read_ring
-from hfield.rings.modular import Modular
-from hfield.structure.linear_algebra.kernels import kernel
-from hfield.structure.linear_algebra.syzygies import Row
 from hfield.syntax import Reader
 from hfield.syntax.brackets import split
 from hfield.verdicts import Verdict

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.algebra.maps import matrix_text
 from hfield.errors import shorten
+from hfield.fields.base.printing import is_sum, number_text, parentheses
+from hfield.fields.base.ring import Ring
+from hfield.fields.quadratic_forms.global_field import global_field
 from hfield.latex import words
 from hfield.notation import element_text
 from hfield.presenting import Facts, Part, Piece, hanging
-from hfield.rings.base import Ring
-from hfield.rings.printing import is_sum, number_text, parentheses
-from hfield.structure.global_field import global_field
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra

@@ -8,17 +8,17 @@ from dataclasses import dataclass, field
 from html import escape
 from typing import Any
 
-from hfield import structure
 from hfield.algebra import H, QuaternionAlgebra
 from hfield.algebra.maps import Division, Splitting
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.factorisation import Factors, known_primes
 from hfield.errors import RingError, TooLargeError, UndecidedError
+from hfield.fields import quadratic_forms
+from hfield.fields.base.ring import INFINITY, Ring, WithIntegers
 from hfield.fields.names import RingName
+from hfield.fields.quadratic_forms.global_field import global_field
 from hfield.notation import element_text
 from hfield.orders.lattice import Order
-from hfield.rings.base import INFINITY, Ring, WithIntegers
-from hfield.structure.global_field import global_field
 
 SCHEMA = "hfield-info/1"
 ORDERS_UP_TO = 4  # maximal orders over fields up to this degree take a tenth of a second
@@ -191,7 +191,7 @@ def _describe(A: QuaternionAlgebra) -> Description:
         _divide_or_split(d)
     else:
         d.division = d.ask("division", A.is_division_algebra)
-        found = d.ask("zero_norm_element", lambda: structure.zero_norm(F, c))
+        found = d.ask("zero_norm_element", lambda: quadratic_forms.zero_norm(F, c))
         if found is not None:
             d.zero_norm = None if found.element is None else A(*found.element)
             d.reason = "" if found.method == "search" else found.reason

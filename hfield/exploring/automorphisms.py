@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from hfield import structure
+from hfield.algebra import structure
 from hfield.algebra.maps import Isomorphism
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import TooLargeError, UndecidedError

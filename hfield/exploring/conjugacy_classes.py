@@ -8,18 +8,18 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
-from hfield import structure
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.algebra.structure.elements.trace_and_norm import element_of
 from hfield.errors import HFieldError, TooLargeError, shorten
 from hfield.exploring.labels import LabelledAlgebra, labelled, order_of_ring
-from hfield.rings.coefficients import Coefficients
-from hfield.structure.elements.trace_and_norm import element_of
-from hfield.structure.isomorphisms.splitting import CoordinateSplitting
+from hfield.fields import quadratic_forms
+from hfield.fields.base.coefficients import Coefficients
+from hfield.fields.quadratic_forms.isomorphisms.splitting import CoordinateSplitting
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from hfield.rings.base import Ring
+    from hfield.fields.base.ring import Ring
 
 MAX_CLASSES = 200_000
 """The greatest number of classes that are listed."""
@@ -163,7 +163,7 @@ def splitting(algebra: Parent) -> CoordinateSplitting:
 
 @lru_cache(maxsize=8)
 def _splitting(ring: Any, constants: Any) -> CoordinateSplitting:
-    found = structure.split(ring, constants)
+    found = quadratic_forms.split(ring, constants)
     assert found is not None, "over a finite field every central simple algebra splits"
     return found
 

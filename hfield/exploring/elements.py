@@ -18,13 +18,13 @@ from itertools import islice
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from hfield import structure
+from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion, TooManyError
+from hfield.algebra.structure.invariants.finite_radical import is_nilpotent as is_nilpotent_scalar
 from hfield.errors import CoercionError, HFieldError, TooLargeError, UndecidedError, shorten
 from hfield.exploring.formulas import expanded, trace_count
 from hfield.exploring.labels import MAX_ORDER, LabelledAlgebra, labelled, order_of_ring
 from hfield.exploring.properties import CONDITIONS, Condition, has_property
-from hfield.structure.linear_algebra.finite_radical import is_nilpotent as is_nilpotent_scalar
 
 if TYPE_CHECKING:
     import numpy as np

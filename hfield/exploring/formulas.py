@@ -9,8 +9,8 @@ import flint
 
 from hfield import syntax
 from hfield.core.product import Constants
-from hfield.rings.base import Ring
-from hfield.rings.modular import Modular
+from hfield.fields.base.modular import Modular
+from hfield.fields.base.ring import Ring
 
 
 def expanded(formula: str) -> str:

@@ -12,7 +12,7 @@ from itertools import product
 from math import prod
 from typing import Any
 
-from hfield import structure
+from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.factorisation import factorise
 from hfield.errors import TooLargeError
@@ -22,7 +22,8 @@ from hfield.exploring.labels import labelled, order_of_ring
 from hfield.exploring.properties import Condition
 from hfield.exploring.submodules import Submodule, check_listed, products
 from hfield.exploring.unit_groups import prime_power_parts
-from hfield.rings.modular import Modular
+from hfield.fields import quadratic_forms
+from hfield.fields.base.modular import Modular
 
 MAX_GENERATORS = 100_000
 """The greatest number of generators of principal ideals that are tried, or points of the projective line."""
@@ -66,7 +67,7 @@ def ideals(algebra: Parent, side: str) -> tuple[AlgebraIdeal, ...]:
     simple = bool(ring.is_field) and structure.is_central_simple(ring, c)
     if side == "two-sided" and simple:
         return nothing, everything
-    if ring.order is None and ring.is_field and structure.is_division(ring, c):
+    if ring.order is None and ring.is_field and quadratic_forms.is_division(ring, c):
         return nothing, everything
     q = check_listed(algebra, f"{side} ideals")
     parts = prime_power_parts(algebra)

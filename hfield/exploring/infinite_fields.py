@@ -11,11 +11,12 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
-from hfield import structure
+from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.algebra.structure.elements.trace_and_norm import element_of
 from hfield.errors import UndecidedError
 from hfield.exploring.properties import Condition
-from hfield.structure.elements.trace_and_norm import element_of
+from hfield.fields import quadratic_forms
 
 MAX_TRIALS = 200
 """So often in a row nothing new may be found."""
@@ -78,7 +79,7 @@ def _drawing(algebra: Parent, condition: Condition, rng: Random) -> Callable[[],
             return found
 
         return of_norm
-    element = structure.zero_norm(ring, c).element
+    element = quadratic_forms.zero_norm(ring, c).element
     if element is None:
         finite = [algebra.zero, algebra.one] if name == "idempotents" else [algebra.zero]
         return lambda: rng.choice(finite)

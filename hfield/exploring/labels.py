@@ -11,16 +11,21 @@ from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 from hfield.algebra.quaternion import Parent, Quaternion, from_stored
+from hfield.algebra.structure.counting.tally import (
+    MIN_COMPILED,
+    Indices,
+    RingTables,
+    compiled_loops,
+)
 from hfield.core import product
 from hfield.core.product import Constants
 from hfield.errors import NotFiniteError, TooLargeError, shorten
-from hfield.structure.counting.tally import MIN_COMPILED, Indices, RingTables, compiled_loops
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from hfield.rings.array_storage.labels import LabelArrays
-    from hfield.rings.base import Ring
+    from hfield.fields.base.array_storage.labels import LabelArrays
+    from hfield.fields.base.ring import Ring
 
 Rows = tuple["np.ndarray", "np.ndarray", "np.ndarray", "np.ndarray"]
 """The labels of the four coordinates of an array of elements."""
@@ -91,7 +96,7 @@ class LabelledAlgebra:
         """Return numbered elements as one array of quaternions."""
         import numpy as np
 
-        from hfield.rings.array_storage.labels import LabelArrays
+        from hfield.fields.base.array_storage.labels import LabelArrays
 
         rows = self.rows(numbers)
         if isinstance(self.algebra.array_storage, LabelArrays):

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from hfield import structure
+from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.product import Coordinates, norm
 from hfield.errors import TooLargeError
 from hfield.exploring.infinite_fields import sample
 from hfield.exploring.properties import Condition, has_property
-from hfield.rings.base import Ring
+from hfield.fields.base.ring import Ring
 
 if TYPE_CHECKING:
     from hfield.exploring.elements import Elements

@@ -17,8 +17,8 @@ from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.factorisation import factorise
 from hfield.errors import HFieldError, NotFiniteError, RingError
 from hfield.exploring.labels import order_of_ring
-from hfield.rings.modular import Modular
-from hfield.structure.linear_algebra.echelon import echelon
+from hfield.fields.base.modular import Modular
+from hfield.fields.linear_algebra.echelon import echelon
 
 Row = list[Any]
 

@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 from math import gcd, lcm
 from typing import TYPE_CHECKING, Any
 
-from hfield import structure
+from hfield.algebra import structure
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.factorisation import factorise
 from hfield.errors import RingError, TooLargeError, UndecidedError
@@ -29,8 +29,8 @@ from hfield.exploring.finite_groups import FiniteGroup
 from hfield.exploring.group_names import GroupInvariants, ListedGroup
 from hfield.exploring.labels import LabelledAlgebra, labelled, order_of_ring
 from hfield.exploring.properties import Condition
-from hfield.rings.modular import Modular
-from hfield.structure.forms import discriminant
+from hfield.fields.base.modular import Modular
+from hfield.fields.quadratic_forms.normal_forms import discriminant
 
 if TYPE_CHECKING:
     import numpy as np

@@ -1,4 +1,10 @@
-"""Fields with places, a folder a kind: ring, names, elements, places, residues; symbols, conics, completions.
+"""Base rings and fields: the protocol that they satisfy, :class:`Ring`, and a folder for each kind.
 
-A ring names the class of :class:`hfield.structure.global_field.GlobalField` that knows its kind.
+Elements are raw values of the library behind the ring (see ``docs/rings.md``). Names are imported on first
+use, and a ring imports sympy, galois or numpy when it first needs them.
 """
+
+import lazy_loader
+
+# The public names are listed once, in the stub beside this file, and imported on first use.
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from hfield.errors import RingError
+from hfield.fields.base.ring import Ring, shared
+from hfield.fields.base.variables import variables
 from hfield.fields.circles.names import build as build_circles
 from hfield.fields.circles.real import RealCircles
 from hfield.fields.circles.ring import CircleFunctions, CirclesOverNumberField
 from hfield.fields.function_fields.over_number_fields import OverNumberField
 from hfield.fields.function_fields.quotients import FractionField
 from hfield.fields.function_fields.rational_functions import rational_functions
-from hfield.rings.base import Ring, shared
-from hfield.rings.integers import QQ
-from hfield.rings.polynomials import PolynomialRing
-from hfield.rings.polynomials import build as build_polynomials
-from hfield.rings.variables import variables
+from hfield.fields.polynomial_rings import PolynomialRing
+from hfield.fields.polynomial_rings import build as build_polynomials
+from hfield.fields.rationals.ring import QQ
 
 
 def adjoin_variables(base: Ring, names: tuple[str, ...]) -> Ring:

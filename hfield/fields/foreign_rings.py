@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import RingError, shorten
-from hfield.rings.expressions import is_of_sympy
+from hfield.fields.base.from_sympy import is_of_sympy
 
 if TYPE_CHECKING:
     import sympy

@@ -13,12 +13,12 @@ from typing import TypeAlias
 
 from hfield.checker.glossary import GREEK
 from hfield.errors import NotationError, RingError, shorten
+from hfield.fields.base.printing import from_unicode
+from hfield.fields.base.registry import REGISTRY
+from hfield.fields.base.ring import Ring, shared
+from hfield.fields.base.variables import names_in, variables
 from hfield.fields.foreign_rings import name_of_foreign_ring
 from hfield.fields.number_fields.texts import NUMBER
-from hfield.rings.base import Ring, shared
-from hfield.rings.printing import from_unicode
-from hfield.rings.registry import REGISTRY
-from hfield.rings.variables import names_in, variables
 from hfield.syntax.brackets import last_group, outside, split
 
 KNOWN = (
@@ -201,7 +201,7 @@ def _base(head: str, groups: Groups) -> tuple[Ring, Groups] | None:
     """Return the ring that the head names, and the groups that remain; None if there is none."""
     long = _LONG.get(head, head)
     if long in _NAMED:
-        return getattr(import_module(f"hfield.rings.{_NAMED[long]}"), long), groups
+        return getattr(import_module(f"hfield.fields.{_NAMED[long]}"), long), groups
     if head in ("GF", "F", "FF") and groups and groups[0][0] == "(":
         return _finite(groups[0][1]), groups[1:]
     if head in ("Qp", "QQp"):
@@ -248,15 +248,15 @@ def _p_adic(groups: Groups) -> Ring:
     if not groups:
         raise RingError("Qp needs its prime: write Qp(5) for the 5-adic numbers")
     from hfield.fields.rationals.completions import p_adic_numbers
-    from hfield.rings.integers import QQ
+    from hfield.fields.rationals.ring import QQ
 
     return shared(QQ.completion, str(p_adic_numbers(QQ, groups[0][1]).place))
 
 
 def _residues(text: str) -> Ring | None:
     """Return ``ZZ/n`` for an n such as ``6`` or ``2^33``; None for a text that is no integer."""
-    from hfield.rings.integers import Zmod
-    from hfield.rings.rational import whole_number
+    from hfield.fields.base.coercion import whole_number
+    from hfield.fields.rationals.ring import Zmod
 
     longest = max(map(len, re.findall(r"\d+", text)), default=0)
     if longest > 1300:
@@ -268,7 +268,7 @@ def _residues(text: str) -> Ring | None:
 
 
 def _finite(inner: str) -> Ring:
-    from hfield.rings.field_specs import GF
+    from hfield.fields.finite.names import GF
 
     q, comma, modulus = inner.partition(",")
     return GF(q, modulus if comma else None)

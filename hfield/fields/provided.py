@@ -7,14 +7,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from hfield.rings.registry import Registry, Theory
+from hfield.fields.base.registry import Registry, Theory
 
 if TYPE_CHECKING:
+    from hfield.fields.base.ring import Ring
     from hfield.fields.function_fields.ring import FunctionField
     from hfield.fields.number_fields.ring import NumberField
-    from hfield.rings.base import Ring
-    from hfield.rings.integers import Rationals
-    from hfield.structure.global_field import GlobalField
+    from hfield.fields.quadratic_forms.global_field import GlobalField
+    from hfield.fields.rationals.ring import Rationals
 
 
 def _rationals() -> type[GlobalField]:
@@ -96,8 +96,8 @@ class _Functions:
 
     def rational_functions(self, base: Ring, variable: str) -> Ring:
         """Return the field of rational functions in one variable over a field."""
+        from hfield.fields.base.ring import shared
         from hfield.fields.function_fields.ring import FunctionField
-        from hfield.rings.base import shared
 
         return shared(FunctionField, base, variable)
 

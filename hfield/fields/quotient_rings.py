@@ -6,16 +6,16 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import NotInvertibleError, RingError, UndecidedError, shorten
+from hfield.fields.base.printing import blackboard
+from hfield.fields.base.ring import Fact, Ring, shared
+from hfield.fields.base.to_sympy import polynomial_in, symbol
 from hfield.fields.function_fields.extensions import (
     MAX_DEGREE,
     ExtensionElement,
     SimpleExtension,
     read_polynomial,
 )
-from hfield.rings.base import Fact, Ring, shared
-from hfield.rings.printing import blackboard
-from hfield.rings.to_sympy import polynomial_in, symbol
-from hfield.structure.linear_algebra.echelon import null_space, solution
+from hfield.fields.linear_algebra.echelon import null_space, solution
 
 if TYPE_CHECKING:
     import sympy

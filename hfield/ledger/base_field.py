@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from hfield import structure
+from hfield.algebra import structure
 from hfield.checker.glossary import (
     ANISOTROPIC_NORM,
     LEVEL,
@@ -24,11 +24,12 @@ from hfield.checker.glossary import (
 from hfield.core.product import Constants, Coordinates, norm
 from hfield.errors import UndecidedError
 from hfield.evidence import Evidence, Kind
+from hfield.fields import quadratic_forms
+from hfield.fields.base.ring import INFINITY, Ring
 from hfield.ledger.scopes import search_panel
 from hfield.notation import element_text
 from hfield.prover.decision import Decision
 from hfield.prover.steps import say
-from hfield.rings.base import INFINITY, Ring
 
 COUNTED_BELOW = 16  # the largest field over which all elements are gone through
 
@@ -118,9 +119,11 @@ class Division:
         """Find a nonzero element of norm 0, or the reason why there is none."""
         if field is None:
             return _no_single_field()
-        found = structure.zero_norm(field, hamilton(field))
+        found = quadratic_forms.zero_norm(field, hamilton(field))
         if found.element is None:
-            data = structure.norm_evidence(f"(-1,-1|{field.name})", field, hamilton(field), found)
+            data = quadratic_forms.norm_evidence(
+                f"(-1,-1|{field.name})", field, hamilton(field), found
+            )
             if data is None:
                 return Decision(UNDECIDED, ANISOTROPIC_NORM, tried=(found.reason,))
             evidence = Evidence(Kind.ANISOTROPIC, **data)

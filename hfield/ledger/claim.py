@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import ClassVar, Protocol
 
 from hfield.checker.glossary import NOT_APPLICABLE, NOT_CHECKABLE
+from hfield.fields.base.ring import Ring
 from hfield.prover.decision import PROVED, REFUTED, Decision
-from hfield.rings.base import Ring
 
 UNIVERSAL = "universal"
 NO_FIELD = "-"

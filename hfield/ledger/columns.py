@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import RingName, ring
 from hfield.ledger.claim import NO_FIELD, PANEL, UNIVERSAL
-from hfield.rings.base import Ring
 from hfield.syntax.brackets import split
 
 

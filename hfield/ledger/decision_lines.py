@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from hfield.checker.glossary import ALGEBRA, PRESENTATION
 from hfield.errors import HFieldError, shorten
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL
 from hfield.ledger.matrix import Style
@@ -25,7 +26,6 @@ from hfield.prover.statements.printing import to_unicode
 from hfield.prover.statements.setting import Setting, read_setting
 from hfield.prover.statements.trees import taken_apart, walk
 from hfield.prover.statements.words import is_about_order
-from hfield.rings.base import Ring
 from hfield.syntax import Compare, Node, weight
 
 _MAX_STEP_LENGTH = (

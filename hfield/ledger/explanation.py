@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from hfield.errors import NotationError
+from hfield.fields.base.latex_names import latex_name
 from hfield.fields.names import RingName
 from hfield.latex import words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Proposition, Row
@@ -18,7 +19,6 @@ from hfield.ledger.wording import over, pretty, witness_text
 from hfield.prover.decision import Decision
 from hfield.prover.statements.printing import to_latex
 from hfield.prover.statements.trees import conjuncts
-from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
 
 SCHEMA = "hfield-explain/1"

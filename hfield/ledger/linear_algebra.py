@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import combinations
 
-from hfield import structure
+from hfield.algebra import structure
 from hfield.checker.glossary import (
     COUNT,
     DETERMINANT,
@@ -17,12 +17,12 @@ from hfield.checker.glossary import (
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants, Coordinates, multiply
 from hfield.evidence import Evidence, Kind
+from hfield.fields.base.ring import Ring
 from hfield.ledger.base_field import hamilton, texts
 from hfield.ledger.claim import TemplateProposition
 from hfield.notation import element_text
 from hfield.prover.decision import FIELDS, Decision
 from hfield.prover.steps import say
-from hfield.rings.base import Ring
 
 
 @dataclass(frozen=True)

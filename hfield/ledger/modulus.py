@@ -28,12 +28,12 @@ from hfield.checker.glossary import (
 from hfield.core.product import Coordinates, Scalar, multiply, norm
 from hfield.errors import UndecidedError
 from hfield.evidence import Evidence, Kind
+from hfield.fields.base.ring import INFINITY, Ring
 from hfield.ledger.base_field import hamilton, texts
 from hfield.ledger.propositions import Statement
 from hfield.ledger.scopes import search_panel
 from hfield.prover.decision import Decision
 from hfield.prover.steps import say
-from hfield.rings.base import INFINITY, Ring
 
 CHECKED_BELOW = 256  # the largest field whose pairs of roots are all multiplied out
 

@@ -21,10 +21,10 @@ from hfield.checker.glossary import (
     REFUTED,
 )
 from hfield.evidence import Evidence, Kind
+from hfield.fields.base.ring import Ring
 from hfield.notation import BASIS
 from hfield.prover.decision import COMMUTATIVE_RINGS, Decision
 from hfield.prover.steps import say
-from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
     import flint

@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from hfield.core.executors import InProcess
+from hfield.fields.base.latex_names import latex_name
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import RingName
 from hfield.latex import words
 from hfield.ledger.claim import Row
@@ -15,8 +17,6 @@ from hfield.ledger.registry import claims, find_all
 from hfield.ledger.report import report
 from hfield.ledger.run import decide_rows
 from hfield.ledger.selection import rows_to_decide
-from hfield.rings.base import Ring
-from hfield.rings.latex_names import latex_name
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from hfield.errors import NotationError, shorten
+from hfield.fields.base.latex_names import latex_name
 from hfield.latex import enumeration, long_table, words
 from hfield.ledger.claim import NO_FIELD, UNIVERSAL, Claim, Row
 from hfield.ledger.decision_lines import scope_text, worked_out
@@ -19,7 +20,6 @@ from hfield.ledger.wording import witness_text
 from hfield.prover.decision import NOT_APPLICABLE, REFUTED, VERDICTS, Decision
 from hfield.prover.statements.printing import to_latex
 from hfield.prover.statements.trees import conjuncts
-from hfield.rings.latex_names import latex_name
 from hfield.syntax import parse
 
 MAX_STEPS, MAX_LETTERS = 12, 600  # of one proof; its certificate has it whole

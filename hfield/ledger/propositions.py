@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from hfield.checker.glossary import NO_MEANING, NOT_APPLICABLE, PROVED, VACUOUS
 from hfield.errors import NotationError
 from hfield.evidence import Evidence, Kind
+from hfield.fields.base.ring import Ring
 from hfield.ledger.claim import Proposition, TemplateProposition
 from hfield.ledger.scopes import TRUE, by_lemmas, search_panel
 from hfield.ledger.transfer import from_general_proof
@@ -16,7 +17,6 @@ from hfield.prover.decision import Decision
 from hfield.prover.methods.presentations import decide_presentation, presentation_text
 from hfield.prover.statements.printing import to_text
 from hfield.prover.steps import indented, say
-from hfield.rings.base import Ring
 from hfield.syntax import Node
 
 

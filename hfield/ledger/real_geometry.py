@@ -9,12 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from hfield.checker.glossary import CIRCLE, CITED_BY_NAME, NO_MEANING, REFUTED
+from hfield.fields.base.ring import Ring
 from hfield.ledger.claim import Proposition
 from hfield.ledger.propositions import Every
 from hfield.ledger.scopes import InField
 from hfield.prover.decision import NOT_APPLICABLE, Decision
 from hfield.prover.steps import say
-from hfield.rings.base import Ring
 
 REAL = "RR"
 

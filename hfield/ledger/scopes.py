@@ -16,11 +16,11 @@ from hfield.checker.glossary import (
     WITNESS,
 )
 from hfield.evidence import Evidence, Kind
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
 from hfield.ledger.claim import PANEL, UNIVERSAL, Proposition, TemplateProposition
 from hfield.prover.decision import Decision
 from hfield.prover.steps import Step, say
-from hfield.rings.base import Ring
 
 TRUE = ("proved", "vacuous")
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
 from hfield.errors import HFieldError
+from hfield.fields.base.ring import Ring
 from hfield.prover.clock import Clock
 from hfield.prover.counterexamples.candidates import true_place
 from hfield.prover.decide import decide
@@ -17,7 +18,6 @@ from hfield.prover.problem import Problem
 from hfield.prover.statements.language import generators, read_statement
 from hfield.prover.statements.setting import read_setting
 from hfield.prover.statements.trees import conjunction
-from hfield.rings.base import Ring
 
 PLACES, SECONDS = 400, 5.0
 

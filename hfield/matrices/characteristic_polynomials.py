@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from hfield.rings.base import Ring
+from hfield.fields.base.ring import Ring
 
 Pair = tuple[Any, Any]  # x + y·X
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hfield.errors import CoercionError
-from hfield.rings.floats import RDF
+from hfield.fields.floats import RDF
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

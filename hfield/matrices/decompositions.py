@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from hfield.errors import CoercionError, UndecidedError
+from hfield.fields.algebraic.ring import CC
+from hfield.fields.base.roots import divided
+from hfield.fields.quadratic_forms import is_division
 from hfield.matrices.complex_form import Pair, beginning_with, column, identity, pair_of, rows_of
-from hfield.rings.closed_fields.algebraic import CC
-from hfield.rings.roots import divided
-from hfield.structure import is_division
 
 if TYPE_CHECKING:
     from hfield.matrices.matrix import Matrix

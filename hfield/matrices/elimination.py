@@ -15,7 +15,7 @@ import flint
 
 from hfield.algebra.quaternion import Parent, Quaternion, product_plus
 from hfield.errors import CoercionError
-from hfield.structure.linear_algebra.echelon import echelon, null_space, solution
+from hfield.fields.linear_algebra.echelon import echelon, null_space, solution
 
 Rows = Sequence[Sequence[Quaternion]]
 Vector = tuple[Quaternion, ...]

@@ -9,8 +9,8 @@ from typing import Generic, TypeVar
 
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import NotationError, UndecidedError, shorten
+from hfield.fields.linear_algebra.echelon import null_space, solution
 from hfield.matrices.vocabulary import vocabulary
-from hfield.structure.linear_algebra.echelon import null_space, solution
 from hfield.syntax import Reader, Vocabulary, spell
 
 T = TypeVar("T")

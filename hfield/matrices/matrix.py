@@ -20,6 +20,7 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.fields.linear_algebra.kernels import kernel
 from hfield.matrices.elimination import (
     Cleared,
     Vector,
@@ -30,16 +31,15 @@ from hfield.matrices.elimination import (
     transposed,
     vector,
 )
-from hfield.structure.linear_algebra.kernels import kernel
 from hfield.symbols import as_list, is_quaternion
 from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
     import sympy
 
+    from hfield.fields.base.ring import Ring
     from hfield.matrices.decompositions import SVD, Polar, Schur
     from hfield.matrices.hermitian import DiagonalForm, Signature
-    from hfield.rings.base import Ring
 
 Entries = tuple[Vector, ...]
 

@@ -19,6 +19,9 @@ from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
 from hfield.core.factorisation import factorise, remove
 from hfield.core.product import Constants
 from hfield.errors import LatticeError, RingError, TooLargeError, shorten
+from hfield.fields.base.finite_places import FinitePlace
+from hfield.fields.base.residue_polynomials import coefficients, residues
+from hfield.fields.base.ring import Ring
 from hfield.fields.number_fields import ideals
 from hfield.fields.number_fields.classes.class_groups import class_group
 from hfield.fields.number_fields.classes.s_units import s_units
@@ -27,22 +30,19 @@ from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates, finite_ramified, square_class
+from hfield.fields.quadratic_forms.normal_forms import discriminant, normal_form
 from hfield.fields.rationals.places import INFINITE
 from hfield.fields.rationals.residues import PrimePlace
+from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import ramified_places_q
+from hfield.fields.rationals.whole_numbers import fraction, square_root
 from hfield.orders import positive_generators, validation
 from hfield.orders.linear_algebra_mod_p import kronecker
-from hfield.rings.base import Ring
-from hfield.rings.integers import QQ
-from hfield.rings.residue_polynomials import coefficients, residues
-from hfield.rings.whole_numbers import fraction, square_root
-from hfield.structure.finite_places import FinitePlace
-from hfield.structure.forms import discriminant, normal_form
 
 if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import Polynomial
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
-    from hfield.rings.flint_types import Polynomial
 
 NarrowClasses = Any
 Quadruple = tuple[Any, Any, Any, Any]

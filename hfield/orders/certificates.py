@@ -32,13 +32,13 @@ from hfield.errors import LatticeError
 from hfield.evidence import Claim
 from hfield.fields.number_fields.classes import evidence
 from hfield.fields.number_fields.classes.s_units import s_units
+from hfield.fields.rationals.whole_numbers import square_root
 from hfield.orders import enumeration
 from hfield.orders.conjugators import two_generators
 from hfield.orders.invariants import level
 from hfield.orders.lattice_values import LatticeValue, colon, conjugate, discriminant, index
 from hfield.orders.positive_generators import totally_positive_generator
 from hfield.orders.short_elements import reduced
-from hfield.rings.whole_numbers import square_root
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion

@@ -6,9 +6,9 @@ from functools import cached_property
 from typing import Any
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.algebra.structure import hurwitz
 from hfield.errors import CoercionError
 from hfield.orders.lattice import Order
-from hfield.structure import hurwitz
 
 
 class HurwitzOrder(Order):

@@ -18,6 +18,7 @@ from flint import fmpz, fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.primality import is_prime, is_probable_prime
 from hfield.errors import LatticeError, UndecidedError
+from hfield.fields.rationals.whole_numbers import sqrt_mod
 from hfield.orders import hermite
 from hfield.orders.invariants import level
 from hfield.orders.lattice_values import (
@@ -35,7 +36,6 @@ from hfield.orders.quadratic_frames import (
     represent,
 )
 from hfield.orders.short_elements import expect_definite, least_norm, up_to
-from hfield.rings.whole_numbers import sqrt_mod
 
 DOUBLINGS = 12
 MAX_TRIALS = 20_000

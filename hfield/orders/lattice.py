@@ -25,6 +25,7 @@ from hfield.errors import (
     shorten,
 )
 from hfield.evidence import Certified, Claim
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.fuchsian.group import NormOneGroup
 from hfield.fuchsian.search import split_order
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
@@ -63,7 +64,6 @@ from hfield.orders.stable_classes import stable_classes
 from hfield.orders.ternary_forms import TernaryForm
 from hfield.orders.validation import checked_side, listed, natural
 from hfield.orders.validation import prime as checked_prime
-from hfield.rings.whole_numbers import fraction
 from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ import flint
 from flint import fmpz_mat, fmpz_mod_ctx, fmpz_mod_mat
 
 from hfield.core.primality import WORD
-from hfield.rings.whole_numbers import sqrt_mod
+from hfield.fields.rationals.whole_numbers import sqrt_mod
 
 
 def echelon(rows: Sequence[Sequence[int]], p: int) -> list[list[int]]:

@@ -19,9 +19,9 @@ from flint import fmpz, fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.primality import is_probable_prime, primes
 from hfield.errors import UndecidedError, shorten
+from hfield.fields.rationals.whole_numbers import sqrt_mod
 from hfield.orders import enumeration, hermite
 from hfield.orders.lattice_values import LatticeValue, discriminant
-from hfield.rings.whole_numbers import sqrt_mod
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ from hfield.algebra.quaternion import Parent
 from hfield.core.primality import is_prime
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, LatticeError, shorten
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders import class_number as class_numbers
 from hfield.orders.base import Base
 from hfield.orders.basis import basis_of
@@ -24,7 +25,6 @@ from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.orders.maximal_orders import eichler_suborder, overorder
 from hfield.orders.rings import generated
 from hfield.orders.validation import expect_coprime, positive
-from hfield.rings.whole_numbers import fraction
 
 
 def maximal_order(algebra: Parent) -> LatticeValue:
@@ -143,7 +143,7 @@ def _generators(algebra: Parent, q: int, p: int) -> tuple[Any, Any]:
     _, i, j, _ = algebra.basis
     if i * i == -q and j * j == -p and i * j == -(j * i):
         return i, j
-    from hfield.structure import isomorphism
+    from hfield.fields.quadratic_forms import isomorphism
 
     ring = algebra.ring
     source = (ring(-q), ring(0), ring(-p))

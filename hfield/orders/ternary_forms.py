@@ -18,13 +18,13 @@ from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, LatticeError, MixedParentsError, RingError, shorten
+from hfield.fields.base.printing import sum_text
+from hfield.fields.base.ring import Ring, WithIntegers
 from hfield.fields.number_fields.ideals import integers
+from hfield.fields.rationals.ring import QQ
+from hfield.fields.rationals.whole_numbers import square_class, squarefree
 from hfield.hints import FORM, Hinted
 from hfield.orders.isomorphic_orders import reduced_bases
-from hfield.rings.base import Ring, WithIntegers
-from hfield.rings.integers import QQ
-from hfield.rings.printing import sum_text
-from hfield.rings.whole_numbers import square_class, squarefree
 
 Triple = tuple[Quaternion, Quaternion, Quaternion]
 Matrix = tuple[tuple[Any, Any, Any], ...]

@@ -10,7 +10,7 @@ import flint
 from hfield.algebra.quaternion import Quaternion
 from hfield.core.primality import is_prime
 from hfield.errors import LatticeError, shorten
-from hfield.rings.rational import rational
+from hfield.fields.base.coercion import rational
 
 
 def listed(elements: object) -> list[object]:

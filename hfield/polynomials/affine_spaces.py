@@ -11,12 +11,13 @@ from collections.abc import Sequence
 from typing import Any
 
 from hfield.algebra.quaternion import Parent, Quaternion
-from hfield.rings.roots import stripped
-from hfield.structure import is_central_simple, is_division
-from hfield.structure.elements.trace_and_norm import element_of
-from hfield.structure.forms import pairing_matrix
-from hfield.structure.linear_algebra.echelon import null_space, solution
-from hfield.structure.linear_algebra.radical import square_parts
+from hfield.algebra.structure import is_central_simple
+from hfield.algebra.structure.elements.trace_and_norm import element_of
+from hfield.algebra.structure.invariants.radical import square_parts
+from hfield.fields.base.roots import stripped
+from hfield.fields.linear_algebra.echelon import null_space, solution
+from hfield.fields.quadratic_forms import is_division
+from hfield.fields.quadratic_forms.normal_forms import pairing_matrix
 
 Spaces = tuple[
     list[Quaternion], list[Quaternion]

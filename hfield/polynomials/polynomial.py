@@ -14,6 +14,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.algebra.structure import radical
 from hfield.errors import (
     CoercionError,
     MixedParentsError,
@@ -22,6 +23,11 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.fields.base.from_sympy import coefficients_in, is_of_sympy
+from hfield.fields.base.roots import common_divisor, quadratic_divisors
+from hfield.fields.base.to_sympy import polynomial_in, symbol
+from hfield.fields.linear_algebra.echelon import null_space, solution
+from hfield.fields.quadratic_forms import is_division
 from hfield.matrices.vocabulary import vocabulary
 from hfield.polynomials.affine_spaces import of_trace_and_norm, on_spaces
 from hfield.polynomials.roots import (
@@ -33,11 +39,6 @@ from hfield.polynomials.roots import (
     matrices_of,
 )
 from hfield.polynomials.singular_polynomials import other_root
-from hfield.rings.expressions import coefficients_in, is_of_sympy
-from hfield.rings.roots import common_divisor, quadratic_divisors
-from hfield.rings.to_sympy import polynomial_in, symbol
-from hfield.structure import is_division, radical
-from hfield.structure.linear_algebra.echelon import null_space, solution
 from hfield.symbols import coordinates_in, is_quaternion, of_coordinates
 from hfield.sympy_printing import PrintedBySympy
 from hfield.syntax import Reader

@@ -13,11 +13,11 @@ from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.algebra.structure.counting.formulas_finite import count_trace_and_norm
+from hfield.algebra.structure.elements.trace_and_norm import all_elements_of
 from hfield.errors import NotFiniteError, TooLargeError
+from hfield.fields.quadratic_forms import split
 from hfield.polynomials.singular_polynomials import Matrix, count_other_roots, other_roots
-from hfield.structure import split
-from hfield.structure.counting.formulas_finite import count_trace_and_norm
-from hfield.structure.elements.trace_and_norm import all_elements_of
 
 if TYPE_CHECKING:
     from hfield.polynomials.polynomial import Polynomial

@@ -12,7 +12,7 @@ from itertools import islice, product
 from typing import Any
 
 from hfield.errors import TooLargeError
-from hfield.rings.roots import (
+from hfield.fields.base.roots import (
     added,
     common_divisor,
     divided,

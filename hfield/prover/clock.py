@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from time import thread_time
 
-from hfield.rings.base import INFINITY
+from hfield.fields.base.ring import INFINITY
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 from hfield.checker.glossary import LINEAR_ALGEBRA, NONE
 from hfield.errors import HFieldError
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import RingName, ring
 from hfield.prover.attempts import Attempts, Method
 from hfield.prover.clock import Clock
@@ -33,7 +34,6 @@ from hfield.prover.problem import Problem, remembered
 from hfield.prover.statements.language import read_statement, statement_words
 from hfield.prover.statements.setting import read_setting
 from hfield.prover.steps import say
-from hfield.rings.base import Ring
 from hfield.syntax import Not, Typed, reported_as_typed, spell
 
 TIMEOUT = 30.0

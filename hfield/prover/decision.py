@@ -16,8 +16,8 @@ from hfield.checker.glossary import (
 )
 from hfield.errors import UndecidedError
 from hfield.evidence import Evidence, Kind, certificate
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
-from hfield.rings.base import Ring
 
 # The verdicts and scopes, which those who decide take from here.
 __all__ = [

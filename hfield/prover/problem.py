@@ -8,12 +8,12 @@ from dataclasses import field as a_field
 from functools import wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
+from hfield.fields.base.ring import Ring
 from hfield.prover.clock import UNTIMED, Clock
 from hfield.prover.statements.language import RESULT, Statement, generators
 from hfield.prover.statements.printing import to_text
 from hfield.prover.statements.setting import Setting
 from hfield.prover.statements.trees import divides_in, implication, taken_apart
-from hfield.rings.base import Ring
 from hfield.syntax import Call, Name, Node, children
 
 MAX_KEPT = 8_192  # answers to a question of one kind

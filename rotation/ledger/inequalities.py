@@ -10,14 +10,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from hfield.algebra.structure import four_squares
 from hfield.checker.glossary import WITNESS
 from hfield.evidence import Evidence, Kind
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.ledger.propositions import Every, Statement
 from hfield.prover.decision import REFUTED, Decision
-from hfield.rings.base import Ring
-from hfield.rings.whole_numbers import fraction
-from hfield.structure import four_squares
 
 
 @dataclass(frozen=True)

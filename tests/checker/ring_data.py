@@ -7,7 +7,7 @@ from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.ring import Ring
 from hfield.errors import RingError
 from hfield.fields.names import ring
-from hfield.structure import place as place_of
+from hfield.fields.quadratic_forms import place as place_of
 
 Data = dict[str, Any]
 

@@ -9,7 +9,7 @@ from hfield.checker.anisotropy import is_certified as certifies
 from hfield.checker.check import check
 from hfield.checker.rejection import Rejected
 from hfield.checker.scalars.fields import read_ring
-from hfield.structure import norm_evidence, zero_norm
+from hfield.fields.quadratic_forms import norm_evidence, zero_norm
 from tests.checker.cases import about_field
 from tests.checker.ring_data import (
     CC,

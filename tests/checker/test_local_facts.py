@@ -16,8 +16,8 @@ from hfield.checker.scalars.rationals import has_no_rational_root
 from hfield.checker.scalars.residues import jacobi
 from hfield.core.product import Constants
 from hfield.fields.names import ring
-from hfield.structure import norm_evidence, place, ramified_places, zero_norm
-from hfield.structure.norm_forms.zero_norms import evidence_at
+from hfield.fields.quadratic_forms import norm_evidence, place, ramified_places, zero_norm
+from hfield.fields.quadratic_forms.norm_forms.zero_norms import evidence_at
 from tests.checker.ring_data import (
     INFINITY,
     Data,
@@ -478,7 +478,9 @@ def test_numbers_that_the_checker_does_not_know_have_no_certificate(algebra: str
 
 def test_an_unshown_norm_is_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
     """What no certificate can carry is no rule, and the undecided answer says why."""
-    monkeypatch.setattr("hfield.structure.norm_forms.zero_norms.is_certified", lambda *_: False)
+    monkeypatch.setattr(
+        "hfield.fields.quadratic_forms.norm_forms.zero_norms.is_certified", lambda *_: False
+    )
     answer = prove("norm(q) == 0 => q == 0", algebra="(3,-5|QQ(I))")
     assert answer.verdict == "undecided"
     assert "not by a reason that a certificate can carry" in "; ".join(answer.decision.tried)

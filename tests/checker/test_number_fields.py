@@ -15,7 +15,7 @@ from hfield.checker.scalars.fields import read_ring
 from hfield.checker.scalars.number_fields import check_irreducible, cyclotomic, twice_cosine
 from hfield.checker.scalars.real_roots import real_roots
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-from hfield.structure.global_field import known_field
+from hfield.fields.quadratic_forms.global_field import known_field
 from tests.checker import ring_data
 from tests.checker.cases import decided
 from tests.checker.ring_data import (
@@ -26,7 +26,7 @@ from tests.checker.ring_data import (
     read_field,
     root_field,
 )
-from tests.structure.number_field_cases import cases, field
+from tests.fields.quadratic_forms.number_field_cases import cases, field
 from tests.subcases import share_quick, subcases
 
 FIELDS = [case["polynomial"] for case in cases("number_fields")]

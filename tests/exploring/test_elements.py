@@ -10,7 +10,7 @@ import pytest
 from hfield import GF, QQ, H, QuaternionAlgebra, prove
 from hfield.errors import CoercionError, NotFiniteError, TooLargeError, UndecidedError
 from hfield.exploring.formulas import expanded
-from hfield.rings.base import Ring
+from hfield.fields.base.ring import Ring
 from tests.exploring.brute_force import CASES, BruteForce, Case
 
 

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from hfield import GF, QQ, H, QuaternionAlgebra
+from hfield.algebra.structure.counting.tally import MIN_COMPILED
 from hfield.errors import NotFiniteError, RingError, TooLargeError
 from hfield.exploring.finite_groups import FiniteGroup
 from hfield.exploring.group_names import MAX_ORDER, group_invariants, joined
 from hfield.exploring.labels import labelled
 from hfield.exploring.unit_groups import LinearGroup, ListedUnitGroup
-from hfield.structure.counting.tally import MIN_COMPILED
 from tests.exploring.brute_force import CASES, BruteForce, Case, cases_of
 from tests.subcases import slow
 

@@ -8,7 +8,7 @@ import pytest
 
 from hfield import GF, QQ, ZZ, H, QuaternionAlgebra
 from hfield.errors import CoercionError, NotFiniteError, RingError, TooLargeError, UndecidedError
-from hfield.rings.base import Ring
+from hfield.fields.base.ring import Ring
 from tests.exploring.brute_force import CASES, FIELDS, BruteForce, Case, cases_of
 from tests.exploring.test_elements import DualNumbers
 from tests.subcases import slow

@@ -10,7 +10,7 @@ import pytest
 
 from hfield import QuaternionAlgebra, ring
 from hfield.cli import main
-from hfield.structure.ramification import place, places
+from hfield.fields.quadratic_forms.ramification import place, places
 
 NUMBER_FIELDS = ["QQ(sqrt(5))", "QQ(sqrt(-5))", "QQ(sqrt(17))", "QQ(I)", "QQ[s]/(s^2-5)", "QQ[s]/(2*s^3-3)",
                  "QQ[s]/(s^3-s^2-2*s-8)", "QQ[s]/(s^4-10*s^2+1)", 

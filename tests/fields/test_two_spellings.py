@@ -9,7 +9,7 @@ from hfield import QuaternionAlgebra, ring
 from hfield.algebra.embedding import embedding
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ring import NumberField
-from tests.rings.general_fields import moved, place_of
+from tests.fields.general_fields import moved, place_of
 from tests.subcases import share_quick
 
 FIELDS = (5, 2, -5, -23, 13, -1, 10, 17, -7)

@@ -2,9 +2,9 @@
 
 import pytest
 
+from hfield.fields import GF
 from hfield.ledger.propositions import Every, Statement
 from hfield.ledger.registry import claims
-from hfield.rings import GF
 from tests.adversary.falsify import is_true
 from tests.adversary.meaning import read_claim
 from tests.adversary.small_rings import galois

@@ -3,9 +3,9 @@
 import pytest
 
 from hfield import ring
+from hfield.fields.base.ring import INFINITY
 from hfield.ledger.base_field import Division, LevelAbove, PositiveNorm
 from hfield.ledger.modulus import ModulusLaw
-from hfield.rings.base import INFINITY
 
 LEVELS = {2: 4, 3: 2, 5: 1, 7: 2, 13: 1, 41: 1}
 

@@ -7,7 +7,7 @@ from random import Random
 from typing import Any
 
 from hfield import QuaternionAlgebra
-from hfield.rings.whole_numbers import fraction
+from hfield.fields.rationals.whole_numbers import fraction
 
 
 def algebra(rng: Random, definite: bool | None = None, size: int = 30) -> QuaternionAlgebra:

@@ -9,8 +9,8 @@ import pytest
 
 from hfield import Ideal, QuaternionAlgebra, ring
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError
+from hfield.fields.rationals.whole_numbers import square_root
 from hfield.orders import conjugators
-from hfield.rings.whole_numbers import square_root
 
 FIELDS = ("QQ", "QQ[s]/(s-1)", "QQ(sqrt(5))", "QQ(sqrt(3))")
 

@@ -17,8 +17,8 @@ from hfield.errors import (
     RingError,
     TooLargeError,
 )
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders import enumeration
-from hfield.rings.whole_numbers import fraction
 from tests.orders.random_lattices import (
     algebra,
     box,

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from hfield import prove, ring
+from hfield.fields.base.array_storage.finite import ScalarArrays
 from hfield.prover.evaluation import all_cases
 from hfield.prover.evaluation.all_cases import _Table
 from hfield.prover.methods import one_field
-from hfield.rings.array_storage.finite import ScalarArrays
 
 
 @pytest.mark.parametrize("name", ["GF(2)", "GF(13)", "GF(257)", "GF(8)", "GF(9)", "ZZ/6"])

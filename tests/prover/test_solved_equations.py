@@ -6,13 +6,13 @@ import pytest
 
 from hfield import prove, ring
 from hfield.checker.check import Rejected, check
+from hfield.fields.base.roots import residue_roots
 from hfield.prover import prove as proving
 from hfield.prover.decide import decide
 from hfield.prover.existence.closed_equations import closed_solutions
 from hfield.prover.problem import Problem
 from hfield.prover.statements.language import read_statement
 from hfield.prover.statements.setting import read_setting
-from hfield.rings.roots import residue_roots
 from tests.checker.cases import certified
 from tests.subcases import subcases
 from tests.thorough import quick_part

@@ -73,8 +73,8 @@ def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) ->
 
     Over a finite ring that has no formulas (no field, and not ℤ/n) only the exhaustive count answers.
     """
-    from hfield import structure
-    from hfield.structure.counting.tally import LIMIT
+    from hfield.algebra import structure
+    from hfield.algebra.structure.counting.tally import LIMIT
 
     F, c = A.ring, A.constants
     if F.order is not None and not structure.has_formulas(F):
@@ -107,7 +107,7 @@ def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) ->
 
 def _norms(A: QuaternionAlgebra) -> list[tuple[str, int, str | None]]:
     """Count the elements of each norm that is not 0, over a field."""
-    from hfield import structure
+    from hfield.algebra import structure
 
     classes = _classes(A)
     results = [structure.count(A.ring, A.constants, "norm", value) for _, value in classes]
@@ -132,7 +132,7 @@ def _classes(A: QuaternionAlgebra) -> list[tuple[str, object]]:
 
 def _exhausted(A: QuaternionAlgebra) -> Counts:
     """Count over a finite ring that is no field by going through all elements."""
-    from hfield import structure
+    from hfield.algebra import structure
 
     found = structure.tally(A.ring, A.constants)
     lines: list[tuple[str, int, str | None]] = [

@@ -25,8 +25,8 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Compute, and print the squares in descending order."""
+    from hfield.algebra.structure import four_squares
     from hfield.fields.names import ring
-    from hfield.structure import four_squares
 
     n = int(ring("ZZ")(args.n))
     if abs(n) >= 10**DIGITS:

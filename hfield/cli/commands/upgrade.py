@@ -102,7 +102,7 @@ def _ring(name: str) -> Mapping[str, Any]:
 
 def _place(text: str, data: Mapping[str, Any] | None) -> Mapping[str, Any]:
     """Read a place as the first schema wrote it. Raises :class:`HFieldError`."""
-    from hfield.structure.global_field import known_field
+    from hfield.fields.quadratic_forms.global_field import known_field
 
     if data is None:
         raise RingError("a place of no field")

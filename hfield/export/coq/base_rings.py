@@ -6,8 +6,8 @@ from fractions import Fraction
 
 from hfield.errors import HFieldError, shorten
 from hfield.export.coq.terms import NotCoveredError
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
-from hfield.rings.base import Ring
 
 MAX_PRIME = 300  # of a field in which Coq computes; larger ones are any field of the characteristic
 MAX_MODULUS = 5_000  # of a ring whose elements are listed

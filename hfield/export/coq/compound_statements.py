@@ -19,9 +19,9 @@ from hfield.export.coq.cofactors import MismatchError
 from hfield.export.coq.judgement import Judgement
 from hfield.export.coq.sentences import COMPUTED, IN_RINGS, Proved
 from hfield.export.coq.terms import NotCoveredError
+from hfield.fields import Ring
 from hfield.fields.names import ring
 from hfield.prover.statements.setting import Setting
-from hfield.rings import Ring
 from hfield.syntax import Binary, Compare, Logic, Name, Negate, Node, Number, Power, parse
 
 LOGIC = ("every", "implies", "iff", "not-everywhere", "over", "angles", "citing")

@@ -33,12 +33,12 @@ from hfield.export.coq.existence import by_cases, by_terms, counterexample, exam
 from hfield.export.coq.formulas import Junction
 from hfield.export.coq.sentences import Proved, Sentence, computed
 from hfield.export.coq.terms import NotCoveredError
+from hfield.fields import QQ, ZZ
 from hfield.prover.polynomials.vanishing import prime_factors
 from hfield.prover.statements.language import Sort, Statement, read_statement
 from hfield.prover.statements.printing import to_text
 from hfield.prover.statements.setting import Setting
 from hfield.prover.statements.trees import conjunction, substitute, walk
-from hfield.rings import QQ, ZZ
 from hfield.syntax import Binary, Compare, Name, Node, Not, parse
 
 MAX_COQ_CASES = 4_096  # cases

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 from hfield import syntax
 from hfield.errors import CoercionError, HFieldError, shorten
-from hfield.rings.base import E, Ring
-from hfield.rings.printing import number_text, sum_text
-from hfield.rings.rational import rational
+from hfield.fields.base.coercion import rational
+from hfield.fields.base.printing import number_text, sum_text
+from hfield.fields.base.ring import E, Ring
 from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:

@@ -6,15 +6,15 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from hfield.errors import HFieldError, RingError, shorten
+from hfield.fields.algebraic.ring import RR
+from hfield.fields.base.ring import Ring, shared
+from hfield.fields.base.variables import variables
 from hfield.fields.circles import ring
 from hfield.fields.circles.angles import PI, angle_of, angle_text
 from hfield.fields.circles.real import RealCircles
 from hfield.fields.circles.ring import Angles
-from hfield.rings.base import Ring, shared
-from hfield.rings.closed_fields.algebraic import RR
-from hfield.rings.finite import PrimeField
-from hfield.rings.integers import QQ
-from hfield.rings.variables import variables
+from hfield.fields.finite.ring import PrimeField
+from hfield.fields.rationals.ring import QQ
 
 
 def build(base: Ring, angles: Angles, plain: tuple[str, ...]) -> Ring:

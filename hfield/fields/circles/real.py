@@ -18,18 +18,18 @@ import flint
 
 from hfield.core.factorisation import factorise
 from hfield.errors import CoercionError, TooLargeError, UndecidedError, shorten
+from hfield.fields.algebraic.ring import RR
+from hfield.fields.algebraic.surds import Surd
+from hfield.fields.base.operators import Element, Overfield
+from hfield.fields.base.printing import quotient_text, sum_text
+from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
+from hfield.fields.base.to_sympy import symbol
 from hfield.fields.circles.angles import PI, Angle, WithAngles, rotated
 from hfield.fields.circles.ring import CircleFunctions, in_latex, pole
 from hfield.fields.circles.ring import build as build_circles
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.number_fields.spelled_names import NamedNumber, SpelledField
-from hfield.rings.base import INFINITY, Fact, Ring, shared
-from hfield.rings.closed_fields.algebraic import RR
-from hfield.rings.closed_fields.surds import Surd
-from hfield.rings.integers import QQ
-from hfield.rings.operators import Element, Overfield
-from hfield.rings.printing import quotient_text, sum_text
-from hfield.rings.to_sympy import symbol
+from hfield.fields.rationals.ring import QQ
 
 if TYPE_CHECKING:
     import sympy

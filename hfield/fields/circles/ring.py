@@ -14,6 +14,9 @@ from random import Random
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, NotInvertibleError, shorten
+from hfield.fields.base.printing import blackboard, quotient_text
+from hfield.fields.base.ring import Ring, shared
+from hfield.fields.base.to_sympy import symbol
 from hfield.fields.circles.angles import (
     PI,
     Angle,
@@ -26,18 +29,15 @@ from hfield.fields.function_fields.extensions import ExtensionElement
 from hfield.fields.function_fields.over_number_fields import OverNumberField
 from hfield.fields.function_fields.quotients import FractionField, Quotient
 from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.polynomial_rings import PolynomialRing
+from hfield.fields.polynomial_rings import build as build_polynomials
+from hfield.fields.rationals.ring import QQ
 from hfield.fields.several_variables.ring import RationalFunctions, listed
-from hfield.rings.base import Ring, shared
-from hfield.rings.integers import QQ
-from hfield.rings.polynomials import PolynomialRing
-from hfield.rings.polynomials import build as build_polynomials
-from hfield.rings.printing import blackboard, quotient_text
-from hfield.rings.to_sympy import symbol
 
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.rings.flint_types import SparsePolynomial
+    from hfield.fields.base.flint_types import SparsePolynomial
 
 Angles = tuple[tuple[str, int], ...]  # (t, n) for cosine and sine of t/n
 

@@ -11,6 +11,7 @@ from hfield.core.factorisation import Factors
 from hfield.core.primality import primes
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.errors import UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.fields.function_fields.artin_schreier import (
     artin_schreier,
     as_norm,
@@ -36,14 +37,17 @@ from hfield.fields.function_fields.traceless_roots import (
 )
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ring import NumberField
+from hfield.fields.quadratic_forms.global_field import GlobalField, known_field
+from hfield.fields.quadratic_forms.isomorphisms.through_slots import (
+    conic_point,
+    generator_by_slot,
+    through_slot,
+)
+from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm, found, none
+from hfield.fields.quadratic_forms.normal_forms import NormalForm, discriminant, normal_form
+from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import hilbert_symbol_q, ramified_places_q
-from hfield.rings.base import Ring
-from hfield.rings.integers import QQ
-from hfield.rings.whole_numbers import square_class
-from hfield.structure.forms import NormalForm, discriminant, normal_form
-from hfield.structure.global_field import GlobalField, known_field
-from hfield.structure.isomorphisms.through_slots import conic_point, generator_by_slot, through_slot
-from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found, none
+from hfield.fields.rationals.whole_numbers import square_class
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.quotients import Quotient

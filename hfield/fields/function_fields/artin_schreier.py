@@ -18,7 +18,7 @@ from hfield.errors import UndecidedError, shorten
 from hfield.fields.function_fields.conics import solve_conic_functions
 from hfield.fields.function_fields.residues import ResidueField
 from hfield.fields.function_fields.symbols import ramified_places_functions
-from hfield.structure.forms import NormalForm, normal_form
+from hfield.fields.quadratic_forms.normal_forms import NormalForm, normal_form
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.quotients import Quotient

@@ -21,11 +21,11 @@ from hfield.fields.function_fields.places import FunctionPlace
 from hfield.fields.function_fields.residues import ResidueField, residues_at
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.function_fields.symbols import ramified_places_functions, symbol
-from hfield.structure.forms import NormalForm, normal_form
+from hfield.fields.quadratic_forms.normal_forms import NormalForm, normal_form
 
 if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import Polynomial
     from hfield.fields.function_fields.quotients import Quotient
-    from hfield.rings.flint_types import Polynomial
 
 
 TRIALS = 50_000

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 from hfield.checker.glossary import reads_like_a_constant
 from hfield.errors import RingError
+from hfield.fields.base.printing import blackboard
 from hfield.fields.function_fields.places import place_of_functions
 from hfield.fields.function_fields.residues import residues_at
 from hfield.fields.local.field import LocalField
-from hfield.rings.printing import blackboard
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.ring import FunctionField

@@ -17,11 +17,8 @@ from hfield.errors import UndecidedError
 from hfield.fields.function_fields.places import FunctionPlace, prime_divisors
 from hfield.fields.function_fields.residues import ResidueField, residues_at
 from hfield.fields.function_fields.ring import FunctionField
-from hfield.fields.rationals.conics import diagonalise, solve_conic
-from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.rings.whole_numbers import fraction
-from hfield.structure.linear_algebra.kernels import kernel
-from hfield.structure.minimal_conics import (
+from hfield.fields.linear_algebra.kernels import kernel
+from hfield.fields.quadratic_forms.minimal_conics import (
     Conic,
     ConicLattice,
     Form,
@@ -30,6 +27,9 @@ from hfield.structure.minimal_conics import (
     minimise,
     norm_form,
 )
+from hfield.fields.rationals.conics import diagonalise, solve_conic
+from hfield.fields.rationals.symbols import ramified_places_q
+from hfield.fields.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
     import flint

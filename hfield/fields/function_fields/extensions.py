@@ -15,15 +15,15 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.fields.base.operators import Element, Overfield
+from hfield.fields.base.printing import blackboard, from_unicode, sum_text
+from hfield.fields.base.ring import Fact, Ring, shared
+from hfield.fields.base.roots import multiplied, stripped
+from hfield.fields.base.to_sympy import polynomial_in, symbol
 from hfield.fields.function_fields.quotients import Quotient
 from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.polynomial_rings import build as build_polynomials
 from hfield.fields.several_variables.ring import RationalFunctions
-from hfield.rings.base import Fact, Ring, shared
-from hfield.rings.operators import Element, Overfield
-from hfield.rings.polynomials import build as build_polynomials
-from hfield.rings.printing import blackboard, from_unicode, sum_text
-from hfield.rings.roots import multiplied, stripped
-from hfield.rings.to_sympy import polynomial_in, symbol
 
 if TYPE_CHECKING:
     import sympy

@@ -7,11 +7,11 @@ from random import Random
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import CoercionError, NotInvertibleError, shorten
+from hfield.fields.base.printing import blackboard, sum_text
+from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
+from hfield.fields.base.roots import monic_root
 from hfield.fields.function_fields.extensions import ExtensionElement, SimpleExtension
 from hfield.fields.function_fields.ring import FunctionField
-from hfield.rings.base import INFINITY, Fact, Ring, shared
-from hfield.rings.printing import blackboard, sum_text
-from hfield.rings.roots import monic_root
 
 if TYPE_CHECKING:
     import sympy

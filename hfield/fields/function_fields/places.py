@@ -12,8 +12,8 @@ from hfield.errors import HFieldError, RingError, UndecidedError, shorten
 from hfield.fields.rationals.places import INFINITE_NAMES
 
 if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import Polynomial
     from hfield.fields.function_fields.ring import FunctionField
-    from hfield.rings.flint_types import Polynomial
 
 
 @dataclass(frozen=True)

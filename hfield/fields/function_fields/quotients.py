@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.checker.glossary import reads_like_a_constant
 from hfield.errors import NotInvertibleError, shorten
-from hfield.rings.base import INFINITY, Fact
-from hfield.rings.operators import Element, Overfield
-from hfield.rings.powers import polynomial_power
-from hfield.rings.roots import monic
+from hfield.fields.base.operators import Element, Overfield
+from hfield.fields.base.powers import polynomial_power
+from hfield.fields.base.ring import INFINITY, Fact
+from hfield.fields.base.roots import monic
 
 if TYPE_CHECKING:
-    from hfield.rings.base import Ring
-    from hfield.rings.flint_types import AnyPolynomial
+    from hfield.fields.base.flint_types import AnyPolynomial
+    from hfield.fields.base.ring import Ring
 
 
 class Quotient(Element):
@@ -132,9 +132,9 @@ class FractionField(Overfield[Quotient]):
         """Return the monic irreducible factors of a polynomial that is not 0, each once.
 
         Over k = QQ and GF(p) by those of a polynomial in one variable more (Gauss's lemma); over others as
-        :meth:`hfield.rings.base.Ring.irreducible_factors` does.
+        :meth:`hfield.fields.base.ring.Ring.irreducible_factors` does.
         """
-        from hfield.rings.polynomials import flint_context
+        from hfield.fields.polynomial_rings import flint_context
 
         if self.base.order not in (None, self.characteristic):
             return super().irreducible_factors(coefficients)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from hfield.errors import RingError, shorten
+from hfield.fields.base.ring import Ring, shared
+from hfield.fields.finite.ring import ExtensionField, FiniteField, PrimeField
 from hfield.fields.function_fields.extensions import SimpleExtension
 from hfield.fields.function_fields.over_number_fields import OverNumberField
 from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.polynomial_rings import build as build_polynomials
+from hfield.fields.rationals.ring import QQ
 from hfield.fields.several_variables.ring import RationalFunctions, listed
-from hfield.rings.base import Ring, shared
-from hfield.rings.finite import ExtensionField, FiniteField, PrimeField
-from hfield.rings.integers import QQ
-from hfield.rings.polynomials import build as build_polynomials
 
 
 def rational_functions(base: Ring, names: tuple[str, ...]) -> Ring:

@@ -10,19 +10,19 @@ from random import Random
 from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Scalar
+from hfield.fields.base.ring import Ring
+from hfield.fields.finite.ring import FiniteField
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.embeddings import square_root
 from hfield.fields.number_fields.ring import NumberField
-from hfield.rings.base import Ring
-from hfield.rings.finite import FiniteField
 
 if TYPE_CHECKING:
     import flint
 
+    from hfield.fields.base.flint_types import Polynomial, SparsePolynomial
     from hfield.fields.function_fields.places import FunctionPlace
     from hfield.fields.function_fields.quotients import Quotient
     from hfield.fields.function_fields.ring import FunctionField
-    from hfield.rings.flint_types import Polynomial, SparsePolynomial
 
 
 def valuation(x: Quotient, p: Polynomial) -> int:

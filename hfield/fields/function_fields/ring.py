@@ -17,21 +17,21 @@ import flint
 
 from hfield.core.product import Constants
 from hfield.errors import CoercionError
+from hfield.fields.base.printing import blackboard, quotient_text, sum_text
+from hfield.fields.base.residue_polynomials import polynomials_modulo
+from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
+from hfield.fields.base.roots import common_divisor, monic, multiplied, substituted
+from hfield.fields.base.storage.base import Storage
+from hfield.fields.base.to_sympy import polynomial_in, symbol
+from hfield.fields.finite.ring import ExtensionField, PrimeField
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
 from hfield.fields.function_fields.storage import FunctionStorage
-from hfield.rings.base import INFINITY, Fact, Ring, shared
-from hfield.rings.finite import ExtensionField, PrimeField
-from hfield.rings.integers import QQ
-from hfield.rings.printing import blackboard, quotient_text, sum_text
-from hfield.rings.residue_polynomials import polynomials_modulo
-from hfield.rings.roots import common_divisor, monic, multiplied, substituted
-from hfield.rings.storage.base import Storage
-from hfield.rings.to_sympy import polynomial_in, symbol
+from hfield.fields.rationals.ring import QQ
 
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.rings.flint_types import Coefficient, Polynomial
+    from hfield.fields.base.flint_types import Coefficient, Polynomial
 
 
 __all__ = ["FunctionField", "Quotient"]

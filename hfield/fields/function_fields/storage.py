@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants, Coordinates
 from hfield.core.straight_line import named
-from hfield.rings.storage.numerators import FractionTuple, NumeratorStorage
+from hfield.fields.base.storage.numerators import FractionTuple, NumeratorStorage
 
 if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import Polynomial
     from hfield.fields.function_fields.ring import FunctionField
-    from hfield.rings.flint_types import Polynomial
 
 
 class FunctionStorage(NumeratorStorage):

@@ -16,15 +16,15 @@ from hfield.core.product import Scalar
 from hfield.fields.function_fields.places import FunctionPlace, prime_divisors
 from hfield.fields.function_fields.residues import ResidueField, residues_at, valuation
 from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.quadratic_forms.normal_forms import NormalForm
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.rings.whole_numbers import fraction
-from hfield.structure.forms import NormalForm
+from hfield.fields.rationals.whole_numbers import fraction
 
 if TYPE_CHECKING:
     import flint
 
+    from hfield.fields.base.flint_types import Coefficient, Polynomial
     from hfield.fields.function_fields.quotients import Quotient
-    from hfield.rings.flint_types import Coefficient, Polynomial
 
 
 def _poles_and_zeros(field: FunctionField, *elements: Quotient) -> list[FunctionPlace]:

@@ -23,11 +23,11 @@ from hfield.fields.function_fields.symbols import (
     ramified_places_functions,
     tame_residue,
 )
+from hfield.fields.quadratic_forms.isomorphisms.isomorphic import isomorphism
+from hfield.fields.quadratic_forms.normal_forms import NormalForm
 from hfield.fields.rationals.embedding import traceless_root_rational
+from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import is_isotropic
-from hfield.rings.integers import QQ
-from hfield.structure.forms import NormalForm
-from hfield.structure.isomorphisms.isomorphic import isomorphism
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.quotients import Quotient

@@ -6,20 +6,20 @@ import random
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.core.factorisation import Factors
 from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply, norm, trace
 from hfield.errors import RingError, UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.fields.local.completion import Completion
 from hfield.fields.local.field import DIGITS, LocalField
 from hfield.fields.local.square_roots import hensel
-from hfield.rings.base import Ring
-from hfield.structure.forms import NormalForm
-from hfield.structure.global_field import GlobalField, known_field
-from hfield.structure.isomorphisms.isomorphic import by_multiples
-from hfield.structure.linear_algebra.centre import basis_of
-from hfield.structure.minimal_conics import Vector
-from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, found
-from hfield.structure.norm_forms.zero_norms import zero_norm
+from hfield.fields.quadratic_forms.global_field import GlobalField, known_field
+from hfield.fields.quadratic_forms.isomorphisms.isomorphic import by_multiples
+from hfield.fields.quadratic_forms.minimal_conics import Vector
+from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm, found
+from hfield.fields.quadratic_forms.norm_forms.zero_norms import zero_norm
+from hfield.fields.quadratic_forms.normal_forms import NormalForm
 
 if TYPE_CHECKING:
     from hfield.fields.local.element import LocalElement

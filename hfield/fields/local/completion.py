@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
-from hfield.rings.base import E, Ring, shared
-from hfield.rings.operators import Overfield
+from hfield.fields.base.operators import Overfield
+from hfield.fields.base.ring import E, Ring, shared
 
 if TYPE_CHECKING:
     from collections.abc import Hashable
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class Completion(Overfield[E]):
     """The completion of a global field at a place; ``global_field`` and ``place`` say of what and where.
 
-    Elements are :class:`~hfield.rings.operators.Element` with a ``value`` in the global field, and texts mean
+    Elements are :class:`~hfield.fields.base.operators.Element` with a ``value`` in the global field, and texts mean
     what they mean there.
     """
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Scalar
 from hfield.errors import CoercionError, NotInvertibleError, UndecidedError
-from hfield.rings.operators import Element
+from hfield.fields.base.operators import Element
 
 if TYPE_CHECKING:
     from hfield.fields.local.field import LocalField

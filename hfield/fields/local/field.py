@@ -10,12 +10,12 @@ import flint
 
 from hfield.core.product import Scalar
 from hfield.errors import CoercionError, HFieldError, UndecidedError
+from hfield.fields.base.printing import is_sum, parentheses, power_text
+from hfield.fields.base.ring import Fact, Ring
+from hfield.fields.base.roots import integral, irreducible_factors, near_root
 from hfield.fields.local.completion import Completion
 from hfield.fields.local.element import LocalElement
 from hfield.fields.local.square_roots import minus_one, square_root
-from hfield.rings.base import Fact, Ring
-from hfield.rings.printing import is_sum, parentheses, power_text
-from hfield.rings.roots import integral, irreducible_factors, near_root
 from hfield.syntax import Binary, Call, Node, Number, Reader, children, parse, rebuild, weight
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ class LocalField(Completion[LocalElement]):
     """The completion of a global field at a finite place, such as ℚ₅ or GF(9)((t)).
 
     ``global_field`` and ``place`` say of what and where, ``residues`` is the place with its residue field
-    (:mod:`hfield.structure.finite_places`). Elements are :class:`LocalElement`: elements of the global
+    (:mod:`hfield.fields.base.finite_places`). Elements are :class:`LocalElement`: elements of the global
     field, exact or up to O(πⁿ). Every decision hangs on a square class, hence on few digits; where they are
     not known, :class:`UndecidedError` names how many are needed.
 

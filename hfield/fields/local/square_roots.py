@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.fields.local.element import LocalElement
-from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
     from hfield.fields.function_fields.quotients import Quotient

@@ -28,10 +28,10 @@ from hfield.fields.number_fields.symbols import (
     ramified_places_number_field,
 )
 from hfield.fields.number_fields.unimodular_lattice import embed_number_field
-from hfield.structure.forms import NormalForm
-from hfield.structure.global_field import GlobalField, no_flag
-from hfield.structure.isomorphisms.through_slots import generator_by_slot, through_slot
-from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+from hfield.fields.quadratic_forms.global_field import GlobalField, no_flag
+from hfield.fields.quadratic_forms.isomorphisms.through_slots import generator_by_slot, through_slot
+from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+from hfield.fields.quadratic_forms.normal_forms import NormalForm
 
 SMALL_PRIMES = 50
 GENERATORS = 30

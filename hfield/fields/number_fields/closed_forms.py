@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.errors import CoercionError, shorten
+from hfield.fields.base.balls import precision
+from hfield.fields.base.coercion import fmpq
 from hfield.fields.number_fields.sums import roots_in
-from hfield.rings.balls import precision
-from hfield.rings.rational import fmpq
 
 if TYPE_CHECKING:
     import sympy
@@ -59,7 +59,7 @@ def _minimal_polynomial(x: sympy.Expr) -> flint.fmpq_poly | None:
 
 def _ball(x: sympy.Expr, bits: int) -> flint.acb:
     """Return a complex ball around a number of sympy, computed with so many bits."""
-    from hfield.rings.closed_fields.evaluate import evaluate, is_known
+    from hfield.fields.algebraic.evaluate import evaluate, is_known
 
     with precision(bits + 16):
         if is_known(x):

@@ -11,6 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError, shorten
+from hfield.fields.algebraic.ring import CC, RR
+from hfield.fields.base.operators import Element
+from hfield.fields.base.printing import SUBSCRIPTS, blackboard
+from hfield.fields.base.ring import INFINITY, Fact, Ring
 from hfield.fields.local.completion import Completion
 from hfield.fields.local.field import LocalField
 from hfield.fields.number_fields.places import RealPlace, place_of_number_field
@@ -18,15 +22,11 @@ from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.quadratic.places import QuadraticPrime
 from hfield.fields.number_fields.quadratic.residues import prime_at
 from hfield.fields.number_fields.residues import local_place
-from hfield.rings.base import INFINITY, Fact, Ring
-from hfield.rings.closed_fields.algebraic import CC, RR
-from hfield.rings.operators import Element
-from hfield.rings.printing import SUBSCRIPTS, blackboard
 
 if TYPE_CHECKING:
+    from hfield.fields.base.finite_places import FinitePlace
     from hfield.fields.number_fields.quadratic.ring import QuadraticField
     from hfield.fields.number_fields.ring import NumberField
-    from hfield.structure.finite_places import FinitePlace
 
 
 class EmbeddedElement(Element):

@@ -23,7 +23,7 @@ from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates
 from hfield.fields.number_fields.walk import Walk, expect_small_degree, not_met
-from hfield.structure.minimal_conics import Conic, Vector, minimise
+from hfield.fields.quadratic_forms.minimal_conics import Conic, Vector, minimise
 
 
 def solve_conic_number_field(

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.rings.rational import rational
+from hfield.fields.base.coercion import rational
 from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
     import sympy
 
+    from hfield.fields.algebraic.surds import Surd
     from hfield.fields.number_fields.ring import NumberField
-    from hfield.rings.closed_fields.surds import Surd
 
 
 class FieldElement(PrintedBySympy):

@@ -10,8 +10,8 @@ import flint
 
 from hfield.core.primality import primes
 from hfield.errors import UndecidedError
-from hfield.rings.balls import precision
-from hfield.rings.isolated_roots import START, IsolatedRoots
+from hfield.fields.base.balls import precision
+from hfield.fields.base.isolated_roots import START, IsolatedRoots
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import flint
 
+from hfield.fields.base.roots import common_divisor, divided, monic, substituted
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.rings.roots import common_divisor, divided, monic, substituted
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField

@@ -17,6 +17,8 @@ import flint
 from hfield.core.factorisation import factorise, remove
 from hfield.core.primality import WORD, is_probable_prime
 from hfield.errors import RingError, UndecidedError, shorten
+from hfield.fields.base.balls import precision
+from hfield.fields.linear_algebra.lattice_reduction import combination, reduced
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import small_integer
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
@@ -29,9 +31,7 @@ from hfield.fields.number_fields.symbols import (
     hilbert_symbol_number_field,
     residue_symbol,
 )
-from hfield.rings.balls import precision
-from hfield.rings.whole_numbers import crt
-from hfield.structure.lattice_reduction import combination, reduced
+from hfield.fields.rationals.whole_numbers import crt
 
 TRIALS = 20_000
 TWOS = 2**5  # symbols above 2 of an e of valuation at most 1 hang on e modulo this

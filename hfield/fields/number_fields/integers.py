@@ -17,8 +17,8 @@ import flint
 from hfield.core.factorisation import factorise, remove
 from hfield.core.primality import WORD
 from hfield.errors import TooLargeError, shorten
+from hfield.fields.base.roots import integral
 from hfield.fields.number_fields.elements import FieldElement, coefficients
-from hfield.rings.roots import integral
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField
@@ -101,7 +101,7 @@ def integral_generator(field: NumberField) -> tuple[int, flint.fmpz_poly]:
 
 def dedekind(whole: flint.fmpz_poly, p: int) -> bool:
     """Tell by Dedekind's criterion whether ℤ[s] is maximal at p (Cohen, theorem 6.1.4)."""
-    from hfield.rings.residue_polynomials import residues
+    from hfield.fields.base.residue_polynomials import residues
 
     reduced = residues(p, whole.coeffs())
     factors = reduced.factor()[1]

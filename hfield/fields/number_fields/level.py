@@ -6,9 +6,9 @@ from random import Random
 from typing import TYPE_CHECKING
 
 from hfield.core.factorisation import factorise
+from hfield.fields.base.ring import INFINITY, Fact
 from hfield.fields.number_fields.integers import small_integer
-from hfield.rings.base import INFINITY, Fact
-from hfield.rings.squares import minus_one
+from hfield.fields.rationals.squares import minus_one
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 
+from hfield.fields.base.ring import Ring, shared
+from hfield.fields.base.variables import names_in
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.texts import NUMBER, ReducibleError
-from hfield.rings.base import Ring, shared
-from hfield.rings.variables import names_in
 from hfield.syntax.brackets import is_balanced
 
 _QUOTIENT = re.compile(r"QQ?\[([^\[\],]*)\]/\((.*)\)")

@@ -18,6 +18,15 @@ import flint
 from hfield.core.factorisation import remove
 from hfield.core.primality import is_prime
 from hfield.errors import RingError, shorten
+from hfield.fields.base.coercion import rational
+from hfield.fields.base.residue_polynomials import (
+    coefficients,
+    idempotent,
+    residues,
+    sorted_factors,
+)
+from hfield.fields.base.ring import Ring
+from hfield.fields.finite.ring import modulus_text
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import (
     LocalOrder,
@@ -25,14 +34,10 @@ from hfield.fields.number_fields.integers import (
     left_kernel,
     local_order,
 )
-from hfield.rings.base import Ring
-from hfield.rings.finite import modulus_text
-from hfield.rings.rational import rational
-from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
 
 if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import Coefficient
     from hfield.fields.number_fields.ring import NumberField
-    from hfield.rings.flint_types import Coefficient
 
 
 class PrimeIdeal:
@@ -155,7 +160,7 @@ class PrimeIdeal:
     @cached_property
     def residue_field(self) -> Ring:
         """The field of residues GF(p^f), in which x is ``residue_gen``."""
-        from hfield.rings.field_specs import GF
+        from hfield.fields.finite.names import GF
 
         if self.f == 1:
             return GF(self.p)

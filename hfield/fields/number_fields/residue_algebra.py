@@ -13,6 +13,12 @@ import flint
 
 from hfield.core.primality import WORD
 from hfield.errors import TooLargeError, shorten
+from hfield.fields.base.residue_polynomials import (
+    coefficients,
+    idempotent,
+    residues,
+    sorted_factors,
+)
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integers import (
     LocalOrder,
@@ -23,7 +29,6 @@ from hfield.fields.number_fields.integers import (
     residue_matrix,
 )
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-from hfield.rings.residue_polynomials import coefficients, idempotent, residues, sorted_factors
 
 if TYPE_CHECKING:
     pass

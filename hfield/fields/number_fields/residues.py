@@ -5,11 +5,11 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from hfield.fields.finite.names import GF
 from hfield.fields.function_fields.residues import ResidueField
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-from hfield.rings.field_specs import GF
 
 if TYPE_CHECKING:
     import flint

@@ -12,23 +12,23 @@ import flint
 
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, NotInvertibleError, RingError, shorten
+from hfield.fields.base.coercion import fmpq, rational, unwrap
+from hfield.fields.base.printing import blackboard, number_text, rational_json, sum_text
+from hfield.fields.base.ring import Fact, Ring, shared
+from hfield.fields.base.roots import irreducible_factors
+from hfield.fields.base.storage.base import Storage
+from hfield.fields.base.value_ring import ValueRing
 from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.embeddings import ComplexEmbeddings, square_root
 from hfield.fields.number_fields.with_ideals import WithIdeals
-from hfield.rings.base import Fact, Ring, shared
-from hfield.rings.integers import QQ
-from hfield.rings.printing import blackboard, number_text, rational_json, sum_text
-from hfield.rings.rational import fmpq, rational, unwrap
-from hfield.rings.roots import irreducible_factors
-from hfield.rings.storage.base import Storage
-from hfield.rings.values import ValueRing
+from hfield.fields.rationals.ring import QQ
 
 if TYPE_CHECKING:
     import sympy
 
+    from hfield.fields.algebraic.surds import Surd
     from hfield.fields.number_fields.places import ComplexPlace, Place, RealPlace
     from hfield.fields.number_fields.prime_ideals import PrimeIdeal
-    from hfield.rings.closed_fields.surds import Surd
 
 
 MAX_DIGITS = 300_000  # of a complex value
@@ -52,8 +52,8 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
     theory = "number field"
 
     def __init__(self, polynomial: flint.fmpq_poly | str, name: str = "s") -> None:
+        from hfield.fields.base.variables import variables
         from hfield.fields.number_fields.texts import irreducible, power_sum
-        from hfield.rings.variables import variables
 
         variables(f"QQ[{shorten(name)}]", name)
         self.gen_name = name
@@ -182,7 +182,7 @@ class NumberField(WithIdeals, ValueRing[FieldElement]):
 
     def to_sympy(self, x: FieldElement, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
         """Return the element as a polynomial in the root."""
-        from hfield.rings.to_sympy import polynomial_in, symbol
+        from hfield.fields.base.to_sympy import polynomial_in, symbol
 
         gen = symbol(str(self.gen_name), symbols)
         return polynomial_in(gen, (QQ.to_sympy(c, symbols) for c in coefficients(x)))

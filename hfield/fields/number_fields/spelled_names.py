@@ -16,6 +16,10 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import CoercionError, HFieldError, RingError, shorten
+from hfield.fields.base.balls import precision
+from hfield.fields.base.coercion import rational
+from hfield.fields.base.printing import number_text, rational_json, sum_text
+from hfield.fields.base.ring import Ring, shared
 from hfield.fields.number_fields.elements import FieldElement, coefficients
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.sums import Value, common_root, evaluate, factor_at, sums_of_roots
@@ -26,11 +30,7 @@ from hfield.fields.number_fields.texts import (
     NUMBER,
     power_sum,
 )
-from hfield.rings.balls import precision
-from hfield.rings.base import Ring, shared
-from hfield.rings.integers import QQ
-from hfield.rings.printing import number_text, rational_json, sum_text
-from hfield.rings.rational import rational
+from hfield.fields.rationals.ring import QQ
 from hfield.syntax.brackets import is_balanced, split
 
 if TYPE_CHECKING:

@@ -10,11 +10,11 @@ import flint
 
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import named
+from hfield.fields.base.roots import integral
+from hfield.fields.base.storage.compact import Compact
+from hfield.fields.base.storage.fractions import FractionStorage
+from hfield.fields.base.storage.numerators import FractionTuple, NumeratorStorage
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.rings.roots import integral
-from hfield.rings.storage.compact import Compact
-from hfield.rings.storage.fractions import FractionStorage
-from hfield.rings.storage.numerators import FractionTuple, NumeratorStorage
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField

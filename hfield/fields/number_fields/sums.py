@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
+from hfield.fields.base.balls import precision
+from hfield.fields.base.roots import common_divisor, multiplied
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.rings.balls import precision
-from hfield.rings.roots import common_divisor, multiplied
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.ring import NumberField

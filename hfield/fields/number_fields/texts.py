@@ -8,7 +8,7 @@ import flint
 
 from hfield import syntax
 from hfield.errors import HFieldError, RingError, shorten
-from hfield.rings.printing import from_unicode, number_text, sum_text
+from hfield.fields.base.printing import from_unicode, number_text, sum_text
 
 MAX_DEGREE = 64
 MAX_CONDUCTOR = 1000

@@ -18,10 +18,15 @@ from typing import Any
 import flint
 
 from hfield.errors import UndecidedError
+from hfield.fields.base.balls import precision
+from hfield.fields.linear_algebra.lattice_reduction import (
+    combination,
+    real_coordinates,
+    reduced,
+    turned,
+)
 from hfield.fields.number_fields.ring import NumberField
-from hfield.rings.balls import precision
-from hfield.structure.lattice_reduction import combination, real_coordinates, reduced, turned
-from hfield.structure.minimal_conics import Vector
+from hfield.fields.quadratic_forms.minimal_conics import Vector
 
 MAX_DEGREE = 12
 COMBINATIONS = 60_000  # of a reduced basis

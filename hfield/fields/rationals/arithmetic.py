@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING
 from hfield.core.factorisation import Factors
 from hfield.core.primality import primes
 from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.fields.quadratic_forms.global_field import GlobalField
+from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+from hfield.fields.quadratic_forms.normal_forms import NormalForm
 from hfield.fields.rationals.conics import solve_conic
 from hfield.fields.rationals.embedding import embed_rational, traceless_root_rational
 from hfield.fields.rationals.places import INFINITE, Place, place_of_q
@@ -20,10 +23,7 @@ from hfield.fields.rationals.symbols import (
     is_isotropic,
     ramified_places_q,
 )
-from hfield.rings.whole_numbers import fraction, square_class
-from hfield.structure.forms import NormalForm
-from hfield.structure.global_field import GlobalField
-from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+from hfield.fields.rationals.whole_numbers import fraction, square_class
 
 if TYPE_CHECKING:
     import flint

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from hfield.core.factorisation import factorise
 from hfield.errors import RingError, shorten
+from hfield.fields.algebraic.ring import RR
+from hfield.fields.base.printing import SUBSCRIPTS
+from hfield.fields.base.ring import Ring
 from hfield.fields.local.field import LocalField
 from hfield.fields.rationals.places import INFINITE, place_of_q
 from hfield.fields.rationals.residues import PrimePlace
-from hfield.rings.base import Ring
-from hfield.rings.closed_fields.algebraic import RR
-from hfield.rings.printing import SUBSCRIPTS
 
 
 def p_adic_numbers(rationals: Ring, p: str) -> LocalField:

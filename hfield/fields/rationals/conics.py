@@ -18,12 +18,12 @@ from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.rings.whole_numbers import crt, sqrt_mod, square_class, squarefree
-from hfield.rings.whole_numbers import fraction as to_fraction
-from hfield.structure.lattice_reduction import combination, steps_of_gram
+from hfield.fields.linear_algebra.lattice_reduction import combination, steps_of_gram
+from hfield.fields.rationals.whole_numbers import crt, sqrt_mod, square_class, squarefree
+from hfield.fields.rationals.whole_numbers import fraction as to_fraction
 
 if TYPE_CHECKING:
-    from hfield.rings.flint_types import Rational
+    from hfield.fields.base.flint_types import Rational
 
 
 Vector = list[int]

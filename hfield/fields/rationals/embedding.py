@@ -10,12 +10,12 @@ import flint
 from hfield.core.factorisation import known_primes
 from hfield.core.primality import is_prime
 from hfield.core.product import Constants, Coordinates
+from hfield.fields.base.ring import Ring
 from hfield.fields.rationals import symbols
 from hfield.fields.rationals.isometries import isometry
 from hfield.fields.rationals.places import INFINITE, Place
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.rings.base import Ring
-from hfield.rings.whole_numbers import crt, fraction, square_class, squarefree
+from hfield.fields.rationals.whole_numbers import crt, fraction, square_class, squarefree
 
 if TYPE_CHECKING:
     import flint

@@ -22,9 +22,9 @@ from typing import TYPE_CHECKING
 
 import flint
 
-from hfield.rings.rational import fmpq
-from hfield.rings.whole_numbers import sqrt_mod
-from hfield.structure.lattice_reduction import Integers, combination, steps_of_gram
+from hfield.fields.base.coercion import fmpq
+from hfield.fields.linear_algebra.lattice_reduction import Integers, combination, steps_of_gram
+from hfield.fields.rationals.whole_numbers import sqrt_mod
 
 if TYPE_CHECKING:
     import flint

@@ -13,7 +13,7 @@ from hfield.core.factorisation import remove
 
 if TYPE_CHECKING:
     from hfield.core.product import Scalar
-    from hfield.rings.flint_types import Rational
+    from hfield.fields.base.flint_types import Rational
 
 
 class PrimePlace:

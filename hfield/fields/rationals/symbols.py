@@ -18,10 +18,10 @@ from hfield.core.factorisation import Factors, factorise, known_primes, remove
 from hfield.core.primality import WORD, is_prime
 from hfield.errors import RingError
 from hfield.fields.rationals.places import INFINITE, Place, place_of_q
-from hfield.rings.whole_numbers import crt, square_class
+from hfield.fields.rationals.whole_numbers import crt, square_class
 
 if TYPE_CHECKING:
-    from hfield.rings.flint_types import Rational
+    from hfield.fields.base.flint_types import Rational
 
 
 _LEAST = -WORD

@@ -7,8 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants
 from hfield.errors import RingError, UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.fields.function_fields.artin_schreier import artin_schreier
 from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.quadratic_forms.global_field import GlobalField
+from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm, none
+from hfield.fields.quadratic_forms.normal_forms import NormalForm
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.fields.several_variables.places import (
     PolynomialPlace,
@@ -19,10 +23,6 @@ from hfield.fields.several_variables.places import (
     valuation,
 )
 from hfield.fields.several_variables.ring import RationalFunctions
-from hfield.rings.base import Ring
-from hfield.structure.forms import NormalForm
-from hfield.structure.global_field import GlobalField
-from hfield.structure.norm_forms.zero_norm_answer import ZeroNorm, none
 
 if TYPE_CHECKING:
     import flint

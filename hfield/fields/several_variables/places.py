@@ -11,14 +11,14 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.fields.function_fields.rational_functions import rational_functions
 from hfield.fields.function_fields.residues import multiplicity
 from hfield.fields.several_variables.ring import RationalFunctions
-from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import SparsePolynomial
     from hfield.fields.function_fields.quotients import Quotient
-    from hfield.rings.flint_types import SparsePolynomial
 
 
 @dataclass(frozen=True)

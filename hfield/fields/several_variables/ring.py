@@ -6,15 +6,15 @@ from collections.abc import Callable, Hashable, Mapping
 from random import Random
 from typing import TYPE_CHECKING, Any
 
+from hfield.fields.base.printing import blackboard, quotient_text
+from hfield.fields.base.ring import Fact, Ring, shared
 from hfield.fields.function_fields.quotients import FractionField, Quotient, functions_name
-from hfield.rings.base import Fact, Ring, shared
-from hfield.rings.polynomials import PolynomialRing
-from hfield.rings.printing import blackboard, quotient_text
+from hfield.fields.polynomial_rings import PolynomialRing
 
 if TYPE_CHECKING:
     import sympy
 
-    from hfield.rings.flint_types import SparsePolynomial
+    from hfield.fields.base.flint_types import SparsePolynomial
 
 
 class RationalFunctions(FractionField):

@@ -1,6 +1,7 @@
 """What Python decides of sections 1 to 1.4.4: propositions that are no statements of the language."""
 
 from hfield.checker.glossary import INDUCTION
+from hfield.fields.base.ring import INFINITY
 from hfield.ledger.base_field import Division, LevelAbove, PositiveNorm
 from hfield.ledger.document import Propositions
 from hfield.ledger.linear_algebra import Centre, IsBasis
@@ -16,7 +17,6 @@ from hfield.ledger.multilinear import (
 )
 from hfield.ledger.propositions import Equivalence, Every, Implication, Presented, Statement
 from hfield.ledger.scopes import Negation, OnlyOver
-from hfield.rings.base import INFINITY
 
 # Sections 1, 1.1.1 and 1.1.2: the table, its extension to all of H(F), identity, commutativity
 TABLE = (

@@ -14,10 +14,15 @@ import flint
 
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants, Coordinates, multiply
+from hfield.fields.base.coercion import fmpq
+from hfield.fields.quadratic_forms.minimal_conics import (
+    Conic,
+    ConicLattice,
+    half_discriminant,
+    minimise,
+)
 from hfield.fields.rationals.residues import PrimePlace
-from hfield.rings.rational import fmpq
-from hfield.rings.whole_numbers import fraction
-from hfield.structure.minimal_conics import Conic, ConicLattice, half_discriminant, minimise
+from hfield.fields.rationals.whole_numbers import fraction
 
 
 def maximal_basis(c: Constants) -> list[Coordinates]:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from flint import fmpz, fmpz_mat, fmpz_poly
 
 from hfield.core.product import Constants
+from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders.hermite import integral
-from hfield.rings.whole_numbers import fraction
 
 if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis

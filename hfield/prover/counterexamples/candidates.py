@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants, Scalar, conjugate, multiply, trace
 from hfield.errors import HFieldError, NotInvertibleError, UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.prover.evaluation.scalars import PrimeScalars, RingScalars, constant
 from hfield.prover.evaluation.searcher import Assignment, Searcher
 from hfield.prover.problem import Problem, remembered
 from hfield.prover.statements.language import Sort
 from hfield.prover.statements.setting import Setting
-from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
     from hfield.core.product import Coordinates
@@ -118,7 +118,7 @@ def small_scalars(field: Ring) -> tuple[Scalar, ...]:
 @lru_cache(maxsize=256)
 def zero_divisors(setting: Setting) -> tuple[Coordinates, ...]:
     """Return elements of norm 0, if the field is known to have some in the algebra."""
-    from hfield.structure.norm_forms.zero_norms import zero_norm
+    from hfield.fields.quadratic_forms.norm_forms.zero_norms import zero_norm
 
     field = setting.field
     assert field is not None

@@ -16,6 +16,9 @@ from flint import fmpq
 
 from hfield.core.product import Scalar
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
+from hfield.fields.base.powers import power
+from hfield.fields.base.ring import Ring
+from hfield.fields.base.roots import rational_roots
 from hfield.prover.counterexamples.candidates import (
     nonzero_first,
     prime_search,
@@ -29,9 +32,6 @@ from hfield.prover.polynomials.normal_form import Clause
 from hfield.prover.polynomials.starting_relations import quaternions_of
 from hfield.prover.polynomials.vanishing import Monomial, coefficients
 from hfield.prover.problem import Problem
-from hfield.rings.base import Ring
-from hfield.rings.powers import power
-from hfield.rings.roots import rational_roots
 
 if TYPE_CHECKING:
     import flint

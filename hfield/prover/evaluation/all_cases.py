@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Scalar
 from hfield.errors import TooLargeError, UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.prover.evaluation.evaluator import Evaluator
 from hfield.prover.evaluation.scalars import Decided, PrimeScalars, RingScalars, constant
 from hfield.prover.evaluation.searcher import Assignment, Searcher, lifted
 from hfield.prover.problem import Problem
 from hfield.prover.statements.language import Sort, Statement
-from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
     import numpy as np
@@ -142,7 +142,7 @@ class _Table:
     def __init__(self, field: Ring, loops: bool) -> None:
         import numpy as np
 
-        from hfield.rings.array_storage.finite import scalar_arrays
+        from hfield.fields.base.array_storage.finite import scalar_arrays
 
         self.field, p = field, field.characteristic
         prime = field.order == p  # the n-th element is then n·1

@@ -9,6 +9,7 @@ from operator import mul
 from typing import Any
 
 from hfield.errors import HFieldError
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
 from hfield.prover.evaluation.evaluator import (
     Evaluator,
@@ -21,7 +22,6 @@ from hfield.prover.evaluation.scalars import Decided, RingScalars
 from hfield.prover.problem import Problem
 from hfield.prover.statements.trees import walk_once
 from hfield.prover.statements.words import ARGUMENTS
-from hfield.rings.base import Ring
 from hfield.syntax import ORDER, Call, Compare, Node
 
 NEAR_ZERO = 1e-9

@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING, Any, Generic, TypeAlias
 
 from hfield.core.product import Arithmetic, Constants, Scalar, multiply, norm
 from hfield.errors import NotInvertibleError, UndecidedError
-from hfield.rings.base import Ring
-from hfield.rings.rational import fmpq
+from hfield.fields.base.coercion import fmpq
+from hfield.fields.base.ring import Ring
 
 if TYPE_CHECKING:
     from typing_extensions import TypeVar
 
-    from hfield.rings.flint_types import Rational
+    from hfield.fields.base.flint_types import Rational
 
     S = TypeVar("S", bound=Arithmetic, default=Any)
     C = TypeVar("C", default=Any)

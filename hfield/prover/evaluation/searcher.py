@@ -6,12 +6,12 @@ from typing import Any
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.prover.evaluation.evaluator import Evaluator
 from hfield.prover.evaluation.scalars import PrimeScalars, RingScalars, constant
 from hfield.prover.problem import Problem
 from hfield.prover.statements.language import Sort, Statement
 from hfield.prover.statements.trees import walk
-from hfield.rings.base import Ring
 from hfield.syntax import Name
 
 Assignment = dict[str, Any]  # unknown → a scalar or a tuple of four

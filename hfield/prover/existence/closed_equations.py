@@ -9,9 +9,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from hfield import structure
+from hfield.algebra import structure
 from hfield.core.product import Coordinates, Scalar
 from hfield.errors import HFieldError, TooLargeError, UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.prover.evaluation.scalars import RingScalars
 from hfield.prover.evaluation.searcher import Searcher, assigned
 from hfield.prover.polynomials.expansion import Expanded, Quotient, Symbolic
@@ -20,7 +21,6 @@ from hfield.prover.polynomials.vanishing import Monomial, coefficients
 from hfield.prover.problem import Problem
 from hfield.prover.statements.language import Sort
 from hfield.prover.statements.trees import conjuncts
-from hfield.rings.base import Ring
 from hfield.syntax import Compare, Name
 
 MAX_BRANCHES = 16

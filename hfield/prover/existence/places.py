@@ -14,6 +14,7 @@ from hfield.checker.glossary import EXHAUSTION
 from hfield.core.product import Scalar
 from hfield.errors import HFieldError, TooLargeError
 from hfield.evidence import Evidence, Kind, is_complete
+from hfield.fields.base.ring import Ring
 from hfield.prover.counterexamples.candidates import by_weight, shown, small_scalars, witness_texts
 from hfield.prover.decision import FIELD, PROVED, REFUTED, Decision, undecided
 from hfield.prover.definedness import algebra_exists
@@ -31,7 +32,6 @@ from hfield.prover.statements.printing import to_text
 from hfield.prover.statements.setting import put_letters
 from hfield.prover.statements.trees import conjunction, quaternion_node, substitute, walk
 from hfield.prover.steps import say
-from hfield.rings.base import Ring
 from hfield.syntax import Name, Negate, Not, Number, parse
 
 MAX_PLACES = 2_000

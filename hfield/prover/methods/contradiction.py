@@ -13,6 +13,7 @@ from itertools import chain, repeat
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import TooLargeError
+from hfield.fields.base.ring import Ring
 from hfield.prover.clock import Clock
 from hfield.prover.polynomials.anisotropic_forms import Form, Forms
 from hfield.prover.polynomials.field_rules import NORM, ROOTS, SQUARES, Rule
@@ -25,7 +26,6 @@ from hfield.prover.polynomials.recognition import (
 )
 from hfield.prover.polynomials.sums_of_squares import as_sum_of_squares, eliminate_variables
 from hfield.prover.polynomials.vanishing import factored
-from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
     import flint

@@ -8,6 +8,7 @@ from hfield.checker.glossary import (
     WITNESS,
 )
 from hfield.evidence import Evidence, Kind
+from hfield.fields.base.ring import Ring
 from hfield.prover.counterexamples.candidates import shown, witness_texts
 from hfield.prover.decision import (
     COMMUTATIVE_RINGS,
@@ -27,7 +28,6 @@ from hfield.prover.problem import Problem
 from hfield.prover.statements.language import Statement
 from hfield.prover.statements.trees import conjuncts
 from hfield.prover.steps import Step, say
-from hfield.rings.base import Ring
 from hfield.syntax import Compare, Logic, Node, Not
 
 

@@ -9,6 +9,7 @@ from itertools import groupby, product
 from typing import TYPE_CHECKING, Any
 
 from hfield.errors import shorten
+from hfield.fields.base.ring import Ring
 from hfield.prover.decision import (
     COMMUTATIVE_RINGS,
     FIELD,
@@ -31,7 +32,6 @@ from hfield.prover.polynomials.vanishing import is_nonzero_constant, known, vani
 from hfield.prover.problem import Problem, remembered
 from hfield.prover.statements.language import Statement
 from hfield.prover.steps import say
-from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
     import flint

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from hfield.checker.glossary import EXHAUSTION, IDENTITY
 from hfield.errors import HFieldError
 from hfield.evidence import Evidence, Kind
+from hfield.fields.base.ring import Ring
 from hfield.prover.attempts import Attempts, Method
 from hfield.prover.counterexamples.refuting import (
     FIRST_ATTEMPT_SECONDS,
@@ -40,7 +41,6 @@ from hfield.prover.polynomials.vanishing import (
 )
 from hfield.prover.problem import Problem
 from hfield.prover.steps import say
-from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
     import flint

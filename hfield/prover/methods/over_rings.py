@@ -14,6 +14,8 @@ from math import gcd
 from hfield.checker.glossary import EXHAUSTION
 from hfield.errors import HFieldError, UndecidedError
 from hfield.evidence import Evidence, Kind
+from hfield.fields import ZZ
+from hfield.fields.base.ring import Ring
 from hfield.prover.attempts import Attempts
 from hfield.prover.counterexamples.refuting import PLACES_BETWEEN, search_counterexample
 from hfield.prover.decision import FIELD, PROVED, UNDECIDED, Decision
@@ -31,8 +33,6 @@ from hfield.prover.statements.printing import to_text
 from hfield.prover.statements.setting import put_letters
 from hfield.prover.statements.trees import FALSE, divides_in, substitute, walk
 from hfield.prover.steps import say
-from hfield.rings import ZZ
-from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Index, Logic, Name, Node, Not, Number, Power
 
 RING_ORDERS_TRIED = (2, 3, 4, 5, 7, 8, 9, 11, 13)

@@ -19,6 +19,7 @@ from typing import Any
 from hfield.checker.glossary import ALGEBRA, PRESENTATION
 from hfield.errors import NotationError, shorten
 from hfield.evidence import Evidence, Kind
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import ring
 from hfield.prover.clock import Clock
 from hfield.prover.decision import (
@@ -37,7 +38,6 @@ from hfield.prover.problem import MEMORY
 from hfield.prover.statements.printing import to_text
 from hfield.prover.statements.trees import conjuncts
 from hfield.prover.steps import say
-from hfield.rings.base import Ring
 from hfield.syntax import Binary, Compare, Name, Negate, Node, Number, Power, parse, plain, weight
 
 Words = dict[str, int]

@@ -17,18 +17,18 @@ import flint
 from hfield.core.product import Constants, conjugate, multiply, norm, trace
 from hfield.errors import HFieldError, TooLargeError
 from hfield.evidence import Evidence, Kind
+from hfield.fields import QQ
+from hfield.fields.algebraic.radicands import reduced
+from hfield.fields.base.ring import Ring
+from hfield.fields.base.roots import integral, irreducible_factors, near_root
 from hfield.fields.names import ring
+from hfield.fields.quadratic_forms.global_field import known_field
+from hfield.fields.quadratic_forms.normal_forms import normal_form
 from hfield.prover.decision import PROVED, REFUTED, Decision
 from hfield.prover.polynomials.expansion import Symbolic
 from hfield.prover.polynomials.normal_form import branches
 from hfield.prover.problem import Problem
 from hfield.prover.steps import say
-from hfield.rings import QQ
-from hfield.rings.base import Ring
-from hfield.rings.closed_fields.radicands import reduced
-from hfield.rings.roots import integral, irreducible_factors, near_root
-from hfield.structure.forms import normal_form
-from hfield.structure.global_field import known_field
 from hfield.syntax import Not
 
 ROOT_DIGITS = 6  # digits of a root

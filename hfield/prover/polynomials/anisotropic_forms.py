@@ -13,11 +13,11 @@ from math import gcd, isqrt
 from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Scalar
+from hfield.fields.base.ring import Ring
 from hfield.prover.evaluation.scalars import constant
 from hfield.prover.polynomials.field_rules import Rule, norm_rule_of
 from hfield.prover.polynomials.recognition import polynomial_text
 from hfield.prover.polynomials.vanishing import collected, factored, value_at
-from hfield.rings.base import Ring
 
 if TYPE_CHECKING:
     import flint

@@ -14,10 +14,10 @@ from typing import Any
 
 from hfield.core.product import Constants
 from hfield.errors import HFieldError, UndecidedError
+from hfield.fields.base.powers import power
+from hfield.fields.base.ring import INFINITY, Ring, WithIntegers
 from hfield.prover.statements.setting import Setting, read_setting
 from hfield.prover.steps import say
-from hfield.rings.base import INFINITY, Ring, WithIntegers
-from hfield.rings.powers import power
 from hfield.syntax import Call, Number, parse
 
 NORM, SQUARES, ROOTS = "norm", "squares", "roots"
@@ -133,7 +133,7 @@ def unused_norm(setting: Setting) -> str | None:
 def _norm_rule(setting: Setting, field: Ring, c: Constants) -> Rule | None:
     """Return the rule, or None where the norm has a zero. Raises :class:`UndecidedError`."""
     from hfield.checker.anisotropy import is_readable
-    from hfield.structure.norm_forms.zero_norms import norm_evidence, zero_norm
+    from hfield.fields.quadratic_forms.norm_forms.zero_norms import norm_evidence, zero_norm
 
     if field.order is not None:  # over a finite field every norm form has zeros
         return None

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from math import isqrt
 from typing import TYPE_CHECKING
 
+from hfield.fields.base.powers import power
+from hfield.fields.base.ring import Ring
 from hfield.prover.evaluation.scalars import constant
 from hfield.prover.polynomials.field_rules import Rule
-from hfield.rings.base import Ring
-from hfield.rings.powers import power
 
 if TYPE_CHECKING:
     import flint

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import norm
 from hfield.errors import TooLargeError
+from hfield.fields.base.ring import Ring
 from hfield.prover.polynomials.expansion import Expanded, Symbolic
 from hfield.prover.polynomials.field_rules import relation
 from hfield.prover.polynomials.vanishing import collected, factored, known, vanishes
 from hfield.prover.problem import Problem, remembered
 from hfield.prover.statements.language import BASIS, RESULT, Sort
 from hfield.prover.statements.trees import walk
-from hfield.rings.base import Ring
 from hfield.syntax import Binary, Call, Compare, Name, Negate, Node, Power
 
 if TYPE_CHECKING:

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 from hfield.core.factorisation import factor
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
+from hfield.fields.base.powers import power
+from hfield.fields.base.ring import Ring
 from hfield.prover.evaluation.scalars import constant, some_nonzero
 from hfield.prover.polynomials.expansion import Expanded
-from hfield.rings.base import Ring
-from hfield.rings.powers import power
 
 if TYPE_CHECKING:
     import flint

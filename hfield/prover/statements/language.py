@@ -15,12 +15,12 @@ from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, NoReturn
 
 from hfield.errors import CoercionError, HFieldError, NotationError, UndecidedError
+from hfield.fields.base.ring import Ring
 from hfield.prover.statements.matrices import ENTRIES, expanded
 from hfield.prover.statements.printing import to_text
 from hfield.prover.statements.tables import FUNCTIONS, in_coordinates
 from hfield.prover.statements.trees import names_in, taken_apart, tree_depth
 from hfield.prover.statements.words import ARGUMENTS, need_order, order_word, without_words
-from hfield.rings.base import Ring
 from hfield.syntax import (
     Binary,
     Call,

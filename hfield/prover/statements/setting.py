@@ -16,6 +16,7 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.fields.base.ring import Ring
 from hfield.fields.names import RingName, ring
 from hfield.notation import UNNAMED, split_algebra
 from hfield.prover.evaluation.evaluator import Evaluator
@@ -23,7 +24,6 @@ from hfield.prover.evaluation.scalars import RingScalars
 from hfield.prover.statements.language import BASIS, HAMILTON, QUATERNIONS, RESULT, generators
 from hfield.prover.statements.printing import to_text
 from hfield.prover.statements.trees import divides_in, substitute, walk
-from hfield.rings.base import Ring
 from hfield.syntax import Call, Index, Name, Node, parse, weight
 
 if TYPE_CHECKING:

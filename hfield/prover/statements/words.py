@@ -16,9 +16,9 @@ from collections.abc import Callable
 from typing import NoReturn
 
 from hfield.errors import NotationError
+from hfield.fields.base.ring import INFINITY, Ring
 from hfield.prover.statements.matrices import ENTRIES
 from hfield.prover.statements.trees import divides_in, implication, names_in, walk_once
-from hfield.rings.base import INFINITY, Ring
 from hfield.syntax import (
     ORDER,
     Call,

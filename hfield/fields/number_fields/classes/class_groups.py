@@ -17,11 +17,11 @@ import flint
 
 from hfield.errors import UndecidedError
 from hfield.evidence import Certified, Claim
+from hfield.fields.base.balls import precision
 from hfield.fields.number_fields.classes import evidence
 from hfield.fields.number_fields.classes.s_units import SUnits, logarithms, s_units
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import Ideal
-from hfield.rings.balls import precision
 from hfield.verdicts import Verdict
 
 

@@ -31,6 +31,8 @@ from hfield.checker.number_fields.bounds import ZIMMERT_FACTORS
 from hfield.core.primality import is_prime, primes
 from hfield.core.progress import track
 from hfield.errors import TooLargeError, UndecidedError, shorten
+from hfield.fields.base.balls import precision
+from hfield.fields.base.residue_polynomials import residues
 from hfield.fields.number_fields.classes.reduced_ideals import ReducedIdeals
 from hfield.fields.number_fields.classes.short_integers import ShortIntegers
 from hfield.fields.number_fields.elements import FieldElement
@@ -39,8 +41,6 @@ from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.ring import NumberField
-from hfield.rings.balls import precision
-from hfield.rings.residue_polynomials import residues
 
 MAX_BOUND = 20_000  # of the norms of primes that generate the class group
 MIN_PRIMES_OF_DEGREE_ONE = 8

@@ -15,10 +15,10 @@ import numpy as np
 import numpy.typing as npt
 
 from hfield.checker.number_fields.bounds import HERMITE_POWERS, short_length
+from hfield.fields.base.balls import precision
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import MaximalOrder
 from hfield.fields.number_fields.integral_basis import element_of
-from hfield.rings.balls import precision
 
 SLACK = 1e-6
 """Rounding changes lengths by less than this part of them."""

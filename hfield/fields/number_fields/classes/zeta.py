@@ -19,10 +19,10 @@ import flint
 
 from hfield.core.factorisation import factorise
 from hfield.errors import RingError, TooLargeError, shorten
+from hfield.fields.base.balls import precision
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ideals import MaximalOrder, integers
 from hfield.fields.number_fields.integral_basis import element_of
-from hfield.rings.balls import precision
 
 DIGITS = 64
 """Binary digits of conjugates that tell that a number is not totally positive."""

@@ -18,13 +18,13 @@ from hfield.fields.number_fields.quadratic.symbols import (
     pair,
     ramified_places_quadratic,
 )
+from hfield.fields.quadratic_forms.global_field import GlobalField
+from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
+from hfield.fields.quadratic_forms.normal_forms import NormalForm
 from hfield.fields.rationals.conics import solve_conic
 from hfield.fields.rationals.embedding import traceless_root_rational
+from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.rings.integers import QQ
-from hfield.structure.forms import NormalForm
-from hfield.structure.global_field import GlobalField
-from hfield.structure.norm_forms.zero_norm_answer import CONIC, ZeroNorm, found
 
 
 class QuadraticArithmetic(NumberFieldArithmetic):

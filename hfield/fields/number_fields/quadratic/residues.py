@@ -11,6 +11,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from hfield.core.factorisation import remove
+from hfield.fields.finite.names import GF
 from hfield.fields.function_fields.residues import ResidueField
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.number_fields.quadratic.places import (
@@ -19,13 +20,12 @@ from hfield.fields.number_fields.quadratic.places import (
     minimal_of_omega,
 )
 from hfield.fields.rationals.residues import PrimePlace, truncated
-from hfield.rings.field_specs import GF
 
 if TYPE_CHECKING:
     import flint
 
+    from hfield.fields.base.flint_types import Polynomial
     from hfield.fields.number_fields.elements import FieldElement
-    from hfield.rings.flint_types import Polynomial
 
 
 class DegreeOne(PrimePlace):

@@ -11,16 +11,16 @@ import flint
 from hfield.core.factorisation import UnfactoredError, factorise
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, HFieldError, RingError, shorten
+from hfield.fields.algebraic.radicands import reduced
+from hfield.fields.algebraic.surds import Surd, sympy_of
+from hfield.fields.base.coercion import rational, unwrap
+from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
+from hfield.fields.base.roots import irreducible_factors
+from hfield.fields.base.storage.base import Storage
 from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.ring import NumberField
-from hfield.rings.base import INFINITY, Fact, Ring, shared
-from hfield.rings.closed_fields.radicands import reduced
-from hfield.rings.closed_fields.surds import Surd, sympy_of
-from hfield.rings.integers import QQ
-from hfield.rings.rational import rational, unwrap
-from hfield.rings.roots import irreducible_factors
-from hfield.rings.squares import minus_one
-from hfield.rings.storage.base import Storage
+from hfield.fields.rationals.ring import QQ
+from hfield.fields.rationals.squares import minus_one
 
 if TYPE_CHECKING:
     import sympy
@@ -114,7 +114,7 @@ class QuadraticField(NumberField):
 
     def closed_form(self, x: sympy.Expr) -> FieldElement:
         """Return the number that a sympy expression without symbols is."""
-        from hfield.rings.closed_fields.closed_forms import from_sympy
+        from hfield.fields.algebraic.closed_forms import from_sympy
 
         value = from_sympy(x)
         if isinstance(value, Surd):
@@ -157,7 +157,7 @@ class QuadraticField(NumberField):
 
     def storage(self, constants: Constants) -> Storage:
         """Store elements as eight ints over one denominator."""
-        from hfield.rings.storage.fractions import FractionStorage
+        from hfield.fields.base.storage.fractions import FractionStorage
 
         return FractionStorage(self, constants, (self.d, 0), self._vector, self._element)
 

@@ -1,0 +1,9 @@
+"""What an algebra and its elements are: functions of a ring, of constants (a, t, b) and of coordinates.
+
+The classes of algebras and elements call these functions. ``docs/structure.md`` says which module decides what.
+"""
+
+import lazy_loader
+
+# The public names are listed once, in the stub beside this file, and imported on first use.
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,75 @@
+"""What an element is: nilpotent, idempotent, a unit, a conjugate of another."""
+
+import itertools
+
+from hfield.algebra.structure.invariants.centre import basis_of
+from hfield.algebra.structure.invariants.finite_radical import is_nilpotent as is_nilpotent_scalar
+from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
+from hfield.errors import UndecidedError
+from hfield.fields.base.powers import power
+from hfield.fields.base.ring import Ring
+from hfield.fields.linear_algebra.kernels import kernel
+from hfield.verdicts import Verdict
+
+
+def characteristic_polynomial(
+    ring: Ring, c: Constants, q: Coordinates
+) -> tuple[Scalar, Scalar, Scalar]:
+    """Return the coefficients of ``x² − tr(q)·x + N(q)``, low degree first."""
+    return norm(c, q), ring.zero - trace(c, q), ring.one
+
+
+def is_nilpotent(ring: Ring, c: Constants, q: Coordinates) -> bool:
+    """Tell whether a power of q is 0: whether its trace and norm are nilpotent in the ring.
+
+    From ``q² = tr(q)·q − N(q)`` in one direction, and modulo every prime ideal in the other.
+    """
+    return all(_nilpotent_scalar(ring, x) for x in (trace(c, q), norm(c, q)))
+
+
+def _nilpotent_scalar(ring: Ring, x: Scalar) -> bool:
+    if ring.is_zero(x) or ring.is_field:
+        return ring.is_zero(x)
+    if ring.order is not None:
+        return is_nilpotent_scalar(ring, x)
+    if ring.annihilator(x) is None:  # a nilpotent element is a zero divisor
+        return False
+    if any(ring.is_zero(power(ring.one, x, n)) for n in (2, 64)):
+        return True
+    raise UndecidedError(f"whether {ring.text(x)} is nilpotent in {ring.name} is not decided")
+
+
+def is_idempotent(ring: Ring, c: Constants, q: Coordinates) -> bool:
+    """Tell whether ``q² = q``."""
+    return all(ring.equal(x, y) for x, y in zip(multiply(c, q, q), q, strict=True))
+
+
+def is_unit(ring: Ring, c: Constants, q: Coordinates) -> bool:
+    """Tell whether q has an inverse: whether its norm has one."""
+    return ring.is_unit(norm(c, q))
+
+
+def conjugator(ring: Ring, c: Constants, p: Coordinates, q: Coordinates) -> Verdict[Coordinates]:
+    """Return whether there is a unit x with ``x·p = q·x``, the witness. The ring must be a field.
+
+    The solutions are a linear space. The norm is a quadratic form on it, and one that vanishes on a
+    basis and on the sums of two basis vectors is 0, so there is no more to try. In a central simple algebra
+    there is one whenever p and q have the same minimal polynomial (Skolem and Noether).
+    """
+    if not ring.is_field:
+        raise UndecidedError(f"{ring.no_field}: conjugacy is decided over fields only")
+    for name, function in (("traces", trace), ("norms", norm)):
+        x, y = function(c, p), function(c, q)
+        if not ring.equal(x, y):
+            return Verdict(False, f"their {name} differ: {ring.text(x)} and {ring.text(y)}")
+    columns = [
+        [x - y for x, y in zip(multiply(c, u, p), multiply(c, q, u), strict=True)]
+        for u in basis_of(ring)
+    ]
+    space = kernel(ring, [list(row) for row in zip(*columns, strict=True)], 4)
+    sums = ([x + y for x, y in zip(u, v, strict=True)] for u, v in itertools.combinations(space, 2))
+    for w, x, y, z in itertools.chain(space, sums):
+        if not ring.is_zero(norm(c, (w, x, y, z))):
+            return Verdict(True, "x·p = q·x is solved by a unit", (w, x, y, z))
+    reason = f"x·p = q·x has a solution space of dimension {len(space)}, and no unit is in it"
+    return Verdict(False, reason)

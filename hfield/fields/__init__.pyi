@@ -1,0 +1,13 @@
+from .algebraic.ring import CC as CC
+from .algebraic.ring import RR as RR
+from .base.checking import RingReport as RingReport
+from .base.checking import check_ring as check_ring
+from .base.ring import INFINITY as INFINITY
+from .base.ring import Fact as Fact
+from .base.ring import Ring as Ring
+from .finite.names import GF as GF
+from .floats import CDF as CDF
+from .floats import RDF as RDF
+from .rationals.ring import QQ as QQ
+from .rationals.ring import ZZ as ZZ
+from .rationals.ring import Zmod as Zmod

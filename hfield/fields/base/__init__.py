@@ -1,0 +1,1 @@
+"""What all rings share: the protocol, the registry, coercion, printing, and storage of elements and arrays."""

@@ -1,0 +1,219 @@
+"""Arrays over finite rings as rows of labels: residues, or an element's digits in base p, as in galois."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hfield.compiling import machine_code
+from hfield.compiling.arithmetic import Arithmetic
+from hfield.compiling.calling import Kernel
+from hfield.compiling.memory import Rows
+from hfield.core.factorisation import factorise
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import Program
+from hfield.errors import CoercionError, shorten
+from hfield.fields.base.array_storage import programs
+from hfield.fields.base.array_storage.rows import Row, RowArrays, inverses
+from hfield.fields.base.arrays import objects
+from hfield.fields.base.coercion import is_plain_array
+
+if TYPE_CHECKING:
+    import galois
+
+    from hfield.fields.finite.ring import FiniteField
+
+
+TABLE = 1 << 16  # rings up to this size have a table of their inverses
+
+
+class LabelArrays(RowArrays):
+    """Arrays over a finite ring whose elements have labels 0 … q − 1, with 0 and 1 for zero and one.
+
+    The ring gives ``label(x)``, ``from_label(n)`` and ``array_of_labels(row)``; ``arithmetic`` is that of
+    its labels.
+    """
+
+    ring: Any
+
+    def __init__(self, ring: FiniteField, constants: Constants, arithmetic: Arithmetic) -> None:
+        super().__init__(ring, constants)
+        self.arithmetic = arithmetic
+        self.dtype = arithmetic.dtype
+        self.compiles = machine_code.available()
+        self._kernels: dict[str, Kernel] = {}
+
+    # --- labels --------------------------------------------------------------------------------
+
+    def row(self, values: object) -> Row:
+        """Return the labels of an element, a nested sequence or an array. Raises :class:`CoercionError`."""
+        return labels(self.ring, values, self.dtype)
+
+    def ring_array(self, row: Row) -> galois.FieldArray:
+        """Return a row as an array of the ring: galois's, or one of objects."""
+        return self.ring.array_of_labels(row)
+
+    def single(self, p: Rows) -> Coordinates:
+        """Return the coordinates of an array of no dimensions."""
+        w, x, y, z = (self.ring.from_label(int(row)) for row in p)
+        return w, x, y, z
+
+    def check_numbers(self, block: Row) -> None:
+        """Refuse what is no label."""
+        order = self.ring.order
+        if block.size and not (int(block.min()) >= 0 and int(block.max()) < order):
+            wrong = int(block.min()) if int(block.min()) < 0 else int(block.max())
+            raise CoercionError(
+                f"{wrong} is no label of an element of {self.ring}: expected 0 to {shorten(order - 1)}"
+            )
+
+    # --- loops ---------------------------------------------------------------------------------
+
+    def kernel(self, name: str) -> Kernel:
+        """Return the loop of an operation."""
+        if name not in self._kernels:
+            self._kernels[name] = self._made(name)
+        return self._kernels[name]
+
+    def _made(self, name: str) -> Kernel:
+        program, sides = self.program(name)
+        given = zip(("a", "t", "b"), self.constants, strict=True)
+        constants = {n: self.ring.label(x) for n, x in given if n in program.inputs}
+        return Kernel(program, self.arithmetic, sides, constants)
+
+    def program(self, name: str) -> tuple[Program, programs.Sides]:
+        """Return the program of an operation; beside those of all rows a product with a sum after it."""
+        if name == "product plus":
+            program, sides = super().program("product")
+            return programs.with_sum(program), (*sides, programs.THIRD)
+        return super().program(name)
+
+    def product_plus(self, p: Rows, q: Rows, r: Rows) -> Rows:
+        """Return p·q + r, in one loop."""
+        if self.compiles:
+            return self.kernel("product plus")(p, q, r)[0]
+        return self.sum(self.product(p, q), r)
+
+    def elementwise(self, name: str, *operands: Rows) -> Rows:
+        """Run a loop that returns elements."""
+        if self.compiles:
+            return self.kernel(name)(*operands)[0]
+        return self.encode(self.by_arrays(name, *operands))
+
+    def _run_scalar(self, name: str, p: Rows) -> Any:
+        """Run a loop that returns an array of the ring."""
+        if self.compiles:
+            return self.ring_array(self.kernel(name)(p)[0][0])
+        return self.by_arrays(name, p)
+
+    # --- arithmetic ----------------------------------------------------------------------------
+
+    def norm(self, p: Rows) -> Any:
+        """Return the reduced norms, an array of the ring."""
+        return self._run_scalar("norm", p)
+
+    def trace(self, p: Rows) -> Any:
+        """Return the reduced traces, an array of the ring."""
+        return self._run_scalar("trace", p)
+
+    def units(self, p: Rows) -> np.ndarray:
+        """Tell which elements have an inverse."""
+        norms = self.kernel("norm")(p)[0][0] if self.compiles else None
+        units: np.ndarray = self.by_arrays("units", p) if norms is None else self._units(norms)
+        return units
+
+    def inverse(self, p: Rows) -> Rows | None:
+        """Return the inverses, or None where some norm is not a unit of the ring."""
+        if not self.compiles:
+            found = self.by_arrays("inverse", p)
+            return None if found is None else self.encode(found)
+        *conjugate, norms = self.kernel("adjoint")(p)[0]
+        if not self._units(norms).all():
+            return None
+        return self.kernel("scaled")(tuple(conjugate), (self._scalar_inverses(norms),))[0]
+
+    def _scalar_inverses(self, row: Row) -> Row:
+        """Return the inverses of labels of units."""
+        if self.ring.order <= TABLE:
+            return np.asarray(self._inverse_table.take(row))
+        return inverses(row.reshape(-1), self._multiplied, self._inverted).reshape(row.shape)
+
+    @cached_property
+    def _inverse_table(self) -> Row:
+        every = np.arange(self.ring.order, dtype=self.dtype)
+        units = every[self._units(every)]
+        table = np.zeros_like(every)
+        table[units] = inverses(units, self._multiplied, self._inverted)
+        return table
+
+    def _multiplied(self, x: Row, y: Row) -> Row:
+        return self.kernel("scalar product")((x,), (y,))[0][0]
+
+    def _inverted(self, row: Row) -> Row:
+        F = self.ring
+        found = [F.label(F.inverse(F.from_label(int(n)))) for n in row]
+        return np.array(found, dtype=self.dtype)
+
+    def _units(self, row: Row) -> Any:
+        """Tell which labels are those of units."""
+        if self.ring.is_field:
+            return row != 0
+        return np.logical_and.reduce([row % row.dtype.type(p) != 0 for p in self._primes])
+
+    @cached_property
+    def _primes(self) -> tuple[int, ...]:
+        """The primes that divide the modulus of a residue ring."""
+        return tuple(factorise(self.ring.order))
+
+    def prepare(self) -> None:
+        """Compile every loop but the one of matrices, or read it from the disk."""
+        for name in (
+            "product",
+            "product plus",
+            "conjugate",
+            "norm",
+            "trace",
+            "adjoint",
+            *programs.COORDINATEWISE,
+        ):
+            self.kernel(name).prepare()
+
+
+def labels(F: FiniteField, values: Any, dtype: str) -> Row:
+    """Return the labels of an element, a nested sequence or an array, in its shape.
+
+    Integers n become n·1, never galois's label; a galois array must be over this very field, modulus
+    included, and is not copied where the types agree. Raises :class:`CoercionError`.
+    """
+    if hasattr(type(values), "irreducible_poly"):
+        check_galois(F, values)
+        return np.asarray(values.view(np.ndarray)).astype(dtype, copy=False)
+    if is_plain_array(values) and values.dtype != object:
+        if values.dtype.kind not in "iub":
+            raise CoercionError(
+                f"an array of {values.dtype} is not an array over {F.name}: expected integers, "
+                "elements of the ring, or an array of galois over it"
+            )
+        values = values.copy()  # which nobody changes after it has been checked
+        if values.dtype.kind == "u" and values.size and int(values.max()) < F.characteristic:
+            return np.asarray(values.astype(dtype, copy=False))
+        wide = values if values.dtype == np.uint64 else values.astype(np.int64)
+        return np.asarray(wide % wide.dtype.type(F.characteristic)).astype(dtype)
+    elements = objects(values, F)
+    found = [F.label(elements[n]) for n in np.ndindex(*elements.shape)]
+    return np.array(found, dtype=dtype).reshape(elements.shape)
+
+
+def check_galois(F: Any, values: galois.FieldArray) -> None:
+    """Refuse values of galois over another field, or modulo another polynomial."""
+    cls = type(values)
+    degree = getattr(F, "degree", 1)
+    same = F.is_field and (cls.characteristic, cls.degree) == (F.characteristic, degree)
+    modulus = [int(c) for c in cls.irreducible_poly.coeffs][::-1]
+    if not same or (degree > 1 and modulus != F.coefficients):
+        raise CoercionError(
+            f"galois values of {cls.name} modulo {cls.irreducible_poly} are not of {F.name}"
+            + (f" modulo {shorten(F.modulus)}" if degree > 1 else "")
+        )

@@ -1,0 +1,185 @@
+"""Arrays of quaternions as four rows of integers of one shape, parts of one block where we made them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hfield.compiling import memory
+from hfield.compiling.memory import Rows, address, rows_of
+from hfield.core.product import Constants, Coordinates
+from hfield.core.straight_line import FIRST, SECOND, Program, pattern, specialise
+from hfield.errors import CoercionError
+from hfield.fields.base.array_storage import programs
+from hfield.fields.base.array_storage.programs import Sides
+from hfield.fields.base.arrays import one_shape, owned, read_only
+from hfield.fields.base.storage.base import Batch, Storage
+
+if TYPE_CHECKING:
+    from hfield.fields.base.arrays import Index
+    from hfield.fields.base.ring import Ring
+
+Row = np.ndarray[Any, np.dtype[Any]]
+
+
+class RowArrays(Batch[Rows]):
+    """Base class for storage as four rows; each ring has its own numbers in the rows.
+
+    A stored value is a tuple of four numpy arrays of one shape and of the type ``dtype``.
+    """
+
+    dtype: str
+
+    def __init__(self, ring: Ring, constants: Constants) -> None:
+        Storage.__init__(self, ring, constants)
+
+    @cached_property
+    def plain(self) -> Batch:
+        """The storage that computes with arrays of the ring: the reference, and where there is no LLVM."""
+        return Batch(self.ring, self.constants)
+
+    def by_arrays(self, operation: str, *operands: Rows) -> Any:
+        """Do as the plain storage does, on arrays of the ring."""
+        return getattr(self.plain, operation)(*map(self.coordinates, operands))
+
+    def program(self, name: str) -> tuple[Program, Sides]:
+        """Return the program of an operation, and the names that the rows of its operands have in it."""
+        if name in programs.COORDINATEWISE:
+            return programs.COORDINATEWISE[name]
+        program = specialise(name, self.pattern(), 2 if self.ring.characteristic == 2 else 0)
+        return program, (FIRST, SECOND) if name == "product" else (FIRST,)
+
+    def pattern(self) -> Constants[str]:
+        """Return which of the structure constants are 0, 1 or −1."""
+        return pattern(self.constants, lambda x, n: bool(self.ring.equal(x, self.ring(n))))
+
+    # --- what a ring gives ---------------------------------------------------------------------
+
+    def row(self, values: object) -> Row:
+        """Return a row of what the ring reads. Raises :class:`CoercionError` as the ring does."""
+        raise NotImplementedError
+
+    def ring_array(self, row: Row) -> Any:
+        """Return a row as an array of the ring."""
+        raise NotImplementedError
+
+    # --- in and out ----------------------------------------------------------------------------
+
+    def encode(self, coordinates: Coordinates) -> Rows:
+        """Encode four arrays of the ring, of one shape."""
+        return tuple(self.row(c) for c in coordinates)
+
+    def read(self, values: tuple[object, ...]) -> Rows:
+        """Encode four values that the ring reads. Raises :class:`CoercionError` as the ring does."""
+        return tuple(one_shape([owned(self.row(v), v) for v in values]))
+
+    def lift(self, coordinates: Coordinates) -> Rows:
+        """Encode one element as an array of no dimensions."""
+        return self.encode(coordinates)
+
+    def coordinates(self, stored: Rows) -> Coordinates:
+        """Return the coordinates as arrays of the ring."""
+        w, x, y, z = map(self.ring_array, stored)
+        return w, x, y, z
+
+    def shape(self, p: Rows) -> tuple[int, ...]:
+        """Return the shape of the array."""
+        shape: tuple[int, ...] = p[0].shape
+        return shape
+
+    def part(self, p: Rows, index: Index) -> Rows:
+        """Return the elements at a numpy index; the rows are views where numpy makes them."""
+        return tuple(np.asarray(row[index]) for row in p)
+
+    def single(self, p: Rows) -> Coordinates:
+        """Return the coordinates of an array of no dimensions."""
+        w, x, y, z = (self.ring.scalar(self.ring_array(row)) for row in p)
+        return w, x, y, z
+
+    def reshaped(self, p: Rows, shape: tuple[int, ...]) -> Rows:
+        """Return the elements in another shape."""
+        return tuple(row.reshape(shape) for row in p)
+
+    # --- what is equal -------------------------------------------------------------------------
+
+    def equal(self, p: Rows, q: Rows) -> np.ndarray:
+        """Tell where p = q."""
+        self._check(p, q, "compare")
+        pairs = zip(p, q, strict=True)
+        same: np.ndarray = np.logical_and.reduce([np.equal(x, y) for x, y in pairs])
+        return same
+
+    def is_zero(self, p: Rows) -> np.ndarray:
+        """Tell where p = 0."""
+        nonzero: np.ndarray = np.logical_or.reduce([row.astype(bool) for row in p])
+        return ~nonzero
+
+    # --- plain arrays --------------------------------------------------------------------------
+
+    def to_array(self, p: Rows) -> Row:
+        """Return the rows as one array of shape (4, …), read-only; without a copy if they are one already."""
+        block = block_of(p)
+        return read_only(np.stack(p) if block is None else block)
+
+    def from_array(self, values: object, copy: bool = True) -> Rows:
+        """Encode a copy of an array of shape (4, …), made by ``to_array``. Raises :class:`CoercionError`."""
+        return self.checked_block(values, 4)
+
+    def checked_block(self, values: object, count: int) -> Rows:
+        """Return the rows of an array of integers. Raises :class:`CoercionError`."""
+        given = np.asarray(values)
+        if given.ndim == 0 or given.shape[0] != count or given.dtype.kind not in "iu":
+            raise CoercionError(
+                f"an array of {given.dtype} of shape {given.shape} does not hold quaternions over "
+                f"{self.ring}: expected integers of shape ({count}, …), as to_array() returns them"
+            )
+        block, _ = memory.block(given.shape, given.dtype.str)
+        block[...] = given  # a copy: nobody changes it after it has been checked
+        self.check_numbers(block)
+        return rows_of(self.block(block))
+
+    def block(self, values: Row) -> Row:
+        """Return an array of integers as an array in one piece, of the stored type."""
+        return values.astype(self.dtype, copy=False)
+
+    def check_numbers(self, block: Row) -> None:
+        """Refuse numbers that stand for no element."""
+
+
+def block_of(rows: Sequence[Row]) -> Row | None:
+    """Return the array of which these are all the rows, in order and in one piece, if there is one."""
+    first, base = rows[0], rows[0].base
+    if not (isinstance(base, np.ndarray) and base.flags.c_contiguous and first.flags.c_contiguous):
+        return None
+    start = address(first)
+    for n, row in enumerate(rows):
+        alike = row.base is base and row.dtype == first.dtype and row.shape == first.shape
+        if not alike or row.strides != first.strides or address(row) != start + n * first.nbytes:
+            return None
+    shape = (len(rows), *first.shape)
+    return np.ndarray(shape, first.dtype, base, start - address(base))
+
+
+def inverses(
+    row: Row,
+    multiply: Callable[[Row, Row], Row],
+    invert: Callable[[Row], Row],
+    few: int = 8,
+) -> Row:
+    """Return the inverses of a row of units by three products an element and a few inversions.
+
+    Pairs are multiplied until few are left; the inverse of a pair's product times one of the pair is the
+    inverse of the other (P. L. Montgomery, Mathematics of Computation 48, 1987, as a tree).
+    """
+    n = len(row)
+    if n <= few:
+        return invert(row)
+    half = n // 2
+    left, right = row[:half], row[half : 2 * half]
+    products = np.concatenate([multiply(left, right), row[2 * half :]])
+    found = inverses(products, multiply, invert, few)
+    inverse = found[:half]
+    return np.concatenate([multiply(inverse, right), multiply(inverse, left), found[half:]])

@@ -1,0 +1,122 @@
+"""Powers by repeated squaring, which end before they fill the memory: how many bits a value takes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from hfield.core.product import Arithmetic
+from hfield.errors import TooLargeError
+
+if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import AnyPolynomial
+
+M = TypeVar("M", bound=Arithmetic)
+
+MAX_UNCHECKED_POWER = 16  # a power up to this is computed whatever comes of it
+MAX_BITS = 1 << 20
+QUICK_BITS = 1 << 16
+TIMES = 8  # as much as this a value may grow in any case
+COEFFICIENT = 4  # bits that one counts for at least, even a 0
+BITS_OF_NODE = 1_000  # bits that a node of a symbolic expression counts for
+
+# Polynomials over finite rings: nobody need look at their coefficients.
+_OVER_FINITE = ("nmod_poly", "fmpz_mod_poly", "fq_default_poly")
+# What our own elements are made of; their rings are no part of their size.
+_INSIDE = ("num", "den", "coefficients", "poly", "terms", "value", "_stored")
+
+
+def bits(x: Any) -> int:
+    """Return about how many bits ``x`` takes: a number, a polynomial, an element, or many of them.
+
+    >>> bits((2**100, 7))
+    104
+    """
+    if isinstance(x, int):
+        return x.bit_length()
+    if isinstance(x, Fraction):
+        return x.numerator.bit_length() + x.denominator.bit_length()
+    if isinstance(x, (tuple, list)):
+        return sum(map(bits, x))
+    if isinstance(x, Mapping):
+        return sum(map(bits, x.values()))
+    if hasattr(x, "nbytes"):
+        return sum(map(bits, x.flat)) if x.dtype == object else 8 * int(x.nbytes)
+    if type(x).__module__.startswith("flint"):
+        return _flint_bits(x)
+    inside = [getattr(x, name) for name in _INSIDE if hasattr(x, name)]
+    if inside:
+        return sum(map(bits, inside))
+    return _symbolic_bits(x.expr) if hasattr(x, "expr") else 1
+
+
+def _flint_bits(x: Any) -> int:
+    if hasattr(x, "monoms"):
+        exponents = sum(int(n).bit_length() for exponents in x.monoms() for n in exponents)
+        return exponents + _bits_of_alike(x.coeffs())
+    if type(x).__name__ in _OVER_FINITE:
+        return (1 + COEFFICIENT) * len(x)
+    if hasattr(x, "coeffs"):
+        coefficients = x.coeffs()
+        return _bits_of_alike(coefficients) + COEFFICIENT * len(coefficients)
+    return _bits_of_alike([x])
+
+
+def _bits_of_alike(numbers: list[Any]) -> int:
+    """Return the bits of numbers of one type of flint's; elements of a finite ring count 1 each."""
+    if numbers and isinstance(numbers[0], int):
+        return sum(map(int.bit_length, numbers))
+    if numbers and hasattr(numbers[0], "height_bits"):
+        return sum(int(x.height_bits()) for x in numbers)
+    if numbers and hasattr(numbers[0], "q"):
+        return sum(int(x.p.height_bits()) + int(x.q.height_bits()) for x in numbers)
+    return len(numbers)
+
+
+def _symbolic_bits(expr: Any) -> int:
+    from sympy import preorder_traversal
+
+    parts = list(preorder_traversal(expr))
+    return BITS_OF_NODE * len(parts) + sum(
+        bits(int(x.p)) + bits(int(x.q)) for x in parts if x.is_Rational
+    )
+
+
+def is_quick(x: object, n: int) -> bool:
+    """Tell whether the polynomial xⁿ is small: both its degree and its numbers are below QUICK bits."""
+    return n <= MAX_UNCHECKED_POWER or bits(x) * n <= QUICK_BITS
+
+
+def check_growth(start: int, power: object) -> None:
+    """Refuse to go on squaring. Raises :class:`TooLargeError`; ``start`` is how many bits there were."""
+    reached = bits(power)
+    if reached > MAX_BITS and reached > TIMES * start:
+        raise TooLargeError(
+            f"the power is too large: a square on the way to it has {reached} bits, and none with more "
+            f"than {MAX_BITS} is squared again; use a smaller exponent, or a finite ring such as ZZ/n"
+        )
+
+
+def polynomial_power(one: AnyPolynomial, x: AnyPolynomial, n: int) -> AnyPolynomial:
+    """Return xⁿ for n ≥ 0, by the library's own power where the result is small enough for it."""
+    return x**n if is_quick(x, n) else power(one, x, n)
+
+
+def power(one: M, x: M, n: int) -> M:
+    """Return xⁿ for n ≥ 0 by repeated squaring, for any multiplication with unit ``one``.
+
+    Raises :class:`TooLargeError` where it would fill the memory; whatever stays small, such as a root of
+    unity, has powers of any size.
+    """
+    result = one
+    start = bits(x) if n > MAX_UNCHECKED_POWER else None
+    while n:
+        if n & 1:
+            result = result * x
+        n >>= 1
+        if n:
+            if start is not None:
+                check_growth(start, x)
+            x = x * x
+    return result

@@ -1,0 +1,647 @@
+"""What H(F) asks of a base ring: the protocol that every adapter, and a user's own ring, satisfies.
+
+A ring is a parent object; its elements are the values of some library as they come, with ``+``,
+``-`` and ``*`` of their own. Only four things have to be given: ``name``, ``characteristic``,
+``__call__`` and, for whatever is not merely ``0 == x``, ``is_zero``. The rest has defaults that
+say "not known" rather than guess. ``docs/reference/rings.md`` builds one from scratch.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from random import Random
+from typing import TYPE_CHECKING, Any, Generic, Protocol, runtime_checkable
+
+from hfield import syntax
+from hfield.core.product import Constants, Scalar
+from hfield.errors import (
+    CoercionError,
+    NotFiniteError,
+    NotInvertibleError,
+    RingError,
+    UndecidedError,
+    shorten,
+)
+from hfield.fields.base.foreign_values import describe
+from hfield.fields.base.powers import power
+from hfield.fields.base.printing import from_unicode, number_text
+from hfield.fields.base.registry import REGISTRY
+from hfield.fields.base.storage.base import Batch, Storage
+
+if TYPE_CHECKING:
+    import numpy as np
+    import sympy
+    from typing_extensions import TypeVar
+
+    E = TypeVar("E", bound=Scalar, default=Any)  # ``Ring`` alone: of elements that nobody checks
+else:
+    from typing import TypeVar
+
+    E = TypeVar("E")  # an element of a ring
+
+R = TypeVar("R", bound="Ring")
+
+INFINITY = float("inf")
+ROUNDING = 1e-9  # numbers of an inexact ring that differ by less, relatively, agree
+FINITE_LIMIT = 10**9  # of syntax.weight where values do not grow and powers take log n steps
+
+
+@dataclass(frozen=True)
+class Fact:
+    """A fact about a ring with its reason: ``value`` is None where it is not known."""
+
+    value: Any
+    reason: str
+
+    def __str__(self) -> str:
+        shown = {None: "not known", INFINITY: "∞"}.get(self.value, self.value)
+        return f"{shown}, because {self.reason}" if self.reason else str(shown)
+
+
+@runtime_checkable
+class WithIntegers(Protocol):
+    """ℚ and the number fields, which have integers; ``degree`` is that over ℚ."""
+
+    @property
+    def degree(self) -> int:
+        """The degree over ℚ."""
+
+    def integral_basis(self) -> Sequence[Any]:
+        """Return a basis over ℤ of the integers, 1 first."""
+
+
+class Core(ABC, Generic[E]):
+    """A commutative ring with 1, as far as the arithmetic of its elements goes.
+
+    ``name`` is the text that :func:`hfield.ring` reads back; rings of one class are equal when their names
+    are. ``order`` is None for an infinite ring, ``is_field`` where that is not known, ``gen_name`` is the
+    text of the generator, if any.
+    """
+
+    name: str
+    characteristic: int
+    order: int | None = None
+    is_exact: bool = True
+    exact_ring: str = "RR"  # of an inexact ring: where its numbers are exact
+    is_field: bool | None = None
+    gen_name: str | None = None
+
+    @abstractmethod
+    def __call__(self, x: object) -> E:
+        """Turn an int, a Fraction, an element or a text into an element, or raise CoercionError."""
+
+    @property
+    def zero(self) -> E:
+        """The element 0."""
+        return self(0)
+
+    @property
+    def one(self) -> E:
+        """The element 1."""
+        return self(1)
+
+    def is_zero(self, x: E) -> bool:
+        """Tell whether x is 0."""
+        return bool(x == self.zero)
+
+    def equal(self, x: E, y: E) -> bool:
+        """Tell whether x = y."""
+        return self.is_zero(x - y)
+
+    def inverse(self, x: E) -> E:
+        """Return 1/x: by default that of 1 and −1, and what Python's ``/`` gives, if the ring has it.
+
+        Raises :class:`NotInvertibleError` where there is none, :class:`UndecidedError` where it is not known.
+        """
+        if self.is_zero(x):
+            raise NotInvertibleError(f"cannot divide by 0 in {self.name}")
+        if self.is_zero(x - self.one) or self.is_zero(x + self.one):
+            return x
+        found = self._quotient(x)
+        if found is None:
+            raise UndecidedError(
+                f"whether {self.text(x)} has an inverse in {self.name} is not known: the ring has no method "
+                "inverse(x), and 1/x gives none of its elements"
+            )
+        return found
+
+    def _quotient(self, x: Any) -> E | None:
+        """Return Python's 1/x, None where it is no element of the ring, or times x is not 1."""
+        try:
+            found = self(self.one / x)
+        except (TypeError, ValueError, ArithmeticError):
+            return None
+        return found if type(found) is type(x) and self.is_zero(found * x - self.one) else None
+
+    def is_unit(self, x: E) -> bool:
+        """Tell whether x has an inverse. Raises :class:`UndecidedError` where that is not known."""
+        if self.is_field and self.is_exact:
+            return not self.is_zero(x)
+        try:
+            self.inverse(x)
+        except NotInvertibleError:
+            return False
+        return True
+
+    def divide(self, x: E, y: E) -> E:
+        """Return x·y⁻¹."""
+        return x * self.inverse(y)
+
+    def power(self, x: E, n: int) -> E:
+        """Return xⁿ by repeated squaring; n < 0 inverts first."""
+        return power(self.one, x if n >= 0 else self.inverse(x), abs(n))
+
+    def annihilator(self, x: E) -> E | None:
+        """Return some nonzero y with x·y = 0, or None: in a domain only 0 has one, in any ring no unit.
+
+        Raises :class:`UndecidedError` where it is not known.
+        """
+        if self.is_zero(x):
+            return self.one
+        if self.is_domain or self.is_unit(x):
+            return None
+        raise UndecidedError(
+            f"whether {self.text(x)} is a zero divisor in {self.name} is not known"
+        )
+
+    @property
+    def is_domain(self) -> bool:
+        """Whether it is known that a product is 0 only where a factor is."""
+        return bool(self.is_field)
+
+    @property
+    def no_field(self) -> str:
+        """Say that this is no field, or not known to be one."""
+        known = "not a field" if self.is_field is False else "not known to be a field"
+        return f"{self.name} is {known}"
+
+    def vanishes(self, x: E) -> bool:
+        """Tell whether x is 0 as far as it is known: elements of local fields may be known up to O(…)."""
+        return self.is_zero(x)
+
+    def is_known(self, x: E) -> bool:
+        """Tell whether x is one element: elements of local fields may be known up to O(…)."""
+        return True
+
+    def agree(self, x: E, y: E) -> bool:
+        """Tell whether x = y as far as they are known, in an inexact ring up to rounding."""
+        if self.is_exact:
+            return self.vanishes(x - y)
+        size: Any = abs
+        return bool(size(x - y) <= ROUNDING * (1 + size(x) + size(y)))
+
+    @property
+    def gen(self) -> E:
+        """The generator: the class of x, the square root, the variable."""
+        raise UndecidedError(f"{self.name} has no generator")
+
+    def text(self, x: E, style: str = "plain") -> str:
+        """Write x; what ``plain`` writes, the ring reads back. Also ``unicode`` and ``latex``."""
+        return str(x)
+
+    def key(self, x: E) -> Hashable:
+        """Return a hashable stand-in: equal elements have equal keys."""
+        return self.text(x)
+
+    def state(self, x: E) -> object:
+        """Return what stands for x in a pickle: plain data that the ring reads back, by default a text."""
+        return self.text(x)
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and self.name == other.name
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+class Named(Core[E]):
+    """What a ring reads and writes: its elements, itself as words, as data and in LaTeX."""
+
+    parse_limit: int = 20_000  # the greatest syntax.weight of a text; less for many variables
+
+    def in_words(self) -> str:
+        """Say what the ring is, for people: ``rational functions in z over ℚ``; by default its name."""
+        return self.name
+
+    @property
+    def data(self) -> dict[str, Any] | None:
+        """The ring as JSON data in certificates (docs/reference/certificates.md); None where it has none."""
+        return None
+
+    def names(self) -> dict[str, E]:
+        """What names mean in this ring's texts: its generators (GF(4)(t) has x and t)."""
+        return {} if self.gen_name is None else {self.gen_name: self.gen}
+
+    def functions(self) -> dict[str, Callable[..., E]]:
+        """What functions mean in this ring's texts, such as ``sqrt`` where numbers are written so."""
+        return {}
+
+    def named_constants(self, node: syntax.Node) -> syntax.Node:
+        """Return a tree in which a number that the ring knows in part is written in one way, as one call."""
+        return node
+
+    def spelled_constants(self, node: syntax.Node) -> syntax.Node:
+        """Return a tree with such calls as people write them."""
+        return node
+
+    def parse(self, text: str) -> E:
+        """Read an element from text, in the grammar of :mod:`hfield.syntax`."""
+        functions: dict[str, Callable[..., E]]
+        functions = {"/": self.divide, "**": self.power, **self.functions()}
+        reader = syntax.Reader(self, self.names(), functions, self.name, self.parse_limit)
+        value: E = reader.read(from_unicode(text))
+        return value
+
+    def ratio(self, x: Fraction) -> E:
+        """Return a Fraction as an element. Raises :class:`NotInvertibleError`: 1/2 is not in GF(4)."""
+        try:
+            return self.divide(self(x.numerator), self(x.denominator))
+        except NotInvertibleError:
+            raise NotInvertibleError(
+                f"{shorten(number_text(x))} is not an element of {shorten(self.name)}: its denominator "
+                f"has no inverse there, for the characteristic is {shorten(self.characteristic)}"
+            ) from None
+
+    def generators(self) -> dict[str, E]:
+        """Return what symbols of sympy mean, by name: the generators, without names of numbers."""
+        return self.names()
+
+    def generator_of(self, polynomial: Sequence[Fraction]) -> sympy.Expr | None:
+        """Return the generator in sympy if this, low degree first, is its minimal polynomial, or None."""
+        return None
+
+    def foreign(self, x: object) -> E:
+        """Return the element that an object of sympy is. Raises :class:`CoercionError`, also for all else."""
+        from hfield.fields.base.from_sympy import is_of_sympy, read_foreign
+
+        if not is_of_sympy(x):
+            raise self.refuse(x)
+        value: E = read_foreign(self, x)  # type: ignore[arg-type]  # all rings are of the class Ring
+        return value
+
+    def closed_form(self, x: sympy.Expr) -> E:
+        """Return the element that a number of sympy is, such as sqrt(2), which is not written as a rational.
+
+        Raises :class:`CoercionError` where the ring does not hold it.
+        """
+        from hfield.fields.base.from_sympy import closed_form
+
+        value: E = closed_form(self, x)  # type: ignore[arg-type]  # as above
+        return value
+
+    def function_of_symbols(self, x: sympy.Expr, read: Callable[[sympy.Expr], E]) -> E | None:
+        """Return a function of symbols, such as cos(t), as an element, or None where the ring has none."""
+        return None
+
+    def to_sympy(self, x: E, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return x as an expression in symbols of the generators' names, the given ones where there are.
+
+        Raises :class:`CoercionError` where sympy has no such numbers.
+        """
+        raise CoercionError(f"sympy has no expressions for the elements of {shorten(self.name)}")
+
+    def refuse(self, x: object, hint: str = "") -> CoercionError:
+        """Return the error for a value that is not an element of this ring."""
+        called, mend = describe(x, self.name, self.is_exact, self.characteristic)
+        name = shorten(self.name)
+        return CoercionError(f"{shorten(called, 80)} is not an element of {name}: {hint or mend}")
+
+    @property
+    def latex_name(self) -> str:
+        """The name in LaTeX's mathematics."""
+        from hfield.fields.base.latex_names import latex_name
+
+        return latex_name(self.name)
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex_name}$"
+
+
+class Enumerated(Core[E]):
+    """What a finite ring lists, and any ring draws at random."""
+
+    def elements(self) -> Iterator[E]:
+        """Run through all elements of a finite ring, 0 and 1 first."""
+        raise NotFiniteError(f"{self.name} is infinite, so its elements cannot be listed")
+
+    def random(self, rng: Random) -> E:
+        """Return a random element, small if the ring is infinite; the same for the same seed."""
+        return self(rng.randint(-9, 9))
+
+
+class WithSquares(Core[E]):
+    """What is known of squares, of roots, and of orderings, which hang on them."""
+
+    closure: str | None = None  # "real closed" or "algebraically closed", where it is
+
+    @property
+    def level(self) -> Fact:
+        """The level s(F): the least number of squares with sum −1, ``inf`` if there is none."""
+        return Fact(None, "nothing is known of the squares of this ring")
+
+    def level_of(self, squares: Sequence[E], fewer: str = "−1 itself is no square") -> Fact:
+        """Return the level that squares with sum −1 show, where ``fewer`` is why fewer do not do."""
+        shown = " + ".join(f"({self.text(y)})^2" for y in squares)
+        more = f", and {fewer}" if len(squares) > 1 else ""
+        return Fact(len(squares), f"−1 = {shown} in {self.name}{more}")
+
+    def minus_one_as_squares(self) -> tuple[E, ...]:
+        """Elements, as few as the level says, whose squares add up to −1; () if not known."""
+        return ()
+
+    def sqrt(self, x: E) -> E | None:
+        """Return some y with y² = x, or None when there is none; undecided if not known."""
+        raise UndecidedError(f"square roots in {self.name} cannot be decided")
+
+    def is_square(self, x: E) -> bool:
+        """Tell whether x is a square, also where its roots cannot be written down."""
+        return self.sqrt(x) is not None
+
+    def roots(self, coefficients: Sequence[E]) -> list[E]:
+        """Return all x with Σ cₙ·xⁿ = 0, each once, for coefficients that are not all 0.
+
+        Raises :class:`UndecidedError` where they are not computed.
+        """
+        raise UndecidedError(f"roots of polynomials over {self.name} are not computed")
+
+    def irreducible_factors(self, coefficients: Sequence[E]) -> list[list[E]]:
+        """Return the monic irreducible factors of a polynomial over a field, not 0, each once.
+
+        Coefficients go from low to high. By default those of degree 2, and of degree 4 in x², are found, by
+        square roots. Raises :class:`UndecidedError` for others.
+        """
+        from hfield.fields.base.roots import by_square_roots
+
+        return by_square_roots(self, coefficients)
+
+    def is_rootless(self, coefficients: Sequence[E]) -> bool:
+        """Tell whether Σ cₙ·xⁿ certainly has no root; by default of quadratics, by their discriminants."""
+        if len(coefficients) != 3 or self.characteristic == 2 or self.is_zero(coefficients[2]):
+            return False
+        c, b, a = coefficients
+        try:
+            return self.sqrt(b * b - self(4) * a * c) is None
+        except UndecidedError:
+            return False
+
+    @property
+    def orderings(self) -> Fact:
+        """How many orderings the field has (0 exactly when the level is finite)."""
+        if self.level.value is None:
+            return Fact(None, self.level.reason)
+        if self.level.value == INFINITY:
+            return Fact(None, "at least one, for −1 is not a sum of squares")
+        return Fact(0, f"−1 is a square or a sum of squares: {self.level.reason}")
+
+    def sign(self, x: E, ordering: int = 0) -> int:
+        """Return −1, 0 or 1: the sign of x in an ordering of the field (numbered from 0).
+
+        Raises :class:`RingError` where there is no such ordering.
+        """
+        self.check_ordering(ordering)
+        raise UndecidedError(f"{self.name} has no ordering that is known")
+
+    def check_ordering(self, ordering: int) -> None:
+        """Refuse the number of an ordering that the ring does not have."""
+        known = self.orderings.value
+        if ordering < 0 or (known is not None and ordering >= known):
+            raise RingError(f"{self.name} has no ordering number {ordering}; there are {known}")
+
+
+class WithRelatives(Core[E]):
+    """What belongs to a ring that is no field, or is above another one: fractions, residues, constants."""
+
+    def euclid(self, x: E, y: E) -> tuple[E, E]:
+        """Return q and r with x = q·y + r and r smaller than y ≠ 0: division in a Euclidean ring.
+
+        Raises :class:`UndecidedError` for any other ring.
+        """
+        raise UndecidedError(f"{self.name} is not known to be Euclidean")
+
+    @property
+    def is_domain(self) -> bool:
+        """Whether it is known that a product is 0 only where a factor is."""
+        return super().is_domain or self.fractions is not None
+
+    @property
+    def fractions(self) -> Ring | None:
+        """The field of fractions of an integral domain that is no field, where it has a name."""
+        return None
+
+    def modulo(self, n: int) -> Ring | None:
+        """Return ℤ/n if this ring has one homomorphism onto it, and no other: ℤ has, and ℤ/m for n | m."""
+        return None
+
+    @property
+    def residues_of(self) -> tuple[Ring, Any] | None:
+        """The Euclidean ring R and the m for which this is R/m, None for any other ring.
+
+        :meth:`lift` then gives an element of R for each of this ring.
+        """
+        return None
+
+    def lift(self, x: E) -> Any:
+        """Return an element of R, where this ring is R/m (see :attr:`residues_of`)."""
+        raise UndecidedError(f"{self.name} is not known as a ring of residues")
+
+    @property
+    def constants(self) -> Ring | None:
+        """The ring k of constants of k(x) and k[x, …], None for any other ring."""
+        return None
+
+    def as_constant(self, x: E) -> Any:
+        """Return the element of the ring of constants that x is, or None."""
+        return None
+
+    def embed_from(self, source: Ring) -> Callable[[Any], E] | None:
+        """Return the map of a ring into this one where texts would not do, or None.
+
+        Raises :class:`CoercionError` where there is no map.
+        """
+        return None
+
+    def images_in(self, target: Ring) -> dict[str, Any]:
+        """Return what the names of this ring mean in another, where its own names would not tell.
+
+        Raises :class:`CoercionError` where they mean nothing there.
+        """
+        return {}
+
+
+class WithArrays(Core[E]):
+    """Arrays of elements."""
+
+    def array(self, values: object) -> Any:
+        """Turn an element, a sequence or an array into an array that computes elementwise."""
+        from hfield.fields.base.arrays import objects
+
+        return objects(values, self)
+
+    def array_inverse(self, values: Any) -> Any:
+        """Invert an array of units elementwise; the caller has checked that they are units."""
+        import numpy as np
+
+        inverses = [self.inverse(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
+        return self.array(inverses).reshape(values.shape)
+
+    def array_units(self, values: Any) -> np.ndarray:
+        """Return a bool array: which entries are units. Faster where a library tells at once."""
+        import numpy as np
+
+        flags = [self.is_unit(self.scalar(values[n])) for n in np.ndindex(*values.shape)]
+        return np.array(flags, dtype=bool).reshape(values.shape)
+
+    def scalar(self, x: Any) -> E:
+        """Turn an entry of ``array`` back into an element."""
+        element: E = x[()] if hasattr(x, "ndim") and x.ndim == 0 else x
+        return element
+
+
+class WithVariables(Core[E]):
+    """What a ring with variables does with them: values put in, derivatives."""
+
+    variables: tuple[str, ...] = ()
+
+    @property
+    def variable_names(self) -> tuple[str, ...]:
+        """The variables for which values may be put in, and by which there are derivatives."""
+        return self.variables
+
+    @property
+    def values_ring(self) -> Ring | None:
+        """The ring in which elements lie when every variable has a value there; None without variables."""
+        return None
+
+    def images_of(self, values: Mapping[str, object], target: Ring) -> dict[str, Any]:
+        """Return what the variables become in the target for values of some of them; the rest stay.
+
+        Raises :class:`CoercionError` for what the target does not read.
+        """
+        own = {name: x for name, x in target.generators().items() if name in self.variable_names}
+        return own | {name: target(x) for name, x in values.items()}
+
+    def evaluation(
+        self,
+        target: Ring,
+        images: Mapping[str, Any],
+        below: Callable[[Ring, Ring], Callable[[Any], Any]],
+    ) -> Callable[[E], Any]:
+        """Return the homomorphism into a ring that maps the variables to these images.
+
+        ``below`` returns the map of a ring of constants into another one. The homomorphism raises
+        :class:`NotInvertibleError` at poles.
+        """
+        raise CoercionError(f"{self} has no variables")
+
+    def cosine_and_sine_of(self, angle: object, parts: int = 1) -> tuple[E, E]:
+        """Return cosine and sine of an angle, such as ``"2*t + pi/3"``, that is divided into equal parts.
+
+        Raises :class:`CoercionError` where the ring does not have them.
+        """
+        ring: Any = self  # all rings are of the class Ring
+        return REGISTRY.functions.cosine_and_sine(ring, angle, parts)
+
+    def derivative(self, x: E, variable: str) -> E:
+        """Return the derivative of x by a variable. Raises :class:`CoercionError` for what is none."""
+        shown = ", ".join(self.variable_names) or "none"
+        raise CoercionError(
+            f"{shorten(variable)} is not a variable of {self}; its variables: {shown}"
+        )
+
+    def variables_in(self, x: E) -> set[str]:
+        """Return the variables that occur in x."""
+        return set()
+
+
+class WithPlaces(Core[E]):
+    """What a field with places says of them, and who knows their theory."""
+
+    theory: str = (
+        ""  # of a field with places: the name of its theory in hfield.fields.base.registry
+    )
+
+    def places(self) -> Iterator[Hashable]:
+        """Run through the places of a global field without end, infinite ones first; texts read back.
+
+        Raises :class:`UndecidedError` for any other ring.
+
+        >>> from itertools import islice
+        >>> from hfield import ring
+        >>> list(islice(ring("QQ(I)").places(), 4))
+        [inf, (2, 1+I), 3, (5, I-2)]
+        """
+        raise UndecidedError(f"{self.name} is not a global field: its places are not listed")
+
+    def place_data(self, place: Any) -> dict[str, Any]:
+        """Return a place of the field as JSON data."""
+        found: dict[str, Any] = place.data
+        return found
+
+    def completion(self, place: object) -> Ring:
+        """Return the completion of a global field at a place, or at its text.
+
+        A local field at a finite place. At an infinite one RR or CC where these read the field, for what is
+        said of all real numbers holds if it does for the algebraic ones (Tarski); else ℝ or ℂ with the
+        elements of the field in it. Raises :class:`RingError` for a place of another field,
+        :class:`UndecidedError` where there are no places.
+
+        >>> from hfield import ring
+        >>> ring("QQ").completion(5), ring("QQ(I)").completion("(5, I-2)"), ring("QQ").completion("inf")
+        (Qp(5), QQ(I)_(5, I-2), RR)
+        """
+        ring: Any = self  # all rings are of the class Ring
+        return REGISTRY.completion(ring, place)
+
+
+class Ring(
+    Named[E],
+    Enumerated[E],
+    WithSquares[E],
+    WithRelatives[E],
+    WithVariables[E],
+    WithArrays[E],
+    WithPlaces[E],
+):
+    """A commutative ring with 1. Its methods say "not known" rather than guess.
+
+    A class of rings defines ``name``, ``characteristic``, ``__call__``, and overrides what it can compute.
+
+    >>> from hfield import GF
+    >>> isinstance(GF(9), Ring), GF(9).order, GF(9).gen_name
+    (True, 9, 'x')
+    """
+
+    def storage(self, constants: Constants) -> Storage:
+        """Return the storage of elements of the algebra with these constants; by default of tuples."""
+        from hfield.fields.base.storage.plain import Plain
+
+        return Plain(self, constants)
+
+    def array_storage(self, constants: Constants) -> Batch:
+        """Return the storage of arrays of such elements: by default each entry is stored by :meth:`storage`.
+
+        A ring whose arrays are a library's own computes with four of those.
+        """
+        if type(self).array is not WithArrays.array:
+            return Batch(self, constants)
+        from hfield.fields.base.array_storage.object_arrays import ObjectArrays
+
+        return ObjectArrays(self, constants)
+
+
+def shared(kind: Callable[..., R], *arguments: Hashable) -> R:
+    """Return the ring that a class or a method makes of some arguments, the same one each time."""
+    made: R = _shared(kind, *arguments)
+    return made
+
+
+@lru_cache(maxsize=1024)
+def _shared(kind: Callable[..., Ring], *arguments: Hashable) -> Any:
+    return kind(*arguments)

@@ -1,0 +1,114 @@
+"""Elements as numerators over one denominator: the text of their operations."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Hashable
+from typing import Any
+
+from hfield.core.product import Scalar
+from hfield.core.straight_line import FIRST, SECOND, parts, specialise_extension
+from hfield.fields.base.storage.compact import Compact, function, statements
+
+FractionTuple = tuple[Any, ...]  # the numerators of w, x, y, z, and the denominator last
+
+
+class NumeratorStorage(Compact[FractionTuple]):
+    """Elements whose coordinates have a denominator in common, in lowest terms.
+
+    A coordinate has n numerators, the coefficients of 1, s, …, sⁿ⁻¹; ``relation`` says what sⁿ is. The basis
+    is scaled to i′ = m·i, j′ = k·j, so that the constants a′ = m²a, t′ = mt, b′ = k²b have no denominators:
+    the algebra keeps its form, and so its formula. ``pattern`` and ``relation`` are as
+    :func:`~hfield.core.straight_line.specialise_extension` takes them.
+    """
+
+    inverted = [  # noqa: RUF012 - never changed
+        "if d == 0:",
+        "    return None",
+        "w, x, y, z = w*d1, x*d1, y*d1, z*d1",
+    ]
+    pattern: tuple[tuple[str, ...], ...]
+    relation: tuple[str, ...]
+
+    @abstractmethod
+    def fraction(self, s: Any) -> FractionTuple:
+        """Return the numerators of an element of the ring over one denominator, in lowest terms."""
+
+    @abstractmethod
+    def settle(self, names: list[str]) -> list[str]:
+        """Write how to return the named numerators over d in lowest terms."""
+
+    def value(self, names: list[str], denominator: str) -> list[str]:
+        """Write how to return the named numerators over a denominator as an element of the ring."""
+        return [f"return element({', '.join(names)}, {denominator})"]
+
+    def source(self, operation: str) -> str:
+        """Return the text of an operation on numerators over one denominator."""
+        degree = len(self.relation)
+        first, second, results = (
+            [part for name in side for part in parts(name, degree)]
+            for side in (FIRST, SECOND, "wxyz")
+        )
+        p = {"p": f"{', '.join(first)}, d1"}
+        both = p | {"q": f"{', '.join(second)}, d2"}
+
+        def formula(name: str, outputs: list[str]) -> list[str]:
+            program = specialise_extension(name, self.pattern, self.relation)
+            return statements(program, tuple(outputs))
+
+        if operation == "product":
+            body = [*formula("product", results), "d = d1*d2", *self.settle(results)]
+            return function("product", both, body)
+        if operation in ("sum", "difference"):
+            body = _added("+" if operation == "sum" else "-", results, first, second)
+            return function(operation, both, [*body, *self.settle(results)])
+        if operation == "multiple":
+            scalar = parts("w2", degree)
+            body = [*formula("multiple", results), "d = d1*d2", *self.settle(results)]
+            return function(operation, p | {"s": f"{', '.join(scalar)}, d2"}, body)
+        if operation == "inverse" and (degree > 1 or not self.ring.is_field):
+            return "def inverse(p):\n    return by_norm(p)"
+        if operation == "inverse":
+            body = [*formula("adjoint", [*results, "d"]), *self.inverted, *self.settle(results)]
+            return function("inverse", p, body)
+        if operation in ("norm", "trace"):
+            norm = list(parts("s", degree))
+            d = "d1*d1" if operation == "norm" else "d1"
+            return function(operation, p, [*formula(operation, norm), *self.value(norm, d)])
+        value = f"return {', '.join(results)}, d1"
+        return function(operation, p, [*formula(operation, results), value])
+
+    def names(self) -> dict[str, object]:
+        """Return what every source names; a field adds its constants and how it puts in lowest terms."""
+        return {"by_norm": self._by_norm}
+
+    def _by_norm(self, p: FractionTuple) -> FractionTuple | None:
+        """Return the inverse through that of the norm in the ring."""
+        stored: FractionTuple | None = self.divided(self.conjugate(p), self.norm(p))
+        return stored
+
+    def scaled(self, p: FractionTuple, s: Scalar) -> FractionTuple:
+        """Return s·p for an element s of the ring."""
+        stored: FractionTuple = self.multiple(p, self.fraction(s))
+        return stored
+
+    def is_zero(self, p: FractionTuple) -> bool:
+        """Tell whether p = 0."""
+        return all(c == 0 for c in p[:-1])
+
+    def key(self, p: FractionTuple) -> Hashable:
+        """Return p itself."""
+        return p
+
+
+def _added(sign: str, results: list[str], first: list[str], second: list[str]) -> list[str]:
+    """Write the sum or difference of two fractions, not in lowest terms."""
+    triples = list(zip(results, first, second, strict=True))
+    return [
+        "if d1 == d2:",
+        *(f"    {r} = {u} {sign} {v}" for r, u, v in triples),
+        "    d = d1",
+        "else:",
+        *(f"    {r} = {u}*d2 {sign} {v}*d1" for r, u, v in triples),
+        "    d = d1*d2",
+    ]

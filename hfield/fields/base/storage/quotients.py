@@ -1,0 +1,159 @@
+"""Elements over ℤ/n and over GF(p)[x]/(f) as four representatives; sums of products are reduced once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.core.straight_line import BINARY, pattern, specialise
+from hfield.fields.base.residue_polynomials import polynomials_modulo
+from hfield.fields.base.storage.compact import LARGE, Compact, function, statements
+
+if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import Polynomial
+    from hfield.fields.base.modular import Modular
+    from hfield.fields.base.ring import Ring
+    from hfield.fields.finite.ring import ExtensionField
+
+Representatives = tuple[Any, Any, Any, Any]
+
+
+class Quotients(Compact[Representatives]):
+    """Storage of elements over R/(n) as representatives that ``%`` makes unique."""
+
+    reduces_sums = True
+
+    def __init__(
+        self,
+        ring: Ring,
+        constants: Constants,
+        modulus: int | Polynomial,
+        lift: Callable[[Any], Any],
+        project: Callable[[Any], Any],
+        invert: Callable[[Any], Any],
+    ) -> None:
+        """Take the maps from the ring to representatives and back.
+
+        ``invert`` returns a representative of the inverse or raises ValueError.
+        """
+        super().__init__(ring, constants)
+        self.modulus, self._lift, self._project, self._invert = modulus, lift, project, invert
+        self.lifted = Constants(*map(lift, constants))
+        self.pattern = pattern(constants, lambda x, k: ring.equal(x, ring(k)))
+
+    def encode(self, coordinates: Coordinates) -> Representatives:
+        """Return the element with these coordinates in the ring."""
+        w, x, y, z = map(self._lift, coordinates)
+        return w, x, y, z
+
+    def coordinates(self, stored: Representatives) -> Coordinates:
+        """Return the four coordinates, flint's residues or field elements."""
+        w, x, y, z = map(self._project, stored)
+        return w, x, y, z
+
+    def names(self) -> dict[str, object]:
+        """Return the constants, the modulus, and the maps."""
+        tools = {"n": self.modulus, "project": self._project, "invert": self._invert}
+        return self.lifted._asdict() | tools
+
+    def source(self, operation: str) -> str:
+        """Return the text of an operation on four representatives."""
+        program = specialise(
+            "adjoint" if operation == "inverse" else operation,
+            self.pattern,
+            2 if self.ring.characteristic == 2 else 0,
+        )
+        operands = {"p": "w1, x1, y1, z1"}
+        if operation in ("norm", "trace"):
+            body = [*statements(program, ("s",)), "return project(s % n)"]
+        elif operation == "inverse":
+            body = [*statements(program, (*"wxyz", "s")), *INVERTED, REDUCED]
+        else:
+            multiplies = any(step.operation == "*" for step in program.steps)
+            last = REDUCED if self.reduces_sums or multiplies else "return w, x, y, z"
+            body = [*statements(program, (*"wxyz",)), last]
+        if operation in BINARY:
+            operands["q"] = "w2, x2, y2, z2"
+        return function(operation, operands, body)
+
+    def scaled(self, p: Representatives, s: Scalar) -> Representatives:
+        """Return s·p for an element s of the ring."""
+        (w, x, y, z), n, s = p, self.modulus, self._lift(s)
+        return w * s % n, x * s % n, y * s % n, z * s % n
+
+    def is_zero(self, p: Representatives) -> bool:
+        """Tell whether p = 0."""
+        return p == (0, 0, 0, 0)
+
+
+INVERTED = [
+    "try:",
+    "    s = invert(s)",
+    "except ValueError:",
+    "    return None",
+    "w, x, y, z = w*s, x*s, y*s, z*s",
+]
+REDUCED = "return w % n, x % n, y % n, z % n"
+
+
+class ResidueStorage(Quotients):
+    """Elements over ℤ/n as four ints between 0 and n − 1, flint's where n is large."""
+
+    def __init__(self, ring: Modular, constants: Constants) -> None:
+        n, word = ring.modulus, ring.modulus < LARGE
+        super().__init__(
+            ring,
+            constants,
+            n if word else flint.fmpz(n),
+            lift=int if word else lambda x: flint.fmpz(int(x)),
+            project=ring.residue if word else lambda x: ring.residue(int(x)),
+            invert=lambda s: pow(int(s), -1, n),
+        )
+
+    def whole(self, w: int, x: int, y: int, z: int) -> Representatives:
+        """Encode four ints."""
+        n = self.modulus
+        return w % n, x % n, y % n, z % n
+
+    def key(self, p: Representatives) -> Representatives:
+        """Return p itself."""
+        return p
+
+
+class PolynomialStorage(Quotients):
+    """Elements over GF(pⁿ) as four polynomials of degree below n."""
+
+    reduces_sums = False  # their degrees are small enough
+
+    def __init__(self, ring: ExtensionField, constants: Constants) -> None:
+        p = ring.characteristic
+        polynomial: Any = polynomials_modulo(p)
+        f = polynomial(ring.coefficients)
+
+        def invert(s: Polynomial) -> Polynomial:
+            common, inverse, _ = (s % f).xgcd(f)
+            if common != 1:
+                raise ValueError("0 has no inverse")
+            return inverse
+
+        super().__init__(
+            ring,
+            constants,
+            f,
+            lift=lambda x: polynomial([int(c) for c in x.to_list()]),
+            project=ring.context,
+            invert=invert,
+        )
+        self._constant: Callable[[int], Any] = lambda n: polynomial([n % p])
+
+    def whole(self, w: int, x: int, y: int, z: int) -> Representatives:
+        """Encode four ints."""
+        c = self._constant
+        return c(w), c(x), c(y), c(z)
+
+    def key(self, p: Representatives) -> tuple[tuple[int, ...], ...]:
+        """Return the coefficients."""
+        return tuple(tuple(map(int, c.coeffs())) for c in p)

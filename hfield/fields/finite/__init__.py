@@ -1,0 +1,1 @@
+"""Finite fields: the ring, the texts that name one, arrays by galois."""

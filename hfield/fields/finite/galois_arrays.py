@@ -1,0 +1,116 @@
+"""Arrays of finite field elements: galois where it is quick, numpy objects where the field is large."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import galois
+import numpy as np
+
+from hfield.compiling.machine_code import available, lock
+from hfield.errors import CoercionError
+from hfield.fields.base.array_storage.finite import primitive
+from hfield.fields.base.array_storage.labels import check_galois, labels
+from hfield.fields.base.arrays import Objects, objects
+from hfield.fields.base.ring import Ring
+
+if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import Coefficient
+    from hfield.fields.finite.ring import FiniteField
+
+
+GALOIS_BELOW = 2**31  # from here on galois would compute with Python objects, slower than flint's
+TABLES_BELOW = 2**16  # from here on its tables would take seconds to build
+_classes: dict[Any, Any] = {}
+
+
+def field_class(F: Any) -> galois.FieldArray | None:
+    """Return galois's array class for the finite field F, with F's modulus; None if F is too large."""
+    if F.order >= GALOIS_BELOW:
+        return None
+    found = _classes.get(F)
+    if found is None:
+        with (
+            lock
+        ):  # of two classes for one field, arrays of one would not go with those of the other
+            found = _classes.get(F)
+            if found is None:
+                found = _classes[F] = _made_class(F)
+    return found
+
+
+def _made_class(F: Any) -> galois.FieldArray:
+    # Each new class evaluates its polynomial once, for which galois otherwise compiles a loop: a second.
+    # Without numba's compiler galois has its own way to do that.
+    options: dict[str, Any] = {"compile": "python-calculate" if available() else "auto"}
+    subfield = galois.GF(F.characteristic, **options)
+    if F.degree > 1:
+        # With a primitive element given, galois does not search for one, which may take seconds.
+        poly = galois.Poly(F.coefficients[::-1], field=subfield)
+        options |= {"irreducible_poly": poly, "primitive_element": primitive(F), "verify": False}
+    cls = galois.GF(F.order, **options)
+    for made in (subfield, cls):
+        made.compile("auto" if made.order < TABLES_BELOW else "jit-calculate")
+    if cls.ufunc_mode == "jit-lookup":
+        one = cls.Ones(1)
+        one * one - one  # builds galois's tables now, and not inside somebody's first product
+    return cls
+
+
+def array(F: FiniteField, values: object) -> Any:
+    """Turn an element, a nested sequence or an array into an array over F, keeping its shape.
+
+    Integers n become n·1, never galois's label; a galois array must be over this very field, modulus
+    included. Raises :class:`CoercionError`.
+    """
+    cls = field_class(F)
+    if cls is None:
+        return objects(values, F)
+    return of_labels(F, labels(F, values, cls.dtypes[0].__name__))
+
+
+def of_labels(F: FiniteField, row: np.ndarray) -> Any:
+    """Return labels as an array over F, without a copy where galois takes their type."""
+    cls = field_class(F)
+    if cls is None:
+        return objects(row, lambda n: F.from_label(int(n)))
+    return row.astype(cls.dtypes[0], copy=False).view(cls)
+
+
+def from_galois(F: FiniteField, x: galois.FieldArray) -> Coefficient:
+    """Turn a galois scalar over F into an element. Raises :class:`CoercionError`."""
+    check_galois(F, x)
+    if x.ndim:
+        raise CoercionError(
+            f"an array of shape {x.shape} is not one element of {F.name}: use {F.name}.array"
+        )
+    return F.from_label(int(x))
+
+
+def scalar(F: FiniteField, x: object) -> Coefficient:
+    """Turn an entry of an array over F into an element."""
+    if isinstance(x, Objects):
+        return x[()]
+    return from_galois(F, x) if hasattr(type(x), "irreducible_poly") else x
+
+
+def units(F: FiniteField, values: Objects) -> np.ndarray:
+    """Return a bool array: which entries are not 0."""
+    if isinstance(values, Objects):
+        return Ring.array_units(F, values)
+    return np.asarray(values.view(np.ndarray) != 0)
+
+
+def inverse(F: FiniteField, values: Objects) -> Any:
+    """Invert an array of nonzero entries elementwise."""
+    if isinstance(values, Objects):
+        return Ring.array_inverse(F, values)
+    return np.reciprocal(values)
+
+
+def conway(p: int, n: int) -> list[int] | None:
+    """Return Conway's polynomial from galois's table, low degree first; None where it has none."""
+    try:
+        return [int(c) for c in galois.conway_poly(p, n, search=False).coeffs][::-1]
+    except LookupError:
+        return None

@@ -1,0 +1,308 @@
+"""Finite fields: GF(p) on flint's residues, GF(pⁿ) on flint's ``fq_default``."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Hashable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cached_property
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+import flint
+
+from hfield.core.product import Constants
+from hfield.errors import NotInvertibleError, shorten
+from hfield.fields.base.coercion import rational, unwrap
+from hfield.fields.base.modular import Modular
+from hfield.fields.base.printing import sum_text
+from hfield.fields.base.ring import FINITE_LIMIT, Fact, Ring, shared
+from hfield.fields.base.roots import of_flint
+from hfield.fields.base.storage import tables
+from hfield.fields.base.storage.base import Batch, Storage
+from hfield.fields.base.storage.quotients import PolynomialStorage
+from hfield.fields.rationals.ring import ZZ
+
+if TYPE_CHECKING:
+    import galois
+    import numpy as np
+    import sympy
+
+    from hfield.fields.base.arrays import Objects
+    from hfield.fields.base.flint_types import Coefficient
+
+
+CONWAY_BELOW = (
+    2**32
+)  # every pⁿ below, n > 1, has its Conway polynomial in flint's and galois's tables
+NAME = "x"
+
+
+class FiniteField(Ring):
+    """What GF(p) and GF(pⁿ) share: arrays of galois, made through galois's integer labels."""
+
+    order: int
+    degree: int
+    is_field = True
+    parse_limit = FINITE_LIMIT
+
+    def in_words(self) -> str:
+        """Say what the field is."""
+        return f"the finite field of {shorten(self.order)} elements"
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its characteristic and degree."""
+        own = {"characteristic": self.characteristic, "degree": self.degree}
+        return {"kind": "finite field", **own, "modulus": None}
+
+    @abstractmethod
+    def label(self, x: Coefficient) -> int:
+        """Return galois's integer label of x: its coefficients as digits in base p."""
+
+    @abstractmethod
+    def from_label(self, n: int) -> Coefficient:
+        """Return the element with galois's integer label n."""
+
+    def array(self, values: object) -> Any:
+        """Return an array of galois, or of flint's elements if the field is too large for galois."""
+        return _arrays().array(self, values)
+
+    def array_of_labels(self, row: np.ndarray) -> galois.FieldArray:
+        """Return an array of labels as ``array`` returns arrays, without a copy where types agree."""
+        return _arrays().of_labels(self, row)
+
+    def array_storage(self, constants: Constants) -> Batch:
+        """Store arrays as rows of labels, unless the field is too large."""
+        from hfield.fields.base.array_storage.finite import array_storage
+
+        return array_storage(self, constants)
+
+    def scalar(self, x: object) -> Coefficient:
+        """Turn an entry of ``array`` back into an element."""
+        return _arrays().scalar(self, x)
+
+    def array_units(self, values: Objects) -> Any:
+        """Return a bool array: which entries are not 0."""
+        return _arrays().units(self, values)
+
+    def array_inverse(self, values: Objects) -> Any:
+        """Invert an array of nonzero entries elementwise."""
+        return _arrays().inverse(self, values)
+
+
+class PrimeField(Modular, FiniteField):
+    """GF(p): elements are flint's ``nmod`` or ``fmpz_mod``, arrays galois's."""
+
+    degree = 1
+
+    def __init__(self, p: int) -> None:
+        Modular.__init__(self, ZZ, f"GF({p})", p, True)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return shared, (type(self), self.order)
+
+    def __call__(self, x: object) -> flint.nmod | flint.fmpz_mod:
+        """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text or a galois scalar."""
+        if is_galois(x):
+            return _arrays().from_galois(self, x)
+        return super().__call__(x)
+
+
+class ExtensionField(FiniteField):
+    """GF(pⁿ), n > 1, as polynomials in x modulo an irreducible one; elements are ``fq_default``.
+
+    ``modulus`` is its text, ``gen`` the class of x. A modulus is part of the name unless it is the
+    one that flint takes by default: Conway's, wherever it is tabulated (every order below 2³² and
+    many above), else a sparse irreducible polynomial; ``modulus_origin`` says which.
+    """
+
+    gen_name = NAME
+
+    def __init__(self, p: int, n: int, coefficients: Sequence[int] | None = None) -> None:
+        self.characteristic, self.degree, self.order = p, n, p**n
+        default = flint.fq_default_ctx(p, n, NAME)
+        self.context = default
+        self.name = f"GF({p**n})"
+        if coefficients is not None:
+            given = flint.fmpz_mod_poly_ctx(flint.fmpz_mod_ctx(p))(list(coefficients))
+            self.context = flint.fq_default_ctx(modulus=given, var=NAME)
+        self.coefficients = [int(c) for c in self.context.modulus().coeffs()]
+        self.modulus = modulus_text(self.coefficients)
+        self.is_default = self.coefficients == [int(c) for c in default.modulus().coeffs()]
+        if not self.is_default:
+            self.name = f"GF({p**n}, {self.modulus})"
+        self._gen = self.context.gen()
+
+    def __reduce__(self) -> tuple[object, ...]:
+        modulus = () if self.is_default else (tuple(self.coefficients),)
+        return shared, (type(self), self.characteristic, self.degree, *modulus)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The field by its modulus; a default one that the checker has no table of is not written."""
+        from hfield.checker.scalars.conway import CONWAY
+
+        known = not self.is_default or self.order in CONWAY
+        modulus = self.coefficients if known else None
+        return {**super().data, "modulus": modulus}
+
+    @property
+    def modulus_origin(self) -> str:
+        """Where the modulus comes from: ``given``, ``Conway`` or ``sparse``.
+
+        Above 2³² the tables have gaps, and galois (imported then) decides.
+        """
+        if not self.is_default:
+            return "given"
+        if self.order < CONWAY_BELOW:
+            return "Conway"
+        conway = _arrays().conway(self.characteristic, self.degree)
+        return "Conway" if conway == self.coefficients else "sparse"
+
+    @property
+    def gen(self) -> flint.fq_default:
+        """The class of x."""
+        return self._gen
+
+    def __call__(self, x: object) -> flint.fq_default:
+        """Turn an int n into n·1, a Fraction a/b into a·b⁻¹; read a text or a galois scalar.
+
+        Raises :class:`CoercionError` for an element of another field or of another modulus.
+        """
+        if is_galois(x):
+            return _arrays().from_galois(self, x)
+        x = unwrap(x)
+        if isinstance(x, flint.fq_default):
+            # Adding is how flint tells whose element it is: an element has no public parent.
+            try:
+                return x + self.context.zero()
+            except ValueError:
+                mend = (
+                    f"elements of different fields do not mix; the modulus here is {self.modulus}"
+                )
+                raise self.refuse(x, shorten(mend, 120)) from None
+        if isinstance(x, str):
+            return self.parse(x)
+        number = rational(x)
+        if number is None:
+            return self.foreign(x)
+        if isinstance(number, Fraction):
+            return self.ratio(number)
+        return self.context(number % self.characteristic)
+
+    def closed_form(self, x: sympy.Expr) -> flint.fq_default:
+        """Refuse roots and other numbers, of which there may be several or none."""
+        raise self.refuse(x, f"expected rational numbers and the generator {NAME}")
+
+    def to_sympy(self, x: flint.fq_default, symbols: Mapping[str, sympy.Symbol]) -> sympy.Expr:
+        """Return the polynomial in x with coefficients from 0 to p − 1."""
+        from hfield.fields.base.to_sympy import polynomial_in, symbol
+
+        return polynomial_in(symbol(NAME, symbols), map(int, x.to_list()))
+
+    def is_zero(self, x: flint.fq_default) -> bool:
+        """Tell whether x is 0."""
+        return bool(x.is_zero())
+
+    def equal(self, x: flint.fq_default, y: flint.fq_default) -> bool:
+        """Tell whether x = y."""
+        return bool(x == y)
+
+    def key(self, x: Hashable) -> Hashable:
+        """Return x itself: flint's elements are hashable."""
+        return x
+
+    def inverse(self, x: flint.fq_default) -> flint.fq_default:
+        """Return 1/x. Raises :class:`NotInvertibleError` for 0."""
+        if x.is_zero():  # flint itself aborts the whole process on inverse() of 0
+            raise NotInvertibleError(f"cannot divide by 0 in {shorten(self.name)}")
+        return x.inverse()
+
+    def sqrt(self, x: flint.fq_default) -> flint.fq_default | None:
+        """Return some y with y² = x, or None; in characteristic 2 the only one."""
+        return x.sqrt() if x.is_zero() or x.is_square() else None
+
+    def roots(self, coefficients: Sequence[flint.fq_default]) -> list[flint.fq_default]:
+        """Return the roots of a polynomial that is not 0."""
+        polynomial = flint.fq_default_poly_ctx(self.context)(list(coefficients))
+        return [root for root, _ in polynomial.roots()]
+
+    def irreducible_factors(
+        self, coefficients: Sequence[flint.fq_default]
+    ) -> list[list[flint.fq_default]]:
+        """Return the monic irreducible factors of a polynomial that is not 0, each once."""
+        return of_flint(self, flint.fq_default_poly_ctx(self.context)(list(coefficients)), self)
+
+    @property
+    def level(self) -> Fact:
+        """1 when −1 is a square, else 2."""
+        return self.level_of(self.minus_one_as_squares())
+
+    def minus_one_as_squares(self) -> tuple[flint.fq_default, ...]:
+        """Return one or two elements whose squares add up to −1: first 0, then every x is tried."""
+        for x in self.elements():
+            y = self.sqrt(self.context(-1) - x * x)
+            if y is not None:
+                return (y,) if x.is_zero() else (x, y)
+        raise AssertionError("in a finite field −1 is a sum of two squares")
+
+    def storage(self, constants: Constants) -> Storage:
+        """Store elements over a small field as labels, over a large one as polynomials."""
+        if self.order < tables.BELOW:
+            return tables.Labels(self, constants)
+        return PolynomialStorage(self, constants)
+
+    @cached_property
+    def tables(self) -> tables.ElementTables:
+        """What a small field knows by heart: its sums, products and inverses, of labels."""
+        return tables.tables(self)
+
+    def elements(self) -> Iterator[flint.fq_default]:
+        """Run through the pⁿ elements, 0 and 1 first, in the order of galois's labels."""
+        return (self.from_label(n) for n in range(self.order))
+
+    def random(self, rng: Random) -> flint.fq_default:
+        """Return a random element; the same for the same seed."""
+        return self.context([rng.randrange(self.characteristic) for _ in range(self.degree)])
+
+    def power(self, x: flint.fq_default, n: int) -> flint.fq_default:
+        """Return xⁿ; n < 0 inverts first. Exponents of any size are quick."""
+        return (x if n >= 0 else self.inverse(x)) ** abs(n)
+
+    def text(self, x: flint.fq_default, style: str = "plain") -> str:
+        """Write x as a polynomial in x, such as ``2*x+1``."""
+        return modulus_text([int(c) for c in x.to_list()], style)
+
+    def label(self, x: flint.fq_default) -> int:
+        """Return galois's integer label of x: its coefficients as digits in base p."""
+        n = 0
+        for c in reversed(x.to_list()):
+            n = n * self.characteristic + int(c)
+        return n
+
+    def from_label(self, n: int) -> flint.fq_default:
+        """Return the element with galois's integer label n."""
+        digits = []
+        for _ in range(self.degree):
+            n, digit = divmod(n, self.characteristic)
+            digits.append(digit)
+        return self.context(digits)
+
+
+def modulus_text(coefficients: list[int], style: str = "plain") -> str:
+    """Write a polynomial in x with coefficients given low degree first."""
+    terms = [(str(c), [(NAME, n)]) for n, c in enumerate(coefficients) if c]
+    return sum_text(reversed(terms), style)
+
+
+def is_galois(x: object) -> bool:
+    """Tell whether x is a galois array or scalar, without importing galois."""
+    return hasattr(type(x), "irreducible_poly")
+
+
+def _arrays() -> Any:
+    """Import galois, which only arrays need."""
+    from hfield.fields.finite import galois_arrays
+
+    return galois_arrays

@@ -1,0 +1,1 @@
+"""Matrices over base rings: echelon forms, kernels, syzygies; lattices reduced by LLL."""

@@ -1,0 +1,72 @@
+"""Linear algebra over a base ring, as far as kernels go."""
+
+from hfield.errors import NotInvertibleError
+from hfield.fields.base.ring import Ring
+from hfield.fields.linear_algebra.syzygies import Row, relations
+from hfield.fields.quadratic_forms.minimal_conics import dot
+
+
+def kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:
+    """Return a basis of ``{v : rows·v = 0}``, of ``width`` columns; generators where it need not be free.
+
+    Over a field by elimination, which over other rings goes on as long as a pivot is a unit, or stands
+    alone in its row and is no zero divisor. The rest is left to :func:`relations`. Raises
+    :class:`UndecidedError` where that finds no generators.
+    """
+    rows = [list(r) for r in rows]
+    pivots: dict[int, Row] = {}
+    while True:
+        rows = [r for r in rows if not all(ring.is_zero(x) for x in r)]
+        step = _unit_pivot(ring, rows) or _lonely_pivot(ring, rows)
+        if step is None:
+            break
+        row, column = step
+        for other in [*rows, *pivots.values()]:
+            if other is not row and not ring.is_zero(other[column]):
+                factor = other[column]
+                other[:] = [x - factor * y for x, y in zip(other, row, strict=True)]
+        rows = [r for r in rows if r is not row]
+        pivots[column] = row
+    free = [n for n in range(width) if n not in pivots]
+    if rows:
+        tails = relations(ring, [[row[n] for n in free] for row in rows], len(free))
+    else:
+        tails = [[ring.one if m == n else ring.zero for m in free] for n in free]
+    basis = []
+    for tail in tails:
+        v = [ring.zero] * width
+        for n, x in zip(free, tail, strict=True):
+            v[n] = x
+        for column, row in pivots.items():
+            v[column] = ring.zero - dot([row[n] for n in free], tail)
+        basis.append(v)
+    return basis
+
+
+def _unit_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
+    """Scale some row so that it has a 1, and return it with the column of the 1."""
+    for row in rows:
+        for column, x in enumerate(row):
+            if not ring.is_zero(x):
+                try:
+                    inverse = ring.inverse(x)
+                except NotInvertibleError:
+                    continue
+                row[:] = [inverse * y for y in row]
+                return row, column
+    return None
+
+
+def _lonely_pivot(ring: Ring, rows: list[Row]) -> tuple[Row, int] | None:
+    """Turn ``(0 … x … 0)``, x no zero divisor, into ``(0 … 1 … 0)``: both say the same."""
+    for row in rows:
+        support = [i for i, x in enumerate(row) if not ring.is_zero(x)]
+        if len(support) == 1 and ring.annihilator(row[support[0]]) is None:
+            row[support[0]] = ring.one
+            return row, support[0]
+    return None
+
+
+def apply(matrix: list[Row], v: Row) -> Row:
+    """Return matrix·v."""
+    return [dot(row, v) for row in matrix]

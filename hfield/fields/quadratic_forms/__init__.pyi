@@ -1,0 +1,14 @@
+from .isomorphisms.isomorphic import is_isomorphic as is_isomorphic
+from .isomorphisms.isomorphic import isomorphism as isomorphism
+from .isomorphisms.isomorphic import same_parent as same_parent
+from .isomorphisms.splitting import division_or_splitting as division_or_splitting
+from .isomorphisms.splitting import split as split
+from .norm_forms.zero_norm_answer import ZeroNorm as ZeroNorm
+from .norm_forms.zero_norms import is_division as is_division
+from .norm_forms.zero_norms import norm_evidence as norm_evidence
+from .norm_forms.zero_norms import zero_norm as zero_norm
+from .ramification import hilbert_symbol as hilbert_symbol
+from .ramification import place as place
+from .ramification import places as places
+from .ramification import ramified_places as ramified_places
+from .ramification import reduced_discriminant as reduced_discriminant

@@ -1,0 +1,270 @@
+"""What structure asks of a field with places: one protocol, one object for each kind of field.
+
+A kind is a class of rings that names its ``theory``: the registry has the :class:`GlobalField` of that name.
+``docs/reference/structure.md`` says which files a new kind touches. All others ask :func:`global_field`.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from typing import TYPE_CHECKING, Any
+
+from hfield.core.factorisation import Factors, known_primes, shared_primes
+from hfield.core.primality import WORD
+from hfield.core.product import Constants, Coordinates, Scalar
+from hfield.errors import RingError, UndecidedError, shorten
+from hfield.fields.base.registry import REGISTRY
+from hfield.fields.base.ring import Ring
+from hfield.fields.quadratic_forms.minimal_conics import Vector
+from hfield.fields.quadratic_forms.norm_forms.local_order import hyperbolic_plane, unit_and_prime
+from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm
+from hfield.fields.quadratic_forms.normal_forms import NormalForm
+
+if TYPE_CHECKING:
+    from hfield.fields.base.finite_places import FinitePlace
+
+
+def global_field(ring: Ring) -> GlobalField | None:
+    """Return the arithmetic of a field with places, or None for a ring of any other kind."""
+    theory = REGISTRY.theory_of(ring)
+    if theory is None:
+        return None
+    kind: type[GlobalField] = theory.arithmetic()
+    return kind.of(ring)
+
+
+def known_field(ring: Ring) -> GlobalField:
+    """Return the arithmetic of a field with places. Raises :class:`UndecidedError` for any other ring."""
+    field = global_field(ring)
+    if field is None:
+        raise UndecidedError(f"{ring.name} has no theory of places here")
+    return field
+
+
+def field_named_by(*things: object) -> Ring | None:
+    """Return the field with places that the first of some elements and places belongs to.
+
+    Numbers of no field have a function ``common_field`` that returns one. Raises :class:`RingError` where
+    there is none.
+    """
+    fields = (getattr(x, "field", None) for x in things)
+    named = next((F for F in fields if isinstance(F, Ring) and F.theory), None)
+    finders = (x.common_field for x in things if hasattr(x, "common_field"))
+    finder = None if named else next(finders, None)
+    found: Ring | None = finder(*things) if finder else named
+    return found
+
+
+def no_flag(ring: Ring) -> RingError:
+    """Return the error for ramification that is given by primes and a flag, over a ring other than ℚ."""
+    return RingError(
+        f"algebras over {shorten(ring.name)} are not made from ramified primes and a flag: expected QQ, or a "
+        "number field and its places, infinite ones too"
+    )
+
+
+class GlobalField(ABC):
+    """The arithmetic of a field with places, as far as quaternion algebras over it need it.
+
+    Forms are nondegenerate normal forms (a, b | F), or [a, b | F) in characteristic 2. The theory is that of
+    J. Voight, *Quaternion Algebras*, chapters 12 and 14. What is not found in bounded time, or hangs on a
+    factorisation out of reach, raises :class:`hfield.UndecidedError`.
+    """
+
+    ring: Any  # the field, of the class that names this one
+    splits_if_unramified = True  # false where residues leave a constant algebra open (Faddeev)
+    cited = "Hilbert symbols at the places (Voight, Quaternion Algebras, chapter 12)"
+
+    def __init__(self, ring: Ring) -> None:
+        self.ring = ring
+
+    @classmethod
+    def of(cls, ring: Ring) -> GlobalField:
+        """Return the arithmetic of a field of this kind; a kind with cases picks one here."""
+        return cls(ring)
+
+    # --- places and symbols --------------------------------------------------------------------
+
+    @abstractmethod
+    def read_place(self, text: object) -> Hashable:
+        """Return the place that a text names; a place is returned as it is. Raises :class:`RingError`."""
+
+    def hilbert_symbol(
+        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
+    ) -> int:
+        """Return 1 if the algebra of a and b splits over the completion at a place, else −1.
+
+        ``factors`` may name primes of the norms of a and b, where the symbol hangs on other places.
+        Raises :class:`RingError` for a 0 and for a place that is none, :class:`UndecidedError` where
+        completions are no local fields.
+        """
+        raise UndecidedError(
+            f"the completions of {self.ring} are not local fields: ask for residues"
+        )
+
+    def _nonzero(self, a: Scalar | str, b: Scalar | str) -> tuple[Any, Any]:
+        """Return the elements a and b, neither of them 0; in characteristic 2 the first may be."""
+        a, b = self.ring(a), self.ring(b)
+        even = self.ring.characteristic == 2
+        if self.ring.is_zero(b) or (not even and self.ring.is_zero(a)):
+            raise RingError(
+                "a Hilbert symbol is defined for nonzero elements only, and one of these is 0"
+            )
+        return a, b
+
+    @abstractmethod
+    def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:
+        """Return the places where a form does not split: finite ones ascending, then infinite ones.
+
+        Where the field is no global field in the strict sense, the places with a residue (Faddeev).
+        """
+
+    @abstractmethod
+    def discriminant(self, ramified: tuple[Any, ...]) -> Any:
+        """Return the product of the finite ones among the ramified places, as the field writes ideals."""
+
+    def why_ramified(self, form: NormalForm, places: tuple[object, ...]) -> str:
+        """Say why an algebra that ramifies at the places has no zero divisors."""
+        shown = ", ".join(map(str, places))
+        return (
+            f"the algebra is ramified at the places {shown}, so it has no zero divisor even locally"
+        )
+
+    def with_ramification(
+        self, places: Sequence[Any], infinite: bool | None = None
+    ) -> tuple[Scalar, Scalar]:
+        """Return constants (a, b) of an algebra that ramifies exactly at the places.
+
+        ``infinite`` may say over ℚ whether ∞ is one. Raises :class:`RingError` where the field does not know
+        how, or where there is none.
+        """
+        if infinite is not None:
+            raise no_flag(self.ring)
+        raise RingError(
+            f"algebras are made from their ramification over number fields, not over {self.ring}"
+        )
+
+    def ramified_at_small_places(self, form: NormalForm) -> tuple[Hashable, ...]:
+        """Return some places where a form does not split, without factoring anything."""
+        return ()
+
+    # --- zeros of norm forms, and why there are none -------------------------------------------
+
+    @abstractmethod
+    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
+        """Return an element of norm 0 of an algebra that :meth:`ramified` finds nowhere ramified.
+
+        It has one by the theorem of Hasse and Minkowski, if ``splits_if_unramified``; else the answer may be
+        that there is none.
+        """
+
+    def residues(self, place: Any) -> FinitePlace | None:
+        """Return a finite place with its residue field, as in :mod:`hfield.fields.base.finite_places`.
+
+        None for an infinite place of a number field, and where the residue field is not finite.
+        """
+        return None
+
+    def unit_and_prime(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
+        """Return two quaternions that show the norm to be 0 only at 0 over the completion (Voight, 13.3.11).
+
+        None where it has a zero, and where :meth:`residues` has none.
+        """
+        at = self.residues(place)
+        return None if at is None else unit_and_prime(at, *self._exact(c))
+
+    def hyperbolic_plane(self, c: Constants, place: Any) -> tuple[Vector, Vector] | None:
+        """Return q and u on whose span the norm has a zero over the completion, by Hensel's lemma.
+
+        None where it has none, and where :meth:`residues` has none; see :mod:`local_order`.
+        """
+        at = self.residues(place)
+        return None if at is None else hyperbolic_plane(at, *self._exact(c))
+
+    def _exact(self, c: Constants) -> tuple[Constants, Scalar]:
+        """Return the constants and 1 as numbers that the place computes with."""
+        return c, self.ring.one
+
+    def evidence(self, c: Constants, places: Iterable[Any]) -> Iterator[Mapping[str, object]]:
+        """Yield what the checker of certificates may accept, for an algebra that ramifies at the places."""
+        for place in places:
+            found = self.unit_and_prime(c, place)
+            if found is not None:
+                u, j = ([self.ring.text(self.ring(x)) for x in v] for v in found)
+                yield {"by": "place", "place": self.ring.place_data(place), "u": u, "j": j}
+
+    # --- isomorphisms and square roots ---------------------------------------------------------
+
+    def residue_forms(
+        self, form: Sequence[Any]
+    ) -> Iterator[tuple[object, Ring, list[Any], list[Any]]]:
+        """Run through places with known residue fields, and the residues there of a form's coefficients.
+
+        Those of even order, then those of odd order, which are divided by a uniformiser. None by default.
+        """
+        return iter(())
+
+    def is_anisotropic(self, form: Sequence[Any]) -> bool | None:
+        """Tell whether a diagonal form without coefficients 0 has no zero but 0; None where not decided."""
+        return None
+
+    def same_class(self, form: NormalForm, other: NormalForm) -> bool:
+        """Tell whether two forms are isomorphic: ramified at the same places (Voight, 14.6.1)."""
+        return self.ramified(form) == self.ramified(other)
+
+    def sharing_primes(self, *forms: NormalForm) -> AbstractContextManager[None]:
+        """Let the primes that are found in one of the constants serve for all, while this lasts."""
+        numbers = [n for form in forms for x in form.constants for n in self._to_factor(x)]
+        if all(-WORD < n < WORD for n in numbers):  # these are factored at once
+            return nullcontext()
+        return known_primes(shared_primes(numbers), "")
+
+    def _to_factor(self, x: Any) -> Iterable[int]:
+        """Return the whole numbers that are factored where places are looked for at which x is no unit."""
+        return ()
+
+    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
+        """Return I and J in the algebra ``inner`` that satisfy the relations of ``outer``.
+
+        Both are the constants of normal forms, and isomorphic; division algebras, where that is of use.
+        """
+        raise UndecidedError(f"isomorphisms over {self.ring} are not sought")
+
+    def traceless_root(self, form: NormalForm, s: Any) -> Coordinates | None:
+        """Return some x of trace 0 with ``x² = s`` in the basis of a form (a, b | F), or None.
+
+        It is a division algebra, the characteristic is not 2, and s is no square (Voight, 14.6.7).
+        """
+        raise UndecidedError(f"square roots of trace 0 over {self.ring} are not sought")
+
+    def obstruction(self, form: NormalForm, t: Any, n: Any) -> Hashable | None:
+        """Return a place where no element has trace t and norm n, for x² − t·x + n without root; or None.
+
+        No field splits a division algebra into which it does not embed, and F_v is no larger than itself.
+        """
+        return next((v for v in self.ramified(form) if self.has_root_at(v, t, n)), None)
+
+    def has_root_at(self, place: Any, t: Any, n: Any) -> bool:
+        """Tell whether x² − t·x + n has a root in the completion; in characteristic 2 for t = 0, too."""
+        local = self.ring.completion(place)
+        return bool(local.is_square(local(t * t - n * self.ring(4))))
+
+    # --- characteristic 2, where [F : F²] = 2 --------------------------------------------------
+
+    def of_trace_one(self, form: NormalForm, n: Any) -> Coordinates | None:
+        """Return some x of trace 1 and norm n in a division algebra [a, b | F), in its basis, or None."""
+        raise UndecidedError(f"elements of trace 1 over {self.ring} are not sought")
+
+    def square_parts(self, x: Any) -> tuple[Scalar, Scalar]:
+        """Return ``(u, v)`` with ``x = u² + g·v²``, g the generator of the field."""
+        raise UndecidedError(f"elements of {self.ring} are not split into squares here")
+
+    def as_norm(self, x: Any, s: Any) -> tuple[Scalar, Scalar]:
+        """Return ``(w, r)`` with ``x = w² + s·r²``, for an s that is no square."""
+        raise UndecidedError(f"elements of {self.ring} are not split into squares here")
+
+    def artin_schreier(self, x: Any) -> Any:
+        """Return y with ``y² + y = x``, or None."""
+        raise UndecidedError(f"y² + y = x is not solved over {self.ring}")

@@ -1,0 +1,87 @@
+"""Leading terms: norms whose four terms never cancel, over rational functions in several variables.
+
+An order of the variables, each small or large, makes a valuation of k(x, y, …) with values in ℤⁿ, ordered as
+in a dictionary: that of a polynomial is the least exponent in it. Where v(a) and v(b) are independent modulo
+2, the terms of w² − a·x² − b·y² + ab·z² have four different values, and their sum is 0 only if all are. For
+[a, b), with v(a) < 0 as well, w·x is larger than the lesser of w² and a·x², its value being larger than half
+the sum of theirs. Nothing in this depends on k, nor on its characteristic.
+"""
+
+from __future__ import annotations
+
+from itertools import permutations, product
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
+
+from hfield.core.product import Constants
+from hfield.fields.base.ring import Ring
+from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm, none
+from hfield.fields.quadratic_forms.normal_forms import NormalForm
+
+if TYPE_CHECKING:
+    from hfield.fields.base.flint_types import SparsePolynomial
+
+
+MAX_VARIABLES = 4
+Exponents = tuple[int, ...]
+
+
+@runtime_checkable
+class ExpandedConstants(Protocol):
+    """A field whose elements have leading terms, for every order of some variables."""
+
+    @property
+    def expanded_in(self) -> tuple[str, ...]:
+        """The variables; () where elements have none after all."""
+
+    def parts(self, x: Any) -> list[Any]:
+        """Return fractions ``num/den`` whose leading terms do not cancel, of which x is made."""
+
+
+def by_leading_terms(ring: Ring, c: Constants, form: NormalForm) -> ZeroNorm | None:
+    """Look for an order of the variables in which the norm has no zero."""
+    if not isinstance(ring, ExpandedConstants):
+        return None
+    variables, parts = ring.expanded_in, ring.parts
+    if not 0 < len(variables) <= MAX_VARIABLES or any(ring.is_zero(x) for x in form.constants):
+        return None
+    n = len(variables)
+    for signs, first in product(product((1, -1), repeat=n), permutations(range(n))):
+        order = first, signs
+        v, w = (_value(parts(x), order) for x in form.constants)
+        below = form.kind == "symbol" or _placed(v, order) < (0,) * len(v)
+        classes = {tuple(n % 2 for n in x) for x in (v, w, (0,) * len(v))}
+        if below and len(classes) == 3:
+            shown = " and ".join(_monomial(variables, x) for x in (v, w))
+            reason = (
+                f"the leading terms {shown} of {ring.text(form.a)} and {ring.text(form.b)} are independent "
+                "up to squares, so that the terms of the norm never cancel"
+            )
+            return none("leading terms", reason)
+    return None
+
+
+Order = tuple[tuple[int, ...], tuple[int, ...]]  # which variable comes first, and 1 or −1 for each
+
+
+def _placed(exponents: Exponents, order: Order) -> Exponents:
+    places, signs = order
+    return tuple(signs[m] * exponents[m] for m in places)
+
+
+def _value(parts: list[Any], order: Order) -> Exponents:
+    """Return the exponents of the leading term of a nonzero element; elements of k count for nothing."""
+    values = [
+        tuple(a - b for a, b in zip(_least(c.num, order), _least(c.den, order), strict=True))
+        for c in parts
+    ]
+    return min(values, key=lambda e: _placed(e, order))
+
+
+def _least(poly: SparsePolynomial, order: Order) -> Exponents:
+    exponents = (tuple(int(n) for n in e) for e, _ in poly.terms())
+    return min(exponents, key=lambda e: _placed(e, order))
+
+
+def _monomial(variables: tuple[str, ...], exponents: Exponents) -> str:
+    powers = zip(variables, exponents, strict=True)
+    return "*".join(f"{v}^{n}" if n != 1 else v for v, n in powers if n) or "1"

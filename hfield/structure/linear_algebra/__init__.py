@@ -1,1 +1,0 @@
-"""What linear algebra over the base ring decides: the centre, the radical, kernels."""
