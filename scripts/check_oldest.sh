@@ -34,8 +34,8 @@ install() { # FOLDER: an environment for each Python there
 }
 
 test_all() { # FOLDER [all]: the tests in each environment, beside one another
-    local rooms=(tests/fields tests/fields/quadratic_forms tests/prover tests/syntax tests/test_executors.py README.md)
-    local old=(tests/fields tests/fields tests/matrices tests/polynomials tests/fuchsian tests/rotation tests/anim tests/test_batches.py README.md)
+    local rooms=(tests/fields tests/algebra tests/prover tests/syntax tests/test_executors.py README.md)
+    local old=(tests/fields tests/algebra tests/matrices tests/polynomials tests/fuchsian tests/rotation tests/anim tests/test_batches.py README.md)
     local once=--once path name failed=0 words
     [ "${2:-}" = all ] && rooms=() && old=() && once=
     declare -A tries

@@ -82,7 +82,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         ),
     ),
     "rings": (
-        ("hfield/fields/*.py",),
+        ("hfield/fields/base/*.py", "hfield/fields/rationals/ring.py", "hfield/fields/finite/*.py"),
         tuple(
             f"tests/fields/test_{name}.py"
             for name in (

@@ -369,7 +369,7 @@ def _import_all(chosen: list[str]) -> None:
     import hfield.fields
     import rotation
 
-    packages = (hfield.compiling, hfield.fields, hfield.algebra.structure, hfield.fields)
+    packages = (hfield.compiling, hfield.fields, hfield.algebra.structure)
     for package in (*packages, rotation):
         for found in walk_packages(package.__path__, f"{package.__name__}."):
             if found.name.split(".")[1] not in APART and (

@@ -1,10 +1,13 @@
 """`rotation` and `anim` answer to `hfield.rotation` and `hfield.anim` too, and cost nothing until used."""
 
+import pickle
 import subprocess
 import sys
 from importlib import import_module
 
 import pytest
+
+from hfield.rings import MOVED
 
 
 @pytest.mark.parametrize("package", ["rotation", "anim"])
@@ -33,7 +36,8 @@ def test_nothing_is_imported_before_it_is_used() -> None:
     ("module", "former", "name"),
     [
         ("hfield.rings", "ring", "hfield.ring"),
-        ("hfield.rings", "Known", "hfield.rings.Fact"),
+        ("hfield.rings", "Known", "hfield.fields.Fact"),
+        ("hfield.rings", "Ring", "hfield.fields.Ring"),
         ("anim", "Look", "anim.RenderSettings"),
     ],
 )
@@ -42,3 +46,20 @@ def test_former_names_work_with_a_warning(module: str, former: str, name: str) -
     with pytest.warns(DeprecationWarning, match=f"is now {name}"):
         found = getattr(import_module(module), former)
     assert found is getattr(import_module(package), present)
+
+
+def test_modules_that_pickles_of_version_03_name_are_there() -> None:
+    for path, name, present in (
+        ("hfield.rings.integers", "QQ", "hfield.fields.rationals.ring"),
+        ("hfield.rings.finite", "ExtensionField", "hfield.fields.finite.ring"),
+        ("hfield.rings.base", "_shared", "hfield.fields.base.ring"),
+        ("hfield.rings.closed_fields.surds", "Surd", "hfield.fields.algebraic.surds"),
+    ):
+        found = pickle.loads(f"c{path}\n{name}\n.".encode())
+        assert found is getattr(import_module(present), name)
+
+
+def test_former_modules_of_rings_lead_somewhere() -> None:
+    for name, target in MOVED.items():
+        former = import_module(f"hfield.rings.{name}")
+        assert dir(former) == dir(import_module(f"hfield.fields.{target}"))

@@ -46,10 +46,10 @@ _BLACKBOARD_NAMES = {"Q": "QQ", "Z": "ZZ", "R": "RR", "C": "CC", "F": "GF"}
 _ROOT = re.compile(r"\\sqrt\{([^{}]*)\}")
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _NAMED = {
-    "QQ": "integers",
-    "ZZ": "integers",
-    "RR": "closed_fields.algebraic",
-    "CC": "closed_fields.algebraic",
+    "QQ": "rationals.ring",
+    "ZZ": "rationals.ring",
+    "RR": "algebraic.ring",
+    "CC": "algebraic.ring",
     "RDF": "floats",
     "CDF": "floats",
 }

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 from hfield.fields.base.registry import Registry, Theory
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.fields.base.ring import Ring
     from hfield.fields.function_fields.ring import FunctionField
     from hfield.fields.number_fields.ring import NumberField
@@ -86,7 +88,7 @@ def _local_field() -> type[GlobalField]:
 
 
 def _infinite_completion() -> type[GlobalField]:
-    from hfield.fields.local.arithmetic import InfiniteArithmetic
+    from hfield.fields.number_fields.infinite_arithmetic import InfiniteArithmetic
 
     return InfiniteArithmetic
 
@@ -106,6 +108,20 @@ class _Functions:
         from hfield.fields.circles.angles import cosine_and_sine_of
 
         return cosine_and_sine_of(ring, angle, parts)
+
+    def rational_number(self, x: sympy.Expr) -> object | None:
+        """Return the rational number that an expression without symbols is, or None."""
+        from hfield.fields.algebraic.closed_forms import from_sympy
+        from hfield.fields.algebraic.surds import Surd
+
+        value = from_sympy(x)
+        return value.terms.get(1, 0) if isinstance(value, Surd) and value.is_rational() else None
+
+    def algebraic_to_sympy(self, x: object) -> sympy.Expr | None:
+        """Return an element of RR or CC as an expression, None for other values."""
+        from hfield.fields.algebraic.closed_forms import to_sympy
+
+        return to_sympy(x)
 
     def common_quadratic_field(self, *elements: object) -> Ring | None:
         """Return ℚ(√d) for sums of rational numbers and multiples of √d, None where all are rational."""

@@ -1,3 +1,59 @@
-"""The former place of :mod:`hfield.fields`, for one version, with a warning."""
+"""Former names of modules of :mod:`hfield.fields`, where ``hfield.rings`` of version 0.3 is now.
 
+The names of ``hfield.rings`` work for one version with a warning. Its modules are named by the pickles of
+version 0.3, so these load without one.
+"""
+
+import sys
 import warnings
+from importlib import import_module
+from types import ModuleType
+
+from hfield.lazy_alias import lazy_alias
+
+MOVED = {
+    "base": "base.ring",
+    "coefficients": "base.coefficients",
+    "operators": "base.operators",
+    "printing": "base.printing",
+    "rational": "base.coercion",
+    "closed_fields": "algebraic",
+    "closed_fields.algebraic": "algebraic.ring",
+    "closed_fields.closed_forms": "algebraic.closed_forms",
+    "closed_fields.in_fields": "algebraic.in_fields",
+    "closed_fields.surds": "algebraic.surds",
+    "finite": "finite.ring",
+    "floats": "floats",
+    "integers": "rationals.ring",
+    "polynomials": "polynomial_rings",
+}
+
+
+def _former_module(name: str, target: str) -> ModuleType:
+    """Return a module whose attributes are those of its successor, which is imported on first use."""
+    module = ModuleType(f"{__name__}.{name}", f"Former name of :mod:`hfield.fields.{target}`.")
+    get, names = lazy_alias(f"hfield.fields.{target}")
+    vars(module).update(__getattr__=get, __dir__=names, __path__=[])
+    return module
+
+
+for _name, _target in MOVED.items():
+    sys.modules[f"{__name__}.{_name}"] = _former_module(_name, _target)
+
+
+def __getattr__(name: str) -> object:
+    """Return a name of hfield.fields with a warning; ``ring`` is a name of hfield."""
+    if name.startswith("__"):  # what the import system reads of every module
+        raise AttributeError(name)
+    if name in MOVED:
+        return sys.modules[f"{__name__}.{name}"]
+    place, present = {"ring": ("hfield", "ring"), "Known": ("hfield.fields", "Fact")}.get(
+        name, ("hfield.fields", name)
+    )
+    found = getattr(import_module(place), present)
+    warnings.warn(
+        f"hfield.rings.{name} is now {place}.{present}; the next version drops the old name",
+        DeprecationWarning,
+        stacklevel=2,
+    )
+    return found

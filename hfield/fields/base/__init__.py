@@ -1,1 +1,1 @@
-"""What all rings share: the protocol, the registry, coercion, printing, and storage of elements and arrays."""
+"""What all rings share: protocol, registry, coercion, printing, and storage of elements and arrays."""

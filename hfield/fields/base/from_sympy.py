@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeGuard
 
 from hfield.errors import CoercionError, shorten
+from hfield.fields.base.registry import REGISTRY
 
 if TYPE_CHECKING:
     import sympy
@@ -235,11 +236,7 @@ def closed_form(ring: Ring, x: sympy.Expr) -> Any:
         raise CoercionError(f"{shorten(x)} is not a number")
     if x.has(sympy.Float):
         raise ring.refuse(float(x) if x.is_real else complex(x))
-    from hfield.fields.algebraic.closed_forms import from_sympy
-    from hfield.fields.algebraic.surds import Surd
-
-    value = from_sympy(x) if ring.characteristic == 0 else None
-    if isinstance(value, Surd) and value.is_rational():
-        return ring(value.terms.get(1, 0))
+    if ring.characteristic == 0 and (value := REGISTRY.functions.rational_number(x)) is not None:
+        return ring(value)
     larger = "" if ring.characteristic else "; CC has roots and other numbers"
     raise CoercionError(f"{shorten(x)} is not an element of {shorten(ring.name)}{larger}")

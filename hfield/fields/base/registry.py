@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 from hfield.errors import UndecidedError
 
 if TYPE_CHECKING:
+    import sympy
+
     from hfield.fields.base.ring import Ring
 
 
@@ -21,9 +23,9 @@ if TYPE_CHECKING:
 class Theory:
     """The theory of one kind of fields with places.
 
-    ``arithmetic`` returns the subclass of ``GlobalField`` (hfield.fields.quadratic_forms.global_field) for these fields;
-    ``completion`` completes a field at a place, and is None where completions are not offered. ``read``
-    returns the field that a text without spaces names, or None, where :func:`hfield.ring` asks it.
+    ``arithmetic`` returns the subclass of ``GlobalField`` (hfield.fields.quadratic_forms.global_field) for
+    these fields; ``completion`` completes a field at a place, and is None where completions are not offered.
+    ``read`` returns the field that a text without spaces names, or None; :func:`hfield.ring` calls it.
     """
 
     arithmetic: Callable[[], Any]
@@ -39,6 +41,12 @@ class FieldFunctions(Protocol):
 
     def cosine_and_sine(self, ring: Ring, angle: object, parts: int) -> tuple[Any, Any]:
         """Return cosine and sine of an angle, divided into equal parts, as elements of the ring."""
+
+    def rational_number(self, x: sympy.Expr) -> object | None:
+        """Return the rational number that an expression without symbols is, or None."""
+
+    def algebraic_to_sympy(self, x: object) -> sympy.Expr | None:
+        """Return an element of RR or CC as an expression, None for other values."""
 
     def common_quadratic_field(self, *elements: object) -> Ring | None:
         """Return ℚ(√d) for sums of rational numbers and multiples of √d, None where all are rational."""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import flint
 
 from hfield.errors import CoercionError, shorten
+from hfield.fields.base.registry import REGISTRY
 
 if TYPE_CHECKING:
     import sympy
@@ -53,11 +54,9 @@ def scalar_to_sympy(x: Any, symbols: Symbols) -> sympy.Expr:
                 for exponents, c in x.terms()
             )
         )
-    from hfield.fields.algebraic.closed_forms import to_sympy
-
     if isinstance(x, complex):
         return sympy.Float(x.real) + sympy.I * sympy.Float(x.imag)
-    number = to_sympy(x)
+    number = REGISTRY.functions.algebraic_to_sympy(x)
     if number is None:
         raise CoercionError(f"{shorten(repr(x))} ({type(x).__name__}) has no expression in sympy")
     return number

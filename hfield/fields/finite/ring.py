@@ -18,9 +18,9 @@ from hfield.fields.base.modular import Modular
 from hfield.fields.base.printing import sum_text
 from hfield.fields.base.ring import FINITE_LIMIT, Fact, Ring, shared
 from hfield.fields.base.roots import of_flint
-from hfield.fields.base.storage import tables
 from hfield.fields.base.storage.base import Batch, Storage
-from hfield.fields.base.storage.quotients import PolynomialStorage
+from hfield.fields.finite import tables
+from hfield.fields.finite.storage import PolynomialStorage
 from hfield.fields.rationals.ring import ZZ
 
 if TYPE_CHECKING:

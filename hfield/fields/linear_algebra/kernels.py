@@ -3,7 +3,7 @@
 from hfield.errors import NotInvertibleError
 from hfield.fields.base.ring import Ring
 from hfield.fields.linear_algebra.syzygies import Row, relations
-from hfield.fields.quadratic_forms.minimal_conics import dot
+from hfield.fields.linear_algebra.vectors import dot
 
 
 def kernel(ring: Ring, rows: list[Row], width: int) -> list[Row]:

@@ -14,8 +14,8 @@ from hfield.core.product import Scalar
 from hfield.errors import UndecidedError, shorten
 from hfield.fields.base.modular import Modular
 from hfield.fields.base.ring import Ring
+from hfield.fields.linear_algebra.vectors import dot
 from hfield.fields.polynomial_rings import PolynomialRing
-from hfield.fields.quadratic_forms.minimal_conics import dot
 from hfield.fields.rationals.ring import ZZ
 
 Row = list[Any]

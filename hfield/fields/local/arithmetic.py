@@ -1,32 +1,28 @@
-"""Completions, which have one place: the square classes of the constants, or two signs, decide an algebra."""
+"""Completions, which have one place: the square classes of the constants decide an algebra."""
 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NoReturn
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
-from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.core.factorisation import Factors
 from hfield.core.product import Constants, Coordinates, Scalar, conjugate, multiply, norm, trace
 from hfield.errors import RingError, UndecidedError
 from hfield.fields.base.ring import Ring
 from hfield.fields.local.completion import Completion
 from hfield.fields.local.field import DIGITS, LocalField
+from hfield.fields.local.refinements import check_refinements
 from hfield.fields.local.square_roots import hensel
 from hfield.fields.quadratic_forms.global_field import GlobalField, known_field
-from hfield.fields.quadratic_forms.isomorphisms.isomorphic import by_multiples
 from hfield.fields.quadratic_forms.minimal_conics import Vector
 from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm, found
-from hfield.fields.quadratic_forms.norm_forms.zero_norms import zero_norm
-from hfield.fields.quadratic_forms.normal_forms import NormalForm
+from hfield.fields.quadratic_forms.normal_forms import NormalForm, basis_of
 
 if TYPE_CHECKING:
     from hfield.fields.local.element import LocalElement
-    from hfield.fields.number_fields.completions import InfiniteCompletion
 
 TRIES = 2_000
-SYMBOL = "whether the algebra is split"
 
 
 class CompletionArithmetic(GlobalField):
@@ -219,118 +215,3 @@ def root_on_plane(F: LocalField, c: Constants, q: Coordinates, u: Coordinates) -
 
 def _written(F: LocalField, q: Coordinates) -> str:
     return "(" + ", ".join(F.text(x) for x in q) + ")"
-
-
-class InfiniteArithmetic(CompletionArithmetic):
-    """The arithmetic of ℝ or ℂ with the elements of a number field in it: two signs decide, if any.
-
-    What asks for elements is answered where the number field has them.
-    """
-
-    ring: InfiniteCompletion
-
-    def hilbert_symbol(
-        self, a: Scalar | str, b: Scalar | str, place: object, factors: Factors | None
-    ) -> int:
-        """Return −1 if a and b are negative real numbers, else 1."""
-        self.read_place(place)
-        squares = map(self.ring.is_square, self._nonzero(a, b))
-        return 1 if any(squares) else -1
-
-    def ramified(self, form: NormalForm) -> tuple[Hashable, ...]:
-        """Return the place, or nothing."""
-        return (self.ring.place,) if self.hilbert_symbol(form.a, form.b, None, None) < 0 else ()
-
-    def why_ramified(self, form: NormalForm, places: tuple[object, ...]) -> str:
-        """Say by which signs."""
-        a, b = (self.ring.text(x) for x in form.constants)
-        return f"{a} and {b} are negative real numbers in {self.ring}"
-
-    def discriminant(self, ramified: tuple[object, ...]) -> Any:
-        """Return 1: no prime ramifies."""
-        return self.ring.one
-
-    def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
-        """Return an element of norm 0 over the number field, where it has one."""
-        answer = zero_norm(self.ring.global_field, Constants(*(x.value for x in c)))
-        if answer.element is None:
-            raise self._beyond("its elements of norm 0 have")
-        element = map(self.ring, answer.element)
-        return found(self.ring, c, element, answer.method, answer.reason)
-
-    def embed(self, outer: Constants, inner: Constants) -> tuple[Coordinates, Coordinates]:
-        """Return multiples of two of i, j, k, where the number field has the square roots."""
-        found = by_multiples(self.ring, outer, inner)
-        if found is None:
-            raise self._beyond("the images of i and j have")
-        return found
-
-    def traceless_root(self, form: NormalForm, s: LocalElement) -> Coordinates | None:
-        """Refuse: multiples of i, j, k have been tried."""
-        raise self._beyond("its square roots have")
-
-    def _beyond(self, what: str) -> UndecidedError:
-        return UndecidedError(
-            f"{what} coordinates in {self.ring} that are not in {self.ring.global_field}, or were not found; "
-            "only elements of that field have names here"
-        )
-
-
-# What digits that are not known leave open about a symbol, and how many of them are needed. All numbers in
-# x + O(πⁿ) give one answer if those do that a few factors take x to, for the symbol is bilinear. The factors
-# 1 + r·πᵐ with r in a basis of the residue field over GF(2) make all of 1 + O(πⁿ) up to what no symbol sees:
-# squares, which 1 + O(4π) is made of, and in characteristic 2 norms, which 1 + O(πᵐ) is made of beyond the
-# pole of a. There a stands for its class in F/{y² + y}, which is changed by adding r·π⁻ᵐ. (O'Meara,
-# *Introduction to Quadratic Forms*, 63:1 to 63:11; Serre, *Local Fields*, XIV.5.)
-
-
-def check_refinements(
-    F: LocalField, a: LocalElement, b: LocalElement, is_division: Callable[[Any, Any], bool]
-) -> None:
-    """Raise :class:`UndecidedError`, naming the digits, unless all numbers in a and b have one symbol.
-
-    ``is_division`` tells whether the symbol of two elements of the global field is −1. In characteristic 2 it
-    is that of [a, b | F), where a may be 0.
-    """
-    even = F.characteristic == 2
-    F.check_digits(b, 1, SYMBOL)
-    if even:
-        first, second = list(_added(F, a)), list(_multiplied(F, b, F.pole(a) + 1))
-    else:
-        F.check_digits(a, 1, SYMBOL)
-        first, second = (list(_multiplied(F, x, F.square_digits)) for x in (a, b))
-    with_b = [b.value, *(y for _, y in second)]
-    open_a = [n for n, x in first if any(is_division(x, y) for y in with_b)]
-    open_b = [n for n, y in second if is_division(a.value, y)]
-    if open_a and even:
-        _refuse(F, a, max(open_a))
-    for x, digits in ((a, open_a), (b, open_b)):
-        if digits:
-            F.check_digits(x, max(digits), SYMBOL)
-
-
-def _multiplied(F: LocalField, x: LocalElement, digits: int) -> Iterator[tuple[int, Scalar]]:
-    """Yield factors that take x to all numbers in it, and the digits of x that fix what each changes."""
-    known = x.digits()
-    if known is not None:
-        for m in range(known, digits):
-            for r in F.residues.over_prime_field():
-                yield m + 1, F.global_field.one + F.global_field(F.residues.lift(r)) * _power(F, m)
-
-
-def _added(F: LocalField, x: LocalElement) -> Iterator[tuple[int, Scalar]]:
-    """Yield what takes x to all numbers in it when added, up to y² + y, and the precision that fixes each."""
-    if x.precision is not None:
-        for m in range(x.precision, 1):
-            for r in F.residues.over_prime_field():
-                yield m + 1, F.global_field(F.residues.lift(r)) * _power(F, m)
-
-
-def _power(F: LocalField, m: int) -> Any:
-    return F.global_field.power(F.pi, m)
-
-
-def _refuse(F: LocalField, x: LocalElement, n: int) -> NoReturn:
-    raise UndecidedError(
-        f"{SYMBOL} hangs on digits of {x} that are not known: give it up to {F.big_o(n)} at least"
-    )

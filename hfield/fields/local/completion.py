@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 class Completion(Overfield[E]):
     """The completion of a global field at a place; ``global_field`` and ``place`` say of what and where.
 
-    Elements are :class:`~hfield.fields.base.operators.Element` with a ``value`` in the global field, and texts mean
-    what they mean there.
+    Elements are :class:`~hfield.fields.base.operators.Element` with a ``value`` in the global field, and
+    texts mean what they mean there.
     """
 
     def __init__(self, name: str, words: str, global_field: Ring, place: Hashable) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Scalar
 from hfield.errors import UndecidedError
@@ -16,7 +16,6 @@ from hfield.fields.base.ring import Ring
 from hfield.fields.local.element import LocalElement
 
 if TYPE_CHECKING:
-    from hfield.fields.function_fields.quotients import Quotient
     from hfield.fields.local.field import LocalField
 
 
@@ -65,11 +64,10 @@ def _even_root(F: LocalField, x: LocalElement) -> LocalElement | None:
     )
 
 
-def _derivative(x: Quotient) -> Quotient:
+def _derivative(x: Any) -> Any:
     """Return dx/dt for a rational function in characteristic 2."""
     n, d = x.num, x.den
-    slope: Quotient = x.field.quotient(n.derivative() * d + n * d.derivative(), d * d)
-    return slope
+    return x.field.quotient(n.derivative() * d + n * d.derivative(), d * d)
 
 
 def _near_root(F: LocalField, unit: Scalar, known: int | None) -> Scalar | None:

@@ -21,6 +21,7 @@ import flint
 from hfield.core.product import Constants, Coordinates
 from hfield.fields.linear_algebra.kernels import kernel
 from hfield.fields.linear_algebra.lattice_reduction import combination
+from hfield.fields.linear_algebra.vectors import dot
 from hfield.fields.number_fields.conics import module_basis
 from hfield.fields.number_fields.elements import coefficients
 from hfield.fields.number_fields.integral_basis import integral_multiple
@@ -29,7 +30,7 @@ from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates
 from hfield.fields.number_fields.walk import Walk, expect_small_degree, not_met
-from hfield.fields.quadratic_forms.minimal_conics import Vector, adapt, dot, kernel_at
+from hfield.fields.quadratic_forms.minimal_conics import Vector, adapt, kernel_at
 
 
 def isometry(

@@ -10,11 +10,11 @@ algebra splits.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants, Scalar
+from hfield.fields.linear_algebra.vectors import dot
 
 if TYPE_CHECKING:
     from hfield.fields.base.finite_places import FinitePlace
@@ -65,14 +65,6 @@ class Conic:
         """Return the standard lattice."""
         o, e = self.zero, self.one
         return ConicLattice([[e, o, o], [o, e, o], [o, o, e]], e)
-
-
-def dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
-    """Return Σ u[i]·v[i]."""
-    total = u[0] * v[0]
-    for x, y in zip(u[1:], v[1:], strict=True):
-        total = total + x * y
-    return total
 
 
 def norm_form(field: Ring, c: Constants) -> Form:

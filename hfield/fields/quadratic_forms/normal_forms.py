@@ -27,6 +27,12 @@ class NormalForm(NamedTuple):
         return self.a, self.b
 
 
+def basis_of(ring: Ring) -> tuple[Coordinates, Coordinates, Coordinates, Coordinates]:
+    """Return the coordinates of e, i, j, k."""
+    o, e = ring.zero, ring.one
+    return (e, o, o, o), (o, e, o, o), (o, o, e, o), (o, o, o, e)
+
+
 def discriminant(ring: Ring, c: Constants) -> Any:
     """Return ``(t² + 4a)·b``; the algebra over a field is central simple iff it is not 0."""
     a, t, b = c

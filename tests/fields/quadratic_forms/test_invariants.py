@@ -6,7 +6,7 @@ import pytest
 from structure_cases import constants
 
 from hfield.algebra.structure.elements.properties import is_nilpotent
-from hfield.algebra.structure.invariants.centre import basis_of, centre
+from hfield.algebra.structure.invariants.centre import centre
 from hfield.algebra.structure.invariants.radical import (
     derivations,
     is_central_simple,
@@ -17,6 +17,7 @@ from hfield.core.product import Constants, multiply, norm
 from hfield.errors import UndecidedError
 from hfield.fields.linear_algebra.kernels import apply
 from hfield.fields.names import ring
+from hfield.fields.quadratic_forms.normal_forms import basis_of
 from tests.subcases import first_quick, subcases
 
 ALGEBRAS = [

@@ -2,13 +2,13 @@
 
 import itertools
 
-from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.algebra.structure.invariants.finite_radical import is_nilpotent as is_nilpotent_scalar
 from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.errors import UndecidedError
 from hfield.fields.base.powers import power
 from hfield.fields.base.ring import Ring
 from hfield.fields.linear_algebra.kernels import kernel
+from hfield.fields.quadratic_forms.normal_forms import basis_of
 from hfield.verdicts import Verdict
 
 

@@ -4,14 +4,18 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.errors import UndecidedError
 from hfield.fields.base.ring import Ring
 from hfield.fields.quadratic_forms.global_field import global_field, known_field
 from hfield.fields.quadratic_forms.isomorphisms.splitting import split
 from hfield.fields.quadratic_forms.norm_forms.zero_norms import zero_norm
-from hfield.fields.quadratic_forms.normal_forms import NormalForm, discriminant, normal_form
+from hfield.fields.quadratic_forms.normal_forms import (
+    NormalForm,
+    basis_of,
+    discriminant,
+    normal_form,
+)
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,12 @@ from math import prod
 from typing import TYPE_CHECKING
 
 from hfield.algebra.structure.elements.closed_orders import closed_order
-from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.core.factorisation import factorise
 from hfield.core.primality import primes
 from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm, trace
 from hfield.errors import NotInvertibleError, UndecidedError, shorten
 from hfield.fields.base.ring import Ring, WithIntegers
+from hfield.fields.quadratic_forms.normal_forms import basis_of
 
 if TYPE_CHECKING:
     pass

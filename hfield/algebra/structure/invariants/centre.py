@@ -5,13 +5,7 @@ from hfield.errors import UndecidedError
 from hfield.fields.base.ring import Ring
 from hfield.fields.linear_algebra.kernels import kernel
 from hfield.fields.linear_algebra.syzygies import Row
-from hfield.fields.quadratic_forms.normal_forms import discriminant
-
-
-def basis_of(ring: Ring) -> tuple[Coordinates, Coordinates, Coordinates, Coordinates]:
-    """Return the coordinates of e, i, j, k."""
-    o, e = ring.zero, ring.one
-    return (e, o, o, o), (o, e, o, o), (o, o, e, o), (o, o, o, e)
+from hfield.fields.quadratic_forms.normal_forms import basis_of, discriminant
 
 
 def centre(ring: Ring, c: Constants) -> tuple[Coordinates, ...]:

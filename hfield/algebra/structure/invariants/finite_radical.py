@@ -11,7 +11,6 @@ import itertools
 from math import prod
 from typing import TYPE_CHECKING, Any
 
-from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants, Coordinates, Scalar, norm
 from hfield.errors import UndecidedError, shorten
@@ -19,7 +18,7 @@ from hfield.fields.base.modular import Modular
 from hfield.fields.base.powers import power
 from hfield.fields.base.ring import Ring
 from hfield.fields.linear_algebra.syzygies import TRIALS, Row, generators, modulo
-from hfield.fields.quadratic_forms.normal_forms import pairing_matrix
+from hfield.fields.quadratic_forms.normal_forms import basis_of, pairing_matrix
 
 if TYPE_CHECKING:
     pass

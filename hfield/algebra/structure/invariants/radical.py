@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from hfield.algebra.structure.counting.formulas_finite import count, has_formulas
-from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.algebra.structure.invariants.finite_radical import finite_radical
 from hfield.core.product import Constants, Coordinates, Scalar, multiply
 from hfield.errors import UndecidedError, shorten
@@ -16,7 +15,7 @@ from hfield.fields.linear_algebra.syzygies import Row
 from hfield.fields.polynomial_rings import PolynomialRing
 from hfield.fields.quadratic_forms.global_field import global_field, known_field
 from hfield.fields.quadratic_forms.norm_forms.zero_norms import is_division
-from hfield.fields.quadratic_forms.normal_forms import discriminant, pairing_matrix
+from hfield.fields.quadratic_forms.normal_forms import basis_of, discriminant, pairing_matrix
 from hfield.fields.rationals.ring import ZZ
 
 if TYPE_CHECKING:

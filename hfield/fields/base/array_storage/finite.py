@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from hfield.compiling import machine_code
 from hfield.compiling.arithmetic import Arithmetic
@@ -24,10 +24,6 @@ from hfield.fields.base.array_storage.labels import LabelArrays
 from hfield.fields.base.array_storage.object_arrays import ObjectArrays
 from hfield.fields.base.array_storage.rows import Row
 from hfield.fields.base.storage.base import Batch
-
-if TYPE_CHECKING:
-    from hfield.fields.finite.ring import FiniteField
-
 
 WORD = 1 << 32  # the largest modulus whose residues multiply in one word
 BITS = 64  # the largest degree over GF(2) whose elements do
@@ -64,7 +60,7 @@ def arithmetic_of(ring: Any) -> Arithmetic | None:
     return None
 
 
-def primitive(F: FiniteField) -> int:
+def primitive(F: Any) -> int:
     """Return the label of a generator of the multiplicative group of GF(pⁿ), n > 1; x itself if it is one."""
     primes = factorise(F.order - 1)
     for label in range(F.characteristic, F.order):

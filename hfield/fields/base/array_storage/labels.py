@@ -23,7 +23,7 @@ from hfield.fields.base.coercion import is_plain_array
 if TYPE_CHECKING:
     import galois
 
-    from hfield.fields.finite.ring import FiniteField
+    from hfield.fields.base.ring import Ring
 
 
 TABLE = 1 << 16  # rings up to this size have a table of their inverses
@@ -38,7 +38,7 @@ class LabelArrays(RowArrays):
 
     ring: Any
 
-    def __init__(self, ring: FiniteField, constants: Constants, arithmetic: Arithmetic) -> None:
+    def __init__(self, ring: Ring, constants: Constants, arithmetic: Arithmetic) -> None:
         super().__init__(ring, constants)
         self.arithmetic = arithmetic
         self.dtype = arithmetic.dtype
@@ -181,7 +181,7 @@ class LabelArrays(RowArrays):
             self.kernel(name).prepare()
 
 
-def labels(F: FiniteField, values: Any, dtype: str) -> Row:
+def labels(F: Any, values: Any, dtype: str) -> Row:
     """Return the labels of an element, a nested sequence or an array, in its shape.
 
     Integers n become n·1, never galois's label; a galois array must be over this very field, modulus

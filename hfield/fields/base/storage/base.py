@@ -1,8 +1,8 @@
 """Storage of elements of an algebra: encode four coordinates as one value, and compute with such values.
 
 :meth:`~hfield.fields.base.ring.Ring.storage` of a ring returns the storage of single elements, and
-:meth:`~hfield.fields.base.ring.Ring.array_storage` that of arrays of them. :class:`Storage` stores the tuple of the
-coordinates and serves every ring, a user's own too; a ring with a compact form derives from it.
+:meth:`~hfield.fields.base.ring.Ring.array_storage` that of arrays of them. :class:`Storage` stores the tuple
+of the coordinates and serves every ring, a user's own too; a ring with a compact form derives from it.
 """
 
 from __future__ import annotations

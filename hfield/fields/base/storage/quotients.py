@@ -1,4 +1,4 @@
-"""Elements over ℤ/n and over GF(p)[x]/(f) as four representatives; sums of products are reduced once."""
+"""Elements over R/(n) as four representatives, which sums of products reduce once; those over ℤ/n."""
 
 from __future__ import annotations
 
@@ -9,14 +9,12 @@ import flint
 
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.core.straight_line import BINARY, pattern, specialise
-from hfield.fields.base.residue_polynomials import polynomials_modulo
 from hfield.fields.base.storage.compact import LARGE, Compact, function, statements
 
 if TYPE_CHECKING:
     from hfield.fields.base.flint_types import Polynomial
     from hfield.fields.base.modular import Modular
     from hfield.fields.base.ring import Ring
-    from hfield.fields.finite.ring import ExtensionField
 
 Representatives = tuple[Any, Any, Any, Any]
 
@@ -121,39 +119,3 @@ class ResidueStorage(Quotients):
     def key(self, p: Representatives) -> Representatives:
         """Return p itself."""
         return p
-
-
-class PolynomialStorage(Quotients):
-    """Elements over GF(pⁿ) as four polynomials of degree below n."""
-
-    reduces_sums = False  # their degrees are small enough
-
-    def __init__(self, ring: ExtensionField, constants: Constants) -> None:
-        p = ring.characteristic
-        polynomial: Any = polynomials_modulo(p)
-        f = polynomial(ring.coefficients)
-
-        def invert(s: Polynomial) -> Polynomial:
-            common, inverse, _ = (s % f).xgcd(f)
-            if common != 1:
-                raise ValueError("0 has no inverse")
-            return inverse
-
-        super().__init__(
-            ring,
-            constants,
-            f,
-            lift=lambda x: polynomial([int(c) for c in x.to_list()]),
-            project=ring.context,
-            invert=invert,
-        )
-        self._constant: Callable[[int], Any] = lambda n: polynomial([n % p])
-
-    def whole(self, w: int, x: int, y: int, z: int) -> Representatives:
-        """Encode four ints."""
-        c = self._constant
-        return c(w), c(x), c(y), c(z)
-
-    def key(self, p: Representatives) -> tuple[tuple[int, ...], ...]:
-        """Return the coefficients."""
-        return tuple(tuple(map(int, c.coeffs())) for c in p)

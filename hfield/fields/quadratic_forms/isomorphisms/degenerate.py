@@ -8,12 +8,12 @@ F[ε, δ] with ε² = δ² = 0 if a and b are squares, else F^(1/2)[ε].
 
 from typing import Any
 
-from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.core.product import Constants, Coordinates, Scalar
 from hfield.fields.base.ring import Ring
 from hfield.fields.quadratic_forms.global_field import known_field
 from hfield.fields.quadratic_forms.normal_forms import (
     NormalForm,
+    basis_of,
     normal_form,
 )
 

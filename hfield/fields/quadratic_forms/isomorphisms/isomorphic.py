@@ -5,7 +5,6 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from typing import Any
 
-from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.core.product import Constants, Coordinates, conjugate, multiply, trace
 from hfield.errors import MixedParentsError, UndecidedError
 from hfield.fields.base.ring import Ring
@@ -18,6 +17,7 @@ from hfield.fields.quadratic_forms.isomorphisms.splitting import (
 )
 from hfield.fields.quadratic_forms.norm_forms.zero_norms import is_division, zero_norm
 from hfield.fields.quadratic_forms.normal_forms import (
+    basis_of,
     discriminant,
     from_pairings,
     normal_form,

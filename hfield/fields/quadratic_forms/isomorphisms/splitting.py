@@ -8,13 +8,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.core.product import Constants, Coordinates, Scalar, multiply
 from hfield.errors import CoercionError, UndecidedError
 from hfield.fields.base.ring import Ring
 from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm
 from hfield.fields.quadratic_forms.norm_forms.zero_norms import zero_norm
 from hfield.fields.quadratic_forms.normal_forms import (
+    basis_of,
     discriminant,
     from_pairings,
     normal_form,

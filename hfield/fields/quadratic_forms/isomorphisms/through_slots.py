@@ -10,10 +10,10 @@ import itertools
 from collections.abc import Callable
 from typing import Any
 
-from hfield.algebra.structure.invariants.centre import basis_of
 from hfield.core.product import Constants, Coordinates, Scalar, multiply, norm
 from hfield.fields.base.ring import Ring
 from hfield.fields.quadratic_forms.norm_forms.zero_norms import zero_norm
+from hfield.fields.quadratic_forms.normal_forms import basis_of
 
 Point = Callable[[Constants], tuple[Any, Any, Any]]
 

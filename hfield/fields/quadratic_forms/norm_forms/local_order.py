@@ -20,7 +20,8 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.core.product import Constants, Scalar, norm
 from hfield.errors import UndecidedError
-from hfield.fields.quadratic_forms.minimal_conics import Vector, adapt, dot, kernel_at
+from hfield.fields.linear_algebra.vectors import dot
+from hfield.fields.quadratic_forms.minimal_conics import Vector, adapt, kernel_at
 
 if TYPE_CHECKING:
     from hfield.fields.base.finite_places import FinitePlace

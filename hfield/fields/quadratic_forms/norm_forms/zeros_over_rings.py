@@ -42,7 +42,7 @@ def zero_norm_integral(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
 
 def _residues(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
     """Answer over ℤ/n: for a prime p | n, n/p times a zero norm modulo p, as n divides p·(n/p)²."""
-    from hfield.fields import GF
+    from hfield.fields.finite.names import GF
 
     n = ring.characteristic
     p = min(factorise(n))
@@ -55,7 +55,7 @@ def _residues(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
 
 def _integers(ring: Ring, c: Constants, decide: Decide) -> ZeroNorm:
     """Answer over ℤ: as over ℚ, denominators cleared."""
-    from hfield.fields import QQ
+    from hfield.fields.rationals.ring import QQ
 
     answer = decide(QQ, Constants(*(QQ(fraction(x)) for x in c)))
     if answer.element is None:
