@@ -1,7 +1,7 @@
 """Base rings and fields: the protocol that they satisfy, :class:`Ring`, and a folder for each kind.
 
-Elements are raw values of the library behind the ring (see ``docs/rings.md``). Names are imported on first
-use, and a ring imports sympy, galois or numpy when it first needs them.
+Elements are raw values of the library behind the ring (see ``docs/reference/rings.md``). Names are imported
+on first use, and a ring imports sympy, galois or numpy when it first needs them.
 """
 
 import lazy_loader

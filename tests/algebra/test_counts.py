@@ -3,12 +3,12 @@ import math
 import random
 
 import pytest
-from structure_cases import cases, constants
 
 from hfield.algebra.structure.counting.formulas_finite import count
 from hfield.algebra.structure.counting.tally import confirm, tally
 from hfield.errors import CoercionError, NotFiniteError, TooLargeError
 from hfield.fields.names import ring
+from tests.fields.algebra_cases import cases, constants
 from tests.subcases import first_quick
 
 UP_TO_32 = [2, 3, 4, 5, 7, 8, 9, 11, 13, 16, 17, 19, 23, 25, 27, 29, 31, 32]

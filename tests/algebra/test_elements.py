@@ -2,7 +2,6 @@ import itertools
 import random
 
 import pytest
-from structure_cases import constants
 
 from hfield.algebra.structure.elements.properties import (
     characteristic_polynomial,
@@ -16,6 +15,7 @@ from hfield.algebra.structure.elements.torsion import multiplicative_order
 from hfield.core.product import multiply, norm, trace
 from hfield.errors import NotInvertibleError, UndecidedError
 from hfield.fields.names import ring
+from tests.fields.algebra_cases import constants
 from tests.subcases import subcases
 
 SMALL = [

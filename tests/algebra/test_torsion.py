@@ -4,13 +4,13 @@ import itertools
 import random
 
 import pytest
-from structure_cases import constants
 
 from hfield import H, QuaternionAlgebra
 from hfield.algebra.structure.elements.torsion import multiplicative_order
 from hfield.core.product import multiply
 from hfield.errors import NotInvertibleError, UndecidedError
 from hfield.fields.names import ring
+from tests.fields.algebra_cases import constants
 from tests.subcases import subcases
 from tests.thorough import quick_part
 

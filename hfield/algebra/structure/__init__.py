@@ -1,7 +1,7 @@
 """What an algebra and its elements are: functions of a ring, of constants (a, t, b) and of coordinates.
 
-The classes of algebras and elements call these functions. ``docs/structure.md`` says which module decides
-what.
+The classes of algebras and elements call these functions. ``docs/reference/structure.md`` says which module
+decides what.
 """
 
 import lazy_loader

@@ -3,7 +3,6 @@
 import random
 
 import pytest
-from structure_cases import constants
 
 from hfield.algebra.structure.elements.square_roots import square_roots
 from hfield.core.product import Constants, multiply, norm, trace
@@ -11,6 +10,7 @@ from hfield.fields.function_fields.artin_schreier import artin_schreier
 from hfield.fields.names import ring
 from hfield.fields.quadratic_forms import is_isomorphic, isomorphism
 from hfield.fields.quadratic_forms.normal_forms import discriminant
+from tests.fields.algebra_cases import constants
 from tests.subcases import subcases
 
 

@@ -3,7 +3,6 @@
 import random
 
 import pytest
-from structure_cases import constants
 
 from hfield.algebra.structure.elements.square_roots import square_roots
 from hfield.core.product import Constants, multiply, norm, trace
@@ -12,6 +11,7 @@ from hfield.fields.names import ring
 from hfield.fields.quadratic_forms import is_division, isomorphism, ramified_places
 from hfield.fields.quadratic_forms.normal_forms import discriminant
 from hfield.fields.quadratic_forms.ramification import hilbert_symbol
+from tests.fields.algebra_cases import constants
 from tests.subcases import subcases
 from tests.thorough import quick_part
 

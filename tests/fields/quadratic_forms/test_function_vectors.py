@@ -1,11 +1,11 @@
 """Division over fields of rational functions against Sage's conics, see tests/vectors/README.md."""
 
 import pytest
-from structure_cases import cases, constants
 
 from hfield.errors import UndecidedError
 from hfield.fields.names import ring
 from hfield.fields.quadratic_forms import is_division
+from tests.fields.algebra_cases import cases, constants
 
 CASES = cases("function_division")
 

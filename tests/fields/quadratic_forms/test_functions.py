@@ -1,7 +1,6 @@
 import random
 
 import pytest
-from structure_cases import constants
 
 from hfield.core.product import norm
 from hfield.errors import RingError, UndecidedError
@@ -12,6 +11,7 @@ from hfield.fields.names import ring
 from hfield.fields.quadratic_forms import hilbert_symbol, is_division, zero_norm
 from hfield.fields.quadratic_forms.normal_forms import discriminant, normal_form
 from hfield.fields.quadratic_forms.ramification import place, ramified_places, reduced_discriminant
+from tests.fields.algebra_cases import constants
 from tests.subcases import slow
 
 

@@ -4,7 +4,6 @@ from fractions import Fraction
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from structure_cases import cases
 
 from hfield.core.factorisation import factorise
 from hfield.errors import CoercionError, NotationError, RingError, UndecidedError
@@ -16,6 +15,7 @@ from hfield.fields.rationals.symbols import (
     place_of_q,
     ramified_places_q,
 )
+from tests.fields.algebra_cases import cases
 from tests.subcases import subcases
 
 nonzero = st.integers(-(10**6), 10**6).filter(bool)

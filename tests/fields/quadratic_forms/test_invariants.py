@@ -3,7 +3,6 @@ import math
 import random
 
 import pytest
-from structure_cases import constants
 
 from hfield.algebra.structure.elements.properties import is_nilpotent
 from hfield.algebra.structure.invariants.centre import centre
@@ -18,6 +17,7 @@ from hfield.errors import UndecidedError
 from hfield.fields.linear_algebra.kernels import apply
 from hfield.fields.names import ring
 from hfield.fields.quadratic_forms.normal_forms import basis_of
+from tests.fields.algebra_cases import constants
 from tests.subcases import first_quick, subcases
 
 ALGEBRAS = [

@@ -6,11 +6,11 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from padic_cases import cases, extension_cases, pari, pari_symbol
 
 from hfield import QuaternionAlgebra, hilbert_symbol, prove, ring
 from hfield.core.factorisation import remove
 from hfield.errors import RingError, UndecidedError
+from tests.fields.quadratic_forms.padic_cases import cases, extension_cases, pari, pari_symbol
 from tests.subcases import subcases
 from tests.thorough import quick_part
 

@@ -3,7 +3,6 @@ import random
 from fractions import Fraction
 
 import pytest
-from structure_cases import cases, constants
 
 from hfield.core.product import norm
 from hfield.errors import CoercionError, RingError, UndecidedError
@@ -16,6 +15,7 @@ from hfield.fields.number_fields.quadratic.symbols import (
 )
 from hfield.fields.quadratic_forms import hilbert_symbol, is_division, zero_norm
 from hfield.fields.quadratic_forms.ramification import place, places, ramified_places
+from tests.fields.algebra_cases import cases, constants
 from tests.subcases import subcases
 
 

@@ -5,7 +5,6 @@ import random
 
 import flint
 import pytest
-from structure_cases import constants
 
 from hfield.algebra.structure.elements.square_roots import square_roots
 from hfield.core.factorisation import known_primes, remove
@@ -27,6 +26,7 @@ from hfield.fields.quadratic_forms import (
     split,
 )
 from hfield.fields.quadratic_forms.minimal_conics import Conic
+from tests.fields.algebra_cases import constants
 from tests.subcases import slow, subcases
 from tests.thorough import cases
 

@@ -1,7 +1,6 @@
 import random
 
 import pytest
-from structure_cases import constants
 
 from hfield.core.product import Constants, multiply, norm
 from hfield.errors import CoercionError, MixedParentsError, UndecidedError
@@ -19,6 +18,7 @@ from hfield.fields.quadratic_forms.isomorphisms.splitting import (
 )
 from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import ZeroNorm
 from hfield.fields.quadratic_forms.normal_forms import discriminant
+from tests.fields.algebra_cases import constants
 from tests.subcases import subcases
 
 SPLIT = [

@@ -1,7 +1,6 @@
 import itertools
 
 import pytest
-from structure_cases import cases, constants
 
 from hfield.algebra.structure import centre, is_commutative
 from hfield.core.product import norm
@@ -9,6 +8,7 @@ from hfield.errors import UndecidedError
 from hfield.fields.names import ring
 from hfield.fields.quadratic_forms import is_division, zero_norm
 from hfield.fields.quadratic_forms.norm_forms.zero_norm_answer import found
+from tests.fields.algebra_cases import cases, constants
 from tests.subcases import subcases
 
 PANEL = {

@@ -7,7 +7,7 @@ from typing import Any
 from hfield.core.product import Constants
 from hfield.fields.names import ring
 
-FOLDER = Path(__file__).parents[2] / "vectors"
+FOLDER = Path(__file__).parents[1] / "vectors"
 
 
 def cases(name: str) -> list[dict[str, Any]]:
