@@ -1287,6 +1287,21 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         return HurwitzOrder(hurwitz_order(self))
 
+    def order_from_label(self, text: str) -> Order:
+        """Return an order with the label that ``O.label()`` gave, always the same.
+
+        Raises :class:`NotationError` for what is no label, :class:`MixedParentsError` for the label of an
+        order in another algebra, and :class:`UndecidedError` over another field than ℚ.
+
+        >>> A = QuaternionAlgebra(11); O = A.order_from_label("x^2+y^2+3*z^2+y*z")
+        >>> O.is_maximal().holds, O.is_isomorphic(A.maximal_order())
+        (True, True)
+        """
+        from hfield.orders.labels import order_of_label
+        from hfield.orders.lattice import Order
+
+        return Order(order_of_label(self, text))
+
     def class_number(self, level: object = 1) -> int:
         """Return the number of ideal classes of an Eichler order, over QQ by Eichler's formula.
 
@@ -1423,17 +1438,20 @@ def H(ring: RingName) -> QuaternionAlgebra:
     return QuaternionAlgebra(ring, -1, -1)
 
 
-def ternary_form(coefficients: Iterable[object], ring: RingName = "QQ") -> TernaryForm:
+def ternary_form(coefficients: Iterable[object] | str, ring: RingName = "QQ") -> TernaryForm:
     """Return the form ``a·x² + b·y² + c·z² + r·yz + s·xz + t·xy`` with the coefficients [a, b, c, r, s, t].
 
-    They are integers, or those of a number field; ``order()`` of a form is its even Clifford algebra, and
-    ``O.ternary_form()`` leads back. Raises :class:`LatticeError` for what is no such form, or degenerate.
+    They are integers, or those of a number field; a text such as ``"x^2+y^2+3*z^2+y*z"`` is read too.
+    ``order()`` of a form is its even Clifford algebra, and ``O.ternary_form()`` leads back. Raises
+    :class:`LatticeError` for what is no such form, or degenerate, and :class:`NotationError`.
 
     >>> f = ternary_form([1, 1, 3, 1, 0, 1])
     >>> f, f.discriminant(), f.order().is_maximal(), f.automorphism_count()
     (x²+y²+3·z²+y·z+x·y, 8, False, 12)
     """
-    from hfield.orders.ternary_forms import TernaryForm
+    from hfield.orders.ternary_forms import TernaryForm, read_form
 
     F = ring if isinstance(ring, Ring) else read_ring(ring)
+    if isinstance(coefficients, str):
+        return read_form(coefficients, F, QuaternionAlgebra)
     return TernaryForm(F, coefficients, QuaternionAlgebra)

@@ -40,6 +40,7 @@ from hfield.orders import (
     invariants,
     isomorphisms,
     klpt,
+    labels,
     lattice_values,
     maximal_orders,
     pseudo_bases,
@@ -552,10 +553,20 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> f.order().is_maximal().holds, f.ring.norm(f.discriminant())
         (True, 1)
         """
-        basis = pseudo_bases.basis_modulo_numbers(self.value)
-        found = ternary_forms.form_of(basis, type(self.algebra))
-        reducible = self.value.ambient.base.is_rational and found.is_definite()
-        return found.reduced() if reducible else found
+        return ternary_forms.form_of_order(self.value)
+
+    def label(self) -> str:
+        """Return a text that is equal exactly for isomorphic orders over ℤ.
+
+        For a definite order it is the reduced positive ternary form, for an indefinite Eichler order of level
+        N in an algebra of discriminant D it is ``D.N``. ``A.order_from_label(text)`` leads back.
+        Raises :class:`UndecidedError` for other orders, which have no label yet.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(11).maximal_order().label(), QuaternionAlgebra(6).eichler_order(5).label()
+        ('x²+y²+3·z²+y·z', '6.5')
+        """
+        return labels.label(self.value)
 
     # --- other orders ----------------------------------------------------------------------------
 
@@ -1254,6 +1265,45 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     def type_number(self) -> int:
         """How many isomorphism classes of orders there are in the genus."""
         return len(set(self._classes.types))
+
+    def labels(self) -> list[str]:
+        """Return the label of the left order of each class, equal exactly for classes of one type.
+
+        Raises as :meth:`Order.label` does.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(23).maximal_order().class_set().labels()
+        ['x²+y²+6·z²+y·z', 'x²+2·y²+3·z²+y·z', 'x²+y²+8·z²+x·z+x·y']
+        """
+        return [str(self._form_of_type[kind]) for kind in self._classes.types]
+
+    def types_by_label(self) -> dict[str, list[int]]:
+        """Return the classes of each type, as lists of numbers, by the labels of types and in their order.
+
+        Labels are in the order of the coefficients of the forms, of x², y², z², yz, xz and xy. Raises as
+        :meth:`Order.label` does.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(37).maximal_order().class_set().types_by_label()
+        {'x²+2·y²+5·z²+y·z+x·z': [0], '2·x²+2·y²+3·z²+2·y·z+x·z+x·y': [1, 2]}
+        """
+        forms = sorted(self._form_of_type.items(), key=lambda item: item[1].coefficients)
+        kinds = self._classes.types
+        return {
+            str(form): [n for n, own in enumerate(kinds) if own == kind] for kind, form in forms
+        }
+
+    @cached_property
+    def _form_of_type(self) -> dict[int, TernaryForm]:
+        """The reduced ternary form of the left orders of each type."""
+        if self._base.degree > 1:
+            labels.label(self.order.value)  # which says why there are none
+        kinds = self._classes.types
+        firsts = {kind: kinds.index(kind) for kind in range(self.type_number)}
+        return {
+            kind: labels.reduced_form(lattice_values.order_of(self._classes.lattice(n), "left"))
+            for kind, n in firsts.items()
+        }
 
     def exchanged(self, prime: object) -> list[int]:
         """Return which class each becomes by the two-sided prime ideal at a prime.

@@ -20,11 +20,14 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, LatticeError, MixedParentsError, RingError, shorten
 from hfield.fields.base.printing import sum_text
 from hfield.fields.base.ring import Ring, WithIntegers
+from hfield.fields.names import ring as named_ring
 from hfield.fields.number_fields.ideals import integers
 from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.whole_numbers import square_class, squarefree
 from hfield.hints import FORM, Hinted
 from hfield.orders.isomorphic_orders import reduced_bases
+from hfield.orders.lattice_values import LatticeValue
+from hfield.orders.pseudo_bases import basis_modulo_numbers
 
 Triple = tuple[Quaternion, Quaternion, Quaternion]
 Matrix = tuple[tuple[Any, Any, Any], ...]
@@ -276,7 +279,10 @@ class TernaryForm(Hinted):
     def reduced(self) -> TernaryForm:
         """Return the one form of the class that is reduced after Korkine and Zolotarev and comes first.
 
-        Equivalent forms have the same. Raises :class:`IndefiniteError` for other than definite forms over ℤ.
+        Equivalent forms have the same. An isometry maps the reduced bases of one lattice onto those of the
+        other; all of them are listed, also where vectors have one length or a coefficient is 1/2; and the
+        least coefficients in a fixed order are returned. Raises :class:`IndefiniteError` for other than
+        definite forms over ℤ.
         """
         sign = 1 if self.discriminant() > 0 else -1
         a, b, c, t, s, r = min(
@@ -290,6 +296,33 @@ class TernaryForm(Hinted):
         """Return how many matrices of integers leave the form as it is. Raises as :meth:`reduced` does."""
         first, *_ = found = [form for _, form in self._reduced_bases()]
         return 2 * found.count(first)
+
+
+def read_form(text: str, ring: Ring, algebras: Callable[..., Any]) -> TernaryForm:
+    """Read a form in x, y and z, as it is printed or as code.
+
+    Raises :class:`NotationError` for what is no polynomial, :class:`LatticeError` for no ternary form.
+    """
+    polynomials: Any = named_ring(f"{ring.name}[x,y,z]")
+    exponents = (2, 0, 0), (0, 2, 0), (0, 0, 2), (0, 1, 1), (1, 0, 1), (1, 1, 0)
+    coefficients = dict.fromkeys(exponents, ring.zero)
+    for monomial, coefficient in polynomials(text).terms():
+        if tuple(monomial) not in coefficients:
+            raise LatticeError(
+                f"{shorten(text)!r} is no ternary form: expected terms in x², y², z², yz, xz and xy alone"
+            )
+        coefficients[tuple(monomial)] = ring(coefficient)
+    return TernaryForm(ring, coefficients.values(), algebras)
+
+
+def form_of_order(order: LatticeValue) -> TernaryForm:
+    """Return a form whose even Clifford algebra is an order; over ℤ the reduced one where it is definite.
+
+    Raises :class:`LatticeError` for an order that is no free module.
+    """
+    found = form_of(basis_modulo_numbers(order), type(order.algebra))
+    reducible = order.ambient.base.is_rational and order.ambient.definite
+    return found.reduced() if reducible else found
 
 
 def form_of(basis: Triple, algebras: Callable[..., Any]) -> TernaryForm:

@@ -6,7 +6,7 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from hfield import QuaternionAlgebra
+from hfield import QuaternionAlgebra, ternary_form
 from hfield.fields.rationals.whole_numbers import fraction
 
 
@@ -71,3 +71,23 @@ def box(L: Any, size: int) -> list[Any]:
     span = range(-size, size + 1)
     a, b, c, d = L.reduced_basis()
     return [w * a + x * b + y * c + z * d for w, x, y, z in itertools.product(span, repeat=4)]
+
+
+def random_step(F: Any, rng: Random) -> list[list[Any]]:
+    """A 3 × 3 matrix of determinant 1, over a field with integers."""
+    m = [[F(int(r == c)) for c in range(3)] for r in range(3)]
+    for _ in range(4):
+        r, c = rng.sample(range(3), 2)
+        n = rng.choice((-1, 1, 2))
+        m[r] = [x + n * y for x, y in zip(m[r], m[c], strict=True)]
+    return m
+
+
+def moved(f: Any, m: list[list[Any]]) -> Any:
+    """The form v ↦ f(v·m)."""
+    rows = [f(*row) for row in m]
+    mixed = [
+        f(*(x + y for x, y in zip(m[r], m[c], strict=True))) - rows[r] - rows[c]
+        for r, c in ((1, 2), (0, 2), (0, 1))
+    ]
+    return ternary_form([*rows, *mixed], f.ring)

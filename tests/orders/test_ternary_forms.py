@@ -16,6 +16,7 @@ from hfield import (
     ring,
     ternary_form,
 )
+from tests.orders.random_lattices import moved, random_step
 
 pari = pytest.importorskip("cypari", reason="cypari is not installed (extra 'oracles')").pari
 FIELDS = "QQ", "QQ(sqrt(5))", "QQ(sqrt(-5))", "QQ[s]/(s^3-s^2-2*s+1)"
@@ -32,26 +33,6 @@ def random_forms(field: str, count: int, seed: int) -> Iterator[Any]:
             count -= 1
         except LatticeError:
             continue
-
-
-def random_step(F: Any, rng: random.Random) -> list[list[Any]]:
-    """A matrix of determinant 1."""
-    m = [[F(int(r == c)) for c in range(3)] for r in range(3)]
-    for _ in range(4):
-        r, c = rng.sample(range(3), 2)
-        n = rng.choice((-1, 1, 2))
-        m[r] = [x + n * y for x, y in zip(m[r], m[c], strict=True)]
-    return m
-
-
-def moved(f: Any, m: list[list[Any]]) -> Any:
-    """The form v ↦ f(v·m)."""
-    rows = [f(*row) for row in m]
-    mixed = [
-        f(*(x + y for x, y in zip(m[r], m[c], strict=True))) - rows[r] - rows[c]
-        for r, c in ((1, 2), (0, 2), (0, 1))
-    ]
-    return ternary_form([*rows, *mixed], f.ring)
 
 
 def maps(f: Any, g: Any, m: Any) -> bool:

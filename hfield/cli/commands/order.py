@@ -19,7 +19,7 @@ from hfield.cli.orders import (
 )
 from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import UsageError
-from hfield.errors import TooLargeError
+from hfield.errors import TooLargeError, UndecidedError
 
 if TYPE_CHECKING:
     from hfield.evidence import Claim
@@ -34,6 +34,7 @@ DOING = "computing the order"
 EXAMPLES = (
     "hfield order '(-1,-11|QQ)' --level 3",
     "hfield order 2 --units",
+    "hfield order 11 --label 'x^2+y^2+3*z^2+y*z'",
     "hfield order '(-1,-1|QQ(sqrt(5)))' --level '11, 4 + sqrt(5)'",
 )
 
@@ -50,6 +51,11 @@ def configure(parser: ArgumentParser) -> None:
     )
     group.add_argument(
         "--extremal", action="store_true", help="take the p-extremal order of the KLPT algorithm"
+    )
+    group.add_argument(
+        "--label",
+        metavar="LABEL",
+        help="take the order with this label: a ternary form such as 'x^2+y^2+3*z^2+y*z', or 6.5",
     )
     parser.add_argument(
         "--units",
@@ -100,6 +106,8 @@ def _made(args: Namespace) -> Any:
     A = algebra_of(args.algebra)
     if args.extremal:
         return A.extremal_order()
+    if args.label is not None:
+        return A.order_from_label(args.label)
     if args.generators is not None:
         return A.order(elements_of(A, args.generators, "--generators"))
     return A.eichler_order(level_of(args.level or "1", A))
@@ -121,11 +129,20 @@ def to_json(O: Order) -> dict[str, Any]:
         "maximal": bool(O.is_maximal()),
         "eichler": O.is_eichler(),
         "conductor": O.conductor(),
+        "label": _label(O),
         "units": O.unit_count() if definite else None,
         "unit_group": O.unit_group(),
         "mass": str(O.mass()) if definite else None,
         **_class_number(O, definite),
     }
+
+
+def _label(O: Order) -> str | None:
+    """Return the label of an order, None where it has none."""
+    try:
+        return O.label()
+    except UndecidedError:
+        return None
 
 
 def _class_number(O: Order, definite: bool) -> dict[str, object]:
@@ -161,6 +178,8 @@ def parts(O: Order) -> list[Part]:
         ("conductor", str(data["conductor"])),
         ("units", units),
     ]
+    if data["label"] is not None:
+        facts.append(("label", data["label"]))
     if data["mass"] is not None:
         facts.append(("mass", data["mass"]))
     if data["class_number"] is not None:

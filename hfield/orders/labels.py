@@ -1,0 +1,105 @@
+"""Labels of orders over ℤ: texts that are equal exactly for isomorphic orders.
+
+A definite order has its reduced ternary form as label. Orders are isomorphic exactly when their ternary forms
+are equivalent up to a sign (Voight, *Quaternion Algebras*, theorem 22.1.1), a definite order has a positive
+form, and equivalent positive forms have one reduced form. An Eichler order of level N in an indefinite
+algebra of discriminant D has the label ``D.N``: it is the only one up to conjugation, by strong approximation
+(Voight, theorem 28.2.11). Other orders have no label yet.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.errors import LatticeError, MixedParentsError, NotationError, UndecidedError, shorten
+from hfield.fields.rationals.ring import QQ
+from hfield.orders.basis import basis_of
+from hfield.orders.invariants import is_eichler, level
+from hfield.orders.lattice_values import LatticeValue, spanned
+from hfield.orders.rings import checked_ring
+from hfield.orders.standard_orders import eichler_order
+from hfield.orders.ternary_forms import TernaryForm, form_of_order, read_form
+
+_EXPECTED = "a label is a ternary form such as 'x²+y²+3·z²+y·z', or D.N such as '6.5'"
+
+
+def reduced_form(order: LatticeValue) -> TernaryForm:
+    """Return the reduced ternary form of a definite order over ℤ."""
+    form = form_of_order(order)
+    if order.ambient.base.is_rational:
+        return form
+    numbers = map(order.ambient.base.as_rational, map(order.ambient.base.inside, form.coefficients))
+    return TernaryForm(QQ, numbers, type(order.algebra)).reduced()  # over the field of degree 1
+
+
+def label(order: LatticeValue) -> str:
+    """Return the label. Raises :class:`UndecidedError` for an order that has none yet."""
+    ambient = order.ambient
+    if ambient.degree > 1:
+        raise _no_label(f"of orders over {ambient.base.symbol}")
+    if ambient.definite:
+        return str(reduced_form(order))
+    if not is_eichler(order):
+        raise _no_label("of indefinite orders that are no Eichler orders")
+    norm = ambient.base.absolute_norm
+    return f"{norm(ambient.discriminant)}.{norm(level(order))}"
+
+
+def order_of_label(algebra: Parent, text: str) -> LatticeValue:
+    """Return an order with this label in an algebra.
+
+    Raises :class:`NotationError` for what is no label, :class:`MixedParentsError` for one of an order in
+    another algebra, and :class:`UndecidedError` over another field than ℚ.
+    """
+    ambient = basis_of(algebra)
+    if not ambient.base.is_rational:
+        raise _no_label(f"of orders over {ambient.base.symbol}")
+    if not isinstance(text, str):
+        raise NotationError(f"{shorten(repr(text))} is no text: {_EXPECTED}")
+    indefinite = re.fullmatch(r"\s*(\d+)\.(\d+)\s*", text)
+    if indefinite:
+        return _eichler(algebra, int(indefinite[1]), int(indefinite[2]))
+    try:
+        form = read_form(text, QQ, type(algebra))
+    except NotationError as error:
+        raise NotationError(f"{error.reason}; {_EXPECTED}", text, error.position) from None
+    except LatticeError as error:
+        raise NotationError(f"{error}; {_EXPECTED}") from None
+    if not (form.is_definite() and form(1, 0, 0) > 0):
+        raise NotationError(
+            f"{form} is not positive, and labels are positive forms: an indefinite Eichler order has the "
+            "label D.N"
+        )
+    order = form.order()
+    onto: Callable[[Quaternion], Quaternion] | None = order.algebra.isomorphism(algebra)
+    if onto is None:
+        raise MixedParentsError(
+            f"the order with the form {form} lies in an algebra of discriminant "
+            f"{order.algebra.discriminant()}, and {shorten(algebra)} has the discriminant "
+            f"{ambient.discriminant}{' and is indefinite' * (not ambient.definite)}"
+        )
+    return checked_ring(spanned(algebra, [onto(q) for q in order.basis]))
+
+
+def _eichler(algebra: Parent, discriminant: int, number: int) -> LatticeValue:
+    """Return the Eichler order of an indefinite label."""
+    ambient = basis_of(algebra)
+    if ambient.definite:
+        raise MixedParentsError(
+            f"{discriminant}.{number} is the label of an indefinite order, and {shorten(algebra)} is "
+            "definite: there the label is a ternary form, such as that of eichler_order(N).label()"
+        )
+    if ambient.discriminant != discriminant:
+        raise MixedParentsError(
+            f"an order with the label {discriminant}.{number} lies in an algebra of discriminant "
+            f"{discriminant}, and {shorten(algebra)} has the discriminant {ambient.discriminant}"
+        )
+    return eichler_order(algebra, number)
+
+
+def _no_label(which: str) -> UndecidedError:
+    return UndecidedError(
+        f"labels {which} are not yet given: definite orders and indefinite Eichler orders over ℤ have them"
+    )
