@@ -33,6 +33,7 @@ from hfield.orders import (
     brandt,
     certificates,
     class_number,
+    element_factors,
     equivalence,
     hermite,
     ideal_products,
@@ -793,6 +794,23 @@ class Order(WithStableClasses, Certified, Lattice):
         """
         return quadratic_orders.represent_integer(self.value, n, seed)
 
+    def factor(self, x: object, primes: Iterable[object]) -> tuple[Quaternion, list[Quaternion]]:
+        """Return (u, [π₁, …, πₙ]) with x = u·π₁⋯πₙ, u a unit, and norms N(πₙ) that are the given primes.
+
+        The primes come in any order, each as often as it divides the norm of x (Conway and Smith, *On
+        Quaternions and Octonions*, chapter 5). Over ℤ_K they are prime ideals, or numbers that generate them;
+        N(πₙ) generates the ideal, and is the number itself where that is totally positive and units of the
+        order allow it. In an indefinite algebra over ℚ it is the prime up to its sign. Raises
+        :class:`LatticeError` where norms do not match, or an ideal of prime norm is not principal, and
+        :class:`UndecidedError`.
+
+        >>> from hfield import H
+        >>> O = H("QQ").hurwitz_order(); u, factors = O.factor("3 + 5*i + j", [5, 7])
+        >>> u, factors, u * factors[0] * factors[1], [q.norm() for q in factors]
+        (1/2 + 1/2i − 1/2j + 1/2k, [1/2 + 1/2i + 3/2j + 3/2k, −1 + i − 2j − k], 3 + 5i + j, [5, 7])
+        """
+        return element_factors.factor(self.value, x, primes)
+
     def embeddings(self, discriminant: object) -> Embeddings:
         """Return the optimal embeddings of the quadratic order of a discriminant d.
 
@@ -1383,15 +1401,28 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         between = lattice_values.product(self._classes.lattice(i), inverse)
         return short_elements.theta_series(between, n)
 
-    def edges(self, prime: object) -> Iterator[tuple[int, int, dict[str, int]]]:
-        """Yield the edges of the graph of P-neighbours, ``networkx.from_edgelist`` reads them.
-
-        For a maximal order of prime discriminant over ℤ it is the supersingular isogeny graph, up to Galois
-        conjugation of the vertices (Deuring).
-        """
+    def edges(self, prime: object) -> Iterator[tuple[int, int, dict[str, Any]]]:
+        """Yield the edges of :meth:`graph`."""
         for i, row in enumerate(self.neighbours(prime)):
             for j in sorted(row):
-                yield i, j, {"weight": row[j]}
+                yield i, j, {"weight": row[j], "mass": Fraction(row[j], self.units[i])}
+
+    def graph(self, prime: object) -> list[tuple[int, int, dict[str, Any]]]:
+        """Return the edges of the graph of P-neighbours as a list that ``networkx.DiGraph`` reads.
+
+        ``weight`` is the multiplicity: how many right ideals of relative norm P in class i belong to class j,
+        so that the weighted adjacency matrix is the Brandt matrix. ``mass`` is the multiplicity divided by
+        the units of class i, and the same in both directions. For a maximal order of prime discriminant over
+        ℤ it is the supersingular isogeny graph, up to Galois conjugation of the vertices (Deuring). Raises
+        as :meth:`neighbours` does.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> for edge in QuaternionAlgebra(11).maximal_order().class_set().graph(2): print(*edge)
+        0 0 {'weight': 1, 'mass': Fraction(1, 2)}
+        0 1 {'weight': 2, 'mass': Fraction(1, 1)}
+        1 0 {'weight': 3, 'mass': Fraction(1, 1)}
+        """
+        return list(self.edges(prime))
 
     # --- evidence ------------------------------------------------------------------------------------
 

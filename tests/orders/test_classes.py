@@ -193,6 +193,17 @@ def test_edges_of_the_isogeny_graph() -> None:
     }
 
 
+def test_networkx_reads_the_graph() -> None:
+    networkx = pytest.importorskip("networkx", reason="networkx is not installed")
+    C = algebra(11).eichler_order(3).class_set()
+    graph = networkx.DiGraph(C.graph(2))
+    matrix = networkx.to_numpy_array(graph, nodelist=range(len(C)), dtype=int)
+    assert matrix.tolist() == C.brandt_matrix(2)
+    mass = {(i, j): data["mass"] for i, j, data in graph.edges(data=True)}
+    assert all(mass[i, j] == mass[j, i] for i, j in mass)
+    assert sum(mass.values()) == 3 * C.mass
+
+
 def test_evidence() -> None:
     C = algebra(30).eichler_order(7).class_set()
     evidence = json.loads(json.dumps(C.evidence))

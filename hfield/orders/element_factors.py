@@ -1,0 +1,173 @@
+"""Factor an element of an order into a unit and elements of prime norms, in a given order of the primes.
+
+A last factor π of norm P generates a left ideal of norm P that contains x. Where P·O does not contain x,
+and P does not divide the discriminant, there is one such ideal, O·x + P·O: so the factors of a primitive
+element are unique up to units between them (Conway and Smith, *On Quaternions and Octonions*, chapter 5).
+Elsewhere all ideals of norm P that contain x are tried, for each of the factors.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from itertools import chain
+from typing import Any, NamedTuple
+
+from hfield.algebra.quaternion import Quaternion
+from hfield.errors import (
+    CoercionError,
+    LatticeError,
+    MixedParentsError,
+    NotationError,
+    UndecidedError,
+    shorten,
+)
+from hfield.orders.equivalence import equivalence
+from hfield.orders.ideals_of_norm import ideals_of_norm, random_ideal
+from hfield.orders.lattice_values import (
+    LatticeValue,
+    add,
+    conjugate,
+    contains,
+    discriminant,
+    generated_ideal,
+    includes,
+    is_locally_principal,
+    times_ideal,
+)
+from hfield.orders.units import units
+from hfield.orders.validation import listed
+
+MAX_IDEALS_TRIED = 10_000
+
+
+class Prime(NamedTuple):
+    """A prime of the base: as the base has it, as an ideal, and the number that was given, if one was."""
+
+    prime: Any
+    ideal: Any
+    number: Any
+
+
+def factor(order: LatticeValue, x: object, primes: object) -> tuple[Quaternion, list[Quaternion]]:
+    """Return a unit u and factors π₁, …, πₙ whose norms generate the given primes: x = u·π₁⋯πₙ.
+
+    Raises :class:`LatticeError` where x is not in the order, where norms do not match, or where an ideal that
+    an element would generate is not principal, and :class:`UndecidedError`.
+    """
+    algebra, base = order.algebra, order.ambient.base
+    element = algebra(x)
+    if not contains(order, element):
+        raise LatticeError(
+            f"{shorten(element)} does not lie in the order: expected an element of it"
+        )
+    given = [_read_prime(order, p) for p in listed(primes)]
+    product = base.one
+    for p in given:
+        product = product * p.ideal
+    norm = element.norm()
+    found = base.principal(base.inside(norm)) if norm != 0 else None
+    if found != product:
+        raise LatticeError(
+            f"the norm {algebra.ring.text(norm)} of {shorten(element)} does not generate the product "
+            f"{base.ideal_text(product)} of the given primes: expected the primes of the norm, each as often "
+            "as it occurs"
+        )
+    rest, factors = _Search(order, given).run(element)
+    return rest, factors
+
+
+def _read_prime(order: LatticeValue, p: object) -> Prime:
+    """Read a prime, given as an ideal or as a number that generates it."""
+    base = order.ambient.base
+    prime = base.prime(p)
+    number = None
+    if not base.is_ideal(p):
+        with suppress(CoercionError, MixedParentsError, NotationError):  # the text of an ideal
+            number = base.inside(base.ring(p))
+    return Prime(prime, base.prime_ideal(prime), number)
+
+
+class _Search:
+    """The factors from the last to the first; where several ideals contain an element, all are tried."""
+
+    def __init__(self, order: LatticeValue, primes: Sequence[Prime]) -> None:
+        self.order, self.primes = order, primes
+        self.base = order.ambient.base
+        self.tried = 0
+        self.failure = ""
+        self._ideals: dict[Any, list[LatticeValue]] = {}
+
+    def run(self, x: Quaternion) -> tuple[Quaternion, list[Quaternion]]:
+        left: list[Quaternion] = [x]
+        factors: list[Quaternion] = []
+        choices: list[Iterator[Quaternion]] = []
+        while len(factors) < len(self.primes):
+            if len(choices) == len(factors):
+                choices.append(self._last_factors(left[-1], len(self.primes) - len(factors)))
+            pi = next(choices[-1], None)
+            if pi is not None:
+                factors.append(pi)
+                left.append(left[-1] * pi.inverse())
+                continue
+            choices.pop()
+            if not choices:
+                raise LatticeError(self.failure)
+            factors.pop()
+            left.pop()
+        return left[-1], factors[::-1]
+
+    def _last_factors(self, x: Quaternion, number: int) -> Iterator[Quaternion]:
+        """Yield the possible last factors of x, of which ``number`` are left to be found."""
+        p = self.primes[number - 1]
+        for ideal in self._ideals_with(x, p):
+            self.tried += 1
+            if self.tried > MAX_IDEALS_TRIED:
+                raise UndecidedError(
+                    f"{MAX_IDEALS_TRIED} ideals were tried, and no factorisation was found: {self.failure}"
+                )
+            answer = equivalence(self.order, ideal, self.order, "left")
+            if not answer:
+                self.failure = self.failure or (
+                    f"the left ideal of norm {p.prime} that contains {shorten(x)}, for factor {number}, is "
+                    f"not principal: {answer.reason}"
+                )
+            elif answer.element is None:
+                raise UndecidedError(f"factor {number} was not found: {answer.reason}")
+            else:
+                yield self._with_norm(answer.element, p)
+
+    def _ideals_with(self, x: Quaternion, p: Prime) -> Iterator[LatticeValue]:
+        """Yield the invertible left ideals of norm P that contain x."""
+        multiples = times_ideal(self.order, p.ideal)
+        ideal = add(multiples, generated_ideal(self.order, [x], "left"))
+        if ideal.norm == p.ideal and is_locally_principal(ideal, self.order):
+            yield ideal
+            return
+        candidates: Iterator[LatticeValue] = self._ideals_of_norm(p)
+        if ideal == multiples and not self.base.valuation(discriminant(self.order), p.prime):
+            first = random_ideal(self.order, p.ideal, random.Random(0))
+            candidates = chain([first], (J for J in candidates if first != J))
+        yield from (J for J in candidates if includes(J, ideal))
+
+    def _ideals_of_norm(self, p: Prime) -> Iterator[LatticeValue]:
+        if p.prime not in self._ideals:
+            self._ideals[p.prime] = list(map(conjugate, ideals_of_norm(self.order, p.ideal)))
+        yield from self._ideals[p.prime]
+
+    def _with_norm(self, pi: Quaternion, p: Prime) -> Quaternion:
+        """Return π times a unit such that its norm is the given number, where units allow it."""
+        base = self.base
+        if p.number is None or not base.is_totally_positive(p.number):
+            return pi
+        wanted = base.outside(p.number) / pi.norm()
+        if not self.order.ambient.definite:
+            root = base.square_root(base.inside(wanted))
+            return pi if root is None else pi * root
+        for u in units(self.order):
+            root = base.square_root(base.inside(wanted / u.norm()))
+            if root is not None:
+                adjusted: Quaternion = u * pi * root
+                return adjusted
+        return pi
