@@ -26,6 +26,7 @@ from hfield.hints import ELEMENT, Hinted
 from hfield.notation import element_text
 from hfield.symbols import element_to_sympy, values_given, variable_name
 from hfield.sympy_printing import PrintedBySympy
+from hfield.syntax.other_systems import Writer
 from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
@@ -880,6 +881,25 @@ class Quaternion(Hinted, PrintedBySympy):
         )
         more = ", …" if self.shape and len(self) > 3 else ""
         return f"<array of shape {self.shape} over {self.algebra}: {shown}{more}>"
+
+    def text_for(self, system: str) -> str:
+        """Write q as code for ``"sage"``, ``"magma"`` or ``"pari"``; ``A.read(text)`` reads it.
+
+        PARI's elements are columns for an algebra ``A.text_for("pari")``. Raises :class:`RingError` as
+        :meth:`QuaternionAlgebra.text_for` does, and :class:`CoercionError` for an array.
+
+        >>> from hfield import H
+        >>> q = H("QQ")("1/2 + 1/2*k"); q.text_for("sage"), q.text_for("pari")
+        ('QuaternionAlgebra(QQ, -1, -1)([1/2, 0, 0, 1/2])', '[1/2, (-1/2)*x]~')
+        >>> q.text_for("magma")
+        'A![1/2, 0, 0, 1/2] where A is QuaternionAlgebra<Rationals() | -1, -1>'
+        """
+        if self.is_batch:
+            raise CoercionError(
+                "text_for writes one element, and this is an array of them: write q[n].text_for(system)"
+            )
+        writer = Writer(self.ring, self.algebra.constants, system)
+        return writer.element(self.coordinates)
 
     def __str__(self) -> str:
         return self.text("plain")

@@ -250,13 +250,20 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             return self._element((x, 0, 0, 0))
         return from_stored(self, self.storage, self.storage.scalar(self.ring(x)))
 
-    def parse(self, text: str) -> Quaternion:
+    def parse(
+        self,
+        text: str,
+        *,
+        names: Mapping[str, Quaternion] | None = None,
+        functions: Mapping[str, Callable[..., Any]] | None = None,
+    ) -> Quaternion:
         """Read an expression such as ``(1+i)*(j-k)**-1``: the basis, the ring's generators and
-        ``conj norm trace inv scalar vector comm``. Raises :class:`NotationError`.
+        ``conj norm trace inv scalar vector comm``; names and functions may be added. Raises
+        :class:`NotationError`.
         """
-        names = {name: self(x) for name, x in self.ring.names().items()}
-        names |= dict(zip(BASIS, self.basis, strict=True))
-        functions = {
+        known = {name: self(x) for name, x in self.ring.names().items()}
+        known |= dict(zip(BASIS, self.basis, strict=True)) | dict(names or {})
+        calls = {
             "/": lambda x, y: x / y,
             "**": lambda x, n: x**n,
             "[]": lambda q, n: self.scalar(q.coordinates[n]),
@@ -268,8 +275,9 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
             "vector": lambda q: q.vector_part,
             "comm": lambda p, q: p * q - q * p,
             **{name: self._lift(name, f) for name, f in self.ring.functions().items()},
+            **(functions or {}),
         }
-        reader = syntax.Reader(self.scalar, names, functions, str(self), self.ring.parse_limit)
+        reader = syntax.Reader(self.scalar, known, calls, str(self), self.ring.parse_limit)
         element: Quaternion = reader.read_typed(text)
         return element
 
@@ -1286,6 +1294,27 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         from hfield.orders.standard_orders import hurwitz_order
 
         return HurwitzOrder(hurwitz_order(self))
+
+    def read(self, text: str) -> Any:
+        """Read an element, a lattice, an order or an ideal that another system wrote, or a list of these.
+
+        Read are what ``text_for`` writes for elements, lattices, orders, ideals and class sets, what Sage
+        prints of orders and fractional ideals, lists of elements, as Magma prints a basis, PARI's columns,
+        and rows of coordinates. A list of elements is the lattice that they span. Raises
+        :class:`NotationError` that names the position of what cannot be read, :class:`MixedParentsError` for
+        a text about another algebra, and :class:`RingError` for lattices over other rings.
+
+        >>> A = QuaternionAlgebra(11)
+        >>> O = A.read("Order of Quaternion Algebra (-1, -11) with base ring Rational Field "
+        ...            "with basis (1/2 + 1/2*j, 1/2*i + 1/2*k, j, k)")
+        >>> O.is_maximal().holds, A.read("[ 1, i, 1/2 + 1/2*j, 1/2*i + 1/2*k ]") == O
+        (True, True)
+        >>> A.read("[1, 2, 0, 1/2]"), A.read("[1/2, x]~")
+        (1 + 2i + 1/2k, 1/2 − k)
+        """
+        from hfield.orders.foreign_texts import read
+
+        return read(self, text)
 
     def order_from_label(self, text: str) -> Order:
         """Return an order with the label that ``O.label()`` gave, always the same.

@@ -35,6 +35,7 @@ from hfield.orders import (
     class_number,
     element_factors,
     equivalence,
+    foreign_writing,
     hermite,
     ideal_products,
     ideals_of_norm,
@@ -180,6 +181,22 @@ class Lattice(Hinted, PrintedBySympy):
             numbers = (K.text(x, "latex") for x in K.ideal(list(ideal)).generators)
             pairs.append(rf"\left({', '.join(numbers)}\right)\left({q.text('latex')}\right)")
         return rf"{' + '.join(pairs)} \subset {self.algebra.latex()}"
+
+    def text_for(self, system: str) -> str:
+        """Write the lattice as code for ``"sage"``, ``"magma"`` or ``"pari"``; ``A.read(text)`` reads it.
+
+        Sage gets an order, an ideal of an order, or for another lattice a fractional ideal; over number
+        fields only orders that are free modules. Magma gets an order, an ideal, or for another lattice the
+        list of a basis; PARI always that list. Raises :class:`RingError` where the other system has no such
+        thing, and as :meth:`QuaternionAlgebra.text_for` does.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra(11).maximal_order(); O.text_for("pari")
+        '[[1/2, 1/2]~, [(1/2)*x, (-1/2)*x]~, [0, 1]~, [0, (-1)*x]~]'
+        >>> O.algebra.read(O.text_for("sage")) == O, O.left_ideal([2]).text_for("magma")[:21]
+        (True, 'lideal<QuaternionOrde')
+        """
+        return foreign_writing.lattice_text(self.value, system)
 
     def _repr_latex_(self) -> str:
         return f"${self.latex()}$"
@@ -461,6 +478,10 @@ class Order(WithStableClasses, Certified, Lattice):
             return super().__repr__()
         kind = "a maximal order" if self.is_maximal() else "an order"
         return f"{kind} of {self.algebra} with the discriminant {self.discriminant()}"
+
+    def text_for(self, system: str) -> str:
+        """Write the order as code for another system, as :meth:`Lattice.text_for` says."""
+        return foreign_writing.order_text(self.value, system)
 
     # --- what it is as a ring --------------------------------------------------------------------
 
@@ -953,6 +974,10 @@ class Ideal(Certified, Lattice):
         if len(self.basis) == 4:
             return super().__repr__()
         return f"a {self.side} ideal of norm {self.norm()} of {self.order}"
+
+    def text_for(self, system: str) -> str:
+        """Write the ideal as code for another system, as :meth:`Lattice.text_for` says."""
+        return foreign_writing.ideal_text(self.value, self.order.value, self.side, system)
 
     # --- its orders ------------------------------------------------------------------------------
 
@@ -1450,6 +1475,19 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
                 for I, units in zip(self, counts, strict=True)
             ],
         }
+
+    def text_for(self, system: str) -> str:
+        """Write the representatives as a list of right ideals in code of another system.
+
+        ``A.read(text)`` returns the list. Raises as :meth:`Lattice.text_for` does.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra(11).maximal_order().class_set()
+        >>> C.order.algebra.read(C.text_for("sage")) == list(C)
+        True
+        """
+        ideals = [I.value for I in self]
+        return foreign_writing.ideals_text(ideals, self.order.value, "right", system)
 
     # --- stable classes, newforms ----------------------------------------------------------------------
 

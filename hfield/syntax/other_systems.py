@@ -1,8 +1,9 @@
-"""Read algebras as Magma, Sage and PARI write them."""
+"""Read algebras as Magma, Sage and PARI write them; write algebras, elements and lattices for them."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from math import lcm
 from typing import Any
 
@@ -45,10 +46,8 @@ def written(F: Any, c: Constants, system: str) -> str:
     if name not in WRITTEN:
         raise RingError(f"expected one of {', '.join(WRITTEN)}, not {shorten(system)}")
     whole, extended, letter = WRITTEN[name]
-    kind, a, b = (
-        F.data["kind"],
-        *(F.text(x if name != "pari" else _whole(F, x)) for x in (c.a, c.b)),
-    )
+    kind = F.data["kind"]
+    a, b = (F.text(x if name != "pari" else x * F(pari_scale(F, x) ** 2)) for x in (c.a, c.b))
     if F.is_zero(c.t) and kind == "rationals":
         return whole.format(F={"magma": "Rationals()", "sage": "QQ", "pari": "y"}[name], a=a, b=b)
     if F.is_zero(c.t) and F.order is not None and F.order == F.characteristic and name != "pari":
@@ -61,10 +60,113 @@ def written(F: Any, c: Constants, system: str) -> str:
     return extended.format(a=a, b=b, f=f, c=", ".join(map(str, modulus)))
 
 
-def _whole(F: Any, x: Any) -> Any:
-    """Return an element times a square, without denominators, which PARI asks for."""
-    scale = lcm(*map(int, re.findall(r"/(\d+)", F.text(x))))
-    return x * F(scale * scale)
+def pari_scale(F: Any, x: Any) -> int:
+    """Return a denominator of an element: PARI's constants have none, and i and j are multiplied by it."""
+    return lcm(*map(int, re.findall(r"/(\d+)", F.text(x))))
+
+
+Coordinates = Sequence[Any]
+"""The coordinates of an element over 1, i, j, k."""
+SIDES = {"left": "lideal", "right": "rideal", "two-sided": "ideal"}
+"""Magma's constructors of ideals."""
+
+
+class Writer:
+    """Write elements of an algebra, and lattices by their bases, as code of another system.
+
+    Sage and Magma read expressions that name the algebra. PARI's elements are columns ``[u, v]~`` over the
+    field of x with x² = a, for u + j·v, and lattices are vectors of columns. Raises :class:`RingError` as
+    :func:`written` does.
+    """
+
+    def __init__(self, F: Any, constants: Constants, system: str) -> None:
+        self.algebra = written(F, constants, system)
+        self.ring, self.constants, self.system = F, constants, system.lower()
+        self._letter = WRITTEN[self.system][2]
+
+    def element(self, q: Coordinates) -> str:
+        """Write an element."""
+        if self.system == "sage":
+            return f"{self.algebra}({self._row(q)})"
+        return self._named(self._part(q))
+
+    def lattice(self, basis: Sequence[Coordinates]) -> str:
+        """Write a lattice: for Sage as a fractional ideal, else as the list of its basis."""
+        if self.system == "sage":
+            return f"{self.algebra}.ideal({self._list(basis)})"
+        return self._named(self._list(basis))
+
+    def order(self, basis: Sequence[Coordinates]) -> str:
+        """Write an order."""
+        return self._named(self._order(basis))
+
+    def ideal(self, order: Sequence[Coordinates], basis: Sequence[Coordinates], side: str) -> str:
+        """Write an ideal of an order, ``"left"``, ``"right"`` or ``"two-sided"``."""
+        return self._named(self._ideal(self._order(order), basis, side))
+
+    def ideals(
+        self, order: Sequence[Coordinates], bases: Sequence[Sequence[Coordinates]], side: str
+    ) -> str:
+        """Write a list of ideals of one order."""
+        name = "O" if self.system == "magma" else self._order(order)
+        whole = f"[{', '.join(self._ideal(name, basis, side) for basis in bases)}]"
+        if self.system == "magma":
+            whole = f"{whole} where O is {self._order(order)}"
+        return self._named(whole)
+
+    def _named(self, text: str) -> str:
+        """Say in Magma's words which algebra A is."""
+        return f"{text} where A is {self.algebra}" if self.system == "magma" else text
+
+    def _scalar(self, x: Any) -> str:
+        text: str = self.ring.text(x)
+        name = getattr(self.ring, "gen_name", None)
+        return text.replace(name, self._letter) if name else text
+
+    def _row(self, q: Coordinates) -> str:
+        return f"[{', '.join(map(self._scalar, q))}]"
+
+    def _part(self, q: Coordinates) -> str:
+        """Write an element inside of a list."""
+        if self.system != "pari":
+            return f"A!{self._row(q)}" if self.system == "magma" else self._row(q)
+        F = self.ring
+        i, j = (F(pari_scale(F, x)) for x in (self.constants.a, self.constants.b))
+        w, x, y, z = q[0], q[1] / i, q[2] / j, q[3] / (i * j)
+        return f"[{self._over_x(w, x)}, {self._over_x(y, F.zero - z)}]~"
+
+    def _over_x(self, u: Any, v: Any) -> str:
+        """Write u + v·x."""
+        if self.ring.is_zero(v):
+            return self._scalar(u)
+        factor = self._scalar(v)
+        times_x = f"{factor}*x" if factor.isalnum() else f"({factor})*x"
+        return times_x if self.ring.is_zero(u) else f"{self._scalar(u)} + {times_x}"
+
+    def _list(self, basis: Sequence[Coordinates]) -> str:
+        return f"[{', '.join(map(self._part, basis))}]"
+
+    def _order(self, basis: Sequence[Coordinates]) -> str:
+        if self.system == "sage" and self.ring.data["kind"] != "rationals":
+            # over number fields Sage's check fails, and without it nothing is coerced
+            definitions, algebra = self.algebra.split("; ")
+            elements = ", ".join(f"B({self._row(q)})" for q in basis)
+            return f"{definitions}; B = {algebra}; B.quaternion_order([{elements}], check=False)"
+        if self.system == "sage":
+            return f"{self.algebra}.quaternion_order({self._list(basis)})"
+        if self.system == "pari":
+            return self._list(basis)
+        function = "QuaternionOrder" if self.ring.data["kind"] == "rationals" else "Order"
+        return f"{function}({self._list(basis)})"
+
+    def _ideal(self, order: str, basis: Sequence[Coordinates], side: str) -> str:
+        if self.system == "pari":
+            return self._list(basis)
+        if self.system == "magma":
+            return f"{SIDES[side]}<{order} | {self._list(basis)[1:-1]}>"
+        if side != "two-sided":
+            return f"{order}.{side}_ideal({self._list(basis)}, is_basis=True)"
+        return f"{self.algebra}.ideal({self._list(basis)}, left_order={order}, right_order={order})"
 
 
 def read(text: str) -> str | None:

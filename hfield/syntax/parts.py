@@ -1,0 +1,97 @@
+"""Parts of a text that remember where they stand, so that errors name the character in the whole text."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import NoReturn
+
+from hfield.errors import NotationError, shorten
+
+CLOSING = {"(": ")", "[": "]", "{": "}", "<": ">"}
+
+
+@dataclass(frozen=True)
+class Part:
+    """The letters of ``source`` from ``start`` to ``end``.
+
+    >>> part = Part.of(" f(x, y) ")
+    >>> function, inside = part.call()
+    >>> function.text, [(x.text, x.start) for x in inside.split(",")]
+    ('f', [('x', 3), ('y', 6)])
+    """
+
+    source: str
+    start: int
+    end: int
+
+    @classmethod
+    def of(cls, text: str) -> Part:
+        """Return a whole text without blanks around it."""
+        return cls(text, 0, len(text)).strip()
+
+    @property
+    def text(self) -> str:
+        """The letters."""
+        return self.source[self.start : self.end]
+
+    def __getitem__(self, part: slice) -> Part:
+        start, end, _ = part.indices(self.end - self.start)
+        return Part(self.source, self.start + start, self.start + end)
+
+    def strip(self) -> Part:
+        """Return the part without blanks around it."""
+        text = self.text
+        start = len(text) - len(text.lstrip())
+        return self[start : max(start, len(text.rstrip()))]
+
+    def match(self, pattern: re.Pattern[str]) -> dict[str, Part] | None:
+        """Return the named groups of a pattern that matches all of the part, None for another part."""
+        found = pattern.fullmatch(self.text)
+        if found is None:
+            return None
+        groups = ((name, found.span(name)) for name in pattern.groupindex)
+        return {name: self[start:end].strip() for name, (start, end) in groups if start >= 0}
+
+    def split(self, separator: str) -> list[Part]:
+        """Part the text at a separator outside all brackets; ``<`` and ``>`` are brackets here."""
+        text, open_brackets, start = self.text, list[tuple[str, int]](), 0
+        parts: list[Part] = []
+        for place, char in enumerate(text):
+            if char in CLOSING:
+                open_brackets.append((CLOSING[char], place))
+            elif char in CLOSING.values():
+                if not open_brackets or open_brackets.pop()[0] != char:
+                    self[place:].fail(f"expected no {char!r} here: the brackets do not match")
+            elif char == separator and not open_brackets:
+                parts.append(self[start:place].strip())
+                start = place + 1
+        if open_brackets:
+            closing, place = open_brackets[-1]
+            self[place:].fail(f"the bracket that opens here lacks its {closing!r}")
+        return [*parts, self[start:].strip()]
+
+    def inside(self, opening: str = "[") -> Part | None:
+        """Return what stands between the brackets around the whole part, None where there are none."""
+        found = self.call(opening)
+        return None if found is None or found[0].text else found[1]
+
+    def call(self, opening: str = "(") -> tuple[Part, Part] | None:
+        """Return what stands before the last pair of brackets and inside it, where the part ends with it."""
+        text, closing, depth = self.text, CLOSING[opening], 0
+        if not text.endswith(closing):
+            return None
+        for place in range(len(text) - 1, -1, -1):
+            depth += (text[place] in CLOSING.values()) - (text[place] in CLOSING)
+            if not depth:
+                break
+        if depth or text[place] != opening:
+            return None
+        return self[:place].strip(), self[place + 1 : len(text) - 1].strip()
+
+    def fail(self, reason: str) -> NoReturn:
+        """Raise a :class:`NotationError` at the start of the part."""
+        raise NotationError(reason, self.source, self.start)
+
+    def __str__(self) -> str:
+        return shorten(self.text, 60)
