@@ -1310,7 +1310,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> O.is_maximal().holds, A.read("[ 1, i, 1/2 + 1/2*j, 1/2*i + 1/2*k ]") == O
         (True, True)
         >>> A.read("[1, 2, 0, 1/2]"), A.read("[1/2, x]~")
-        (1 + 2i + 1/2k, 1/2 − k)
+        (1 + 2*i + 1/2*k, 1/2 - k)
         """
         from hfield.orders.foreign_texts import read
 

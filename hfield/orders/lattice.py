@@ -828,7 +828,7 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> from hfield import H
         >>> O = H("QQ").hurwitz_order(); u, factors = O.factor("3 + 5*i + j", [5, 7])
         >>> u, factors, u * factors[0] * factors[1], [q.norm() for q in factors]
-        (1/2 + 1/2i − 1/2j + 1/2k, [1/2 + 1/2i + 3/2j + 3/2k, −1 + i − 2j − k], 3 + 5i + j, [5, 7])
+        (1/2 + 1/2*i - 1/2*j + 1/2*k, [1/2 + 1/2*i + 3/2*j + 3/2*k, -1 + i - 2*j - k], 3 + 5*i + j, [5, 7])
         """
         return element_factors.factor(self.value, x, primes)
 
