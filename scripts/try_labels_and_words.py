@@ -419,12 +419,12 @@ def closed_walks(p: int, length: int) -> int:
     """Return how many closed walks of a length start at a vertex of the tree of degree p + 1."""
     counts = {0: 1}
     for _ in range(length):
-        following: Counter[int] = Counter()
+        longer: Counter[int] = Counter()
         for d, n in counts.items():
-            following[d + 1] += n * (p if d else p + 1)
+            longer[d + 1] += n * (p if d else p + 1)
             if d:
-                following[d - 1] += n
-        counts = following
+                longer[d - 1] += n
+        counts = longer
     return counts.get(0, 0)
 
 

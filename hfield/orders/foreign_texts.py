@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
 from typing import Any, NoReturn, TypeVar
 
 from hfield.algebra.quaternion import Quaternion
@@ -37,6 +38,7 @@ _MAGMA_IDEAL = re.compile(
     rf"(?P<kind>{'|'.join(SIDES.values())})\s*<(?P<order>.*)\|(?P<elements>[^|]*)>", re.DOTALL
 )
 _COERCED = re.compile(r"(?P<algebra>\w+|QuaternionAlgebra\s*<.*>)\s*!\s*\[(?P<row>.*)\]", re.DOTALL)
+_RATIONAL = re.compile(r"-?[0-9]{1,4000}(?:/[1-9][0-9]{0,3000})?")
 _NUMBERS = re.compile(r"[-0-9/,\s]+")
 _MATRIX = re.compile(r"(?:\[[^][,;]*\]\s*)+")
 _ORDERS = ("QuaternionOrder", "Order")
@@ -148,8 +150,9 @@ class _Reader:
                     + " without a definition such as 'where A is QuaternionAlgebra<Rationals() | -1, -1>'"
                     * part.text.isidentifier()
                 )
-            *fields, a, b = found[1].split(",") if "," in found[1].text else [found[1]] * 4
-            field, constants = (fields or [value[:0]])[0], [a, b]
+            parts = found[1].split(",")
+            field = parts[0] if len(parts) == 3 else value[:0]
+            constants = parts[-2:] if len(parts) in (2, 3) else []
         if len(constants) != 2:
             part.fail(
                 f"expected a field and the constants a and b of a quaternion algebra, found {part}"
@@ -286,8 +289,8 @@ class _Reader:
         if found is None:
             return None
         head, inside = found
-        owner, _, name = head.text.rpartition(".")
-        before = head[: len(owner)].strip()
+        prefix, _, name = head.text.rpartition(".")
+        before = head[: len(prefix)].strip()
         arguments = inside.split(",")
         if head.text in _ORDERS:
             given = next((x for x in arguments if x.inside() is not None), inside)
@@ -299,12 +302,12 @@ class _Reader:
             order = self._order(before)
             make = order.left_ideal if name == "left_ideal" else order.right_ideal
             return self._made(part, lambda: make(self._elements(arguments[0])))
-        if owner and name == "ideal":
+        if prefix and name == "ideal":
             self._check_algebra(before)
             return self._fractional_ideal(part, arguments)
         if head.text == "QuaternionAlgebra":
             part.fail("this text names an algebra: QuaternionAlgebra(text) reads it")
-        if owner.startswith("QuaternionAlgebra(") or owner in self.definitions:
+        if prefix.startswith("QuaternionAlgebra(") or prefix in self.definitions:
             part.fail(
                 f"{name} is not read here: expected quaternion_order, ideal, left_ideal or right_ideal"
             )
@@ -380,6 +383,8 @@ class _Reader:
         return found
 
     def _scalar(self, part: Part) -> Any:
+        if _RATIONAL.fullmatch(part.text) and self.algebra.ring.characteristic == 0:
+            return self.algebra.ring(Fraction(part.text))  # faster than as an expression
         q = self._element(part)
         if not q.vector_part.is_zero():
             part.fail(f"expected a number of {self.algebra.ring.name}, found {part}")
@@ -403,14 +408,14 @@ class _Reader:
             part.fail(str(error))
         return q
 
-    def _generator(self, owner: str, number: int, part: Part) -> Quaternion:
+    def _generator(self, prefix: str, number: int, part: Part) -> Quaternion:
         """Return K.1, the generator of the field, or A.1, A.2, A.3 in Magma's names."""
-        if self.base_is_extended and owner in self.fields | {"K"} and number == 1:
+        if self.base_is_extended and prefix in self.fields | {"K"} and number == 1:
             q: Quaternion = self.algebra(self.algebra.ring.gen)
             return q
-        defined = self.definitions.get(owner)
+        defined = self.definitions.get(prefix)
         if defined is None or not defined.text.startswith("QuaternionAlgebra") or number > 3:
-            part.fail(f"{owner}.{number} is no generator that the text defines")
+            part.fail(f"{prefix}.{number} is no generator that the text defines")
         return self.algebra.basis[number]  # type: ignore[no-any-return]
 
 
