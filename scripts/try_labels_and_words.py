@@ -4,8 +4,8 @@
 
 Labels are compared with conjugation and with class sets, T-counts with normal forms of Matsumoto and Amano
 that are rewritten here in rotations of the cube, words in other gates with reduced words, and spectra of LPS
-graphs with Ramanujan's bound, with closed walks on the tree, and with neighbours of ideals. Takes about three
-minutes.
+graphs with Ramanujan's bound, with closed walks on the tree, and with neighbours of ideals. Takes about six
+minutes. Exit status 1 if anything differs.
 """
 
 from __future__ import annotations
@@ -28,6 +28,8 @@ from scipy.sparse.linalg import eigsh
 from hfield import GF, H, LatticeError, QuaternionAlgebra, ternary_form
 
 LEVELS = {2: 40, 3: 30, 5: 25, 7: 20, 11: 15, 13: 12, 17: 10, 19: 10, 30: 11, 42: 9, 66: 5, 70: 4}
+Outcome = tuple[bool, str]
+"""Whether all is as it should be, and the numbers."""
 MAX_DENSE = 2500  # vertices of a graph of which all eigenvalues are computed
 PAIRS = [(5, 13), (5, 17), (5, 29), (13, 5), (13, 17), (17, 5), (17, 13), (29, 5)]
 
@@ -47,7 +49,7 @@ def orders(rng: random.Random) -> Iterator[Any]:
         yield O
 
 
-def conjugations(count: int, rng: random.Random) -> str:
+def conjugations(count: int, rng: random.Random) -> Outcome:
     """Compare labels of conjugate orders."""
     changed = total = 0
     for O in orders(rng):
@@ -59,11 +61,11 @@ def conjugations(count: int, rng: random.Random) -> str:
             changed += P.label() != label
             total += 1
         if total >= count:
-            return f"{total} conjugate orders, {changed} with another label"
+            return not changed, f"{total} conjugate orders, {changed} with another label"
     raise AssertionError
 
 
-def class_sets(count: int, rng: random.Random) -> str:
+def class_sets(count: int, rng: random.Random) -> Outcome:
     """Compare labels of all left orders with types, which are found otherwise."""
     different = classes = most = 0
     for n, O in enumerate(orders(rng)):
@@ -76,13 +78,13 @@ def class_sets(count: int, rng: random.Random) -> str:
         different += not same
         classes += len(C)
         most = max(most, C.type_number)
-    return (
+    return not different, (
         f"{count} class sets with {classes} classes and up to {most} types, "
         f"{different} with another number of labels"
     )
 
 
-def definite_forms(count: int, rng: random.Random) -> str:
+def definite_forms(count: int, rng: random.Random) -> Outcome:
     """Compare reduced forms of small forms, most of them on a boundary, after a change of basis."""
     changed = total = 0
     while total < count:
@@ -106,7 +108,7 @@ def definite_forms(count: int, rng: random.Random) -> str:
         moved = [g[0, 0] // 2, g[1, 1] // 2, g[2, 2] // 2, g[1, 2], g[0, 2], g[0, 1]]
         changed += ternary_form([int(x) for x in moved]).reduced() != form.reduced()
         total += 1
-    return f"{total} small forms in another basis, {changed} with another reduced form"
+    return not changed, f"{total} small forms in another basis, {changed} with another reduced form"
 
 
 # --- the gates H, S and T ----------------------------------------------------------------------------------
@@ -225,7 +227,7 @@ def projective(x: Any) -> Any:
     return x / first
 
 
-def t_counts(count: int, rng: random.Random) -> str:
+def t_counts(count: int, rng: random.Random) -> Outcome:
     gates = CliffordAndT()
     different = wrong = most = 0
     for _ in range(count):
@@ -240,13 +242,13 @@ def t_counts(count: int, rng: random.Random) -> str:
         last = gates.cliffords[projective(gates.product(back).inverse() * x)]
         wrong += clifford_of(last) != rest
         most = max(most, t)
-    return (
+    return not different and not wrong, (
         f"{count} random words in H, S, T with up to {most} gates T: {different} T-counts differ from those "
         f"of Matsumoto and Amano, {wrong} words are wrong"
     )
 
 
-def t_counts_by_search(depth: int) -> str:
+def t_counts_by_search(depth: int) -> Outcome:
     """Count the operators of each T-count by a search in breadth: 24·3·2^(n−1) after the first."""
     gates = CliffordAndT()
     cliffords = [gates.product(word) for word in gates.cliffords.values()]
@@ -265,7 +267,7 @@ def t_counts_by_search(depth: int) -> str:
         wrong += sum(gates.P.valuation(gates.primitive(y).norm()) != n for y in layer)
         sizes.append(len(layer))
     expected = [24] + [72 * 2 ** (n - 1) for n in range(1, depth + 1)]
-    return (
+    return sizes == expected and not wrong, (
         f"operators of T-count 0 … {depth} by search: {sizes}, expected {expected}; {wrong} valuations "
         "differ"
     )
@@ -274,7 +276,7 @@ def t_counts_by_search(depth: int) -> str:
 # --- V gates and icosahedral gates -----------------------------------------------------------------------
 
 
-def v_gates(count: int, rng: random.Random) -> str:
+def v_gates(count: int, rng: random.Random) -> Outcome:
     """Compare lengths of reduced words in V1, V2, V3 and their inverses with valuations at 5."""
     O = H("QQ").hurwitz_order()
     A = O.algebra
@@ -304,17 +306,17 @@ def v_gates(count: int, rng: random.Random) -> str:
             letters.append(letter)
             left = gates[letter].inverse() * whole
         wrong += letters != reduced or left not in (A.one, -A.one)
-    return (
+    return not wrong, (
         f"{count} random words in V gates, reduced to up to {most}: {wrong} words or lengths differ"
     )
 
 
-def icosahedral_gates(count: int, rng: random.Random) -> str:
+def icosahedral_gates(count: int, rng: random.Random) -> Outcome:
     """Compare counts of gates τ of norm 2 and of norm 7 + 5φ with valuations, the 60 rotations being free."""
     A = H("QQ(sqrt(5))")
     O, K = A.maximal_order(), A.ring
     units = O.units_modulo_scalars()
-    notes = []
+    notes, good = [], True
     for norm in (K(2), K("19/2 + 5/2*sqrt(5)")):
         tau = next(q for q in O.elements_of_norm(norm) if q.trace() == 0 or norm == 2)
         P = K.ideal(norm).factorisation()[0][0]
@@ -334,11 +336,12 @@ def icosahedral_gates(count: int, rng: random.Random) -> str:
             fits = all(any(is_unit(O, pi * v * tau.inverse()) for v in units) for pi in factors)
             wrong += product != x or not fits or t > length
             most = max(most, t)
+        good = good and ideals == set(expected) and not wrong
         notes.append(
             f"{len(ideals)} of {len(expected)} ideals of norm {K.text(norm)} are O·τ·u, {count} random words "
             f"with up to {most} gates τ: {wrong} wrong"
         )
-    return "icosahedral: " + "; ".join(notes)
+    return good, "icosahedral: " + "; ".join(notes)
 
 
 def is_unit(O: Any, x: Any) -> bool:
@@ -464,7 +467,7 @@ def by_ideals(p: int, q: int) -> Any:
     return fmpz_mat(rows).charpoly()
 
 
-def spectrum(p: int, q: int) -> str:
+def spectrum(p: int, q: int) -> Outcome:
     rows, cycle = lps(p, q)
     n = len(rows)
     square = pow(p, (q - 1) // 2, q) == 1
@@ -490,7 +493,7 @@ def spectrum(p: int, q: int) -> str:
     lower = (2 if square else 4) * np.log(q) / np.log(p) - (0 if square else np.log(4) / np.log(p))
     good = n == size and trivial.sum() == expected_trivial and inner <= bound + 1e-6 and same
     good = good and walks is not False and cycle >= lower
-    return (
+    return good, (
         f"X^({p},{q}): {'PSL' if square else 'PGL'}2, {n} vertices of degree {p + 1}, largest inner "
         f"eigenvalue {inner:.6f} ≤ {bound:.6f}, ±{p + 1} {trivial.sum()} times, girth {cycle} ≥ {lower:.2f}, "
         f"closed walks {'not counted' if walks is None else 'as on the tree' if walks else 'WRONG'}, "
@@ -506,7 +509,7 @@ def main() -> int:
     def counted(n: int) -> int:
         return max(1, round(n * scale))
 
-    parts: list[Callable[[], str]] = [
+    parts: list[Callable[[], Outcome]] = [
         lambda: conjugations(counted(10_000), random.Random(1)),
         lambda: definite_forms(counted(3_000), random.Random(7)),
         lambda: class_sets(counted(500), random.Random(2)),
@@ -516,10 +519,13 @@ def main() -> int:
         lambda: icosahedral_gates(counted(50), random.Random(5)),
         *((lambda p=p, q=q: spectrum(p, q)) for p, q in PAIRS),
     ]
+    all_good = True
     for part in parts:
         start = time.perf_counter()
-        print(f"{part()} ({time.perf_counter() - start:.1f} s)", flush=True)
-    return 0
+        good, numbers = part()
+        all_good = all_good and bool(good)
+        print(f"{numbers} ({time.perf_counter() - start:.1f} s)", flush=True)
+    return int(not all_good)
 
 
 if __name__ == "__main__":
