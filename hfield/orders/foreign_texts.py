@@ -29,7 +29,9 @@ _SAGE_ORDER = re.compile(
     re.DOTALL,
 )
 _SAGE_IDEAL = re.compile(r"Fractional ideal \((?P<basis>.*)\)", re.DOTALL)
-_DEFINITION = re.compile(r"(?P<name>\w+)(?:\.<(?P<letters>[^>]*)>)?\s*=\s*(?P<value>.*)", re.DOTALL)
+_DEFINITION = re.compile(
+    r"(?P<name>\w+)(?:\.?<(?P<letters>[^>]*)>)?\s*:?=\s*(?P<value>.*)", re.DOTALL
+)
 _WHERE = re.compile(r"\s+where\s+(\w+)\s+is\s+")
 _FIELD = re.compile(
     r"NumberField\(\s*(?:Polynomial\(|QQ\['\w+'\]\()\[(?P<c>[^]]*)\]\)\s*\)|NumberField\((?P<f>[^,]*)\)"
@@ -69,10 +71,11 @@ class _Reader:
     def read(self, whole: Part) -> Any:
         if not whole.text:
             whole.fail("an empty text: expected an element, a lattice, an order or an ideal")
-        *statements, body = whole.split(";")
+        *statements, body = [part for part in whole.split(";") if part.text] or [whole]
         for statement in statements:
             self._define(statement)
-        return self.value(self._without_definitions(body))
+        last = body.match(_DEFINITION)  # its value is what is read
+        return self.value(self._without_definitions(last["value"] if last else body))
 
     # --- definitions -------------------------------------------------------------------------------
 

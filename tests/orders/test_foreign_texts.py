@@ -107,6 +107,11 @@ def test_what_other_systems_print() -> None:
     assert A.read("B.<u,v,w> = QuaternionAlgebra(-1, -11); B.quaternion_order([1, u, v, w])") == (
         A.lipschitz_order()
     )
+    session = (
+        "B<i,j> := QuaternionAlgebra<Rationals() | -1, -11>;\n"
+        "O := QuaternionOrder([1, i, (1+j)/2, (i+i*j)/2]);\n"
+    )
+    assert A.read(session) == O
     for text in (
         "1 + 2*i - k/2",
         "[1, 2, 0, -1/2]",
