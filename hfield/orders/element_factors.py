@@ -74,8 +74,7 @@ def factor(order: LatticeValue, x: object, primes: object) -> tuple[Quaternion, 
             f"{base.ideal_text(product)} of the given primes: expected the primes of the norm, each as often "
             "as it occurs"
         )
-    rest, factors = _Search(order, given).run(element)
-    return rest, factors
+    return _Search(order, given).run(element)
 
 
 def _read_prime(order: LatticeValue, p: object) -> Prime:
@@ -100,6 +99,7 @@ class _Search:
         self._ideals: dict[Any, list[LatticeValue]] = {}
 
     def run(self, x: Quaternion) -> tuple[Quaternion, list[Quaternion]]:
+        """Return the unit and the factors. Raises :class:`LatticeError` where there are none."""
         left: list[Quaternion] = [x]
         factors: list[Quaternion] = []
         choices: list[Iterator[Quaternion]] = []

@@ -66,6 +66,8 @@ class _Reader:
         self.fields: set[str] = set()
         self.definitions: dict[str, Part] = {}
         self.names: dict[str, Quaternion] = {}
+        if self.base_is_extended:
+            self.names["s"] = algebra(algebra.ring.gen)  # as text_for names it for Sage
         self._orders: dict[str, Order] = {}
 
     def read(self, whole: Part) -> Any:

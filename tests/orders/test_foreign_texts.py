@@ -45,6 +45,8 @@ def test_there_and_back(name: str, system: str) -> None:
     for _ in range(3):
         q = element(A, rng)
         assert A.read(q.text_for(system)) == q
+    if name == "cyclotomic":
+        return
     O = A.maximal_order()
     if (name, system) == ("fractions", "sage"):
         with pytest.raises(RingError, match="Sage has lattices in algebras with integers"):
@@ -127,6 +129,7 @@ def test_the_generator_has_the_name_that_the_text_gives_it() -> None:
     for text in (
         "K.<a> = NumberField(x^2 - 2); QuaternionAlgebra(K, -1, -1)([a, 0, 1, 1/2])",
         "K.1 + j + 1/2*k",
+        "s + j + 1/2*k",
         "A![L.1, 0, 1, 1/2] where A is QuaternionAlgebra<L | -1, -1> "
         "where L is NumberField(Polynomial([-2, 0, 1]))",
         "K.1 + A.2 + 1/2*A.3 where A is QuaternionAlgebra<K | -1, -1> "
@@ -243,6 +246,7 @@ def test_sage_reads_it_and_what_sage_prints_is_read() -> None:
     rng = random.Random(4)
     for name, A in ALGEBRAS.items():
         p, q = element(A, rng), element(A, rng)
+        assert A.read(str(sage()(p.text_for("sage")))) == p
         if name in ("QQ", "fractions"):
             assert A.read(str(sage()(p.text_for("sage")) * sage()(q.text_for("sage")))) == p * q
         if name == "fractions":
