@@ -111,3 +111,5 @@ def test_the_command_prints_and_reads_labels(capsys) -> None:
     assert main(["order", "11", "--label", "x^2+y^2+4*z^2+x*z+x*y"]) == 0
     assert "label                  x²+y²+4·z²+x·z+x·y" in capsys.readouterr().out
     assert main(["order", "11", "--label", "6.5"]) == 2
+    assert main(["classes", "37"]) == 0
+    assert "   1        2  2·x²+2·y²+3·z²+2·y·z+x·z+x·y" in capsys.readouterr().out

@@ -109,7 +109,7 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
         if C is None:
             return [Facts(facts, 14)]
         summary = Facts([*facts, ("type number", str(C.type_number))], 14)
-        return [summary, _table(C), *(_forms(C) if args.newforms else [])]
+        return [summary, _table(C), *_types(C), *(_forms(C) if args.newforms else [])]
 
     return of_parts(data, parts), lambda: O.claim if C is None else C.claim
 
@@ -134,6 +134,19 @@ def _table(C: ClassSet) -> Part:
         below=f"… and {more} more; --format json lists all" if more > 0 else "",
         cells={3: lambda group: rf"$\mathrm{{{group}}}$"},
     )
+
+
+def _types(C: ClassSet) -> list[Part]:
+    """Return the types in the order of their labels, unless they are many."""
+    from hfield.presenting import Table
+
+    if C.type_number > SHOWN:
+        return []
+    rows = [
+        [str(C.types[numbers[0]]), str(len(numbers)), label]
+        for label, numbers in C.types_by_label().items()
+    ]
+    return [Table(rows, ">>", "rrl", head=("type", "classes", "label of the left orders"))]
 
 
 def _over_number_field(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], Claim]]:
