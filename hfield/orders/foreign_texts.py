@@ -101,18 +101,20 @@ class _Reader:
         return body[: places[0].start()].strip()
 
     def _name(self, name: Part, value: Part, letters: Sequence[Part]) -> None:
+        """Keep a definition; of a field or an algebra check that it is that of the algebra here."""
         field = value.match(_FIELD)
-        if field is None:
-            self.definitions[name.text] = value
-            if value.text.startswith("QuaternionAlgebra"):
-                self.names.update(
-                    zip((x.text for x in letters), self.algebra.basis[1:], strict=False)
-                )
+        if field is not None:
+            self.fields.add(name.text)
+            self._check_field(value, self._polynomial(field))
+            for letter in letters:
+                self._call_generator(letter)
             return
-        self.fields.add(name.text)
-        self._check_field(value, self._polynomial(field))
-        for letter in letters:
-            self._call_generator(letter)
+        self.definitions[name.text] = value
+        found = value.call() or value.call("<")
+        if found is not None and found[0].text == "QuaternionAlgebra":
+            self._check_algebra(value)
+            named = (x.text for x in letters)
+            self.names.update(zip(named, self.algebra.basis[1:], strict=False))
 
     def _polynomial(self, field: dict[str, Part]) -> str:
         """Return the polynomial of a number field in s."""

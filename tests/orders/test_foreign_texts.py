@@ -182,6 +182,8 @@ def test_a_text_about_another_algebra_says_so() -> None:
         q.text_for("magma"),
         B.maximal_order().text_for("magma"),
         PRINTED_BY_SAGE.replace("-11", "-1"),
+        "B.<i,j,k> = QuaternionAlgebra(QQ, -1, -1); 1 + i",
+        "B<i,j,k> := QuaternionAlgebra<Rationals() | -1, -1>; [1, i, j, k]",
     ):
         with pytest.raises(
             MixedParentsError, match=r"about \(-1,-1\|QQ\), and not about \(-1,-11\|QQ\)"
