@@ -119,8 +119,9 @@ def stacked(*matrices: fmpz_mat) -> fmpz_mat:
     """Return the rows of several matrices, one below the other."""
     if len(matrices) == 1:
         return matrices[0]
-    entries = [x for m in matrices for x in m.entries()]
-    size = matrices[0].ncols()
+    entries, size = matrices[0].entries(), matrices[0].ncols()
+    for m in matrices[1:]:
+        entries += m.entries()
     return fmpz_mat(len(entries) // size, size, entries)
 
 

@@ -34,8 +34,8 @@ from hfield.orders.lattice_values import (
     meet,
     times_ideal,
 )
-from hfield.orders.maximal_orders import cyclic_ideal, maximal_at
-from hfield.orders.orders_at_primes import OrderAtPrime, independent, random_lines
+from hfield.orders.maximal_orders import maximal_at, random_cyclic_ideal
+from hfield.orders.orders_at_primes import OrderAtPrime, independent
 
 MAX_LISTED_IDEALS = 10**5
 """No more ideals of one norm than this are listed."""
@@ -294,7 +294,10 @@ def _unit_cosets(
 
 
 def random_ideal(order: LatticeValue, norm: Any, rng: random.Random) -> LatticeValue:
-    """Return a random left ideal of a norm, prime to the discriminant, with cyclic O/I."""
+    """Return a random left ideal of a norm, prime to the discriminant, with cyclic O/I.
+
+    All such ideals are equally likely.
+    """
     base, whole = order.ambient.base, discriminant(order)
     factors = base.factorisation(norm)
     for prime, _ in factors:
@@ -302,4 +305,4 @@ def random_ideal(order: LatticeValue, norm: Any, rng: random.Random) -> LatticeV
             raise LatticeError(
                 f"random ideals have a norm prime to the discriminant, and {prime} divides both"
             )
-    return cyclic_ideal(order, factors, lambda size, modulus: random_lines(rng, modulus, size))
+    return random_cyclic_ideal(order, factors, rng)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+import random
+from collections.abc import Callable
 from typing import Any
 
 from flint import fmpz_mat
@@ -12,10 +13,10 @@ from hfield.orders import hermite
 from hfield.orders.invariants import level
 from hfield.orders.kernels.general import ideal_multiples
 from hfield.orders.lattice_values import LatticeValue, hermite_form
-from hfield.orders.orders_at_primes import Line, OrderAtPrime, small_lines
+from hfield.orders.orders_at_primes import OrderAtPrime, order_at_prime
 
-Lines = Callable[[int, int], Iterator[Line]]
-"""Lines among vectors of a length, for a modulus."""
+Factors = list[tuple[Any, int]]
+"""Primes with their exponents."""
 
 
 def overorder(order: LatticeValue) -> LatticeValue:
@@ -42,33 +43,42 @@ def eichler_suborder(order: LatticeValue, index: Any) -> LatticeValue:
     R are the integers of the base.
     """
     ambient, factors = order.ambient, order.ambient.base.factorisation(index)
-    den, rows = _ideal_rows(order, factors, lambda size, modulus: small_lines(size))
+    den, rows = _ideal_rows(order, factors, OrderAtPrime.zero_divisor)
     return hermite_form(ambient, *hermite.joined(den, rows, 1, ambient.integers))
 
 
-def cyclic_ideal(order: LatticeValue, factors: list[tuple[Any, int]], lines: Lines) -> LatticeValue:
-    """Return a left ideal I with cyclic O/I, of a norm prime to the discriminant, given by its factors.
+def random_cyclic_ideal(
+    order: LatticeValue, factors: Factors, rng: random.Random
+) -> LatticeValue:
+    """Return a random left ideal I with cyclic O/I, of a norm prime to the discriminant, given by its factors.
 
-    It is that of an x that is, modulo each prime power in the norm, a zero divisor on one of some lines.
+    All are equally likely: units of O/Pᵉ, which is M₂ of the residues, permute them transitively.
     """
-    return hermite_form(order.ambient, *_ideal_rows(order, factors, lines))
+
+    def element(at: OrderAtPrime, e: int) -> fmpz_mat:
+        return at.times(at.zero_divisor(e), at.random_unit(rng, e))
+
+    return hermite_form(order.ambient, *_ideal_rows(order, factors, element))
 
 
 def _ideal_rows(
-    order: LatticeValue, factors: list[tuple[Any, int]], lines: Lines
+    order: LatticeValue, factors: Factors, element: Callable[[OrderAtPrime, int], fmpz_mat]
 ) -> tuple[int, fmpz_mat]:
-    """Return rows over a denominator that span N·O and, for each power Pᵉ in N, the N·P⁻ᵉ·O·x."""
+    """Return rows over a denominator that span O·x + N·O, N being given by its factors.
+
+    Modulo each Pᵉ in N, x is the ``element`` at P times a number prime to P.
+    """
     ambient, base = order.ambient, order.ambient.base
-    places = [(OrderAtPrime(order, prime), e) for prime, e in factors]
-    norm = math.prod((at.ideal**e for at, e in places), start=base.one)
-    found = ideal_multiples(ambient, order.matrix, norm)
-    for at, e in places:
-        x = at.zero_divisor(e, lines(ambient.size, at.power_of_p(e)))
-        rows = hermite.divided(
-            order.matrix * ambient.right_matrix(x.entries()), order.den * ambient.scale
-        )
-        den = 1
-        if len(places) > 1:
-            den, rows = ideal_multiples(ambient, rows, norm * base.inverse(at.ideal**e))
-        found = hermite.joined(*found, den, rows)
-    return found[0] * order.den, found[1]
+    places = [(order_at_prime(order, prime), e) for prime, e in factors]
+    powers = [at.ideal**e for at, e in places]
+    norm = math.prod(powers, start=base.one)
+    x = fmpz_mat(1, ambient.size)
+    for n, (at, e) in enumerate(places):
+        others = math.prod((*powers[:n], *powers[n + 1 :]), start=base.one)
+        _, numbers = base.ideal_rows(others)
+        prime_to_p = next(c for c in numbers if at.residue(c) != 0)
+        x += ambient.times_scalar(element(at, e), prime_to_p)
+    products = order.matrix * ambient.right_matrix(x.entries())
+    rows = hermite.divided(products, order.den * ambient.scale)
+    below, multiples = ideal_multiples(ambient, order.matrix, norm)
+    return order.den * below, hermite.stacked(multiples, rows)

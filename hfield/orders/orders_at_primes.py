@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import count, islice, product
 from typing import Any
 
@@ -50,6 +50,7 @@ class OrderAtPrime:
         self.ideal = base.prime_ideal(prime)
         self.norm = base.absolute_norm(self.ideal)
         self.traces = order.integral_grams
+        self._zero_divisors: dict[int, fmpz_mat] = {}
 
     # --- traces, norms and residues --------------------------------------------------------------
 
@@ -215,15 +216,21 @@ class OrderAtPrime:
 
     # --- zero divisors ---------------------------------------------------------------------------
 
-    def zero_divisor(self, e: int, lines: Iterable[Line]) -> fmpz_mat:
-        """Return an element outside P·O with norm in Pᵉ, a row over the denominator; O is M₂(ℤ_P).
+    def zero_divisor(self, e: int) -> fmpz_mat:
+        """Return an element outside P·O with norm in Pᵉ, a row over the denominator; O is M₂(ℤ_P)."""
+        found = self._zero_divisors.get(e)
+        if found is None:
+            found = self._zero_divisors[e] = self._new_zero_divisor(e)
+        return found
 
-        The element lies on one of the given lines. On a line the norm is a quadratic polynomial in one
-        variable. An element at a simple root modulo P does not lie in P·O.
+    def _new_zero_divisor(self, e: int) -> fmpz_mat:
+        """Find the element on a line with small coordinates.
+
+        There the norm is a quadratic polynomial. An element at a simple root modulo P does not lie in P·O.
         """
         size = self.ambient.size
         squares = [[int(form[n, n]) // 2 for form in self.traces] for n in range(size)]
-        for n, v in lines:
+        for n, v in small_lines(size):
             row = fmpz_mat(1, size, list(v))
             column = row.transpose()
             images = [form * column for form in self.traces]
@@ -238,6 +245,19 @@ class OrderAtPrime:
         raise AssertionError(
             "the norm form modulo P is that of 2 × 2 matrices, which has such zeros"
         )
+
+    def random_unit(self, rng: random.Random, e: int) -> fmpz_mat:
+        """Return a unit of O/Pᵉ, a row over the denominator: each is equally likely."""
+        size, modulus = self.ambient.size, self.power_of_p(e)
+        while True:
+            v = [rng.randrange(modulus) for _ in range(size)]
+            if self.residue(self.norm_of(v)) != 0:
+                return fmpz_mat([v]) * self.order.matrix
+
+    def times(self, rows: fmpz_mat, x: fmpz_mat) -> fmpz_mat:
+        """Return rows times an element x, all of the order, over its denominator."""
+        ambient, den = self.ambient, self.order.den
+        return hermite.divided(rows * ambient.right_matrix(x.entries()), den * ambient.scale)
 
     def _simple_root(self, a: Any, b: Any, c: Any) -> Any:
         """Return the first simple root of a·x² + b·x + c among the residues, or None."""
@@ -320,11 +340,7 @@ def small_lines(size: int) -> Iterator[Line]:
                     yield n, [*rest[:n], 0, *rest[n:]]
 
 
-def random_lines(rng: random.Random, modulus: int, size: int) -> Iterator[Line]:
-    """Yield some random lines modulo a number, and then small ones."""
-    for _ in range(200):
-        n = rng.randrange(size)
-        v = [rng.randrange(modulus) for _ in range(size)]
-        v[n] = 0
-        yield n, v
-    yield from small_lines(size)
+@lru_cache(maxsize=64)
+def order_at_prime(order: LatticeValue, prime: Any) -> OrderAtPrime:
+    """Return an order at a prime, the same as before where it was called lately."""
+    return OrderAtPrime(order, prime)
