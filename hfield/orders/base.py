@@ -431,6 +431,8 @@ class RationalIntegers:
     def inside(self, x: Any) -> fmpq:
         if isinstance(x, fmpq):
             return x
+        if type(x) is int:
+            return fmpq(x)
         value = fraction(x)
         return fmpq(value.numerator, value.denominator)
 

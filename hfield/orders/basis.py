@@ -122,6 +122,11 @@ class AlgebraBasis:
         entries = self.base.coordinate_rows(numbers).entries()
         return fmpq_mat(len(elements), self.size, entries)
 
+    @cached_property
+    def one(self) -> fmpq_mat:
+        """The element 1, a matrix of one row."""
+        return self.row(1)
+
     def integral_row(self, x: object) -> tuple[int, list[fmpz]]:
         """Return the same as integers over a denominator."""
         row, den = self.row(x).numer_denom()

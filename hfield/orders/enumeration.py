@@ -13,8 +13,12 @@ from math import exp, gamma, isqrt, log, pi
 
 from flint import fmpz_mat
 
+from hfield.errors import TooLargeError
+
 Vector = tuple[int, ...]
 Gram = Sequence[Sequence[int]]
+MAX_STEPS = 2 * 10**7
+"""The largest number of vectors that are enumerated."""
 MIN_FLINT_SIZE = 14
 """From so many rows on flint eliminates more quickly."""
 
@@ -38,10 +42,17 @@ def bareiss(gram: Gram) -> tuple[list[int], list[list[int]]]:
     return minors, rows
 
 
-def short_vectors(gram: Gram, bound: int) -> Iterator[tuple[Vector, int]]:
-    """Yield one of ±x for every x ≠ 0 with ``x·gram·x ≤ bound``, and this value."""
+def short_vectors(
+    gram: Gram, bound: int, expected: str | None = None
+) -> Iterator[tuple[Vector, int]]:
+    """Yield one of ±x for every x ≠ 0 with ``x·gram·x ≤ bound``, and this value.
+
+    Raises :class:`TooLargeError` for too many where ``expected`` says what the vectors are.
+    """
     minors, forms = bareiss(gram)
     n = len(minors) - 1
+    if expected is not None:
+        _expect_affordable(_volume(minors, bound, n), expected)
     if bound <= 0 or n == 0:
         return
     x = [0] * n
@@ -69,10 +80,15 @@ def least_vectors(gram: Gram) -> tuple[int, list[Vector]]:
     return least, found
 
 
-def vectors_of_length(gram: Gram, length: int) -> Iterator[Vector]:
-    """Yield one of ±x for every x ≠ 0 with ``x·gram·x = length``; the last coordinate is solved for."""
+def vectors_of_length(gram: Gram, length: int, expected: str | None = None) -> Iterator[Vector]:
+    """Yield one of ±x for every x ≠ 0 with ``x·gram·x = length``; the last coordinate is solved for.
+
+    Raises :class:`TooLargeError` as :func:`short_vectors` does.
+    """
     minors, forms = bareiss(gram)
     n = len(minors) - 1
+    if expected is not None:
+        _expect_affordable(_volume(minors, length, n - 1), expected)
     if length <= 0:
         return
     x = [0] * n
@@ -116,7 +132,10 @@ def _heads(
 
 def volume(gram: Gram, bound: int, dimension: int) -> float:
     """Return about how many integer points the ellipsoid has, or its projection to the last coordinates."""
-    minors, _ = bareiss(gram)
+    return _volume(bareiss(gram)[0], bound, dimension)
+
+
+def _volume(minors: list[int], bound: int, dimension: int) -> float:
     n = len(minors) - 1
     ball: float = pi ** (dimension / 2) / gamma(dimension / 2 + 1)
     # logarithms, as the numbers may be too long for a float
@@ -124,9 +143,20 @@ def volume(gram: Gram, bound: int, dimension: int) -> float:
     return ball * exp(min(size / 2, 700.0))
 
 
-def theta_series(gram: Gram, n: int) -> list[int]:
-    """Return [r(0), …, r(n)], where r(m) vectors have the value 2m of an even form."""
+def _expect_affordable(vectors: float, what: str) -> None:
+    if vectors > MAX_STEPS:
+        raise TooLargeError(
+            f"about {vectors:.0e} {what} the one asked for would have to be run through, and at most "
+            f"{MAX_STEPS:.0e} are; O.represent_integer(n) finds one element of large norm"
+        )
+
+
+def theta_series(gram: Gram, n: int, expected: str | None = None) -> list[int]:
+    """Return [r(0), …, r(n)], where r(m) vectors have the value 2m of an even form.
+
+    Raises :class:`TooLargeError` as :func:`short_vectors` does.
+    """
     counts = [1] + [0] * n
-    for _, value in short_vectors(gram, 2 * n):
+    for _, value in short_vectors(gram, 2 * n, expected):
         counts[value // 2] += 2
     return counts

@@ -10,10 +10,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import lru_cache
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
 Rows = tuple[tuple[int, ...], ...]
+MAX_MULTIPLIED_ROWS = 128
+"""Matrices with up to so many rows together are stacked by products with matrices of zeros and ones."""
 
 
 def hermite(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat] | None:
@@ -21,21 +24,30 @@ def hermite(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat] | None:
 
     None when the rank is below the number of columns.
     """
-    n, size = matrix.nrows(), matrix.ncols()
-    if n < size:
+    size = matrix.ncols()
+    if matrix.nrows() < size:
         return None
-    h = matrix.hnf()
-    columns = range(size)
-    top = h.entries() if n == size else [h[i, j] for i in columns for j in columns]
-    if not all(top[:: size + 1]):
+    found = matrix.hnf()
+    if not found[size - 1, size - 1]:  # of full rank, the pivots are on the diagonal
         return None
-    g = fmpz(den)
-    for x in top:
-        if g == 1:
-            return den, h if n == size else fmpz_mat(size, size, top)
-        if x:
-            g = g.gcd(x)
-    return den // int(g), fmpz_mat(size, size, [x // g for x in top])
+    return reduced(den, first_rows(found, size))
+
+
+def reduced(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
+    """Return an integer matrix over ``den`` as one over the least denominator."""
+    return (den, matrix) if den == 1 else rational(matrix * fmpq(1, den))
+
+
+def first_rows(matrix: fmpz_mat, number: int) -> fmpz_mat:
+    """Return the first rows of a matrix."""
+    rows = matrix.nrows()
+    return matrix if rows == number else _injection(rows, 0, number).transpose() * matrix
+
+
+@lru_cache(maxsize=256)
+def _injection(rows: int, start: int, number: int) -> fmpz_mat:
+    """Return the matrix that puts so many rows, from ``start`` on, among rows of zeros."""
+    return fmpz_mat([[int(m == start + n) for n in range(number)] for m in range(rows)])
 
 
 def integral(vectors: Iterable[Sequence[Fraction]]) -> tuple[int, list[list[int]]]:
@@ -117,12 +129,16 @@ def tuples(matrix: fmpz_mat) -> Rows:
 
 def stacked(*matrices: fmpz_mat) -> fmpz_mat:
     """Return the rows of several matrices, one below the other."""
-    if len(matrices) == 1:
-        return matrices[0]
-    entries, size = matrices[0].entries(), matrices[0].ncols()
+    rows = sum(m.nrows() for m in matrices)
+    if rows > MAX_MULTIPLIED_ROWS:
+        entries = [x for m in matrices for x in m.entries()]
+        return fmpz_mat(rows, matrices[0].ncols(), entries)
+    # quicker than to copy the entries, which are objects of Python
+    found, start = _injection(rows, 0, matrices[0].nrows()) * matrices[0], matrices[0].nrows()
     for m in matrices[1:]:
-        entries += m.entries()
-    return fmpz_mat(len(entries) // size, size, entries)
+        found += _injection(rows, start, m.nrows()) * m
+        start += m.nrows()
+    return found
 
 
 def joined(d: int, m: fmpz_mat, e: int, n: fmpz_mat) -> tuple[int, fmpz_mat]:
@@ -135,9 +151,5 @@ def joined(d: int, m: fmpz_mat, e: int, n: fmpz_mat) -> tuple[int, fmpz_mat]:
 
 def span(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
     """Return the Hermite form of what the rows of an integer matrix, over ``den``, span, of any rank."""
-    h, size = matrix.hnf(), matrix.ncols()
-    entries = h.entries()
-    rank = max((n // size + 1 for n, x in enumerate(entries) if x), default=0)
-    entries = entries[: size * rank]
-    g = math.gcd(den, *(int(x) for x in entries))
-    return den // g, fmpz_mat(rank, size, [x // g for x in entries])
+    found = matrix.hnf()
+    return reduced(den, first_rows(found, found.rank()))

@@ -98,7 +98,7 @@ class IdealsOfPrimeNorm:
         times, e, u, v = self.at.ambient.times, *self._matrix_units()
         yield from self._lines(e, v, u)
         if exponent:
-            yield from self._lines(self.at.ambient.row(1) - e, u, v)
+            yield from self._lines(self.at.ambient.one - e, u, v)
         if exponent < 2:
             yield _rows(v, u if exponent else v * times(u))
 
@@ -195,7 +195,7 @@ def coordinates_of_subideals(
     tail = below.numer_denom()[0]
     for span in spans:
         whole = hermite.stacked((span * y).numer_denom()[0], tail).hnf()
-        yield fmpz_mat(ambient.size, ambient.size, whole.entries()[: ambient.size**2])
+        yield hermite.first_rows(whole, ambient.size)
 
 
 def subideals(order: LatticeValue, ideal: LatticeValue, prime: Any) -> list[LatticeValue]:

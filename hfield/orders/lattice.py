@@ -217,11 +217,17 @@ class Lattice(Hinted, PrintedBySympy):
 
     def __add__(self, other: object) -> Lattice:
         """Return the sum, the least lattice that contains both."""
-        return Lattice(lattice_values.add(self.value, self._same(other, "add").value))
+        second = self._same(other, "add")
+        return self._result_with(second, lattice_values.add(self.value, second.value))
 
     def __and__(self, other: object) -> Lattice:
         """Return the intersection."""
-        return Lattice(lattice_values.meet(self.value, self._same(other, "intersect").value))
+        second = self._same(other, "intersect")
+        return self._result_with(second, lattice_values.meet(self.value, second.value))
+
+    def _result_with(self, other: Lattice, value: LatticeValue) -> Lattice:
+        """Return the sum or the intersection with another lattice, of which the value is given."""
+        return Lattice(value)
 
     def __mul__(self, other: object) -> Lattice:
         """Return the product with a lattice, an element, a number or an ideal of the field."""
@@ -1016,22 +1022,13 @@ class Ideal(Certified, Lattice):
 
     # --- arithmetic ------------------------------------------------------------------------------
 
-    def __add__(self, other: object) -> Lattice:
-        """Return the sum, an ideal where both are ideals of one order on one side."""
-        return self._ideal_with(other, super().__add__(other))
-
-    def __and__(self, other: object) -> Lattice:
-        """Return the intersection, an ideal where both are ideals of one order on one side."""
-        return self._ideal_with(other, super().__and__(other))
-
-    def _ideal_with(self, other: object, found: Lattice) -> Lattice:
-        """Return a lattice made of this ideal and another one as an ideal, where it is one."""
-        if not isinstance(other, Ideal):
-            return found
-        side = self.side if other.side == "two-sided" else other.side
-        if self.side not in (side, "two-sided") or self.order != other.order:
-            return found
-        return Ideal(found.value, side, self.order)
+    def _result_with(self, other: Lattice, value: LatticeValue) -> Lattice:
+        """Return it as an ideal where both are ideals of one order on one side."""
+        if isinstance(other, Ideal):
+            side = self.side if other.side == "two-sided" else other.side
+            if self.side in (side, "two-sided") and self.order == other.order:
+                return Ideal(value, side, self.order)
+        return Lattice(value)
 
     def conjugate(self) -> Ideal:
         """Return the ideal of the conjugates, on the other side."""

@@ -274,9 +274,7 @@ def meet(first: LatticeValue, second: LatticeValue) -> LatticeValue:
 def _independent(rows: fmpz_mat) -> fmpz_mat:
     """Return a basis, a square matrix, of what rows of full rank span."""
     size = rows.ncols()
-    if rows.nrows() == size:
-        return rows
-    return fmpz_mat(size, size, rows.hnf().entries()[: size * size])
+    return rows if rows.nrows() == size else hermite.first_rows(rows.hnf(), size)
 
 
 def _dot_dual(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:

@@ -47,10 +47,8 @@ def eichler_suborder(order: LatticeValue, index: Any) -> LatticeValue:
     return hermite_form(ambient, *hermite.joined(den, rows, 1, ambient.integers))
 
 
-def random_cyclic_ideal(
-    order: LatticeValue, factors: Factors, rng: random.Random
-) -> LatticeValue:
-    """Return a random left ideal I with cyclic O/I, of a norm prime to the discriminant, given by its factors.
+def random_cyclic_ideal(order: LatticeValue, factors: Factors, rng: random.Random) -> LatticeValue:
+    """Return a random left ideal I with cyclic O/I, of a norm prime to the discriminant.
 
     All are equally likely: units of O/Pᵉ, which is M₂ of the residues, permute them transitively.
     """

@@ -57,7 +57,7 @@ class OrderAtPrime:
     @cached_property
     def _one(self) -> fmpz_mat:
         """The coordinates of 1, a column."""
-        row = self.ambient.row(1) * self.order.inverse_rows
+        row = self.ambient.one * self.order.inverse_rows
         return row.numer_denom()[0].transpose()
 
     def trace(self, v: Vector) -> list[int]:
@@ -187,7 +187,7 @@ class OrderAtPrime:
 
     def _number(self, x: Any) -> fmpq_mat:
         """Return a number of the field as an element, one row."""
-        return self.ambient.row(1) * self.ambient.scalar(x)
+        return self.ambient.one * self.ambient.scalar(x)
 
     def _small(self, x: fmpq_mat, modulus: int) -> fmpq_mat:
         """Return an element of the order with coordinates reduced modulo a number."""
@@ -198,7 +198,7 @@ class OrderAtPrime:
         """Return e·b·(1 − e) and (1 − e)·b·e for the basis b of the order."""
         ambient, rows = self.ambient, self.order.rows
         left = rows * ambient.times(e, "left")
-        return left * ambient.times(ambient.row(1) - e), (rows - left) * ambient.times(e)
+        return left * ambient.times(ambient.one - e), (rows - left) * ambient.times(e)
 
     def ends(self, k: int) -> tuple[LatticeValue, LatticeValue]:
         """Return the two orders, maximal at P, whose intersection is the order, Eichler of level Pᵏ."""
@@ -307,7 +307,7 @@ class OrderAtPrime:
         prime = self.prime
         digits, e = (prime.e * prime.f + 1, prime.e) if self.p == 2 else (1, 0)
         radical, classes = self.radical, [0]
-        power, one = radical, self.ambient.row(1)
+        power, one = radical, self.ambient.one
         for _ in range(4 * (2 * e + 1)):
             for row in power.rows.tolist():
                 unit = (fmpq_mat([row]) + one).entries()

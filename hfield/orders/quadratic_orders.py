@@ -26,7 +26,6 @@ from hfield.orders.invariants import is_eichler
 from hfield.orders.lattice_values import LatticeValue, conjugate, discriminant
 from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.short_elements import (
-    expect_affordable,
     expect_definite,
     form_of_norm,
     reduced,
@@ -129,8 +128,10 @@ def embeddings(
             f"{shorten(base.ring.name)}: expected a totally negative integer, a square modulo 4"
         )
     vectors = list(_of_trace_zero(order, -x))
+    if not vectors:
+        return (), ()
     both = sorted((*vectors, *(-s for s in vectors)), key=fmpq_mat.entries, reverse=True)
-    shift = ambient.row(1) * ambient.scalar(t)
+    shift = ambient.one * ambient.scalar(t)
 
     def images(some: list[fmpq_mat]) -> tuple[Quaternion, ...]:
         return tuple(ambient.quaternion(((shift + s) * fmpq(1, 2)).entries()) for s in some)
@@ -151,10 +152,8 @@ def _of_trace_zero(order: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
         length = fmpq(2 * n * scale)
     if length.q != 1:
         return
-    bound = int(length.p)
-    expect_affordable(enumeration.volume(gram, bound, len(gram) - 1), "elements of norm at most")
     tables = multiplications(ambient, rows)
-    for v in enumeration.vectors_of_length(gram, bound):
+    for v in enumeration.vectors_of_length(gram, int(length.p), "elements of norm at most"):
         vector = fmpz_mat([list(v)])
         row = (vector * rows) * fmpq(1, den)
         if n > 1 and ambient.norm(row.entries()) != norm:
@@ -165,15 +164,17 @@ def _of_trace_zero(order: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
 
 def is_primitive(vector: fmpz_mat, multiplications: list[fmpz_mat]) -> bool:
     """Tell whether only integers of the base take a vector of a lattice into the lattice."""
-    multiples = hermite.stacked(*(vector * m for m in multiplications))
+    multiples = hermite.stacked(vector, *(vector * m for m in multiplications))
     return bool(hermite.volume(multiples.transpose().hnf()) == 1)
 
 
 def multiplications(ambient: AlgebraBasis, rows: fmpz_mat) -> list[fmpz_mat]:
-    """Return the matrices of the multiplication by the integral basis on rows of trace 0."""
+    """Return the matrices of the multiplication by the integral basis but 1 on rows of trace 0."""
     n = ambient.degree
+    if n == 1:
+        return []
     pure = fmpz_mat([row[n:] for row in rows.tolist()])
-    blocks = (fmpz_mat([row[n:] for row in m.tolist()[n:]]) for m in ambient.scalars)
+    blocks = (fmpz_mat([row[n:] for row in m.tolist()[n:]]) for m in ambient.scalars[1:])
     inverse = pure.inv()
     return [(fmpq_mat(pure * block) * inverse).numer_denom()[0] for block in blocks]
 

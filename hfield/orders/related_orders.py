@@ -82,7 +82,7 @@ def _maximal_suborders(order: LatticeValue, prime: Any) -> Iterator[tuple[int, L
     """Yield the orders of index P, and those of index P² that contain P·O, with the exponents."""
     ambient, digits = order.ambient, _digits(order, prime, 3)
     below = times_ideal(order, ambient.base.prime_ideal(prime))
-    one = ambient.row(1).entries()
+    one = ambient.one.entries()
     basis = independent(fmpq_mat([one, *order.rows.tolist()]), below)[1:]
     b, c, d = basis
     planes = [(b + d * x, c + d * y) for x in digits for y in digits]
@@ -151,7 +151,7 @@ def gorenstein_closure(order: LatticeValue) -> LatticeValue:
 def _without_number(at: OrderAtPrime, y: fmpq_mat, m: int) -> fmpq_mat:
     """Return y − a in f·G at P, where y is in R + f·G and f = Pᵐ there: N(y − a) ∈ P²ᵐ tells a."""
     ambient, base, place = at.ambient, at.base, at.place
-    one = ambient.row(1)
+    one = ambient.one
     if at.p > 2:
         half = pow(2, -1, at.p**m)
         return y - one * ambient.scalar(ambient.trace(y.entries()) * half)

@@ -10,7 +10,7 @@ from hfield.algebra.quaternion import Parent
 from hfield.errors import LatticeError, shorten
 from hfield.orders import hermite
 from hfield.orders.basis import AlgebraBasis, basis_of
-from hfield.orders.lattice_values import LatticeValue, contains, spanning_rows
+from hfield.orders.lattice_values import LatticeValue, contains
 from hfield.orders.validation import listed
 
 
@@ -36,16 +36,14 @@ def generated(algebra: Parent, elements: Iterable[object]) -> LatticeValue:
 
     Raises :class:`LatticeError` where its rank is below 4, or where it has elements that are not integral.
     """
-    ambient, given = basis_of(algebra), listed(elements)
-    span = hermite.span(*spanning_rows(ambient, [1, *given]))
-    found = [ambient.integral_row(x) for x in given]
-    letters = [(den * ambient.scale, ambient.right_matrix(row)) for den, row in found]
+    ambient = basis_of(algebra)
+    generators = hermite.rational(ambient.rows(listed(elements)))
+    below, letters = hermite.joined(*hermite.rational(ambient.one), *generators)
+    span = hermite.span(below, hermite.stacked(*(letters * m for m in ambient.scalars)))
     while True:
         den, words = span
         _check_integral(ambient, den, words)
-        wider = span
-        for below, matrix in letters:
-            wider = hermite.span(*hermite.joined(*wider, den * below, words * matrix))
+        wider = hermite.span(den * below * ambient.scale, ambient.products(words, letters))
         if wider == span:
             break
         span = wider
@@ -59,7 +57,7 @@ def generated(algebra: Parent, elements: Iterable[object]) -> LatticeValue:
 
 def _check_integral(ambient: AlgebraBasis, den: int, rows: fmpz_mat) -> None:
     """Raise :class:`LatticeError` unless all combinations of rows have integral trace and norm."""
-    one = ambient.integral_row(1)[1]
+    one = ambient.one.numer_denom()[0].entries()
     last = rows.nrows()
     grams = ambient.grams(
         hermite.stacked(rows, fmpz_mat([one]) * den)

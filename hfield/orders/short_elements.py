@@ -10,7 +10,6 @@ J. Voight, *SIAM J. Comput.* 39, 2010). All is integral.
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import Any
@@ -20,7 +19,6 @@ from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, TooLargeError, shorten
 from hfield.orders import enumeration, hermite
-from hfield.orders.base import Counts
 from hfield.orders.basis import AlgebraBasis
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.validation import natural
@@ -28,8 +26,6 @@ from hfield.orders.validation import natural
 Row = tuple[int, ...]
 MAX_LISTED = 10**6
 """The largest number of vectors in a list."""
-MAX_STEPS = 2 * 10**7
-"""The largest number of vectors that are enumerated."""
 
 
 def expect_definite(ambient: AlgebraBasis, what: str) -> None:
@@ -45,15 +41,6 @@ def expect_definite(ambient: AlgebraBasis, what: str) -> None:
         f"{why}, so infinitely many elements may have one norm: {what} needs a totally definite algebra, "
         "a < 0 and b < 0 where t = 0"
     )
-
-
-def expect_affordable(vectors: float, what: str) -> None:
-    """Raise :class:`TooLargeError` where so many vectors are not run through."""
-    if vectors > MAX_STEPS:
-        raise TooLargeError(
-            f"about {vectors:.0e} {what} the one asked for would have to be run through, and at most "
-            f"{MAX_STEPS:.0e} are; O.represent_integer(n) finds one element of large norm"
-        )
 
 
 # --- one lattice, its form Tr(N(x)) ----------------------------------------------------------------
@@ -102,9 +89,8 @@ def of_norm(lattice: LatticeValue, norm: Any) -> tuple[Quaternion, ...]:
     form = form_of_norm(lattice, norm)
     if form is None:
         return ()
-    gram, _, length = form
-    expect_affordable(enumeration.volume(gram, length, len(gram) - 1), "elements of norm at most")
-    return _signed(lattice, (tuple(map(int, row.entries())) for row in _rows(lattice, norm, form)))
+    found = _rows(lattice, norm, form, "elements of norm at most")
+    return _signed(lattice, (tuple(map(int, row.entries())) for row in found))
 
 
 Form = tuple[list[list[int]], fmpz_mat, int]
@@ -125,10 +111,12 @@ def form_of_norm(lattice: LatticeValue, norm: Any) -> Form | None:
     return gram, (basis * lattice.den).numer_denom()[0], 2 * ambient.degree * den
 
 
-def _rows(lattice: LatticeValue, norm: Any, form: Form) -> Iterator[fmpz_mat]:
+def _rows(
+    lattice: LatticeValue, norm: Any, form: Form, expected: str | None = None
+) -> Iterator[fmpz_mat]:
     gram, basis, length = form
     ambient, below = lattice.ambient, fmpq(1, lattice.den)
-    for x in enumeration.vectors_of_length(gram, length):
+    for x in enumeration.vectors_of_length(gram, length, expected):
         row = fmpz_mat(1, len(x), x) * basis
         # over ℤ the form is the norm
         if ambient.degree == 1 or ambient.norm((row * below).entries()) == norm:
@@ -186,57 +174,19 @@ def theta_series(lattice: LatticeValue, n: object) -> Any:
     Over ℤ it is the list [r(0), …, r(n)], r(m) for the norm ``m·norm``; else {ν: r(ν)} for the norms of trace
     at most n, ascending by traces.
     """
-    bound, base = natural(n, "a theta series goes up to"), lattice.ambient.base
-    step, (rows, gram) = base.theta_step(lattice), lattice.reduced
-    counts = _norm_counts(lattice.ambient, lattice.den, rows, gram, lattice.content, bound * step)
-    return base.shown_counts(counts, step, bound)
+    bound, ambient = natural(n, "a theta series goes up to"), lattice.ambient
+    step, (rows, gram) = ambient.base.theta_step(lattice), lattice.reduced
+    return ambient.kernels.theta_series(
+        ambient, lattice.den, rows, gram, lattice.content, step, bound
+    )
 
 
 def ternary_theta_series(order: LatticeValue, n: object) -> Any:
     """Return the same for the elements of trace 0 in R + 2O, R being the integers of the base."""
-    bound, base = natural(n, "a theta series goes up to"), order.ambient.base
+    bound, ambient = natural(n, "a theta series goes up to"), order.ambient
     den, rows, gram = order.reduced_ternary
-    unit = fmpz(order.ambient.scale * den**2)
-    counts = _norm_counts(order.ambient, den, rows, gram, unit, Fraction(bound))
-    return base.shown_counts(counts, Fraction(1), bound)
-
-
-def _norm_counts(
-    ambient: AlgebraBasis,
-    den: int,
-    rows: fmpz_mat,
-    gram: enumeration.Gram,
-    unit: fmpz,
-    bound: Fraction,
-) -> Counts:
-    """Return how many combinations of rows over ``den`` have each norm of trace at most a bound.
-
-    Norms are given by coordinates in the integral basis; ``gram`` is the matrix of ``Tr(tr(x·conj(y)))``,
-    scaled, over a unit.
-    """
-    below = ambient.scale * den**2
-    length = int(2 * bound * below / int(unit))
-    if ambient.degree == 1:  # the trace of the norm is the norm
-        expect_affordable(enumeration.volume(gram, length, len(gram)), "elements as short as")
-        numbers = enumerate(enumeration.theta_series(gram, length // 2))
-        content = int(unit)
-        return Counts({(m * content,): number for m, number in numbers if number}, below)
-    if (estimate := enumeration.volume(gram, length, len(gram))) > 8 * MAX_LISTED:
-        raise TooLargeError(
-            f"about {estimate:.0e} elements have norms of trace at most {bound}, and at most "
-            f"{2 * MAX_LISTED} are counted; expected a smaller bound"
-        )
-    forms = [hermite.tuples(form) for form in ambient.grams(rows)]
-    counts = Counter({(0,) * len(forms): 1})
-    for number, (x, _) in enumerate(enumeration.short_vectors(gram, length), 1):
-        if number > MAX_LISTED:
-            raise TooLargeError(
-                f"more than {2 * MAX_LISTED} elements have norms of trace at most {bound}"
-            )
-        places = [(k, c) for k, c in enumerate(x) if c]
-        values = (sum(c * d * form[k][m] for k, c in places for m, d in places) for form in forms)
-        counts[tuple(values)] += 2
-    return Counts(counts, 2 * below)
+    unit = fmpz(ambient.scale * den**2)
+    return ambient.kernels.theta_series(ambient, den, rows, gram, unit, Fraction(1), bound)
 
 
 def ternary_rows(order: LatticeValue) -> fmpq_mat:

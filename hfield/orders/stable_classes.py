@@ -41,7 +41,7 @@ def _norms(order: LatticeValue, P: Any) -> Iterator[Any]:
     if place.below > 2:
         return
     ideal = ambient.base.prime_ideal(P)
-    one, bound = ambient.row(1), times_ideal(order, ideal ** (2 * place.index + 1))
+    one, bound = ambient.one, times_ideal(order, ideal ** (2 * place.index + 1))
     radical = power = OrderAtPrime(order, P).radical
     while not includes(bound, power):
         for row in power.rows.tolist():

@@ -1,8 +1,9 @@
 """What is quicker over ℤ against the functions for any rank, on random lattices."""
 
+from fractions import Fraction
 from random import Random
 
-from flint import fmpz_mat
+from flint import fmpz, fmpz_mat
 
 from hfield.orders import hermite, lattice_values, maximal_orders, rings
 from hfield.orders.kernels import general, rank4
@@ -34,7 +35,7 @@ def test_maximal_orders_without_and_with_a_kernel() -> None:
 
 def test_every_kernel_gives_what_the_general_function_gives() -> None:
     rng = Random(1)
-    principal = set()
+    principal, definite = set(), 0
     for _ in range(60):
         L = random_lattice(rng)
         ambient = L.ambient
@@ -57,6 +58,14 @@ def test_every_kernel_gives_what_the_general_function_gives() -> None:
         columns = list(zip(*hermite.tuples(L.matrix), strict=True))
         assert rank4.combination(x, columns) == general.combination(x, columns)
         assert rank4.combination(x, columns) == hermite.combination(x, L.matrix)
+        if ambient.definite:
+            theta = (ambient, L.den, *L.reduced, L.content, L.norm, 12)
+            assert rank4.theta_series(*theta) == general.theta_series(*theta)
+            definite += 1
+            den, rows, gram = order.reduced_ternary
+            theta = (ambient, den, rows, gram, fmpz(ambient.scale * den**2), Fraction(1), 12)
+            assert rank4.theta_series(*theta) == general.theta_series(*theta)
+    assert definite > 5
     assert principal == {True, False}
     names = {name for name in vars(rank4) if callable(getattr(rank4, name)) and name.islower()}
     own = {name for name in names if getattr(rank4, name).__module__ == rank4.__name__}

@@ -39,8 +39,7 @@ def test_refused_before_anything_is_enumerated(text: str, monkeypatch: pytest.Mo
     def started(*_: object) -> object:
         raise AssertionError("the enumeration was started")
 
-    monkeypatch.setattr(enumeration, "short_vectors", started)
-    monkeypatch.setattr(enumeration, "vectors_of_length", started)
+    monkeypatch.setattr(enumeration, "_heads", started)
     for name in ("C", "CN"):
         monkeypatch.setattr(BASES[name]._classes, "classes_inside", started)
     with pytest.raises(TooLargeError) as error:

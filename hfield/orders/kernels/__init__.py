@@ -25,3 +25,4 @@ class Kernels:
         self.order_rows = choose("order_rows")
         self.is_locally_principal = choose("is_locally_principal")
         self.combination = choose("combination")
+        self.theta_series = choose("theta_series")

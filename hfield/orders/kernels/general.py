@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Sequence
+from fractions import Fraction
 from operator import mul
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz, fmpz_mat, fmpz_poly
 
-from hfield.orders.hermite import hermite, stacked
+from hfield.errors import TooLargeError
+from hfield.orders import enumeration
+from hfield.orders.base import Counts
+from hfield.orders.hermite import hermite, stacked, tuples
 
 if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
+
+MAX_COUNTED = 2 * 10**6
+"""The largest number of elements that are counted."""
 
 
 def first_order(ambient: AlgebraBasis) -> tuple[int, fmpz_mat]:
@@ -92,3 +100,35 @@ def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
 def combination(x: Sequence[int], columns: Sequence[Sequence[int]]) -> tuple[int, ...]:
     """Return a combination of the rows of a matrix with these columns."""
     return tuple(sum(map(mul, x, column)) for column in columns)
+
+
+def theta_series(
+    ambient: AlgebraBasis,
+    den: int,
+    rows: fmpz_mat,
+    gram: enumeration.Gram,
+    unit: fmpz,
+    step: Fraction,
+    bound: int,
+) -> Any:
+    """Return how many combinations of rows over ``den`` have each norm of trace at most ``bound·step``.
+
+    ``gram`` is the matrix of ``Tr(tr(x·conj(y)))``, scaled, over a unit. Raises :class:`TooLargeError`.
+    """
+    length = int(2 * bound * step * (ambient.scale * den**2) / int(unit))
+    if (estimate := enumeration.volume(gram, length, len(gram))) > 4 * MAX_COUNTED:
+        raise TooLargeError(
+            f"about {estimate:.0e} elements have norms of trace at most {bound * step}, and at most "
+            f"{MAX_COUNTED} are counted; expected a smaller bound"
+        )
+    forms = [tuples(form) for form in ambient.grams(rows)]
+    counts = Counter({(0,) * len(forms): 1})
+    for number, (x, _) in enumerate(enumeration.short_vectors(gram, length), 1):
+        if number > MAX_COUNTED // 2:
+            raise TooLargeError(
+                f"more than {MAX_COUNTED} elements have norms of trace at most {bound * step}"
+            )
+        places = [(k, c) for k, c in enumerate(x) if c]
+        values = (sum(c * d * form[k][m] for k, c in places for m, d in places) for form in forms)
+        counts[tuple(values)] += 2
+    return ambient.base.shown_counts(Counts(counts, 2 * ambient.scale * den**2), step, bound)

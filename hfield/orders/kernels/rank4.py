@@ -10,6 +10,7 @@ from flint import fmpz, fmpz_mat, fmpz_poly
 
 from hfield.core.product import Constants
 from hfield.fields.rationals.whole_numbers import fraction
+from hfield.orders import enumeration
 from hfield.orders.hermite import integral
 
 if TYPE_CHECKING:
@@ -64,3 +65,16 @@ def combination(x: Sequence[int], columns: Sequence[Sequence[int]]) -> tuple[int
     """Return a combination of four rows."""
     p, q, r, s = x
     return tuple([p * a + q * b + r * c + s * d for a, b, c, d in columns])
+
+
+def theta_series(
+    ambient: AlgebraBasis,
+    den: int,
+    rows: fmpz_mat,
+    gram: enumeration.Gram,
+    unit: fmpz,
+    step: Fraction,
+    bound: int,
+) -> list[int]:
+    """Count vectors by the values of the form: a value 2m belongs to the norm ``m·step``."""
+    return enumeration.theta_series(gram, bound, "elements as short as")
