@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from hfield.cli.output import note, open_output
@@ -16,14 +16,13 @@ from hfield.cli.parser import (
     add_standalone,
     given_factors,
 )
-from hfield.errors import shorten
 from hfield.syntax.brackets import split
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
     from hfield.algebra.quaternion import Quaternion
     from hfield.evidence import Claim
-    from hfield.orders.lattice import Lattice
+    from hfield.orders.lattice import ClassSet, Ideal, Lattice
 
 PATIENCE = 10
 """Seconds: a command that takes longer prints an estimate first."""
@@ -109,22 +108,53 @@ def elements_of(A: QuaternionAlgebra, text: str, what: str) -> list[Quaternion]:
     return [A(word) for word in words]
 
 
-def level_of(text: str, A: QuaternionAlgebra) -> Any:
+def level_of(text: str, A: QuaternionAlgebra, what: str = "level") -> Any:
     """Read a level: a positive integer over ℚ, or generators of an ideal over another field, with commas.
 
-    ``ideal(31, 5 + gen)``, as ideals are printed, is read too. Raises :class:`UsageError`.
+    ``ideal(31, 5 + gen)``, as ideals are printed, is read too. Raises :class:`LatticeError`.
     """
-    if A.is_over_number_field:
-        return A.ring.ideal(text)  # type: ignore[attr-defined]
-    if not (text.isascii() and text.isdecimal() and int(text) > 0):
-        raise UsageError(f"the level {shorten(text)!r} is no positive integer")
-    return int(text)
+    from hfield.orders.basis import basis_of
+
+    return basis_of(A).base.integral_ideal(text, what)
 
 
 def summands(L: Lattice) -> list[tuple[str, str]]:
     """Return the pairs of a pseudo-basis, an ideal and an element, as texts."""
     K: Any = L.algebra.ring
     return [(str(K.ideal(list(ideal))), str(q)) for ideal, q in L.pseudo_basis()]
+
+
+def class_data(ideal: Ideal) -> dict[str, object]:
+    """Return an ideal that represents its class, for programs: its rows and norm.
+
+    A basis over ℤ of more than four elements is given as a pseudo-basis too.
+    """
+    from hfield.orders.lattice_values import rows_json
+
+    pairs = {"pseudo_basis": summands(ideal)} if len(ideal.basis) > 4 else {}
+    return {**rows_json(ideal.value), "norm": ideal_json(ideal.norm()), **pairs}
+
+
+def unit_numbers(C: ClassSet) -> list[int]:
+    """Return the numbers of units by class, modulo those of the field where they are infinitely many."""
+    from hfield.errors import NotFiniteError
+
+    try:
+        return C.unit_counts
+    except NotFiniteError:
+        return C.units
+
+
+def unit_groups(C: ClassSet) -> Iterator[str]:
+    """Yield the name of the group of units of the left order of each class."""
+    known: dict[int, str] = {}
+    for ideal, index, kind in zip(C, C.units, C.types, strict=True):
+        key = (
+            -1 if index == 1 else kind
+        )  # of those without other units than the field has, one group
+        if key not in known:
+            known[key] = ideal.left_order().unit_group()
+        yield known[key]
 
 
 def sum_text(L: Lattice) -> str:
@@ -134,8 +164,10 @@ def sum_text(L: Lattice) -> str:
     )
 
 
-def ideal_json(ideal: Any) -> dict[str, object]:
-    """Return generators, the absolute norm and the prime factors of an ideal of a number field."""
+def ideal_json(ideal: Any) -> object:
+    """Return generators, the absolute norm and the prime factors of an ideal; of ℤ its generator."""
+    if not hasattr(ideal, "generators"):
+        return int(ideal)
     return {
         "generators": [ideal.ring.text(x) for x in ideal.generators],
         "norm": str(ideal.norm()),

@@ -150,7 +150,7 @@ class Base(Protocol):
         """Return an integer of the field that is x modulo a power of p, where x is integral at p."""
 
     def integral_ideal(self, x: object, what: str = "norm") -> Any:
-        """Return what a user gives as a norm, or a level.
+        """Return what a user gives as a norm, or a level, its text too.
 
         Raises :class:`LatticeError` for what is no integral ideal.
         """
@@ -328,6 +328,8 @@ class RationalIntegers:
         return fmpq(int(x.p) * pow(int(x.q), -1, modulus) % modulus)
 
     def integral_ideal(self, x: object, what: str = "norm") -> int:
+        if isinstance(x, str) and x.isascii() and x.isdecimal():
+            x = int(x)
         return validation.positive(x, what)
 
     def ideal_text(self, ideal: Fraction | int) -> int:

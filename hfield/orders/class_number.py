@@ -20,7 +20,7 @@ from typing import Any
 
 from hfield.core.factorisation import factorise
 from hfield.errors import LatticeError
-from hfield.orders.invariants import eichler_symbol
+from hfield.orders.invariants import eichler_symbol, level
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
 from hfield.orders.short_elements import expect_definite
@@ -82,6 +82,17 @@ def class_number(discriminant: int, level: int) -> int:
     if total.denominator != 1:
         raise AssertionError("Eichler's formula gives an integer")
     return total.numerator
+
+
+def by_formula(order: LatticeValue) -> int | None:
+    """Return the number of right ideal classes of a definite Eichler order, by Eichler's formula over ℤ.
+
+    It is None over other bases, where the formula needs class numbers of quadratic extensions.
+    """
+    base = order.ambient.base
+    if not base.is_rational:
+        return None
+    return class_number(order.ambient.discriminant, int(level(order)))
 
 
 def _roots(d: int, p: int, e: int) -> int:

@@ -117,7 +117,7 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["classes", "11", "--formula", "--newforms"], "enumerates none"),
         (["brandt", "(-1,-1|QQ(sqrt(5)))", "--prime", "1/2"], "ideal of integers"),
         (["classes", str(2**61 - 1)], "Eichler's formula"),
-        (["brandt", "37", "--prime", "x"], "expected a positive number, a prime"),
+        (["brandt", "37", "--prime", "x"], "the index 'x' is no positive integer"),
         (["brandt", "37", "0"], "positive integer"),
         (
             ["brandt", "1000003"],
@@ -368,3 +368,29 @@ def test_ranges_and_polynomials():
     assert polynomial([0, -6, -1, 1]) == "x^3 - x^2 - 6*x"
     assert polynomial([-1, 1]) == "x - 1"
     assert polynomial([1]) == "1"
+
+
+@pytest.mark.parametrize("name", ["classes", "brandt"])
+def test_documents_have_one_form_over_every_base(capsys, name):
+    """Over ℚ and the number field of degree 1 numbers agree, and keys over any field."""
+    documents = [
+        json.loads(page(capsys, name, text, *words, "--format", "json"))
+        for text, *words in (
+            ("(-1,-11|QQ)",),
+            ("(-1,-11|QQ[s]/(s-1))",),
+            ("(-1,-1|QQ(sqrt(5)))",),
+            ("(2,3|QQ)",),
+            ("(-1,3|QQ(sqrt(10)))",),
+        )[: 5 if name == "classes" else 3]
+    ]
+    over_q, degree_one, larger, *indefinite = documents
+    assert over_q.keys() == degree_one.keys() == larger.keys()
+    if name == "brandt":
+        assert over_q["matrix"] == degree_one["matrix"]
+        assert over_q["units"] == degree_one["units"] == [4, 6]
+        return
+    for first, second in zip(over_q["classes"], degree_one["classes"], strict=True):
+        assert first.keys() == second.keys()
+        assert (first["units"], first["type"]) == (second["units"], second["type"])
+    assert first.keys() | {"pseudo_basis"} == larger["classes"][0].keys()
+    assert indefinite[0].keys() == indefinite[1].keys()

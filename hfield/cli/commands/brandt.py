@@ -14,6 +14,7 @@ from hfield.cli.orders import (
     announce,
     ideal_json,
     level_of,
+    unit_numbers,
 )
 from hfield.cli.output import OutputError, gone_on, try_picture
 from hfield.cli.output_document import OutputDocument, answer_one
@@ -23,7 +24,6 @@ from hfield.core.files import whole_file
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
-    from hfield.algebra.quaternion_algebra import QuaternionAlgebra
     from hfield.cli.commands.brandt_graph import BrandtGraph
     from hfield.ledger.matrix import Style
     from hfield.orders.lattice import ClassSet
@@ -68,17 +68,18 @@ def run(args: Namespace) -> int:
 
 
 def _answer(args: Namespace) -> OutputDocument:
-    from hfield.core.primality import is_prime
+    from hfield.orders.class_number import by_formula
 
     replace = bool(args.plot) and try_picture(args.plot)
     A = algebra_of(args.algebra)
-    is_over_number_field = A.is_over_number_field
-    n = level_of(args.prime, A) if is_over_number_field else _index(args.prime)
-    level = level_of(args.level, A)
-    O = A.eichler_order(level)
-    sparse = args.format == "edges" and not args.plot and (is_over_number_field or is_prime(n))
-    if not is_over_number_field:
-        _announce(A.class_number(level), sparse, args.format in ("plain", "json"))
+    n = level_of(args.prime, A, "index")
+    O = A.eichler_order(level_of(args.level, A))
+    factors = O.value.ambient.base.factorisation(n)
+    is_prime = [e for _, e in factors] == [1]
+    sparse = args.format == "edges" and not args.plot and is_prime
+    number = by_formula(O.value) if O.is_definite() else None
+    if number is not None:
+        _announce(number, sparse, args.format in ("plain", "json"))
     C = O.class_set()
     if args.plot and len(C) > MAX_DRAWN_CLASSES:
         raise UsageError(
@@ -88,7 +89,7 @@ def _answer(args: Namespace) -> OutputDocument:
     Waiting.at("computing the matrix")
     matrix = [] if sparse else C.brandt_matrix(n)
     if args.plot:
-        _plot(_graph(A, C, matrix, n), args, replace)
+        _plot(_graph(C, matrix, n), args, replace)
 
     def characteristic() -> list[int]:
         Waiting.at("computing its characteristic polynomial")
@@ -96,16 +97,14 @@ def _answer(args: Namespace) -> OutputDocument:
         return found
 
     def data() -> dict[str, object]:
-        shown = ideal_json if is_over_number_field else int
-        whole = ideal_json(O.discriminant()) if is_over_number_field else A.discriminant()
         return {
             "schema": "hfield-brandt/1",
-            "algebra": str(A) if is_over_number_field else A.name,
-            "discriminant": whole,
-            "level": shown(level),
-            "n": shown(n),
+            "algebra": str(A),
+            "discriminant": ideal_json(O.value.ambient.discriminant),
+            "level": ideal_json(O.level),
+            "n": ideal_json(n),
             "classes": len(C),
-            "units": C.units if is_over_number_field else C.unit_counts,
+            "units": unit_numbers(C),
             "matrix": matrix,
             "characteristic_polynomial": characteristic(),
         }
@@ -122,15 +121,6 @@ def _answer(args: Namespace) -> OutputDocument:
         return "\n".join(_plain(C, matrix, n, characteristic(), style.width))
 
     return OutputDocument(data, page, {"latex": latex, "edges": edges})
-
-
-def _index(text: str) -> int:
-    """Read a positive number. Raises :class:`UsageError`."""
-    if not (text.isascii() and text.isdecimal() and int(text) > 0):
-        raise UsageError(
-            f"--prime {shorten(text)!r}: expected a positive number, a prime such as 2 or any other"
-        )
-    return int(text)
 
 
 def _announce(number: int, sparse: bool, polynomial: bool) -> None:
@@ -192,16 +182,16 @@ def _plot(graph: BrandtGraph, args: Namespace, replace: bool) -> None:
         ) from error
 
 
-def _graph(A: QuaternionAlgebra, C: Any, matrix: list[list[int]], n: Any) -> BrandtGraph:
-    """Return what is drawn of a Brandt matrix of class set C in the algebra A."""
+def _graph(C: ClassSet, matrix: list[list[int]], n: Any) -> BrandtGraph:
+    """Return what is drawn of a Brandt matrix."""
     from hfield.cli.commands.brandt_graph import BrandtGraph
     from hfield.core.primality import is_prime
 
-    level = C.order.level
-    if A.is_over_number_field:
-        return BrandtGraph(matrix, C.units, f"Brandt graph of {n} in {A}, level {level}")
-    if level == 1 and is_prime(p := A.discriminant()):
+    O, units = C.order, unit_numbers(C)
+    p = O.discriminant()
+    if isinstance(p, int) and is_prime(p):
         title = f"Isogenies of degree {n} between supersingular curves in characteristic {p}"
-        return BrandtGraph(matrix, C.unit_counts, title, "isogenies", C.exchanged(p))
-    title = f"Brandt graph of {n}, discriminant {A.discriminant()}, level {level}"
-    return BrandtGraph(matrix, C.unit_counts, title)
+        return BrandtGraph(matrix, units, title, "isogenies", C.exchanged(p))
+    discriminant = O.value.ambient.discriminant
+    title = f"Brandt graph of {n} in {O.algebra}, discriminant {discriminant}, level {O.level}"
+    return BrandtGraph(matrix, units, title)

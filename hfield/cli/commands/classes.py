@@ -14,9 +14,11 @@ from hfield.cli.orders import (
     algebra_of,
     announce,
     answer_certified,
+    class_data,
     ideal_json,
     level_of,
-    summands,
+    unit_groups,
+    unit_numbers,
 )
 from hfield.cli.output_document import OutputDocument, of_parts
 from hfield.cli.parser import UsageError
@@ -39,6 +41,7 @@ EXAMPLES = (
     "hfield classes '(-1,-1|QQ(sqrt(5)))' --level '6 + sqrt(5)' --newforms",
 )
 SHOWN = 40
+FORMULA_AND_ENUMERATION = "by Eichler's formula and by enumeration"
 PRIMES = 8
 """The number of eigenvalues of a newform that are printed."""
 
@@ -71,168 +74,153 @@ def run(args: Namespace) -> int:
 
 
 def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
+    from hfield.orders.class_number import by_formula
+
     A = algebra_of(args.algebra)
-    level = level_of(args.level, A)
-    O = A.eichler_order(level)
+    O = A.eichler_order(level_of(args.level, A))
     if not O.is_definite():
         return _indefinite(args, O)
-    if A.is_over_number_field:
-        return _over_number_field(args, O)
-    number, mass = A.class_number(level), O.mass()
-    if args.formula:
-        C = None
-    else:
-        announce(number, number * SECONDS_A_CLASS, "--formula enumerates none")
-        C = O.class_set()
-
-    def data() -> dict[str, object]:
-        head = {
-            "schema": "hfield-classes/1",
-            "algebra": A.name,
-            "discriminant": A.discriminant(),
-            "level": level,
-            "class_number": number,
-            "mass": str(mass),
-        }
-        tail = {} if C is None else {"type_number": C.type_number, **C.evidence}
-        return {**tail, **head, **(_forms_data(C) if args.newforms else {})}
+    number = by_formula(O.value)
+    if not args.formula:
+        if number is not None:
+            announce(number, number * SECONDS_A_CLASS, "--formula enumerates none")
+        return _enumerated(args, O.class_set(), number)
+    if number is None:
+        raise UsageError(
+            "--formula is for algebras over QQ; over other fields the classes are enumerated, up to the mass"
+        )
 
     def parts() -> list[Part]:
         from hfield.presenting import Facts
 
-        how = "by Eichler's formula" + (" and by enumeration" if C is not None else "")
-        facts = [
-            ("algebra", f"{A.name}, discriminant {A.discriminant()}, level {level}"),
-            ("class number", f"{number}, {how}"),
-            ("mass", f"{mass}, the sum of 1/[units : ±1]"),
-        ]
-        if C is None:
-            return [Facts(facts, 14)]
-        summary = Facts([*facts, ("type number", str(C.type_number))], 14)
-        return [summary, _table(C), *_types(C), *(_forms(C) if args.newforms else [])]
+        return [Facts(_facts(O, f"{number}, by Eichler's formula"), 14)]
 
-    return of_parts(data, parts), lambda: O.claim if C is None else C.claim
+    return of_parts(lambda: _data(O, number), parts), lambda: O.claim
+
+
+def _data(O: Order, number: int) -> dict[str, object]:
+    """Return what is known without the classes, as JSON data."""
+    return {
+        "schema": "hfield-classes/1",
+        "algebra": str(O.algebra),
+        "discriminant": ideal_json(O.value.ambient.discriminant),
+        "level": ideal_json(O.level),
+        "class_number": number,
+        "mass": str(O.mass()),
+    }
+
+
+def _facts(O: Order, number: str) -> list[tuple[str, str]]:
+    """Return the same for people; ``number`` says how many classes there are, and by what."""
+    base = O.value.ambient.base
+    return [
+        ("algebra", f"{O.algebra}, discriminant {O.value.ambient.discriminant}, level {O.level}"),
+        ("class number", number),
+        ("mass", f"{O.mass()}, the sum of 1/[units : units of {base.symbol}]"),
+    ]
+
+
+def _enumerated(
+    args: Namespace, C: ClassSet, number: int | None
+) -> tuple[OutputDocument, Callable[[], Claim]]:
+    """Answer with the list of classes; ``number`` is how many a formula gives, if there is one."""
+    from hfield.orders.lattice_values import rows_json
+
+    O = C.order
+
+    def data() -> dict[str, object]:
+        classes = [
+            {**class_data(I), "units": units, "group": group, "type": kind}
+            for I, units, group, kind in zip(
+                C, unit_numbers(C), unit_groups(C), C.types, strict=True
+            )
+        ]
+        return {
+            **_data(O, len(C)),
+            "type_number": C.type_number,
+            "stable_classes": C.stable_classes(),
+            "order": rows_json(O.value),
+            "classes": classes,
+            **(_forms_data(C) if args.newforms else {}),
+        }
+
+    def parts() -> list[Part]:
+        from hfield.presenting import Facts
+
+        how = "by enumeration up to the mass" if number is None else FORMULA_AND_ENUMERATION
+        cancels = ": cancellation" if C.has_cancellation() else ""
+        facts = [
+            *_facts(O, f"{len(C)}, {how}"),
+            ("type number", str(C.type_number)),
+            ("stable classes", f"{O.stable_class_number()}, of I up to I ⊕ O ≅ J ⊕ O{cancels}"),
+        ]
+        forms = _forms(C) if args.newforms else []
+        return [Facts(facts, 14), _table(C), *_types(C), *forms]
+
+    return of_parts(data, parts), lambda: C.claim
 
 
 def _table(C: ClassSet) -> Part:
+    """Return the first classes; ideals with a basis of four elements by a reduced one."""
     from hfield.presenting import Table
 
+    some = list(islice(C, SHOWN))
+    bases = [", ".join(map(str, I.reduced_basis())) if len(I.basis) == 4 else "" for I in some]
     rows = [
-        [
-            *(str(n), str(I.norm()), str(C.unit_counts[n])),
-            *(I.left_order().unit_group(), str(C.types[n])),
-            ", ".join(map(str, I.reduced_basis())),
-        ]
-        for n, I in enumerate(islice(C, SHOWN))
+        [str(n), str(I.norm()), str(units), group, str(kind), basis]
+        for n, (I, units, group, kind, basis) in enumerate(
+            zip(some, unit_numbers(C), unit_groups(C), C.types, bases, strict=False)
+        )
     ]
+    head = ("class", "norm", "units", "group", "type", "reduced basis")
+    columns = 6 if any(bases) else 5
     more = len(C) - SHOWN
     return Table(
-        rows,
-        ">>>>>",
-        "rrrlr",
-        head=("class", "norm", "units", "group", "type", "reduced basis"),
+        [row[:columns] for row in rows],
+        "><>>>"[: columns - 1],
+        "rlrlr",
+        head=head[:columns],
         below=f"… and {more} more; --format json lists all" if more > 0 else "",
         cells={3: lambda group: rf"$\mathrm{{{group}}}$"},
     )
 
 
 def _types(C: ClassSet) -> list[Part]:
-    """Return the types in the order of their labels, unless they are many."""
+    """Return the types in the order of their labels, unless they are many or have none."""
+    from hfield.errors import UndecidedError
     from hfield.presenting import Table
 
     if C.type_number > SHOWN:
         return []
+    try:
+        labels = C.types_by_label()
+    except UndecidedError:
+        return []
     rows = [
-        [str(C.types[numbers[0]]), str(len(numbers)), label]
-        for label, numbers in C.types_by_label().items()
+        [str(C.types[numbers[0]]), str(len(numbers)), label] for label, numbers in labels.items()
     ]
     return [Table(rows, ">>", "rrl", head=("type", "classes", "label of the left orders"))]
 
 
-def _over_number_field(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], Claim]]:
-    """Answer for an order over the integers of a number field."""
-    if args.formula:
-        raise UsageError(
-            "--formula is for algebras over QQ; over number fields the classes are enumerated, up to the mass"
-        )
-    C = O.class_set()
-
-    def data() -> dict[str, object]:
-        classes = [
-            {
-                "norm": ideal_json(I.norm()),
-                "units": units,
-                "group": I.left_order().unit_group(),
-                "type": kind,
-                "pseudo_basis": summands(I),
-            }
-            for I, units, kind in zip(C, C.units, C.types, strict=True)
-        ]
-        return {
-            "schema": "hfield-classes/1",
-            "algebra": str(O.algebra),
-            "discriminant": ideal_json(O.discriminant()),
-            "level": ideal_json(O.level),
-            "class_number": len(C),
-            "mass": str(C.mass),
-            "type_number": C.type_number,
-            "stable_classes": C.stable_classes(),
-            "classes": classes,
-            **(_forms_data(C) if args.newforms else {}),
-        }
-
-    def parts() -> list[Part]:
-        from hfield.presenting import Facts, Table
-
-        cancels = ": cancellation" if C.has_cancellation() else ""
-        facts = [
-            ("algebra", f"{O.algebra}, discriminant of the order {O.discriminant()}"),
-            ("class number", f"{len(C)}, by enumeration up to the mass"),
-            ("mass", f"{C.mass}, the sum of 1/[units : units of the field]"),
-            ("type number", str(C.type_number)),
-            ("stable classes", f"{O.stable_class_number()}, of I up to I ⊕ O ≅ J ⊕ O{cancels}"),
-        ]
-        rows = [
-            [str(n), str(I.norm()), str(C.units[n]), I.left_order().unit_group(), str(C.types[n])]
-            for n, I in enumerate(islice(C, SHOWN))
-        ]
-        more = len(C) - SHOWN
-        head = ("class", "norm", "units", "group", "type")
-        below = f"… and {more} more; --format json lists all" if more > 0 else ""
-        table = Table(rows, "><><", "rlrlr", head=head, below=below)
-        return [Facts(facts, 14), table, *(_forms(C) if args.newforms else [])]
-
-    return of_parts(data, parts), lambda: C.claim
-
-
-def _indefinite(args: Namespace, O: Any) -> tuple[OutputDocument, Callable[[], Claim]]:
-    """Answer by strong approximation where an infinite place splits: over QQ there is one class."""
+def _indefinite(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], Claim]]:
+    """Answer by strong approximation where an infinite place splits."""
     from hfield.evidence import Claim
     from hfield.orders.certificates import REFUSAL
 
-    A, is_over_number_field = O.algebra, O.algebra.is_over_number_field
+    A = O.algebra
     if args.newforms:
         raise UsageError(f"--newforms asks for a definite algebra, and {A} is indefinite")
-    ideals: Any = O.classes_by_norm() if is_over_number_field else [O]
-    types = ideals.type_number if is_over_number_field else 1
-    to_json = ideal_json if is_over_number_field else int
+    ideals = O.classes_by_norm()
 
     def data() -> dict[str, object]:
-        classes = [
-            {
-                "norm": to_json(I.norm()),
-                **({"pseudo_basis": summands(I)} if is_over_number_field else {}),
-            }
-            for I in ideals
-        ]
         return {
             "schema": "hfield-classes/1",
             "algebra": str(A),
-            "discriminant": to_json(O.discriminant()),
-            "level": to_json(O.level),
+            "discriminant": ideal_json(O.value.ambient.discriminant),
+            "level": ideal_json(O.level),
             "class_number": len(ideals),
-            "type_number": types,
-            "classes": classes,
+            "type_number": ideals.type_number,
+            "classes": [class_data(I) for I in ideals],
         }
 
     def parts() -> list[Part]:
@@ -244,7 +232,7 @@ def _indefinite(args: Namespace, O: Any) -> tuple[OutputDocument, Callable[[], C
                 "class number",
                 f"{len(ideals)}, by strong approximation: the reduced norm tells the class",
             ),
-            ("type number", str(types)),
+            ("type number", str(ideals.type_number)),
             ("norms", ", ".join(str(I.norm()) for I in islice(ideals, SHOWN))),
         ]
         return [Facts(facts, 14)]
