@@ -57,7 +57,7 @@ class NumberField(Ring):
             f"the field of degree {self.degree} over ℚ that a root {gen} of {shape} generates"
         )
         if self.degree > MAX_DEGREE:
-            reject(f"{shown(name)}: the degree is from 2 to {MAX_DEGREE}")
+            reject(f"{shown(name)}: the degree is from 1 to {MAX_DEGREE}")
         self.modulus = modulus
         tops, self.scale = over_one_denominator(modulus)  # scale·s is an algebraic integer
         bits = self.degree * self.scale.bit_length() + max(map(int.bit_length, tops))
@@ -252,7 +252,7 @@ def twice_cosine(n: int) -> list[int]:
 
 def _number_field(data: Mapping[str, object], ring: ReadRing) -> Ring:
     plain(data, "modulus variable")
-    f = [a_rational(c, "a coefficient") for c in a_list(data["modulus"], "a modulus", 3)]
+    f = [a_rational(c, "a coefficient") for c in a_list(data["modulus"], "a modulus", 2)]
     (letter,) = variables([data["variable"]], QQ)
     name = f"QQ[{letter}]/({polynomial_text(f, letter)})"
     if f[-1] != 1:
@@ -310,9 +310,9 @@ Complex = tuple[Fraction, Fraction]
 
 def check_irreducible(f: list[int], name: str) -> None:
     """Reject a field unless its monic polynomial, low degree first, is shown to be irreducible."""
-    if any(_is_irreducible_modulo(p, f) for p in PRIMES):
-        return
     n = len(f) - 1
+    if n == 1 or any(_is_irreducible_modulo(p, f) for p in PRIMES):
+        return
     if n > MAX_FACTORED:
         reject(
             f"that the modulus of {shown(name)} is irreducible is shown up to the degree {MAX_FACTORED} here"

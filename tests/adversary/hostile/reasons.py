@@ -27,7 +27,7 @@ MEANT = (
 MEANT_OF_RINGS = (
     *("is not taken apart here", "is no prime number", "is too large to be proved prime"),
     *(
-        "the degree is from 2 to 40",
+        "the degree is from 1 to 40",
         "are not parted here",
         "are not found here",
         "should be a prime is reducible",
