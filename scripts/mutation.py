@@ -53,7 +53,11 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         ("tests/adversary/test_places.py", "tests/checker/test_local_facts.py"),
     ),
     "vocabulary": (
-        ("hfield/checker/vocabulary/*.py", "hfield/checker/rules.py"),
+        (
+            "hfield/checker/vocabulary/*.py",
+            "hfield/checker/rules.py",
+            "hfield/checker/ideal_membership.py",
+        ),
         (
             *CHECKER,
             *(

@@ -2,7 +2,7 @@
 
 An isomorphism of orders is a conjugation (Skolem and Noether), hence an isometry of trace-0 parts. It is
 determined by the images of two elements that do not commute. Over ℤ these lattices of rank 3 have few reduced
-bases: :mod:`hfield.orders.isomorphic_orders` compares them, which is quick, however skew the lattices are.
+bases: the kernel :mod:`hfield.orders.isomorphic_orders` compares them, which is quick, however skew they are.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 import flint
 
-from hfield.orders import isomorphic_orders
 from hfield.orders.enumeration import short_vectors, vectors_of_length
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.short_elements import expect_definite, reduced, ternary_rows
@@ -28,9 +27,8 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
     Raises :class:`IndefiniteError` unless the algebra is totally definite.
     """
     expect_definite(first.ambient, "isomorphism()")
-    if first.ambient.base.is_rational:
-        return isomorphic_orders.conjugator(first, second)
-    return by_two_images(first, second)
+    found: tuple[Quaternion | None, str] = first.ambient.kernels.conjugator(first, second)
+    return found
 
 
 def by_two_images(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:

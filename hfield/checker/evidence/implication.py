@@ -8,10 +8,11 @@ from hfield.checker.budget import spend, spend_products
 from hfield.checker.check_result import CheckResult
 from hfield.checker.clauses import Clause, Expansion, freeze, without_factors
 from hfield.checker.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS, IMPLICATION
+from hfield.checker.ideal_membership import Item
 from hfield.checker.over_field import EvaluationContext, evaluation_context, reach
 from hfield.checker.polynomials import is_constant
 from hfield.checker.rejection import a_list, an_object, reject
-from hfield.checker.rules import Item, Rules
+from hfield.checker.rules import Rules
 from hfield.checker.scalars.finite import is_prime
 from hfield.checker.statement import Setting, Statement
 

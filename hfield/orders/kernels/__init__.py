@@ -26,3 +26,4 @@ class Kernels:
         self.is_locally_principal = choose("is_locally_principal")
         self.combination = choose("combination")
         self.theta_series = choose("theta_series")
+        self.conjugator = choose("conjugator")

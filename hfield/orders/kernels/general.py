@@ -17,6 +17,7 @@ from hfield.orders.base import Counts
 from hfield.orders.hermite import hermite, stacked, tuples
 
 if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
@@ -132,3 +133,10 @@ def theta_series(
         values = (sum(c * d * form[k][m] for k, c in places for m, d in places) for form in forms)
         counts[tuple(values)] += 2
     return ambient.base.shown_counts(Counts(counts, 2 * ambient.scale * den**2), step, bound)
+
+
+def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
+    """Return x with x·O·x⁻¹ = O' for definite orders of one discriminant, by the images of two elements."""
+    from hfield.orders.conjugators import by_two_images
+
+    return by_two_images(first, second)
