@@ -96,5 +96,5 @@ def is_hyperbolic_trace(order: LatticeValue, t: int) -> bool:
             return False
     return all(
         any((x * x - t * x + 1) % p**e == 0 for x in range(p**e))
-        for p, e in factorise(int(level(order))).items()
+        for p, e in factorise(order.ambient.base.absolute_norm(level(order))).items()
     )

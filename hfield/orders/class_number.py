@@ -16,10 +16,10 @@ from abc import abstractmethod
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 from hfield.core.factorisation import factorise
 from hfield.errors import LatticeError
+from hfield.orders.base_values import Prime, Scalar
 from hfield.orders.invariants import eichler_symbol, level
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
@@ -92,7 +92,7 @@ def by_formula(order: LatticeValue) -> int | None:
     base = order.ambient.base
     if not base.is_rational:
         return None
-    return class_number(order.ambient.discriminant, int(level(order)))
+    return class_number(order.ambient.discriminant, base.absolute_norm(level(order)))
 
 
 def _roots(d: int, p: int, e: int) -> int:
@@ -109,9 +109,9 @@ def _roots(d: int, p: int, e: int) -> int:
 class LocalNorms:
     """Norms of local units at one prime: classes modulo squares are numbers of ``size`` binary digits."""
 
-    prime: Any
+    prime: Prime
     size: int
-    square_class: Callable[[Any], int]
+    square_class: Callable[[Scalar], int]
     """The class of the unit part of a number, for a fixed uniformiser."""
     norms: tuple[int, ...]
     """Classes that generate those of the norms."""
@@ -123,7 +123,7 @@ class StableClasses:
     ``units`` generate the totally positive units modulo squares.
     """
 
-    def __init__(self, places: Sequence[LocalNorms], units: Iterable[Any], ideals: int) -> None:
+    def __init__(self, places: Sequence[LocalNorms], units: Iterable[Scalar], ideals: int) -> None:
         self.places = places
         self._basis: list[int] = []  # leading digits differ, and fall
         size = 0
@@ -145,7 +145,7 @@ class StableClasses:
             vector = min(vector, vector ^ b)
         return vector
 
-    def reduced(self, values: Iterable[Any]) -> int:
+    def reduced(self, values: Iterable[Scalar]) -> int:
         """Return the class of numbers, one a place, modulo the norms of local units and all units."""
         vector = size = 0
         for place, x in zip(self.places, values, strict=True):

@@ -8,10 +8,11 @@ bases: the kernel :mod:`hfield.orders.isomorphic_orders` compares them, which is
 from __future__ import annotations
 
 from itertools import count
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
+from hfield.orders.base_values import Scalar
 from hfield.orders.enumeration import short_vectors, vectors_of_length
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.short_elements import expect_definite, reduced, ternary_rows
@@ -82,7 +83,7 @@ class _Ternary:
         times = self.ambient.times
         return bool(x * times(y) == y * times(x))
 
-    def of_norm(self, norm: Any) -> list[flint.fmpq_mat]:
+    def of_norm(self, norm: Scalar) -> list[flint.fmpq_mat]:
         """Return one of ±x for each element of a norm."""
         gram, basis, den = reduced(self.ambient, self.basis, self.ambient.base.field.one)
         length = 2 * den * self.ambient.base.trace(norm)
@@ -94,10 +95,11 @@ class _Ternary:
         )
         return [row for row in rows if self.ambient.norm(row.entries()) == norm]
 
-    def pairing(self, x: flint.fmpq_mat, y: flint.fmpq_mat) -> Any:
+    def pairing(self, x: flint.fmpq_mat, y: flint.fmpq_mat) -> Scalar:
         """Return N(x + y) − N(x) − N(y)."""
         norm = self.ambient.norm
-        return norm((x + y).entries()) - norm(x.entries()) - norm(y.entries())
+        found: Scalar = norm((x + y).entries()) - norm(x.entries()) - norm(y.entries())
+        return found
 
 
 def two_generators(order: LatticeValue) -> tuple[flint.fmpq_mat, flint.fmpq_mat]:
@@ -109,7 +111,7 @@ def _intertwiner(
     ambient: AlgebraBasis, sources: tuple[flint.fmpq_mat, ...], targets: tuple[flint.fmpq_mat, ...]
 ) -> flint.fmpq_mat:
     """Return x ≠ 0 with x·s = t·x for two pairs s, t with the same norms and inner products."""
-    columns: list[Any] = []
+    columns: list[list[flint.fmpq]] = []
     for s, t in zip(sources, targets, strict=True):
         columns += (ambient.times(s.entries()) - ambient.times(t, "left")).transpose().tolist()
     whole = flint.fmpq_mat(columns).numer_denom()[0]

@@ -15,12 +15,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import islice
-from typing import Any
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import UndecidedError
 from hfield.fuchsian.search import element_of_norm, split_order
 from hfield.orders import certificates, enumeration, hermite, ideal_products
+from hfield.orders.base import Base
+from hfield.orders.base_values import BaseIdeal, Scalar
 from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.invariants import has_all_unit_norms
 from hfield.orders.lattice_values import (
@@ -76,7 +77,7 @@ def _between(
 
 
 def element_generating(
-    lattice: LatticeValue, norm: Any, order: LatticeValue, invertible: bool = True
+    lattice: LatticeValue, norm: BaseIdeal, order: LatticeValue, invertible: bool = True
 ) -> EquivalenceResult:
     """Return an element of a lattice whose norm generates an ideal, or why there is none.
 
@@ -111,12 +112,12 @@ def element_generating(
     return EquivalenceResult(True, f"{reason}, but there is one", theorem=STRONG_APPROXIMATION)
 
 
-def _norms_text(base: Any, norms: Sequence[Any]) -> str:
+def _norms_text(base: Base, norms: Sequence[Scalar]) -> str:
     shown = ", ".join(base.ring.text(base.outside(x)) for x in norms)
     return f"norm {shown}" if len(norms) == 1 else f"a norm among {shown}, up to squares of units,"
 
 
-def _shortest(lattice: LatticeValue, norms: Sequence[Any]) -> Quaternion | None:
+def _shortest(lattice: LatticeValue, norms: Sequence[Scalar]) -> Quaternion | None:
     """Return an element of one of these norms in a definite algebra, or None where there is none."""
     for x in norms:
         row = first_of_norm(lattice, x)
@@ -125,7 +126,7 @@ def _shortest(lattice: LatticeValue, norms: Sequence[Any]) -> Quaternion | None:
     return None
 
 
-def _among_short(lattice: LatticeValue, norms: Sequence[Any]) -> Quaternion | None:
+def _among_short(lattice: LatticeValue, norms: Sequence[Scalar]) -> Quaternion | None:
     """Return an element of norm ±n, if one is among short vectors, over the field of degree 1."""
     ambient = lattice.ambient
     if ambient.degree > 1:
@@ -146,7 +147,7 @@ def _among_short(lattice: LatticeValue, norms: Sequence[Any]) -> Quaternion | No
 
 
 def _in_the_plane(
-    lattice: LatticeValue, norms: Sequence[Any], order: LatticeValue
+    lattice: LatticeValue, norms: Sequence[Scalar], order: LatticeValue
 ) -> Quaternion | None:
     """Return an element of one of these norms that is short from some point of the plane."""
     split = split_order(order)

@@ -15,12 +15,12 @@ import random
 from collections.abc import Iterator
 from functools import lru_cache
 from itertools import product
-from typing import Any
 
 from flint import fmpq_mat, fmpz_mat
 
 from hfield.errors import LatticeError, TooLargeError
 from hfield.orders import hermite
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.class_number import local_factor
 from hfield.orders.invariants import eichler_symbol, level
 from hfield.orders.lattice_values import (
@@ -44,7 +44,7 @@ MAX_LISTED_IDEALS = 10**5
 # --- two-sided -------------------------------------------------------------------------------------
 
 
-def two_sided_prime(order: LatticeValue, prime: Any) -> LatticeValue:
+def two_sided_prime(order: LatticeValue, prime: Prime) -> LatticeValue:
     """Return the two-sided ideal at P that generates, with the ideals of the base, all of them there.
 
     It is P·O, of norm P², where P does not divide the discriminant; else it has the norm Pᵉ, the part of
@@ -61,7 +61,7 @@ def two_sided_prime(order: LatticeValue, prime: Any) -> LatticeValue:
     return add(found, times_ideal(dual(order), whole)) if e else found
 
 
-def is_maximal_or_eichler(order: LatticeValue, prime: Any, e: int) -> bool:
+def is_maximal_or_eichler(order: LatticeValue, prime: Prime, e: int) -> bool:
     """Tell whether an order is maximal or Eichler at a prime, where Pᵉ is the part of its discriminant."""
     return e == 1 or (prime not in order.ambient.ramified and eichler_symbol(order, prime) == 1)
 
@@ -75,7 +75,7 @@ class IdealsOfPrimeNorm:
     Raises :class:`TooLargeError` where they are more than 10⁵.
     """
 
-    def __init__(self, order: LatticeValue, prime: Any) -> None:
+    def __init__(self, order: LatticeValue, prime: Prime) -> None:
         self.at = at = OrderAtPrime(order, prime)
         if at.norm > MAX_LISTED_IDEALS:
             raise TooLargeError(f"there are too many ideals of norm {prime} to list them")
@@ -158,7 +158,7 @@ class IdealsOfPrimeNorm:
 
 
 @lru_cache(maxsize=64)
-def of_prime_norm(order: LatticeValue, prime: Any) -> IdealsOfPrimeNorm:
+def of_prime_norm(order: LatticeValue, prime: Prime) -> IdealsOfPrimeNorm:
     """Return the right ideals of norm P of an order. Raises :class:`TooLargeError`."""
     return IdealsOfPrimeNorm(order, prime)
 
@@ -168,7 +168,7 @@ def _rows(*elements: fmpq_mat) -> fmpq_mat:
     return fmpq_mat([x.entries() for x in elements])
 
 
-def local_generator(ideal: LatticeValue, prime: Any) -> fmpq_mat:
+def local_generator(ideal: LatticeValue, prime: Prime) -> fmpq_mat:
     """Return an element that generates an invertible ideal at P: its norm is that of the ideal there."""
     ambient, rows = ideal.ambient, ideal.rows.tolist()
     place, least = ambient.base.place(prime), ambient.base.valuation(ideal.norm, prime)
@@ -183,7 +183,7 @@ def local_generator(ideal: LatticeValue, prime: Any) -> fmpq_mat:
 
 
 def coordinates_of_subideals(
-    prime: Any, spans: list[fmpq_mat], ideal: LatticeValue
+    prime: Prime, spans: list[fmpq_mat], ideal: LatticeValue
 ) -> Iterator[fmpz_mat]:
     """Yield the ideals of relative norm P in an ideal, in coordinates of it.
 
@@ -198,7 +198,7 @@ def coordinates_of_subideals(
         yield hermite.first_rows(whole, ambient.size)
 
 
-def subideals(order: LatticeValue, ideal: LatticeValue, prime: Any) -> list[LatticeValue]:
+def subideals(order: LatticeValue, ideal: LatticeValue, prime: Prime) -> list[LatticeValue]:
     """Return the invertible right ideals of relative norm P in an invertible right ideal of an order.
 
     Raises :class:`TooLargeError` for more than 10⁵.
@@ -209,7 +209,7 @@ def subideals(order: LatticeValue, ideal: LatticeValue, prime: Any) -> list[Latt
 # --- of any norm -----------------------------------------------------------------------------------
 
 
-def ideals_of_norm(order: LatticeValue, norm: Any) -> list[LatticeValue]:
+def ideals_of_norm(order: LatticeValue, norm: BaseIdeal) -> list[LatticeValue]:
     """Return all invertible integral right ideals of an order of a norm, in a fixed order.
 
     Raises :class:`TooLargeError` for more than 10⁵.
@@ -223,7 +223,7 @@ def ideals_of_norm(order: LatticeValue, norm: Any) -> list[LatticeValue]:
     return sorted(layer, key=lambda ideal: ideal.hnf)
 
 
-def _residues(order: LatticeValue, prime: Any) -> int:
+def _residues(order: LatticeValue, prime: Prime) -> int:
     base = order.ambient.base
     return base.absolute_norm(base.prime_ideal(prime))
 
@@ -233,7 +233,7 @@ def number_maximal(q: int, e: int) -> int:
     return int((q ** (e + 1) - 1) // (q - 1))
 
 
-def of_prime_power_norm(order: LatticeValue, prime: Any, e: int) -> list[LatticeValue]:
+def of_prime_power_norm(order: LatticeValue, prime: Prime, e: int) -> list[LatticeValue]:
     """Return the invertible right ideals of an order of norm Pᵉ, as lattices."""
     if e > 1 and order.ambient.base.valuation(discriminant(order), prime) > 1:
         return _through_a_maximal_order(order, prime, e)
@@ -243,7 +243,7 @@ def of_prime_power_norm(order: LatticeValue, prime: Any, e: int) -> list[Lattice
     return layer
 
 
-def _through_a_maximal_order(order: LatticeValue, prime: Any, e: int) -> list[LatticeValue]:
+def _through_a_maximal_order(order: LatticeValue, prime: Prime, e: int) -> list[LatticeValue]:
     """Return the invertible right ideals of norm Pᵉ of O, from those of an overorder M that is maximal at P.
 
     An ideal x·O has the norm Pᵉ if and only if x·M has. If x·M = y·M, then x = y·u for a unit u of M, and x·O
@@ -270,7 +270,7 @@ def _through_a_maximal_order(order: LatticeValue, prime: Any, e: int) -> list[La
     return found
 
 
-def _number_of_cosets(order: LatticeValue, prime: Any) -> int:
+def _number_of_cosets(order: LatticeValue, prime: Prime) -> int:
     """Return the index of the units of O in those of a maximal order that contains it, at P."""
     q = _residues(order, prime)
     whole = local_factor(-1, q) if prime in order.ambient.ramified else 1
@@ -279,7 +279,7 @@ def _number_of_cosets(order: LatticeValue, prime: Any) -> int:
 
 
 def _unit_cosets(
-    order: LatticeValue, larger: LatticeValue, prime: Any, k: int, number: int
+    order: LatticeValue, larger: LatticeValue, prime: Prime, k: int, number: int
 ) -> list[fmpq_mat]:
     """Return units u of the larger order at P, one for each u·O; Pᵏ times the larger order lies in O."""
     at, rng, ambient = OrderAtPrime(larger, prime), random.Random(1), order.ambient
@@ -293,7 +293,7 @@ def _unit_cosets(
     return list(found.values())
 
 
-def random_ideal(order: LatticeValue, norm: Any, rng: random.Random) -> LatticeValue:
+def random_ideal(order: LatticeValue, norm: BaseIdeal, rng: random.Random) -> LatticeValue:
     """Return a random left ideal of a norm, prime to the discriminant, with cyclic O/I.
 
     All such ideals are equally likely.

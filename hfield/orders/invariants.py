@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from heapq import heappop, heappush
 from itertools import count
-from typing import Any
 
 from hfield.core.primality import primes
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.lattice_values import LatticeValue, discriminant, dual
 
 
-def level(order: LatticeValue) -> Any:
+def level(order: LatticeValue) -> BaseIdeal:
     """Return the index in a maximal order: the reduced discriminant over that of the algebra."""
-    return discriminant(order) / order.ambient.discriminant
+    found: BaseIdeal = discriminant(order) / order.ambient.discriminant
+    return found
 
 
-def eichler_symbol(order: LatticeValue, prime: Any) -> int | None:
+def eichler_symbol(order: LatticeValue, prime: Prime) -> int | None:
     """Return the Eichler symbol (O | P): 1, 0 or −1; None where the order is maximal and split at P.
 
     It tells the residue algebra: split, ramified or inert (Voight, definition 24.3.2). Outside of what is
@@ -53,15 +54,16 @@ def has_all_unit_norms(order: LatticeValue) -> bool:
     )
 
 
-def conductor(order: LatticeValue) -> Any:
+def conductor(order: LatticeValue) -> BaseIdeal:
     """Return the largest ideal f with O = R + f·G for an order G, R being the integers of the base.
 
     It is N(O#)·discrd(O): for Gorenstein orders the dual is locally principal, and f⁻² comes from f⁻¹·G#.
     """
-    return dual(order).norm * discriminant(order)
+    found: BaseIdeal = dual(order).norm * discriminant(order)
+    return found
 
 
-def is_bass(order: LatticeValue, larger_at: Callable[[LatticeValue, Any], LatticeValue]) -> bool:
+def is_bass(order: LatticeValue, larger_at: Callable[[LatticeValue, Prime], LatticeValue]) -> bool:
     """Tell whether every order that contains this one is Gorenstein.
 
     With the Eichler symbols 1 and −1 those are Bass that are Gorenstein; with 0 the left order of the
@@ -80,10 +82,10 @@ def is_bass(order: LatticeValue, larger_at: Callable[[LatticeValue, Any], Lattic
     return True
 
 
-def good_primes(order: LatticeValue) -> Iterator[Any]:
+def good_primes(order: LatticeValue) -> Iterator[Prime]:
     """Yield the primes that do not divide the discriminant of an order, ascending by their norms."""
     number, base, whole = count(), order.ambient.base, discriminant(order)
-    waiting: list[tuple[int, int, Any]] = []
+    waiting: list[tuple[int, int, Prime]] = []
     for p in primes():
         while waiting and waiting[0][0] < p:
             yield heappop(waiting)[2]

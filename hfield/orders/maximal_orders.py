@@ -5,17 +5,17 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable
-from typing import Any
 
 from flint import fmpz_mat
 
 from hfield.orders import hermite
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.invariants import level
 from hfield.orders.kernels.general import ideal_multiples
 from hfield.orders.lattice_values import LatticeValue, hermite_form
 from hfield.orders.orders_at_primes import OrderAtPrime, order_at_prime
 
-Factors = list[tuple[Any, int]]
+Factors = list[tuple[Prime, int]]
 """Primes with their exponents."""
 
 
@@ -26,7 +26,7 @@ def overorder(order: LatticeValue) -> LatticeValue:
     return order
 
 
-def maximal_at(order: LatticeValue, prime: Any, e: int) -> LatticeValue:
+def maximal_at(order: LatticeValue, prime: Prime, e: int) -> LatticeValue:
     """Return an order that contains the given one with the index Pᵉ, maximal at P."""
     while e:
         at = OrderAtPrime(order, prime)
@@ -37,7 +37,7 @@ def maximal_at(order: LatticeValue, prime: Any, e: int) -> LatticeValue:
     return order
 
 
-def eichler_suborder(order: LatticeValue, index: Any) -> LatticeValue:
+def eichler_suborder(order: LatticeValue, index: BaseIdeal) -> LatticeValue:
     """Return the Eichler order R + I, I a left ideal of a norm in an order, maximal and split at its primes.
 
     R are the integers of the base.

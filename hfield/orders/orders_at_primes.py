@@ -12,13 +12,12 @@ import random
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property, lru_cache
 from itertools import count, islice, product
-from typing import Any
 
 from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.errors import LatticeError
-from hfield.fields.number_fields.symbols import square_class
 from hfield.orders import hermite
+from hfield.orders.base_values import BaseIdeal, Prime, Residue, Scalar
 from hfield.orders.kernels.general import ideal_multiples
 from hfield.orders.lattice_values import (
     LatticeValue,
@@ -42,7 +41,7 @@ class OrderAtPrime:
     Vectors are coordinates in the basis of the order over ℤ.
     """
 
-    def __init__(self, order: LatticeValue, prime: Any) -> None:
+    def __init__(self, order: LatticeValue, prime: Prime) -> None:
         self.order, self.prime, self.ambient = order, prime, order.ambient
         self.base = base = order.ambient.base
         self.place = base.place(prime)
@@ -72,26 +71,28 @@ class OrderAtPrime:
         return [int((row * form * column)[0, 0]) // 2 for form in self.traces]
 
     @cached_property
-    def _basis_residues(self) -> list[Any]:
+    def _basis_residues(self) -> list[Residue]:
         """The residues of the integral basis."""
         return [self.place.reduce(w) for w in self.base.integral_basis]
 
-    def residue(self, coordinates: Iterable[int]) -> Any:
+    def residue(self, coordinates: Iterable[int]) -> Residue:
         """Return the residue of an integer of the base with these coordinates."""
         pairs = zip(coordinates, self._basis_residues, strict=True)
         total = sum((w * (c % self.p) for c, w in pairs), self.place.zero)
-        return total % self.place.modulus
+        found: Residue = total % self.place.modulus
+        return found
 
-    def digits(self, residue: Any) -> list[int]:
+    def digits(self, residue: Residue) -> list[int]:
         """Return the coordinates of a residue over the prime field."""
         return self.base.digits(self.prime, residue)
 
-    def lift(self, residue: Any) -> Any:
+    def lift(self, residue: Residue) -> Scalar:
         """Return an integer of the field with a given residue."""
-        return self.base.lift(self.prime, residue)
+        found: Scalar = self.base.lift(self.prime, residue)
+        return found
 
     @cached_property
-    def representatives(self) -> list[Any]:
+    def representatives(self) -> list[Scalar]:
         """Integers of the field, one of each class modulo P, 0 first."""
         return self.base.residues(self.prime)
 
@@ -132,7 +133,7 @@ class OrderAtPrime:
     # --- elements with two eigenvalues modulo P --------------------------------------------------
 
     @cached_property
-    def split_element(self) -> tuple[fmpq_mat, Any, Any]:
+    def split_element(self) -> tuple[fmpq_mat, Residue, Residue]:
         """An element x, one row, and distinct roots r, s of its characteristic polynomial modulo P.
 
         The order is M₂(ℤ_P) or has the Eichler symbol 1 at P, else :class:`LatticeError` is raised.
@@ -155,7 +156,7 @@ class OrderAtPrime:
         """Return the element with these coordinates, a row of rational numbers."""
         return (fmpz_mat([list(v)]) * self.order.matrix) * fmpq(1, self.order.den)
 
-    def _roots(self, v: Vector) -> tuple[Any, Any] | None:
+    def _roots(self, v: Vector) -> tuple[Residue, Residue] | None:
         """Return the two roots modulo P of x² − tr(x)·x + N(x), or None where there are not two."""
         place, trace = self.place, self.residue(self.trace(v))
         found = place.quadratic_root(place.one, place.zero - trace, self.residue(self.norm_of(v)))
@@ -185,7 +186,7 @@ class OrderAtPrime:
             known *= 2
         return e
 
-    def _number(self, x: Any) -> fmpq_mat:
+    def _number(self, x: Scalar) -> fmpq_mat:
         """Return a number of the field as an element, one row."""
         return self.ambient.one * self.ambient.scalar(x)
 
@@ -206,7 +207,7 @@ class OrderAtPrime:
         above = self.base.inverse(self.ideal**k)
         return self._with(second, above), self._with(first, above)
 
-    def _with(self, rows: fmpq_mat, ideal: Any) -> LatticeValue:
+    def _with(self, rows: fmpq_mat, ideal: BaseIdeal) -> LatticeValue:
         """Return the sum of the order and an ideal times what rows span."""
         den, whole = hermite.rational(rows)
         below, multiples = ideal_multiples(self.ambient, whole, ideal)
@@ -259,7 +260,7 @@ class OrderAtPrime:
         ambient, den = self.ambient, self.order.den
         return hermite.divided(rows * ambient.right_matrix(x.entries()), den * ambient.scale)
 
-    def _simple_root(self, a: Any, b: Any, c: Any) -> Any:
+    def _simple_root(self, a: Residue, b: Residue, c: Residue) -> Residue | None:
         """Return the first simple root of a·x² + b·x + c among the residues, or None."""
         place = self.place
         if a == 0:
@@ -273,7 +274,7 @@ class OrderAtPrime:
         other = (place.zero - place.multiply(b, place.inverse(a)) - root) % place.modulus
         return min(root, other, key=self.digits) if root != other else None
 
-    def _lifted(self, polynomial: Sequence[list[int]], root: Any, e: int) -> Any:
+    def _lifted(self, polynomial: Sequence[list[int]], root: Scalar, e: int) -> Scalar:
         """Return the root of a·x² + b·x + c modulo Pᵉ above a simple root modulo P (Hensel)."""
         if e == 1:
             return root
@@ -304,14 +305,14 @@ class OrderAtPrime:
         With J the radical they are, modulo squares, the norms of 1 + J, which the 1 + b for bases of all Jᵏ
         generate. J⁴ is in P·O, so the last ones are 1 modulo 4P, and the norms are squares there.
         """
-        prime = self.prime
-        digits, e = (prime.e * prime.f + 1, prime.e) if self.p == 2 else (1, 0)
+        digits, square_class = self.base.square_classes(self.prime)
+        e = self.place.index if self.p == 2 else 0
         radical, classes = self.radical, [0]
         power, one = radical, self.ambient.one
         for _ in range(4 * (2 * e + 1)):
             for row in power.rows.tolist():
                 unit = (fmpq_mat([row]) + one).entries()
-                c = square_class(prime, self.ambient.norm(unit))
+                c = square_class(self.ambient.norm(unit))
                 if c not in classes:
                     classes += [c ^ other for other in classes]
             if self.p > 2 or len(classes) == 2**digits:
@@ -341,6 +342,6 @@ def small_lines(size: int) -> Iterator[Line]:
 
 
 @lru_cache(maxsize=64)
-def order_at_prime(order: LatticeValue, prime: Any) -> OrderAtPrime:
+def order_at_prime(order: LatticeValue, prime: Prime) -> OrderAtPrime:
     """Return an order at a prime, the same as before where it was called lately."""
     return OrderAtPrime(order, prime)

@@ -6,13 +6,14 @@ Rows are coordinates in an integral basis of the field, n for each of the m coor
 from __future__ import annotations
 
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.errors import LatticeError, UndecidedError
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.orders.base import Base
+from hfield.orders.base_values import Scalar
 from hfield.orders.hermite import tuples
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
-    PseudoBasis = tuple[tuple[tuple[Any, ...], Quaternion], ...]
+    PseudoBasis = tuple[tuple[tuple[Scalar, ...], Quaternion], ...]
 
 COEFFICIENTS = 12  # of b in Steinitz's step that are tried; most are good
 
@@ -38,14 +39,14 @@ def rational_hermite(rows: list[list[flint.fmpq]], size: int) -> list[list[flint
     return found
 
 
-def multiplication(base: Base, x: Any, m: int = 1) -> flint.fmpq_mat:
+def multiplication(base: Base, x: Scalar, m: int = 1) -> flint.fmpq_mat:
     """Return the matrix that multiplies vectors of Kᵐ by x, from the right of rows of coordinates."""
     block = base.coordinate_rows([w * x for w in base.integral_basis]).tolist()
     zero = [flint.fmpq(0)] * base.degree
     return flint.fmpq_mat([zero * k + row + zero * (m - 1 - k) for k in range(m) for row in block])
 
 
-def inverse_ideal(base: Base, ideal: list[Any]) -> list[Any]:
+def inverse_ideal(base: Base, ideal: list[Scalar]) -> list[Scalar]:
     """Return a basis over ℤ of the x with x·I integral, for the basis of an ideal I."""
     # coordinates v with v·B integral for all columns B: v is in the inverse of the lattice of these
     columns = [c for y in ideal for c in multiplication(base, y).transpose().tolist()]
@@ -62,7 +63,9 @@ def pseudo_basis(lattice: LatticeValue) -> PseudoBasis:
     )
 
 
-def _pseudo_basis(base: Base, rows: flint.fmpq_mat) -> list[tuple[tuple[Any, ...], list[Any]]]:
+def _pseudo_basis(
+    base: Base, rows: flint.fmpq_mat
+) -> list[tuple[tuple[Scalar, ...], list[flint.fmpq]]]:
     """Return ideals Iₜ and vectors xₜ: a module of full rank in Kᵐ is the direct sum of the Iₜ·xₜ.
 
     From the last coordinate on: the coordinates there are an ideal I, and I⁻¹ times the module has a vector
@@ -144,7 +147,9 @@ def free_basis(ambient: AlgebraBasis, pairs: PseudoBasis) -> tuple[Quaternion, .
     return tuple(found)
 
 
-def _combination(ambient: AlgebraBasis, I: Ideal, J: Ideal) -> tuple[Any, Any, Any, Any]:
+def _combination(
+    ambient: AlgebraBasis, I: Ideal, J: Ideal
+) -> tuple[Scalar, Scalar, Scalar, Scalar]:
     """Return a in I, b in J, s in I⁻¹ and t in J⁻¹ with a·s + b·t = 1."""
     a = I.basis[0]
     U, inverse = ambient.base.principal(a) / I, J.inverse()

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import product as tuples
-from typing import Any
 
 from flint import fmpq_mat
 
 from hfield.errors import LatticeError, TooLargeError
 from hfield.orders import hermite
+from hfield.orders.base_values import Prime
 from hfield.orders.invariants import conductor, is_eichler, level
 from hfield.orders.kernels.general import ideal_multiples
 from hfield.orders.lattice_values import (
@@ -38,12 +38,12 @@ MAX_CANDIDATES = 10_000
 # --- below and above -------------------------------------------------------------------------------
 
 
-def suborders(order: LatticeValue, prime: Any, k: int) -> list[LatticeValue]:
+def suborders(order: LatticeValue, prime: Prime, k: int) -> list[LatticeValue]:
     """Return the orders of index Pᵏ in an order. Raises :class:`TooLargeError`."""
     return in_steps(order, k, lambda O: _maximal_suborders(O, prime))
 
 
-def overorders(order: LatticeValue, prime: Any, k: int) -> list[LatticeValue]:
+def overorders(order: LatticeValue, prime: Prime, k: int) -> list[LatticeValue]:
     """Return the orders in which an order has the index Pᵏ. Raises :class:`TooLargeError`."""
     if order.ambient.base.valuation(level(order), prime) < k:
         return []
@@ -67,7 +67,7 @@ def in_steps(
     return list(reached[k].values())
 
 
-def _digits(order: LatticeValue, prime: Any, dimension: int) -> list[fmpq_mat]:
+def _digits(order: LatticeValue, prime: Prime, dimension: int) -> list[fmpq_mat]:
     """Return residues modulo a prime as matrices. Raises :class:`TooLargeError` for too many lines."""
     base = order.ambient.base
     q = base.absolute_norm(base.prime_ideal(prime))
@@ -78,7 +78,7 @@ def _digits(order: LatticeValue, prime: Any, dimension: int) -> list[fmpq_mat]:
     return [order.ambient.scalar(x) for x in base.residues(prime)]
 
 
-def _maximal_suborders(order: LatticeValue, prime: Any) -> Iterator[tuple[int, LatticeValue]]:
+def _maximal_suborders(order: LatticeValue, prime: Prime) -> Iterator[tuple[int, LatticeValue]]:
     """Yield the orders of index P, and those of index P² that contain P·O, with the exponents."""
     ambient, digits = order.ambient, _digits(order, prime, 3)
     below = times_ideal(order, ambient.base.prime_ideal(prime))
@@ -97,7 +97,7 @@ def _maximal_suborders(order: LatticeValue, prime: Any) -> Iterator[tuple[int, L
         yield 2, add_elements(below, fmpq_mat([one, x.entries()]))
 
 
-def _minimal_overorders(order: LatticeValue, prime: Any) -> Iterator[tuple[int, LatticeValue]]:
+def _minimal_overorders(order: LatticeValue, prime: Prime) -> Iterator[tuple[int, LatticeValue]]:
     """Yield all minimal overorders at P, and perhaps others, with the exponents of the indices."""
     ambient, base, limit = order.ambient, order.ambient.base, dual(order)
     around = meet(times_ideal(order, base.inverse(base.prime_ideal(prime))), limit)
@@ -205,6 +205,6 @@ def connecting(first: LatticeValue, second: LatticeValue) -> LatticeValue:
     return times_ideal(found, scalars_into(found, first))
 
 
-def _distance(first: LatticeValue, second: LatticeValue, prime: Any) -> int:
+def _distance(first: LatticeValue, second: LatticeValue, prime: Prime) -> int:
     """Return v_P of the index of the intersection of two lattices in one of them."""
     return first.ambient.base.valuation(meet(first, second).volume / first.volume, prime)

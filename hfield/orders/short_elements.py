@@ -18,7 +18,9 @@ from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, TooLargeError, shorten
+from hfield.fields.base.flint_types import Rational
 from hfield.orders import enumeration, hermite
+from hfield.orders.base_values import Scalar
 from hfield.orders.basis import AlgebraBasis
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.validation import natural
@@ -71,7 +73,7 @@ def shortest(lattice: LatticeValue) -> tuple[Quaternion, ...]:
     )
 
 
-def multiple_of_content(lattice: LatticeValue, n: Any) -> fmpq:
+def multiple_of_content(lattice: LatticeValue, n: Rational) -> fmpq:
     """Return a rational number as a multiple of the content of Tr(N(x))."""
     ambient = lattice.ambient
     return (
@@ -79,7 +81,7 @@ def multiple_of_content(lattice: LatticeValue, n: Any) -> fmpq:
     )
 
 
-def of_norm(lattice: LatticeValue, norm: Any) -> tuple[Quaternion, ...]:
+def of_norm(lattice: LatticeValue, norm: Scalar) -> tuple[Quaternion, ...]:
     """Return all elements with a norm, a number of the field. Raises :class:`TooLargeError`."""
     base = lattice.ambient.base
     if not norm:
@@ -96,7 +98,7 @@ def of_norm(lattice: LatticeValue, norm: Any) -> tuple[Quaternion, ...]:
 Form = tuple[list[list[int]], fmpz_mat, int]
 
 
-def form_of_norm(lattice: LatticeValue, norm: Any) -> Form | None:
+def form_of_norm(lattice: LatticeValue, norm: Scalar) -> Form | None:
     """Return a multiple of Tr(N(x)/ν) on a reduced basis, rows over the denominator, and its value.
 
     The value is that for N(x) = ν; None where there is no such x.
@@ -112,7 +114,7 @@ def form_of_norm(lattice: LatticeValue, norm: Any) -> Form | None:
 
 
 def _rows(
-    lattice: LatticeValue, norm: Any, form: Form, expected: str | None = None
+    lattice: LatticeValue, norm: Scalar, form: Form, expected: str | None = None
 ) -> Iterator[fmpz_mat]:
     gram, basis, length = form
     ambient, below = lattice.ambient, fmpq(1, lattice.den)
@@ -123,7 +125,7 @@ def _rows(
             yield row
 
 
-def first_of_norm(lattice: LatticeValue, norm: Any) -> fmpz_mat | None:
+def first_of_norm(lattice: LatticeValue, norm: Scalar) -> fmpz_mat | None:
     """Return an element with a norm, totally positive, as a row over the denominator, or None."""
     form = form_of_norm(lattice, norm)
     if form is None:
@@ -138,14 +140,14 @@ def first_of_norm(lattice: LatticeValue, norm: Any) -> fmpz_mat | None:
     return next(_rows(lattice, norm, form), None)
 
 
-def rows_of_norm(lattice: LatticeValue, norm: Any) -> Iterator[fmpq_mat]:
+def rows_of_norm(lattice: LatticeValue, norm: Scalar) -> Iterator[fmpq_mat]:
     """Yield one of ±x for each x with a norm, totally positive."""
     form = form_of_norm(lattice, norm)
     if form is not None:
         yield from (row * fmpq(1, lattice.den) for row in _rows(lattice, norm, form))
 
 
-def of_norm_at_most(lattice: LatticeValue, n: Any) -> tuple[Quaternion, ...]:
+def of_norm_at_most(lattice: LatticeValue, n: Rational) -> tuple[Quaternion, ...]:
     """Return all x with Tr(N(x)) at most a rational number, 0 too, ascending. Raises likewise."""
     bound = math.floor(multiple_of_content(lattice, n))
     if bound < 0:
@@ -198,7 +200,9 @@ def ternary_rows(order: LatticeValue) -> fmpq_mat:
 # --- rows of any rank, other forms -----------------------------------------------------------------
 
 
-def reduced(ambient: AlgebraBasis, rows: fmpq_mat, c: Any) -> tuple[list[list[int]], fmpq_mat, int]:
+def reduced(
+    ambient: AlgebraBasis, rows: fmpq_mat, c: Scalar
+) -> tuple[list[list[int]], fmpq_mat, int]:
     """Return ``Tr(c·tr(x·conj(y)))`` times a number for a reduced basis, the basis, and the number.
 
     Rows are a basis of a lattice of any rank.

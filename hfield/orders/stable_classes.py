@@ -8,10 +8,10 @@ generate the norms of 1 + J; where a power of J lies in 4P·O the norms are in 1
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from flint import fmpq_mat
 
+from hfield.orders.base_values import Prime, Scalar
 from hfield.orders.class_number import LocalNorms, StableClasses
 from hfield.orders.invariants import eichler_symbol
 from hfield.orders.lattice_values import (
@@ -35,7 +35,7 @@ def stable_classes(order: LatticeValue) -> StableClasses:
     return StableClasses(places, base.positive_units, base.narrow_classes.order)
 
 
-def _norms(order: LatticeValue, P: Any) -> Iterator[Any]:
+def _norms(order: LatticeValue, P: Prime) -> Iterator[Scalar]:
     """Yield norms that generate, with the squares, those of the units at P."""
     ambient, place = order.ambient, order.ambient.base.place(P)
     if place.below > 2:

@@ -8,7 +8,6 @@ order comes from a form minimised at every prime.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import flint
 
@@ -51,7 +50,7 @@ def maximal_basis(c: Constants) -> list[Coordinates]:
     return [tuple(map(fraction, q)) for q in basis]  # type: ignore[misc]
 
 
-def _pure(t: Any, v: Sequence[Any]) -> Coordinates:
+def _pure(t: flint.fmpq, v: Sequence[flint.fmpq]) -> Coordinates:
     """Return coordinates over e, i, j, k from those over i − t/2, j and (i − t/2)j."""
     x, y, z = v
     return -t / 2 * x, x, y - t / 2 * z, z

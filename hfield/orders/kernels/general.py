@@ -14,6 +14,7 @@ from flint import fmpz, fmpz_mat, fmpz_poly
 from hfield.errors import TooLargeError
 from hfield.orders import enumeration
 from hfield.orders.base import Counts
+from hfield.orders.base_values import BaseIdeal
 from hfield.orders.hermite import hermite, stacked, tuples
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ def first_order(ambient: AlgebraBasis) -> tuple[int, fmpz_mat]:
     return 1, fmpz_mat([[c * int(m == k) for m in size] for k, c in enumerate(scales)])
 
 
-def norm(ambient: AlgebraBasis, grams: Sequence[fmpz_mat], content: fmpz, den: int) -> Any:
+def norm(ambient: AlgebraBasis, grams: Sequence[fmpz_mat], content: fmpz, den: int) -> BaseIdeal:
     """Return the ideal that norms generate, by the coordinates of ``tr(x·conj(y))`` on a basis."""
     size = range(ambient.size)
     squares = fmpz_mat([[g[k, k] // 2 for g in grams] for k in size])
@@ -46,7 +47,8 @@ def norm(ambient: AlgebraBasis, grams: Sequence[fmpz_mat], content: fmpz, den: i
         entries += (squares * table).entries()
     # tr(x·conj(y)) is the norm of a sum less two norms; these are stable under the integers
     entries += [g[pair] for pair in ambient.pairs for g in grams]
-    return ambient.base.ideal_spanned(entries, ambient.scale * den * den)
+    found: BaseIdeal = ambient.base.ideal_spanned(entries, ambient.scale * den * den)
+    return found
 
 
 def content(gram: fmpz_mat) -> fmpz:
@@ -56,7 +58,7 @@ def content(gram: fmpz_mat) -> fmpz:
     return fmpz_poly(values).content()  # the gcd of a list, as flint has it
 
 
-def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> Any:
+def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> BaseIdeal:
     """Return the index ideal of a lattice, in Hermite form over ``den``, in that of 1, I, J, IJ.
 
     Where the first coordinates are 0 the next ones are an ideal; the index is the product of the four.
@@ -64,10 +66,15 @@ def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> Any:
     base, n, size = ambient.base, ambient.degree, ambient.size
     rows = matrix.tolist()
     blocks = ([x for row in rows[k : k + n] for x in row[k : k + n]] for k in range(0, size, n))
-    return math.prod((base.ideal_spanned(block, den) for block in blocks), start=base.one)
+    found: BaseIdeal = base.one
+    for block in blocks:
+        found = found * base.ideal_spanned(block, den)
+    return found
 
 
-def ideal_multiples(ambient: AlgebraBasis, rows: fmpz_mat, ideal: Any) -> tuple[int, fmpz_mat]:
+def ideal_multiples(
+    ambient: AlgebraBasis, rows: fmpz_mat, ideal: BaseIdeal
+) -> tuple[int, fmpz_mat]:
     """Return rows over a denominator: those given, times a basis of an ideal of the base."""
     den, table = ambient.base.ideal_rows(ideal)
     return den, stacked(*(ambient.times_scalar(rows, c) for c in table))
