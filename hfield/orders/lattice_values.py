@@ -103,9 +103,10 @@ class LatticeValue:
     @property
     def _gram(self) -> fmpz_mat:
         """The matrix of ``Tr(tr(x·conj(y)))`` on the basis, scaled."""
-        grams, traces = self.grams, self.ambient.base_traces
+        grams = self.grams
         if len(grams) == 1:
             return grams[0]
+        traces = self.ambient.base_traces
         return sum(
             (g * t for g, t in zip(grams[1:], traces[1:], strict=True)), grams[0] * traces[0]
         )
