@@ -34,6 +34,7 @@ from hfield.fields.number_fields.classes import evidence
 from hfield.fields.number_fields.classes.s_units import s_units
 from hfield.fields.rationals.whole_numbers import square_root
 from hfield.orders import enumeration
+from hfield.orders.base_values import Scalar
 from hfield.orders.conjugators import two_generators
 from hfield.orders.invariants import level
 from hfield.orders.lattice_values import LatticeValue, colon, conjugate, discriminant, index
@@ -43,6 +44,7 @@ from hfield.orders.short_elements import reduced
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.fields.number_fields.ideals import Ideal
+    from hfield.fields.number_fields.ring import NumberField
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.classes import Classes
     from hfield.orders.equivalence_result import EquivalenceResult
@@ -53,7 +55,7 @@ DOUBLINGS = 6
 MAX_COUNTED = 10**5
 """So many elements, about, are counted to tell two orders apart."""
 
-Refutation = tuple[str, dict[str, Any]]
+Refutation = tuple[str, dict[str, object]]
 """A method, and evidence without its kind."""
 
 
@@ -124,7 +126,7 @@ def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> 
         reason = "nothing that the checker follows was found to tell them apart"
         return words.claim(word, about, ENUMERATION, "refuted", refusal=reason)
     method, shown = found
-    return words.claim(word, about, method, "refuted", **shown)
+    return words.claim(word, about, method, "refuted", None, **shown)
 
 
 def of_unit_index(order: LatticeValue, number: int) -> Claim:
@@ -138,7 +140,7 @@ def of_unit_index(order: LatticeValue, number: int) -> Claim:
 
 
 def of_units(
-    order: LatticeValue, word: str, parts: list[str], shown: dict[str, Any], *cited: str
+    order: LatticeValue, word: str, parts: list[str], shown: dict[str, object], *cited: str
 ) -> Claim:
     """Return a statement about the units of norm 1 of an order that splits at one real place."""
     words = _words(order.ambient)
@@ -164,7 +166,7 @@ def of_embedding(order: LatticeValue, d: object, element: Quaternion | None) -> 
         )
     words = _words(order.ambient)
     statement = f"embedding{{{text(order)}; {d}}}"
-    shown: dict[str, Any] = {"kind": "embedding"}
+    shown: dict[str, object] = {"kind": "embedding"}
     if element is None:
         shown["basis"] = _basis(order, order.ambient.base.field.one)
         return Claim(order.algebra, statement, shown, ENUMERATION, "refuted")
@@ -181,7 +183,7 @@ def text(lattice: LatticeValue) -> str:
     return " | ".join(",".join(map(write, q.coordinates)) for q in lattice.basis)
 
 
-def element_json(ambient: AlgebraBasis, q: Quaternion) -> Any:
+def element_json(ambient: AlgebraBasis, q: Quaternion) -> object:
     """Return an element as evidence has it."""
     return _words(ambient).element(q)
 
@@ -191,7 +193,7 @@ def _side(side: str) -> str:
     return "right" if side == "right" else "left"
 
 
-def _basis(lattice: LatticeValue, norm: Any) -> dict[str, Any]:
+def _basis(lattice: LatticeValue, norm: Scalar) -> dict[str, object]:
     """Return a basis of a lattice that is reduced for Tr(N(x)/ν): it is run through quickly."""
     if lattice.ambient.base.as_rational(norm) is not None:  # the form is a multiple of Tr(N(x))
         rows = lattice.reduced[0] * flint.fmpq(1, lattice.den)
@@ -224,10 +226,10 @@ class _Words(Protocol):
     def size(self, ideal: Any) -> Fraction | int:
         """Return the number by which statements name an ideal of the base."""
 
-    def element(self, q: Quaternion) -> Any:
+    def element(self, q: Quaternion) -> object:
         """Return an element of the algebra."""
 
-    def of_mass(self, order: LatticeValue) -> dict[str, Any]:
+    def of_mass(self, order: LatticeValue) -> dict[str, object]:
         """Return what a formula for a mass or an area needs besides the order."""
 
     def claim(
@@ -237,7 +239,7 @@ class _Words(Protocol):
         method: str,
         verdict: str = "proved",
         refusal: str | None = None,
-        **shown: Any,
+        **shown: object,
     ) -> Claim:
         """Return a statement with its evidence."""
 
@@ -275,7 +277,7 @@ class _Rational:
     def element(self, q: Quaternion) -> list[str]:
         return [q.ring.text(x) for x in q.coordinates]
 
-    def of_mass(self, order: LatticeValue) -> dict[str, Any]:
+    def of_mass(self, order: LatticeValue) -> dict[str, object]:
         return {}
 
     def claim(
@@ -285,7 +287,7 @@ class _Rational:
         method: str,
         verdict: str = "proved",
         refusal: str | None = None,
-        **shown: Any,
+        **shown: object,
     ) -> Claim:
         name, algebra = self.names.get(word, word), self.ambient.algebra
         data = {"kind": name, **shown}
@@ -351,19 +353,19 @@ class _OverField:
     def size(self, ideal: Ideal) -> Fraction | int:
         return ideal.norm()
 
-    def element(self, q: Quaternion) -> dict[str, Any]:
+    def element(self, q: Quaternion) -> dict[str, object]:
         return self._row(self.ambient.row(q))
 
-    def _row(self, row: flint.fmpq_mat) -> dict[str, Any]:
+    def _row(self, row: flint.fmpq_mat) -> dict[str, object]:
         den, table = _coordinates(self.ambient, row)
         return {"den": den, "row": table[0]}
 
     @property
-    def _integral_basis(self) -> list[Any]:
+    def _integral_basis(self) -> list[object]:
         base = self.ambient.base
         return [base.field.coordinates(w) for w in base.integral_basis]
 
-    def of_mass(self, order: LatticeValue) -> dict[str, Any]:
+    def of_mass(self, order: LatticeValue) -> dict[str, object]:
         return {"basis": self._integral_basis, "primes": _primes(order)}
 
     def claim(
@@ -373,7 +375,7 @@ class _OverField:
         method: str,
         verdict: str = "proved",
         refusal: str | None = None,
-        **shown: Any,
+        **shown: object,
     ) -> Claim:
         name, algebra = self.names.get(word, word), self.ambient.algebra
         cited: tuple[str, ...] = ()
@@ -417,7 +419,7 @@ class _OverField:
         return ENUMERATION, {"pair": pair, "order": _basis(second, self.ambient.base.field.one)}
 
 
-def _primes(order: LatticeValue) -> list[Any]:
+def _primes(order: LatticeValue) -> list[object]:
     """Return the prime ideals that the mass formula and Siegel's ask for."""
     s = s_units(order.ambient.base.ring)
     # σ₁ is summed over ideals of norm at most the discriminant, whose square factors have to be known
@@ -426,13 +428,13 @@ def _primes(order: LatticeValue) -> list[Any]:
     return [[p, evidence.seconds_above(s, p)] for p in sorted(wanted)]
 
 
-def _product(ring: Any, a: Ideal) -> list[Any]:
+def _product(ring: NumberField, a: Ideal) -> list[object]:
     """Return x and exponents with a = x·∏P^e, P in S."""
     x, exponents = ring.class_group().factors(a)
     return [x.field.coordinates(x), list(map(int, exponents))]
 
 
-def _units(ambient: AlgebraBasis) -> dict[str, Any]:
+def _units(ambient: AlgebraBasis) -> dict[str, object]:
     """Return what shows the units of the field."""
     ring = ambient.base.ring
     units = [ambient.base.inside(u) for u in ring.unit_group().generators]
@@ -440,7 +442,7 @@ def _units(ambient: AlgebraBasis) -> dict[str, Any]:
     return {"units": shown, "fundamental": [ambient.base.field.coordinates(u) for u in units]}
 
 
-def _class(classes: Classes, n: int) -> dict[str, Any]:
+def _class(classes: Classes, n: int) -> dict[str, object]:
     """Return a basis in which short vectors are found quickly, and what generates the norm."""
     norm = classes.norms[n]
     return {

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+
+import flint
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.algebra.structure import hurwitz
+from hfield.core.product import Coordinates
 from hfield.errors import CoercionError
 from hfield.orders.lattice import Order
 
@@ -20,7 +22,7 @@ class HurwitzOrder(Order):
         e, i, j, k = self.algebra.basis
         return e, i, j, (e + i + j + k) / 2
 
-    def coordinates(self, x: object) -> tuple[Any, ...]:
+    def coordinates(self, x: object) -> tuple[flint.fmpq, ...]:
         """Return the rational coordinates of an element with respect to :attr:`basis`."""
         w, x, y, z = self.algebra(x).coordinates
         return w - z, x - z, y - z, 2 * z
@@ -43,7 +45,7 @@ class HurwitzOrder(Order):
         self._check_side(side)
         return self.algebra(*hurwitz.gcd(self._coordinates(a), self._coordinates(b), side))
 
-    def _coordinates(self, q: object) -> Any:
+    def _coordinates(self, q: object) -> Coordinates:
         return self.algebra(q).coordinates
 
     @staticmethod

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import combinations
-from typing import Any
 
 from flint import fmpz, fmpz_mat
 
@@ -91,7 +90,7 @@ def _echelon(rows: Iterator[list[fmpz]], n: fmpz) -> list[fmpz] | None:
     The product lies above and has this index, so two rows with a minor that is a unit modulo n span it.
     None where there is none.
     """
-    before: list[list[Any]] = []
+    before: list[list[fmpz]] = []
     for second in rows:
         for first in before:
             for p, q in PAIRS:

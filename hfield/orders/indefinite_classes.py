@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import flint
 
@@ -17,6 +17,9 @@ from hfield.errors import IndefiniteError, LatticeError, shorten
 from hfield.hints import CLASSES, Hinted
 from hfield.orders.invariants import eichler_symbol, good_primes
 from hfield.orders.lattice_values import discriminant, is_locally_principal, product
+
+if TYPE_CHECKING:
+    from hfield.orders.lattice import Ideal, Lattice, Order
 
 
 class IndefiniteClassSet(Hinted):
@@ -27,7 +30,7 @@ class IndefiniteClassSet(Hinted):
 
     foreign_names: ClassVar = {name: hint for name, hint in CLASSES.items() if "brandt" not in hint}
 
-    def __init__(self, order: Any) -> None:
+    def __init__(self, order: Order) -> None:
         self.order, ambient = order, order.value.ambient
         if order.is_definite():
             raise IndefiniteError(
@@ -46,7 +49,7 @@ class IndefiniteClassSet(Hinted):
         return int(self.group.order)
 
     @cached_property
-    def _ideals(self) -> dict[tuple[int, ...], Any]:
+    def _ideals(self) -> dict[tuple[int, ...], Ideal]:
         """A representative of each class, by its class in the group: O, and ideals of prime norms."""
         order, base = self.order, self.order.value.ambient.base
         found = {self.group.class_of(base.one): order.right_ideal([1])}
@@ -59,14 +62,14 @@ class IndefiniteClassSet(Hinted):
                 found[kind] = order.ideals_of_norm(ideal, "right")[0]
         return found
 
-    def __getitem__(self, n: int) -> Any:
+    def __getitem__(self, n: int) -> Ideal:
         """Return the representative of class n, an integral right ideal; class 0 is that of O."""
         return list(self._ideals.values())[n]
 
-    def __iter__(self) -> Iterator[Any]:
+    def __iter__(self) -> Iterator[Ideal]:
         return iter(self._ideals.values())
 
-    def index(self, ideal: Any) -> int:
+    def index(self, ideal: Lattice) -> int:
         """Return the number of the class of a right ideal. Raises :class:`LatticeError` for others."""
         value, order = ideal.value, self.order.value
         if not is_locally_principal(value, order) or product(value, order) != value:

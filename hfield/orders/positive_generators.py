@@ -8,17 +8,18 @@ ideal, and the totally positive units modulo the squares.
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.fields.number_fields.ideals import Ideal, integers
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
+    from hfield.fields.number_fields.ring import NumberField
 
 
 @lru_cache(maxsize=256)
 def _units_by_signs(
-    ring: Any, places: tuple[int, ...]
+    ring: NumberField, places: tuple[int, ...]
 ) -> dict[tuple[int, ...], list[FieldElement]]:
     """Return one unit for each coset of the squares of units, by their signs at real places, 1 first."""
     frame = integers(ring)
@@ -48,13 +49,13 @@ def generators(ideal: Ideal, places: tuple[int, ...]) -> list[FieldElement]:
     return [x * u for u in _units_by_signs(ideal.ring, places).get(_signs(x, places), ())]
 
 
-def units_modulo_squares(ring: Any) -> tuple[FieldElement, ...]:
+def units_modulo_squares(ring: NumberField) -> tuple[FieldElement, ...]:
     """Return the totally positive units, one for each coset of the squares of units; 1 comes first."""
     places = _all_places(ring)
     return tuple(_units_by_signs(ring, places)[(1,) * len(places)])
 
 
-def _all_places(ring: Any) -> tuple[int, ...]:
+def _all_places(ring: NumberField) -> tuple[int, ...]:
     return tuple(range(integers(ring).field.signature[0]))
 
 
@@ -66,7 +67,7 @@ def totally_positive_generator(ideal: Ideal) -> FieldElement | None:
 class NarrowClasses:
     """Ideals as products ν·a with ν totally positive, a one of as many ideals as there are narrow classes."""
 
-    def __init__(self, ring: Any) -> None:
+    def __init__(self, ring: NumberField) -> None:
         self.group = ring.narrow_class_group()
         self.order = self.group.order
         self._numbers: dict[tuple[int, ...], int] = {}
@@ -85,6 +86,6 @@ class NarrowClasses:
 
 
 @lru_cache(maxsize=256)
-def narrow_classes(ring: Any) -> NarrowClasses:
+def narrow_classes(ring: NumberField) -> NarrowClasses:
     """Return the narrow classes of a field."""
     return NarrowClasses(ring)

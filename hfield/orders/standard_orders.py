@@ -12,13 +12,14 @@ from typing import Any
 
 from flint import fmpz_mat
 
-from hfield.algebra.quaternion import Parent
+from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.primality import is_prime
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, LatticeError, shorten
 from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders import class_number as class_numbers
 from hfield.orders.base import Base
+from hfield.orders.base_values import BaseIdeal
 from hfield.orders.basis import basis_of
 from hfield.orders.lattice_values import LatticeValue, discriminant, hermite_form
 from hfield.orders.linear_algebra_mod_p import kronecker
@@ -59,11 +60,12 @@ def eichler_order(algebra: Parent, level: object) -> LatticeValue:
     return order if ideal == 1 else eichler_suborder(order, ideal)
 
 
-def read_level(base: Base, level: object) -> Any:
+def read_level(base: Base, level: object) -> BaseIdeal:
     """Return an integral ideal, given as one, a number, or pairs. Raises :class:`LatticeError`."""
     if not isinstance(level, list | tuple) or not all(isinstance(x, tuple | list) for x in level):
-        return base.integral_ideal(level, "level")
-    found = base.one
+        given: BaseIdeal = base.integral_ideal(level, "level")
+        return given
+    found: BaseIdeal = base.one
     for pair in level:
         if len(pair) != 2 or not isinstance(pair[1], int) or pair[1] < 0:
             raise LatticeError(f"{shorten(pair)} is no pair of a prime ideal and an exponent ≥ 0")
@@ -138,7 +140,7 @@ def extremal_order(algebra: Parent) -> LatticeValue:
     return overorder(generated(algebra, [w, j]))
 
 
-def _generators(algebra: Parent, q: int, p: int) -> tuple[Any, Any]:
+def _generators(algebra: Parent, q: int, p: int) -> tuple[Quaternion, Quaternion]:
     """Return anticommuting elements with squares −q and −p."""
     _, i, j, _ = algebra.basis
     if i * i == -q and j * j == -p and i * j == -(j * i):
