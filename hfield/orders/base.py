@@ -25,6 +25,7 @@ from hfield.fields.base.ring import Ring
 from hfield.fields.number_fields import ideals
 from hfield.fields.number_fields.classes.class_groups import class_group
 from hfield.fields.number_fields.classes.s_units import s_units
+from hfield.fields.number_fields.elements import FieldElement
 from hfield.fields.number_fields.integral_basis import coordinate_rows, element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.number_fields.residues import LocalPlace, local_place
@@ -40,7 +41,7 @@ from hfield.orders import positive_generators, validation
 from hfield.orders.linear_algebra_mod_p import kronecker
 
 if TYPE_CHECKING:
-    from hfield.fields.base.flint_types import Polynomial
+    from hfield.fields.base.flint_types import Polynomial, Rational
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
@@ -275,7 +276,7 @@ class RationalIntegers:
 
     ring = field = QQ
     degree = 1
-    integral_basis: tuple[Any, ...] = (fmpq(1),)
+    integral_basis: tuple[fmpq, ...] = (fmpq(1),)
     symbol = "ℤ"
     is_rational = True
     is_totally_real = True
@@ -285,7 +286,7 @@ class RationalIntegers:
     def prime(self, x: object) -> int:
         return validation.prime(x)
 
-    def primes_above(self, p: int) -> list[tuple[Any, Any]]:
+    def primes_above(self, p: int) -> list[tuple[int, int]]:
         return [(p, p)]
 
     def prime_ideal(self, prime: int) -> int:
@@ -342,7 +343,7 @@ class RationalIntegers:
         x = self.inside(ideal)
         return [x] if places else [x, -x]
 
-    positive_units: tuple[Any, ...] = (fmpq(1),)
+    positive_units: tuple[fmpq, ...] = (fmpq(1),)
 
     def is_integral(self, ideal: Fraction | int) -> bool:
         return ideal.denominator == 1
@@ -369,7 +370,7 @@ class RationalIntegers:
         a, t, b = map(fraction, constants)
         return tuple(int(p) for p in ramified_places_q(a + t * t / 4, b) if p != INFINITE)
 
-    def coordinate_rows(self, elements: Sequence[Any]) -> fmpq_mat:
+    def coordinate_rows(self, elements: Sequence[fmpq]) -> fmpq_mat:
         return fmpq_mat(len(elements), 1, list(elements))
 
     def element_of(self, row: Sequence[fmpq]) -> fmpq:
@@ -382,7 +383,7 @@ class RationalIntegers:
             Constants(*map(self.inside, algebra.constants)), _as_it_is, _as_it_is
         )
 
-    def principal(self, x: Any) -> Fraction:
+    def principal(self, x: Rational) -> Fraction:
         return abs(fraction(x))
 
     def ideal_spanned(self, entries: Sequence[fmpz], den: int) -> Fraction:
@@ -403,7 +404,7 @@ class RationalIntegers:
     def is_ideal(self, x: object) -> bool:
         return False
 
-    def is_totally_positive(self, x: Any) -> bool:
+    def is_totally_positive(self, x: fmpq) -> bool:
         return bool(x > 0)
 
     def sign(self, x: fmpq, place: int) -> int:
@@ -424,13 +425,13 @@ class RationalIntegers:
     def ideal_classes(self, most: int) -> list[int]:
         return [self.one]
 
-    def as_rational(self, x: Any) -> fmpq | None:
+    def as_rational(self, x: Rational) -> fmpq | None:
         return self.inside(x)
 
-    def trace(self, x: Any) -> fmpq:
+    def trace(self, x: Rational) -> fmpq:
         return self.inside(x)
 
-    def inside(self, x: Any) -> fmpq:
+    def inside(self, x: Rational) -> fmpq:
         if isinstance(x, fmpq):
             return x
         if type(x) is int:
@@ -438,7 +439,7 @@ class RationalIntegers:
         value = fraction(x)
         return fmpq(value.numerator, value.denominator)
 
-    def outside(self, x: Any) -> Any:
+    def outside(self, x: fmpq) -> fmpq:
         return x
 
     def shown_norm(self, lattice: LatticeValue) -> fmpq:
@@ -507,20 +508,20 @@ class NumberFieldIntegers:
         self.ring, self.integers = ring, ideals.integers(ring)
         self.field = ring
         self.degree = self.field.degree
-        self.integral_basis: tuple[Any, ...] = self.field.integral_basis()
+        self.integral_basis: tuple[FieldElement, ...] = self.field.integral_basis()
         self.is_totally_real = self.field.signature == (self.degree, 0)
         self.real_places = tuple(range(self.field.signature[0]))
 
     symbol = "ℤ_K"
     is_rational = False
 
-    def inside(self, x: object) -> Any:
+    def inside(self, x: object) -> FieldElement:
         return self.field(x)
 
-    def outside(self, x: Any) -> Any:
+    def outside(self, x: FieldElement) -> FieldElement:
         return x
 
-    def primes_above(self, p: int) -> list[tuple[Any, PrimeIdeal]]:
+    def primes_above(self, p: int) -> list[tuple[PrimeIdeal, PrimeIdeal]]:
         return [(P, P) for P in self.field.primes_above(p)]
 
     def prime_ideal(self, prime: PrimeIdeal) -> ideals.Ideal:
@@ -544,7 +545,7 @@ class NumberFieldIntegers:
     def factorisation(self, ideal: ideals.Ideal) -> list[tuple[PrimeIdeal, int]]:
         return [(self.prime(P), e) for P, e in ideal.factorisation()]
 
-    def residues(self, prime: PrimeIdeal) -> list[Any]:
+    def residues(self, prime: PrimeIdeal) -> list[FieldElement]:
         digits = product(range(prime.p), repeat=prime.f)
         return [self.lift(prime, self.residue(prime, c)) for c in digits]
 
@@ -558,17 +559,17 @@ class NumberFieldIntegers:
     def residue(self, prime: PrimeIdeal, digits: Sequence[int]) -> Polynomial:
         return residues(prime.p, digits)
 
-    def lift(self, prime: PrimeIdeal, residue: Polynomial) -> Any:
+    def lift(self, prime: PrimeIdeal, residue: Polynomial) -> FieldElement:
         return self.integer_near(prime.lift(residue), prime.p)
 
-    def root_modulo_4(self, d: Any) -> Any:
+    def root_modulo_4(self, d: FieldElement) -> FieldElement | None:
         for digits in product((0, 1), repeat=self.degree):
             t = self.element_of(list(map(fmpq, digits)))
             if self.field.is_integral((t * t - d) * fmpq(1, 4)):
                 return t
         return None
 
-    def integer_near(self, x: Any, modulus: int) -> Any:
+    def integer_near(self, x: FieldElement, modulus: int) -> FieldElement:
         (row,) = self.coordinate_rows([x]).tolist()
         digits = [int(c.p) * pow(int(c.q), -1, modulus) % modulus for c in row]
         return self.element_of([fmpq(c) for c in digits])
@@ -585,11 +586,11 @@ class NumberFieldIntegers:
     def classes_modulo_signs(self, ambient: AlgebraBasis) -> Any:
         return class_group(self.ring, ambient.ramified_real_places)
 
-    def generators(self, ideal: ideals.Ideal, places: tuple[int, ...]) -> list[Any]:
+    def generators(self, ideal: ideals.Ideal, places: tuple[int, ...]) -> list[FieldElement]:
         return positive_generators.generators(ideal, places)
 
     @property
-    def positive_units(self) -> tuple[Any, ...]:
+    def positive_units(self) -> tuple[FieldElement, ...]:
         return positive_generators.units_modulo_squares(self.ring)
 
     def is_integral(self, ideal: ideals.Ideal) -> bool:
@@ -606,7 +607,7 @@ class NumberFieldIntegers:
     def class_generators(self) -> tuple[ideals.Ideal, ...]:
         return tuple(self.ring.class_group().generators)
 
-    def square_classes(self, prime: PrimeIdeal) -> tuple[int, Callable[[Any], int]]:
+    def square_classes(self, prime: PrimeIdeal) -> tuple[int, Callable[[FieldElement], int]]:
         size = prime.e * prime.f + 1 if prime.p == 2 else 1
         return size, partial(square_class, prime)
 
@@ -615,7 +616,7 @@ class NumberFieldIntegers:
             return ideal
         return self.ideal(Fraction(ideal.least_integer, ideal.denominator))
 
-    def quadratic_symbol(self, trace: Any, norm: Any, prime: PrimeIdeal) -> int:
+    def quadratic_symbol(self, trace: FieldElement, norm: FieldElement, prime: PrimeIdeal) -> int:
         place, t, n = local_place(prime), prime.residue_of(trace), prime.residue_of(norm)
         if (t if place.even else (t * t - n * 4) % place.modulus) == 0:
             return 0
@@ -642,10 +643,10 @@ class NumberFieldIntegers:
             f"{shorten(x)} is no prime ideal of {shorten(self.ring.name)}; see primes_above(p) of the field"
         )
 
-    def coordinate_rows(self, elements: Sequence[Any]) -> fmpq_mat:
+    def coordinate_rows(self, elements: Sequence[FieldElement]) -> fmpq_mat:
         return coordinate_rows(self.field, elements)
 
-    def element_of(self, row: Sequence[fmpq]) -> Any:
+    def element_of(self, row: Sequence[fmpq]) -> FieldElement:
         return element_of(self.field, list(row))
 
     def quaternion_basis(self, algebra: Any) -> QuaternionBasis:
@@ -672,7 +673,7 @@ class NumberFieldIntegers:
     def one(self) -> ideals.Ideal:
         return self.integers.one
 
-    def principal(self, x: Any) -> ideals.Ideal:
+    def principal(self, x: FieldElement) -> ideals.Ideal:
         return self.integers.principal(x)
 
     def ideal_spanned(self, entries: Sequence[fmpz], den: int) -> ideals.Ideal:
@@ -680,7 +681,7 @@ class NumberFieldIntegers:
         rows = fmpz_mat(len(entries) // n, n, list(entries))
         return self.integers.ideal(fmpq_mat(rows) * fmpq(1, den))
 
-    def ideal_rows(self, ideal: ideals.Ideal) -> tuple[int, list[list[Any]]]:
+    def ideal_rows(self, ideal: ideals.Ideal) -> tuple[int, list[list[fmpz]]]:
         return ideal.denominator, ideal.matrix.tolist()
 
     def inverse(self, ideal: ideals.Ideal) -> ideals.Ideal:
@@ -692,25 +693,25 @@ class NumberFieldIntegers:
     def is_ideal(self, x: object) -> bool:
         return isinstance(x, ideals.Ideal)
 
-    def is_totally_positive(self, x: Any) -> bool:
+    def is_totally_positive(self, x: FieldElement) -> bool:
         signs = self.field.multiplication(x).charpoly().coeffs()
         return all(c * (-1) ** (len(signs) - 1 - k) > 0 for k, c in enumerate(signs))
 
-    def sign(self, x: Any, place: int) -> int:
+    def sign(self, x: FieldElement, place: int) -> int:
         return int(self.field.sign_at(x, place))
 
-    def real(self, x: Any, place: int) -> float:
+    def real(self, x: FieldElement, place: int) -> float:
         return float(self.field.embeddings.close(x.poly, place, 15).real.mid()) if x else 0.0
 
-    def ball(self, x: Any, place: int) -> arb:
+    def ball(self, x: FieldElement, place: int) -> arb:
         found: arb = self.field.embeddings.value(x.poly, place, ctx.prec).real
         return found
 
-    def square_root(self, x: Any) -> Any:
+    def square_root(self, x: FieldElement) -> FieldElement | None:
         found = x.sqrt()
         return None if found is None else self.outside(found)
 
-    def short_elements(self, ideal: ideals.Ideal, count: int) -> Iterable[Any]:
+    def short_elements(self, ideal: ideals.Ideal, count: int) -> Iterable[FieldElement]:
         return s_units(self.ring).short(ideal, count)
 
     def ideal_classes(self, most: int) -> list[ideals.Ideal]:
@@ -725,10 +726,10 @@ class NumberFieldIntegers:
             found = [a**k * b for k in range(d) for b in found]
         return found
 
-    def as_rational(self, x: Any) -> fmpq | None:
+    def as_rational(self, x: FieldElement) -> fmpq | None:
         return x.poly[0] if x.poly.degree() < 1 else None
 
-    def trace(self, x: Any) -> fmpq:
+    def trace(self, x: FieldElement) -> fmpq:
         return self.field(x).trace()
 
     def shown_norm(self, lattice: LatticeValue) -> ideals.Ideal:
@@ -741,7 +742,7 @@ class NumberFieldIntegers:
     def theta_step(self, lattice: LatticeValue) -> Fraction:
         return Fraction(1)
 
-    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> dict[Any, int]:
+    def shown_counts(self, counts: Counts, step: Fraction, bound: int) -> dict[FieldElement, int]:
         norms = {
             self.element_of([fmpq(x, counts.den) for x in values]): count
             for values, count in counts.numbers.items()

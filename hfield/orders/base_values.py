@@ -29,6 +29,10 @@ class BaseIdeal(Protocol):
     def __eq__(self, other: object, /) -> bool: ...
 
 
+ThetaSeries: TypeAlias = list[int] | dict[Scalar, int]
+"""How many elements have which norm: over ℤ by multiples of a step, elsewhere by the norms."""
+
+
 class Residue(Protocol):
     """A residue modulo a prime, or a sum or product of some, which a place reduces by its modulus."""
 

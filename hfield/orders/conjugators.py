@@ -28,8 +28,7 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
     Raises :class:`IndefiniteError` unless the algebra is totally definite.
     """
     expect_definite(first.ambient, "isomorphism()")
-    found: tuple[Quaternion | None, str] = first.ambient.kernels.conjugator(first, second)
-    return found
+    return first.ambient.kernels.conjugator(first, second)
 
 
 def by_two_images(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:

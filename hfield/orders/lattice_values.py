@@ -114,8 +114,7 @@ class LatticeValue:
     @cached_property
     def content(self) -> fmpz:
         """The gcd of all values of Tr(N(x)), scaled: over ℤ the norm."""
-        found: fmpz = self.ambient.kernels.content(self._gram)
-        return found
+        return self.ambient.kernels.content(self._gram)
 
     def multiple(self, row: Sequence[int]) -> int:
         """Return Tr(N(x)) for a row over the denominator, as a multiple of the content."""
@@ -394,8 +393,7 @@ def is_locally_principal(ideal: LatticeValue, order: LatticeValue) -> bool:
 
     Everywhere locally some element has the norm of the ideal, and generates a part of this index.
     """
-    found: bool = ideal.ambient.kernels.is_locally_principal(ideal, order)
-    return found
+    return ideal.ambient.kernels.is_locally_principal(ideal, order)
 
 
 def index(lattice: LatticeValue, other: LatticeValue) -> Any:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import count, product
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpq, fmpq_mat, fmpz_mat
 
@@ -38,6 +38,7 @@ from hfield.orders.units import units_modulo_scalars
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
+    from hfield.orders.lattice import Order
 
 MAX_ENUMERATED = 2 * 10**5
 """Norms are decided by enumeration where about so many steps do it."""
@@ -58,8 +59,8 @@ class Embeddings(Certified):
     there is none.
     """
 
-    order: Any  # an Order, whose class stands above
-    discriminant: Any
+    order: Order
+    discriminant: object
     element: Quaternion | None
     """One of the images, or None."""
     listed: tuple[Quaternion, ...] | None
@@ -113,7 +114,7 @@ class Embeddings(Certified):
 
 
 def embeddings(
-    order: LatticeValue, d: Any
+    order: LatticeValue, d: object
 ) -> tuple[tuple[Quaternion, ...], tuple[Quaternion, ...]]:
     """Return all elements of :class:`Embeddings` and those of the orbits, in a definite algebra.
 

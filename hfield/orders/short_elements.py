@@ -12,7 +12,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from typing import Any
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
@@ -20,7 +19,7 @@ from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, TooLargeError, shorten
 from hfield.fields.base.flint_types import Rational
 from hfield.orders import enumeration, hermite
-from hfield.orders.base_values import Scalar
+from hfield.orders.base_values import Scalar, ThetaSeries
 from hfield.orders.basis import AlgebraBasis
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.validation import natural
@@ -170,7 +169,7 @@ def _signed(lattice: LatticeValue, rows: Iterable[Row]) -> tuple[Quaternion, ...
     return tuple(lattice.element(row) for row in sorted(both, reverse=True))
 
 
-def theta_series(lattice: LatticeValue, n: object) -> Any:
+def theta_series(lattice: LatticeValue, n: object) -> ThetaSeries:
     """Return how many elements have which norm. Raises :class:`TooLargeError`.
 
     Over ℤ it is the list [r(0), …, r(n)], r(m) for the norm ``m·norm``; else {ν: r(ν)} for the norms of trace
@@ -183,7 +182,7 @@ def theta_series(lattice: LatticeValue, n: object) -> Any:
     )
 
 
-def ternary_theta_series(order: LatticeValue, n: object) -> Any:
+def ternary_theta_series(order: LatticeValue, n: object) -> ThetaSeries:
     """Return the same for the elements of trace 0 in R + 2O, R being the integers of the base."""
     bound, ambient = natural(n, "a theta series goes up to"), order.ambient
     den, rows, gram = order.reduced_ternary

@@ -6,13 +6,37 @@ function out of ``rank4`` changes times only.
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
+from flint import fmpz, fmpz_mat
+
+from hfield.orders.base_values import BaseIdeal, ThetaSeries
 from hfield.orders.kernels import general, rank4
+
+if TYPE_CHECKING:
+    from hfield.algebra.quaternion import Quaternion
+    from hfield.orders.basis import AlgebraBasis
+    from hfield.orders.enumeration import Gram
+    from hfield.orders.lattice_values import LatticeValue
+
+Rows = tuple[int, fmpz_mat]
+"""Rows over a denominator."""
 
 
 class Kernels:
     """The functions for lattices over a base: ℤ, or another one."""
+
+    first_order: Callable[[AlgebraBasis], Rows]
+    norm: Callable[[AlgebraBasis, Sequence[fmpz_mat], fmpz, int], BaseIdeal]
+    content: Callable[[fmpz_mat], fmpz]
+    volume: Callable[[AlgebraBasis, fmpz_mat, int], BaseIdeal]
+    order_rows: Callable[[LatticeValue, fmpz_mat], Rows]
+    is_locally_principal: Callable[[LatticeValue, LatticeValue], bool]
+    combination: Callable[[Sequence[int], Sequence[Sequence[int]]], tuple[int, ...]]
+    theta_series: Callable[[AlgebraBasis, int, fmpz_mat, Gram, fmpz, Fraction, int], ThetaSeries]
+    conjugator: Callable[[LatticeValue, LatticeValue], tuple[Quaternion | None, str]]
 
     def __init__(self, rational: bool) -> None:
         def choose(name: str) -> Any:

@@ -7,14 +7,14 @@ from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
 from operator import mul
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import fmpz, fmpz_mat, fmpz_poly
 
 from hfield.errors import TooLargeError
 from hfield.orders import enumeration
 from hfield.orders.base import Counts
-from hfield.orders.base_values import BaseIdeal
+from hfield.orders.base_values import BaseIdeal, ThetaSeries
 from hfield.orders.hermite import hermite, stacked, tuples
 
 if TYPE_CHECKING:
@@ -118,7 +118,7 @@ def theta_series(
     unit: fmpz,
     step: Fraction,
     bound: int,
-) -> Any:
+) -> ThetaSeries:
     """Return how many combinations of rows over ``den`` have each norm of trace at most ``bound·step``.
 
     ``gram`` is the matrix of ``Tr(tr(x·conj(y)))``, scaled, over a unit. Raises :class:`TooLargeError`.
@@ -139,7 +139,9 @@ def theta_series(
         places = [(k, c) for k, c in enumerate(x) if c]
         values = (sum(c * d * form[k][m] for k, c in places for m, d in places) for form in forms)
         counts[tuple(values)] += 2
-    return ambient.base.shown_counts(Counts(counts, 2 * ambient.scale * den**2), step, bound)
+    below = 2 * ambient.scale * den**2
+    found: ThetaSeries = ambient.base.shown_counts(Counts(counts, below), step, bound)
+    return found
 
 
 def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
