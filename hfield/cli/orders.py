@@ -120,8 +120,8 @@ def level_of(text: str, A: QuaternionAlgebra, what: str = "level") -> Any:
 
 def summands(L: Lattice) -> list[tuple[str, str]]:
     """Return the pairs of a pseudo-basis, an ideal and an element, as texts."""
-    K: Any = L.algebra.ring
-    return [(str(K.ideal(list(ideal))), str(q)) for ideal, q in L.pseudo_basis()]
+    base = L.value.ambient.base
+    return [(str(base.ideal(list(ideal))), str(q)) for ideal, q in L.pseudo_basis()]
 
 
 def class_data(ideal: Ideal) -> dict[str, object]:
@@ -149,9 +149,8 @@ def unit_groups(C: ClassSet) -> Iterator[str]:
     """Yield the name of the group of units of the left order of each class."""
     known: dict[int, str] = {}
     for ideal, index, kind in zip(C, C.units, C.types, strict=True):
-        key = (
-            -1 if index == 1 else kind
-        )  # of those without other units than the field has, one group
+        # where there are no units but those of the field, groups are alike
+        key = kind if index > 1 else -1
         if key not in known:
             known[key] = ideal.left_order().unit_group()
         yield known[key]
