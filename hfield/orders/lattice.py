@@ -786,7 +786,7 @@ class Order(WithStableClasses, Certified, Lattice):
     def random_ideal(self, n: object, side: str = "left", seed: int | None = None) -> Ideal:
         """Return a random ideal of norm n, prime to the discriminant, which no prime divides.
 
-        The same for the same seed. Raises :class:`LatticeError`.
+        All such ideals are equally likely; one seed gives one ideal. Raises :class:`LatticeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
