@@ -1,253 +1,307 @@
-"""Newforms of weight 2 with rational eigenvalues, and dimensions, from the Brandt matrices of Eichler orders.
+"""Systems of eigenvalues of Hecke operators on cusp forms, split over ℚ into Galois orbits of newforms.
 
-Functions on the right ideal classes, invariant under the ideals of K, that are orthogonal to those of the
-norm alone are the cusp forms of parallel weight 2 that are new at the primes of the algebra (Eichler; Jacquet
-and Langlands; M. Kirschmer and J. Voight, 2010; L. Dembélé and J. Voight, "Explicit methods for Hilbert
-modular forms", 2013). A newform of level m comes in level N as often as N/m has divisors, with the same
-eigenvalues off N; by multiplicity one nothing else has the same. So what a system of rational eigenvalues has
-more than the newforms of lower levels account for is, when it is one dimension, a newform of this level.
+Functions on the right ideal classes of an Eichler order, invariant under the ideals of K, are the modular
+forms of its level that are new at the primes of the algebra; in weight 2 those that depend on the norm alone
+are no cusp forms (Eichler; Jacquet and Langlands; M. Kirschmer and J. Voight, 2010; L. Dembélé and J. Voight,
+"Explicit methods for Hilbert modular forms", 2013). A newform of level m comes in level N as often as N/m has
+divisors, with the same eigenvalues off N. So the characteristic polynomial of a Hecke operator on the new
+subspace of level N is that on all functions, divided by those on the new subspaces of the levels that divide
+N. All this is done modulo primes p of 62 bits. Deligne's bound of the eigenvalues bounds the coefficients, so
+that finitely many primes prove the integral polynomial.
+
+Let T be a combination of Hecke operators whose polynomial on the new subspace has no multiple root, and none
+in common with those of lower levels. Such a T exists by multiplicity one. Then each irreducible factor g of
+degree d is a Galois orbit of d newforms, with eigenvalues in ℚ[x]/(g).
 """
 
 from __future__ import annotations
 
+import math
+import random
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
-from itertools import product
-from math import prod
-from typing import Any
+from itertools import count, product
+from typing import Any, NamedTuple
 
-import flint
+from flint import fmpz_poly, nmod_mat, nmod_poly
 
+from hfield.core.primality import is_prime
 from hfield.errors import LatticeError, UndecidedError
+from hfield.orders.newforms import Newform
+from hfield.orders.residues_modulo_primes import lifted, pivots
+from hfield.orders.validation import weight as checked_weight
 
-Exponents = tuple[int, ...]
-MOST_PRIMES = 60
-"""No more Hecke operators than this are used to tell newforms apart."""
-
-
-@dataclass(frozen=True)
-class Piece:
-    """A space of functions on which some Hecke operators are numbers: a basis, in columns, and these."""
-
-    basis: flint.fmpq_mat
-    values: tuple[int, ...]
-
-    @property
-    def dimension(self) -> int:
-        """How many forms there are in it."""
-        return int(self.basis.ncols())
-
-    def restricted(self, operator: flint.fmpq_mat) -> flint.fmpq_mat:
-        """Return the matrix of an operator that maps the space into itself."""
-        rows = flint.fmpq_mat(self.basis.transpose()).rref()[0].tolist()
-        pivots = [next(k for k, c in enumerate(row) if c != 0) for row in rows]
-        image, table = (operator * self.basis).tolist(), self.basis.tolist()
-        chosen = flint.fmpq_mat([table[k] for k in pivots])
-        return chosen.inv() * flint.fmpq_mat([image[k] for k in pivots])
-
-    def split(self, operator: flint.fmpq_mat) -> Iterator[Piece]:
-        """Yield the parts on which another operator is an integer too."""
-        matrix = self.restricted(operator)
-        one = flint.fmpq_mat(
-            [[int(k == m) for m in range(self.dimension)] for k in range(self.dimension)]
-        )
-        for factor, _ in matrix.charpoly().numer().factor()[1]:
-            if factor.degree() == 1:
-                root = int(-factor[0])  # a root of a monic integral polynomial
-                kernel, rank = (matrix - one * root).numer_denom()[0].nullspace()
-                table = [row[: int(rank)] for row in kernel.tolist()]
-                yield Piece(
-                    self.basis * flint.fmpq_mat(flint.fmpz_mat(table)), (*self.values, root)
-                )
+Level = tuple[tuple[Any, int], ...]
+MAX_PRIMES = 60
+"""No more Hecke operators than this are combined to separate newforms."""
+COMBINATIONS = 3
+"""So many combinations of the same Hecke operators are tried."""
+LARGEST = 2**62
 
 
-@dataclass(frozen=True)
-class Newform:
-    """A newform with rational eigenvalues ``f[P]``; ``level``: pairs of a prime and an exponent."""
+class Combination(NamedTuple):
+    """A sum of Hecke operators at good primes, times small integers."""
 
-    module: Module
-    piece: Piece
-    by_prime: dict[Any, int]
-
-    @property
-    def signs(self) -> dict[Any, int]:
-        """The signs of Atkin and Lehner at the primes of the level and of the discriminant."""
-        return {self.module.shown(P): sign for P, sign in self.by_prime.items()}
-
-    @property
-    def level(self) -> Sequence[tuple[Any, int]]:
-        """The level beside the discriminant of the algebra."""
-        return self.module.level
-
-    def __getitem__(self, prime: object) -> int:
-        """Return the eigenvalue at a prime."""
-        P = self.module.prime(prime)
-        exponents = dict((*self.level, *((Q, 1) for Q in self.module.ramified)))
-        if P in exponents:
-            return -self.by_prime[P] if exponents[P] == 1 else 0
-        return self._eigenvalue(P)
-
-    def _eigenvalue(self, P: Any) -> int:
-        total = _trace(self.piece.restricted(self.module.operator(P)))
-        for form, times in self.module.old(self.piece):
-            total -= times * form._eigenvalue(P)
-        return total
-
-    def eigenvalues(self, number: int) -> dict[Any, int]:
-        """Return the eigenvalues at the first primes off the level and the discriminant."""
-        primes = self.module.good_primes()
-        several = [next(primes) for _ in range(number)]
-        return {self.module.shown(P): self[P] for P in several}
-
-    def named_eigenvalues(self, number: int) -> str:
-        """Return the first eigenvalues as a text, such as ``a_2 = 1, a_5 = -2, …``."""
-        return ", ".join([*(f"a_{P} = {a}" for P, a in self.eigenvalues(number).items()), "…"])
-
-    def __repr__(self) -> str:
-        return f"<newform {self.named_eigenvalues(5)}>"
+    primes: tuple[Any, ...]
+    coefficients: tuple[int, ...]
 
 
 class Module(ABC):
-    """The functions on the classes of an Eichler order, modulo the ideals of the base field."""
+    """The functions on the classes of an Eichler order, with operators that are matrices modulo primes p.
 
-    level: Sequence[tuple[Any, int]]
+    An operator acts on columns. A row of it is a dict of its entries that are not 0.
+    """
+
+    level: Level
     """Pairs of a prime and its exponent in the level."""
     ramified: Sequence[Any]
     """The primes of the discriminant of the algebra."""
-    weights: Sequence[flint.fmpq]
-    """1/[units], of each point."""
-    narrow: Sequence[int]
-    """What the norm of each point is, modulo squares."""
+    weight: int
+
+    def __init__(self) -> None:
+        self._family: dict[Level, Module] = {}
+        """The modules of the levels that divide one, which they have in common."""
+        self._new: dict[tuple[Combination, int], nmod_poly] = {}
+        self._orbits: dict[tuple[Combination, int], nmod_mat] = {}
+
+    # --- what a module has -------------------------------------------------------------------------
+
+    @property
+    @abstractmethod
+    def cusp_dimension(self) -> int:
+        """The dimension of the cusp forms of this level."""
 
     @abstractmethod
     def prime(self, given: object) -> Any:
         """Return a prime of the base field. Raises :class:`LatticeError`."""
 
+    @abstractmethod
     def shown(self, prime: Any) -> Any:
         """Return a prime as the base field has it."""
-        return prime
+
+    @abstractmethod
+    def absolute_norm(self, prime: Any) -> int:
+        """Return how many residues there are modulo a prime."""
 
     @abstractmethod
     def good_primes(self) -> Iterator[Any]:
         """Yield the primes that divide neither the level nor the discriminant."""
 
     @abstractmethod
-    def operator(self, prime: Any) -> flint.fmpq_mat:
-        """Return a Hecke operator on functions, in columns."""
-
-    @abstractmethod
-    def exchange(self, prime: Any) -> list[int]:
-        """Return which point each becomes by the two-sided ideal at a prime."""
-
-    @abstractmethod
-    def lower(self, level: Sequence[tuple[Any, int]]) -> Module:
+    def lower(self, level: Level) -> Module:
         """Return the module of another level, in the same algebra."""
 
-    @cached_property
-    def _lower(self) -> dict[Exponents, Module]:
-        """The modules of the levels that divide this one, by exponents."""
-        ranges = (range(e + 1) for _, e in self.level)
-        whole = tuple(e for _, e in self.level)
-        found: dict[Exponents, Module] = {}
-        for exponents in product(*ranges):
-            if exponents != whole:
-                pairs = [(P, k) for (P, _), k in zip(self.level, exponents, strict=True) if k]
-                found[exponents] = self.lower(pairs)
-        return found
+    @abstractmethod
+    def suits(self, p: int) -> bool:
+        """Tell whether the module has a reduction modulo p."""
+
+    @abstractmethod
+    def operator(self, prime: Any, p: int) -> nmod_mat:
+        """Return the Hecke operator at a good prime."""
+
+    @abstractmethod
+    def row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+        """Return row i of the same operator."""
+
+    @abstractmethod
+    def exchange_row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+        """Return row i of the operator of the two-sided ideal at a prime of the level or the discriminant."""
+
+    @abstractmethod
+    def subspace(self, p: int) -> nmod_mat | None:
+        """Return a basis of the functions with trivial character, in rows; None where all have it."""
+
+    @abstractmethod
+    def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
+        """Return the characteristic polynomial on functions that depend on the norm alone."""
+
+    # --- levels that divide this one -----------------------------------------------------------------
 
     @cached_property
-    def cusp_dimension(self) -> int:
-        """The dimension of the cusp forms of this level."""
-        return len(self.weights) - len(set(self.narrow))
+    def _lower(self) -> list[tuple[Module, int, int]]:
+        """Modules of lower levels, how often their newforms come here, and how they count in the new part."""
+        found = []
+        for exponents in product(*(range(e + 1) for _, e in self.level)):
+            drops = [e - k for (_, e), k in zip(self.level, exponents, strict=True)]
+            if any(drops):
+                pairs = zip(self.level, exponents, strict=True)
+                level = tuple((P, k) for (P, _), k in pairs if k)
+                sign = math.prod((1, -2, 1)[d] if d < 3 else 0 for d in drops)
+                found.append((self._at(level), math.prod(d + 1 for d in drops), sign))
+        return found
+
+    def _at(self, level: Level) -> Module:
+        if level not in self._family:
+            self._family[level] = found = self.lower(level)
+            found._family = self._family
+        return self._family[level]
 
     @cached_property
     def new_dimension(self) -> int:
         """The dimension of the newforms: by inclusion and exclusion over the levels that divide this one."""
-        total = self.cusp_dimension
-        for exponents, module in self._lower.items():
-            drops = [e - k for (_, e), k in zip(self.level, exponents, strict=True)]
-            total += prod((1, -2, 1)[d] if d < 3 else 0 for d in drops) * module.cusp_dimension
-        return total
+        rest = sum(sign * module.cusp_dimension for module, _, sign in self._lower)
+        return self.cusp_dimension + rest
 
-    @cached_property
-    def cusp_forms(self) -> Piece:
-        """The functions that are orthogonal to those of the norm alone."""
-        kinds = sorted(set(self.narrow))
-        table = [
-            [
-                w if n == kind else flint.fmpq(0)
-                for w, n in zip(self.weights, self.narrow, strict=True)
-            ]
-            for kind in kinds
-        ]
-        kernel, rank = flint.fmpq_mat(table).numer_denom()[0].nullspace()
-        rows = [row[: int(rank)] for row in kernel.tolist()]
-        return Piece(flint.fmpq_mat(flint.fmpz_mat(rows)), ())
+    # --- polynomials ---------------------------------------------------------------------------------
 
-    def old(self, piece: Piece) -> Iterator[tuple[Newform, int]]:
-        """Yield the newforms of lower levels with the eigenvalues of a piece, and how often each is there."""
-        primes = self._first(len(piece.values))
-        for exponents, module in self._lower.items():
-            times = prod(e - k + 1 for (_, e), k in zip(self.level, exponents, strict=True))
-            for form in module.newforms:
-                if all(form[P] == a for P, a in zip(primes, piece.values, strict=True)):
-                    yield form, times
+    def primes(self) -> Iterator[int]:
+        """Yield primes below 2⁶² modulo which the module has a reduction."""
+        return (p for p in count(LARGEST - 1, -2) if is_prime(p) and self.suits(p))
 
-    def _first(self, number: int) -> list[Any]:
-        primes = self.good_primes()
-        return [next(primes) for _ in range(number)]
+    def bound(self, prime: Any) -> int:
+        """Return a bound of the absolute values of the eigenvalues at a good prime: Deligne's."""
+        return math.isqrt(4 * self.absolute_norm(prime) ** (self.weight - 1)) + 1
+
+    def radius(self, T: Combination) -> int:
+        """Return the same for a combination."""
+        return sum(abs(c) * self.bound(P) for P, c in zip(*T, strict=True))
+
+    def combined(self, T: Combination, p: int) -> nmod_mat:
+        """Return a combination of Hecke operators."""
+        terms = (self.operator(P, p) * c for P, c in zip(*T, strict=True))
+        first = next(terms)
+        return sum(terms, first)
+
+    def _polynomial(self, T: Combination, p: int) -> nmod_poly:
+        """Return the characteristic polynomial on functions with trivial character."""
+        matrix, basis = self.combined(T, p), self.subspace(p)
+        if basis is not None:
+            rows = (matrix * basis.transpose()).tolist()
+            size = basis.nrows()
+            matrix = nmod_mat(size, size, [c for k in pivots(basis) for c in rows[k]], p)
+        return matrix.charpoly()
+
+    def _new_polynomial(self, T: Combination, p: int) -> nmod_poly:
+        """Return the characteristic polynomial on the new subspace."""
+        if (T, p) not in self._new:
+            found = _quotient(self._polynomial(T, p), self.norm_polynomial(T, p))
+            for module, times, _ in self._lower:
+                found = _quotient(found, module._new_polynomial(T, p) ** times)
+            self._new[T, p] = found
+        return self._new[T, p]
+
+    def _lower_polynomial(self, T: Combination, p: int) -> nmod_poly:
+        """Return a polynomial whose roots are all eigenvalues that are not those of newforms."""
+        factors = (module._new_polynomial(T, p) for module, _, _ in self._lower)
+        return math.prod(factors, start=self.norm_polynomial(T, p))
+
+    def orbit(self, T: Combination, p: int) -> nmod_mat:
+        """Return the rows v, T·v, T²·v, … for a random v with trivial character, one for each eigenvalue."""
+        if (T, p) not in self._orbits:
+            matrix, basis, rng = self.combined(T, p), self.subspace(p), random.Random(1)
+            size = matrix.nrows()
+            if basis is None:
+                v = nmod_mat(size, 1, [rng.randrange(p) for _ in range(size)], p)
+            else:
+                rows = basis.nrows()
+                numbers = nmod_mat(1, rows, [rng.randrange(p) for _ in range(rows)], p)
+                v = (numbers * basis).transpose()
+            number = self._lower_polynomial(T, p).degree() + self._new_polynomial(T, p).degree()
+            entries = []
+            for _ in range(number):
+                entries += v.entries()
+                v = matrix * v
+            self._orbits[T, p] = nmod_mat(number, size, entries, p)
+        return self._orbits[T, p]
+
+    def eigenvectors(self, T: Combination, g: fmpz_poly, p: int) -> nmod_mat:
+        """Return the eigenvector of T for the root x of g, modulo p: column j is a polynomial in x."""
+        factor = nmod_poly(g.coeffs(), p)
+        rest = _quotient(self._lower_polynomial(T, p) * self._new_polynomial(T, p), factor)
+        orbit = self.orbit(T, p)
+        rows = []
+        for m in range(factor.degree()):
+            # (g(T) − g(x))/(T − x) = Σ xᵐ·(g_(m+1) + g_(m+2)·T + …)
+            coefficients = (factor.right_shift(m + 1) * rest).coeffs()
+            rows.append(coefficients + [0] * (orbit.nrows() - len(coefficients)))
+        return nmod_mat(rows, p) * orbit
+
+    # --- newforms --------------------------------------------------------------------------------------
 
     @cached_property
     def newforms(self) -> list[Newform]:
-        """The newforms of this level with rational eigenvalues. Raises :class:`UndecidedError`."""
-        pieces = [self.cusp_forms] if self.new_dimension else []
-        found: list[Newform] = []
-        for count, P in enumerate(self.good_primes()):
-            left = []
-            for piece in pieces:
-                new = piece.dimension - sum(times for _, times in self.old(piece))
-                if count and new == 1:
-                    found.append(self._newform(piece))
-                elif new:
-                    left.append(piece)
-            if not left:
-                return sorted(found, key=lambda form: form.piece.values)
-            if count == MOST_PRIMES:
-                break
-            operator = self.operator(P)
-            pieces = [part for piece in left for part in piece.split(operator)]
+        """The Galois orbits of newforms of this level. Raises :class:`UndecidedError`."""
+        if not self.new_dimension:
+            return []
+        for T in self._combinations():
+            g = self._separated(T)
+            if g is not None:
+                factors = (f if f[f.degree()] > 0 else -f for f, _ in g.factor()[1])
+                return sorted((Newform(self, T, f) for f in factors), key=self.sort_key)
         raise UndecidedError(
-            f"{MOST_PRIMES} Hecke operators do not tell the newforms of this level apart"
+            f"{MAX_PRIMES} Hecke operators do not tell the newforms of this level apart"
         )
 
-    def _newform(self, piece: Piece) -> Newform:
-        signs = {}
-        old = list(self.old(piece))
-        for Q, e in (*self.level, *((Q, 0) for Q in self.ramified)):
-            moved = self.exchange(Q)
-            size = range(len(moved))
-            matrix = flint.fmpq_mat([[int(moved[i] == j) for j in size] for i in size])
-            trace = _trace(piece.restricted(matrix))
-            # W exchanges what comes from g by d with what comes by Qᶠ/d: in the middle it is the sign of g
-            for form, times in old:
-                drop = e - dict(form.level).get(Q, 0)
-                if drop % 2 == 0:
-                    trace -= (
-                        times // (drop + 1) * (form.by_prime.get(Q, 1) if e else -form.by_prime[Q])
-                    )
-            if abs(trace) != 1:
-                raise AssertionError("an involution is 1 or −1 on a newform")
-            signs[Q] = trace if e else -trace
-        return Newform(self, piece, signs)
+    def sort_key(self, form: Newform) -> Any:
+        """Return a key by which newforms are sorted: the degree, and traces of eigenvalues."""
+        return Traces(form, self.good_primes)
+
+    def _combinations(self) -> Iterator[Combination]:
+        """Yield combinations of more and more Hecke operators."""
+        rng, primes = random.Random(1), self.good_primes()
+        several: list[Any] = []
+        for P in primes:
+            several.append(P)
+            for k in range(COMBINATIONS if len(several) > 1 else 1):
+                numbers = (
+                    rng.choice((-2, -1, 1, 2)) if k else (-1) ** n for n, _ in enumerate(several)
+                )
+                yield Combination(tuple(several), tuple(numbers))
+            if len(several) == MAX_PRIMES:
+                return
+
+    def _separated(self, T: Combination) -> fmpz_poly | None:
+        """Return the polynomial on the new subspace, or None where it does not separate newforms."""
+        degree = self.new_dimension
+        p = next(self.primes())
+        found = self._new_polynomial(T, p)
+        if found.degree() != degree:
+            raise AssertionError("the dimensions of newforms do not add up")
+        others = self._lower_polynomial(T, p)
+        if found.gcd(found.derivative()).degree() or found.gcd(others).degree():
+            return None
+        several = ((q, list(map(int, self._new_polynomial(T, q).coeffs()))) for q in self.primes())
+        return fmpz_poly(lifted(several, (1 + self.radius(T)) ** degree))
 
 
-class WithForms:
-    """What class sets of Eichler orders say of cusp forms of parallel weight 2 and trivial character.
+class Traces:
+    """A key that orders newforms by degree, then by traces of eigenvalues, as many as it takes."""
 
-    Those of the level of the order that are new at the primes of the algebra. All raises
-    :class:`LatticeError` for other orders.
+    def __init__(self, form: Newform, primes: Callable[[], Iterator[Any]]) -> None:
+        self.form, self.primes = form, primes
+
+    def __lt__(self, other: Traces) -> bool:
+        mine, its = self.form, other.form
+        if mine.degree != its.degree:
+            return mine.degree < its.degree
+        for _, P in zip(range(MAX_PRIMES), self.primes(), strict=False):
+            first, second = mine.trace(P), its.trace(P)
+            if first != second:
+                return first < second
+        return False
+
+
+def _quotient(f: nmod_poly, g: nmod_poly) -> nmod_poly:
+    found, rest = divmod(f, g)
+    if rest:
+        raise AssertionError("the eigenvalues of lower levels come in this one")
+    return found
+
+
+def expect_eichler(is_eichler: bool) -> None:
+    """Raise :class:`LatticeError` for an order whose forms have no level."""
+    if not is_eichler:
+        raise LatticeError(
+            "newforms and their dimensions are for maximal and Eichler orders, and this is none"
+        )
+
+
+class WithForms(ABC):
+    """What class sets of Eichler orders say of cusp forms of parallel weight and trivial character.
+
+    Those of the level of the order that are new at the primes of the algebra. The weight is an even number.
+    All raises :class:`LatticeError` for other orders and weights.
 
     >>> from hfield import QuaternionAlgebra
     >>> C = QuaternionAlgebra(11).eichler_order(3).class_set(); C.cusp_dimension(), C.new_dimension()
@@ -257,40 +311,37 @@ class WithForms:
     (-3, -2, 2, 2, -1)
     """
 
-    @property
     @abstractmethod
-    def _forms(self) -> Module:
-        """The functions on the classes as a module of Hecke operators."""
+    def _functions(self, weight: int) -> Module:
+        """Return the functions on the classes as a module of Hecke operators, of an even weight."""
 
-    def cusp_dimension(self) -> int:
-        """Return the dimension of the cusp forms."""
-        return self._forms.cusp_dimension
+    def cusp_dimension(self, weight: int = 2) -> int:
+        """Return the dimension of the cusp forms.
 
-    def new_dimension(self) -> int:
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(11).maximal_order().class_set().cusp_dimension(weight=4)
+        2
+        """
+        return self._functions(checked_weight(weight)).cusp_dimension
+
+    def new_dimension(self, weight: int = 2) -> int:
         """Return the dimension of the newforms."""
-        return self._forms.new_dimension
+        return self._functions(checked_weight(weight)).new_dimension
 
-    def newforms(self) -> list[Newform]:
-        """Return the newforms with rational eigenvalues: ``f[P]``, and ``f.signs``, of Atkin and Lehner.
+    def newforms(self, weight: int = 2) -> list[Newform]:
+        """Return the Galois orbits of newforms, those with rational eigenvalues first.
 
-        Raises :class:`UndecidedError` where many Hecke operators do not tell them apart.
+        They are ordered by their degrees, then by traces of eigenvalues. Raises :class:`UndecidedError` where
+        many Hecke operators do not tell them apart.
 
         >>> from hfield import QuaternionAlgebra
         >>> f = QuaternionAlgebra(37).maximal_order().class_set().newforms()[0]; f, f.signs
         (<newform a_2 = -2, a_3 = -3, a_5 = -2, a_7 = -1, a_11 = -5, …>, {37: 1})
+        >>> f, = QuaternionAlgebra(23).maximal_order().class_set().newforms(); f.degree, f.field
+        (2, QQ[s]/(s^2-s-1))
+        >>> f.eigenvalue(2), f.minimal_polynomial(2), f.eigenvalue(23)
+        (-s, [-1, 1, 1], 1)
+        >>> [f.degree for f in QuaternionAlgebra(5).maximal_order().class_set().newforms(weight=12)]
+        [1, 2]
         """
-        return self._forms.newforms
-
-
-def _trace(matrix: flint.fmpq_mat) -> int:
-    total = sum((matrix[k, k] for k in range(matrix.nrows())), flint.fmpq(0))
-    assert total.q == 1, "eigenvalues are integral"
-    return int(total.p)
-
-
-def expect_eichler(is_eichler: bool) -> None:
-    """Raise :class:`LatticeError` for an order whose forms have no level."""
-    if not is_eichler:
-        raise LatticeError(
-            "newforms and their dimensions are for maximal and Eichler orders, and this is none"
-        )
+        return list(self._functions(checked_weight(weight)).newforms)

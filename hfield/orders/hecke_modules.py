@@ -3,34 +3,36 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
-from fractions import Fraction
+from collections import Counter
+from collections.abc import Callable, Iterator
+from functools import cached_property
 from typing import Any
 
-import flint
+from flint import fmpz_mat, nmod_mat, nmod_poly
 
 from hfield.orders import brandt
 from hfield.orders.classes import Classes, orbits
-from hfield.orders.eigensystems import Module, expect_eichler
+from hfield.orders.eigensystems import Combination, Level, Module, expect_eichler
 from hfield.orders.invariants import good_primes, is_eichler, level
 
 
 class ClassFunctions(Module):
-    """Functions on the classes of an Eichler order; ``make`` returns the classes of another level."""
+    """Forms of weight 2: functions on the classes; ``make`` returns the classes of another level."""
+
+    weight = 2
 
     def __init__(self, classes: Classes, make: Callable[[Any], Classes]) -> None:
+        super().__init__()
         order, self.classes, self.make = classes.order, classes, make
         expect_eichler(is_eichler(order))
         self.base = base = order.ambient.base
-        self.level = base.factorisation(level(order))
+        self.level = tuple(base.factorisation(level(order)))
         self.ramified = order.ambient.ramified
         self._kinds = orbits(len(classes), classes.central)
         count = len(set(self._kinds))
         self._of = [self._kinds.index(kind) for kind in range(count)]
-        weights = [Fraction(0)] * count
-        for units, kind in zip(classes.units, self._kinds, strict=True):
-            weights[kind] += Fraction(1, units)
-        self.weights = [flint.fmpq(w.numerator, w.denominator) for w in weights]
+        self._operators: dict[Any, fmpz_mat] = {}
+        self._rows: dict[tuple[Any, int], Counter[int]] = {}
         self.narrow = self._modulo_squares()
 
     def _modulo_squares(self) -> list[int]:
@@ -61,24 +63,61 @@ class ClassFunctions(Module):
         """Yield the primes that divide neither the level nor the discriminant."""
         return good_primes(self.classes.order)
 
-    def operator(self, prime: Any) -> flint.fmpq_mat:
+    def absolute_norm(self, prime: Any) -> int:
+        """Return how many residues there are modulo a prime."""
+        return self.base.absolute_norm(self.base.prime_ideal(prime))
+
+    def suits(self, p: int) -> bool:
+        """Return True, as the operators are integral."""
+        return True
+
+    def subspace(self, p: int) -> None:
+        """Return None, as functions on the points have trivial character."""
+
+    @cached_property
+    def cusp_dimension(self) -> int:
+        """The dimension of the cusp forms: functions on the points but for those of the norm alone."""
+        return len(self._of) - len(set(self.narrow))
+
+    def operator(self, prime: Any, p: int) -> nmod_mat:
         """Return the Brandt matrix of a prime, on functions on the points."""
-        matrix = brandt.prime_power(self.classes, prime, 1)
-        if len(self._of) == len(self._kinds):
-            return flint.fmpq_mat(matrix)
-        rows = matrix.tolist()
-        table = [[0] * len(self._of) for _ in self._of]
-        for line, n in zip(table, self._of, strict=True):
-            for j, times in enumerate(rows[n]):
-                line[self._kinds[j]] += int(times)
-        return flint.fmpq_mat(table)
+        if prime not in self._operators:
+            matrix = brandt.prime_power(self.classes, prime, 1)
+            if len(self._of) < len(self._kinds):
+                rows = matrix.tolist()
+                table = [[0] * len(self._of) for _ in self._of]
+                for line, n in zip(table, self._of, strict=True):
+                    for j, times in enumerate(rows[n]):
+                        line[self._kinds[j]] += int(times)
+                matrix = fmpz_mat(table)
+            self._operators[prime] = matrix
+        return nmod_mat(self._operators[prime], p)
 
-    def exchange(self, prime: Any) -> list[int]:
-        """Return which point each becomes by the two-sided ideal at a prime."""
-        moved = self.classes.exchanged(prime)
-        return [self._kinds[moved[n]] for n in self._of]
+    def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
+        """Return the characteristic polynomial of a Hecke operator on functions of the norm alone."""
+        size = max(self.narrow) + 1
+        rows, table = self.combined(T, p).tolist(), []
+        for kind in range(size):
+            line = [0] * size
+            for j, c in enumerate(rows[self.narrow.index(kind)]):
+                line[self.narrow[j]] += int(c)
+            table.append(line)
+        return nmod_mat(table, p).charpoly()
 
-    def lower(self, level: Sequence[tuple[Any, int]]) -> ClassFunctions:
+    def row(self, prime: Any, i: int, p: int) -> Counter[int]:
+        """Return row i of the Brandt matrix of a prime, on functions on the points."""
+        if (prime, i) not in self._rows:
+            found: Counter[int] = Counter()
+            for j, times in self.classes.neighbours_of(self._of[i], prime).items():
+                found[self._kinds[j]] += times
+            self._rows[prime, i] = found
+        return self._rows[prime, i]
+
+    def exchange_row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+        """Return row i of the permutation of the points by the two-sided ideal at a prime."""
+        return {self._kinds[self.classes.exchanged(prime)[self._of[i]]]: 1}
+
+    def lower(self, level: Level) -> ClassFunctions:
         """Return the module of another level."""
         primes = (self.base.prime_ideal(P) ** e for P, e in level)
         return ClassFunctions(self.make(math.prod(primes, start=self.base.one)), self.make)

@@ -56,7 +56,7 @@ from hfield.orders import (
 from hfield.orders.basis import basis_of
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.classes import Classes
-from hfield.orders.eigensystems import WithForms
+from hfield.orders.eigensystems import Module, WithForms
 from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.hecke_modules import ClassFunctions
 from hfield.orders.lattice_values import LatticeValue, rows_json
@@ -1497,12 +1497,18 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return self._classes.norms[n].number, stable.reduced(values)
 
     @cached_property
-    def _forms(self) -> ClassFunctions:
-        """The functions on the classes as a module of Hecke operators."""
-        algebra: Any = self.order.algebra
-        return ClassFunctions(
-            self._classes, lambda level: Classes(algebra.eichler_order(level).value)
-        )
+    def _modules(self) -> dict[int, Module]:
+        """The modules of :meth:`_functions`, by weights."""
+        return {}
+
+    def _functions(self, weight: int) -> Module:
+        """Return the functions on the classes as a module of Hecke operators, of an even weight."""
+        if weight not in self._modules:
+            algebra: Any = self.order.algebra
+            self._modules[weight] = ClassFunctions(
+                self._classes, lambda level: Classes(algebra.eichler_order(level).value)
+            )
+        return self._modules[weight]
 
     def latex(self) -> str:
         """Write the number of classes and the mass in LaTeX."""

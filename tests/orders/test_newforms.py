@@ -10,6 +10,21 @@ from tests.subcases import first_quick
 PRIMES = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37]
 
 
+# the minimal polynomials of the coefficients of each Galois orbit
+ORBITS = """
+(N, k, primes) -> my(minimal(c) = Vecrev(if(type(c) == "t_POLMOD", minpoly(c), x - c)));
+apply(f -> apply(p -> minimal(mfcoef(f, p)), primes), mfeigenbasis(mfinit([N, k], 0)))
+"""
+
+
+def orbits(level: int, weight: int, primes: list[int]) -> list[list[list[int]]]:
+    """The minimal polynomials of the coefficients of each Galois orbit of newforms, by PARI."""
+    from cypari import pari
+
+    found = pari(f"({ORBITS.replace(chr(10), ' ')})({level}, {weight}, {primes})")
+    return sorted([[int(c) for c in f] for f in form] for form in found)
+
+
 @pytest.mark.skipif(importlib.util.find_spec("cypari") is None, reason="needs PARI")
 @pytest.mark.parametrize(
     ("discriminant", "level"),
@@ -19,17 +34,25 @@ PRIMES = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37]
 )
 def test_against_pari(discriminant: int, level: int) -> None:
     """Eigenvalues at all primes, those of the level too, and so the signs of Atkin and Lehner."""
-    from cypari import pari
-
     C = QuaternionAlgebra(discriminant).eichler_order(level).class_set()
-    pari(f"mf = mfinit([{discriminant * level}, 2], 0)")
-    assert C.new_dimension() == int(pari("mfdim(mf)"))
-    degrees = [int(d) for d in pari("[poldegree(f) | f <- mffields(mf)]")]
-    expansions = pari("[mfcoefs(f, 40) | f <- mfeigenbasis(mf)]")
-    rational = {
-        tuple(int(f[p]) for p in PRIMES) for f, d in zip(expansions, degrees, strict=True) if d == 1
-    }
-    assert {tuple(f[p] for p in PRIMES) for f in C.newforms()} == rational
+    expected = orbits(discriminant * level, 2, PRIMES)
+    forms = C.newforms()
+    assert C.new_dimension() == sum(f.degree for f in forms)
+    assert sorted([f.minimal_polynomial(p) for p in PRIMES] for f in forms) == expected
+
+
+def test_orbits_of_level_389() -> None:
+    """The first elliptic curve of rank 2, and the eigenvalues of a whole orbit in its field."""
+    forms = QuaternionAlgebra(389).maximal_order().class_set().newforms()
+    assert [f.degree for f in forms] == [1, 2, 3, 6, 20]
+    assert [f.signs[389] for f in forms] == [-1, 1, 1, 1, -1]
+    assert forms[0].eigenvalues(6) == {2: -2, 3: -2, 5: -3, 7: -5, 11: -4, 13: -3}
+    f = forms[2]
+    assert f.field.polynomial.coeffs() == [1, -3, -1, 1]
+    for p in (2, 3, 5, 101):
+        a = f.eigenvalue(p)
+        assert a.trace() == f.trace(p)
+        assert [int(c) for c in a.minimal_polynomial()] == f.minimal_polynomial(p)
 
 
 def test_known_spaces_over_the_golden_field() -> None:

@@ -1,0 +1,38 @@
+"""Integers from their residues modulo several primes, and reduced echelon forms modulo one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from flint import nmod_mat
+
+
+def lifted(residues: Iterable[tuple[int, Sequence[int]]], bound: int) -> list[int]:
+    """Return the integers of absolute value up to a bound that have given residues modulo primes.
+
+    >>> lifted([(5, [2, 4]), (7, [3, 1]), (11, [0, 0])], 15)
+    [-18, -6]
+    """
+    found: list[int] = []
+    modulus = 1
+    for p, values in residues:
+        if modulus == 1:
+            found = [0] * len(values)
+        inverse = pow(modulus, -1, p)
+        found = [x + modulus * ((r - x) * inverse % p) for x, r in zip(found, values, strict=True)]
+        modulus *= p
+        if modulus > 2 * bound:
+            return [x - modulus if 2 * x > modulus else x for x in found]
+    raise AssertionError("there are too few primes")
+
+
+def echelon_form(rows: nmod_mat) -> nmod_mat:
+    """Return the reduced echelon form of a matrix modulo a prime, without rows of zeros."""
+    found, rank = rows.rref()
+    p = int(rows.modulus())
+    return nmod_mat(rank, rows.ncols(), found.entries()[: rank * rows.ncols()], p)
+
+
+def pivots(rows: nmod_mat) -> list[int]:
+    """Return the columns of the pivots of a matrix in reduced echelon form without rows of zeros."""
+    return [next(k for k, c in enumerate(row) if c) for row in rows.tolist()]
