@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 import random
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from functools import cached_property
 from itertools import count, product
 from typing import Any, NamedTuple
@@ -28,6 +28,8 @@ from flint import fmpz_poly, nmod_mat, nmod_poly
 
 from hfield.core.primality import is_prime
 from hfield.errors import LatticeError, UndecidedError
+from hfield.orders.classes import Classes
+from hfield.orders.invariants import good_primes, is_eichler, level
 from hfield.orders.newforms import Newform
 from hfield.orders.residues_modulo_primes import lifted, pivots
 from hfield.orders.validation import weight as checked_weight
@@ -48,24 +50,52 @@ class Combination(NamedTuple):
 
 
 class Module(ABC):
-    """The functions on the classes of an Eichler order, with operators that are matrices modulo primes p.
+    """Functions on the classes of an Eichler order, with operators that are matrices modulo primes p.
 
-    An operator acts on columns. A row of it is a dict of its entries that are not 0.
+    An operator acts on columns. A row of it is a dict of its entries that are not 0. ``make`` returns the
+    classes of another level. Raises :class:`LatticeError` for an order that is not Eichler.
     """
 
-    level: Level
-    """Pairs of a prime and its exponent in the level."""
-    ramified: Sequence[Any]
-    """The primes of the discriminant of the algebra."""
     weight: int
 
-    def __init__(self) -> None:
-        self._family: dict[Level, Module] = {}
+    def __init__(self, classes: Classes, make: Callable[[Any], Classes]) -> None:
+        self.classes, self.make = classes, make
+        order = classes.order
+        if not is_eichler(order):
+            raise LatticeError(
+                "newforms and their dimensions are for maximal and Eichler orders, and this is none"
+            )
+        self.base = base = order.ambient.base
+        self.level: Level = tuple(base.factorisation(level(order)))
+        """Pairs of a prime and its exponent in the level."""
+        self.ramified: tuple[Any, ...] = order.ambient.ramified
+        """The primes of the discriminant of the algebra."""
+        self._family: dict[Level, Module] = {self.level: self}
         """The modules of the levels that divide one, which they have in common."""
+        self._primes: list[int] = []
         self._new: dict[tuple[Combination, int], nmod_poly] = {}
         self._orbits: dict[tuple[Combination, int], nmod_mat] = {}
 
-    # --- what a module has -------------------------------------------------------------------------
+    # --- primes of the base --------------------------------------------------------------------------
+
+    def prime(self, given: object) -> Any:
+        """Return a prime of the base. Raises :class:`LatticeError`."""
+        return self.base.prime(given)
+
+    def shown(self, prime: Any) -> Any:
+        """Return a prime as the base field has it."""
+        p = self.base.place(prime).below
+        return next(P for P, Q in self.base.primes_above(p) if prime == Q)
+
+    def absolute_norm(self, prime: Any) -> int:
+        """Return how many residues there are modulo a prime."""
+        return self.base.absolute_norm(self.base.prime_ideal(prime))
+
+    def good_primes(self) -> Iterator[Any]:
+        """Yield the primes that divide neither the level nor the discriminant."""
+        return good_primes(self.classes.order)
+
+    # --- what a module of one weight has ---------------------------------------------------------------
 
     @property
     @abstractmethod
@@ -73,24 +103,8 @@ class Module(ABC):
         """The dimension of the cusp forms of this level."""
 
     @abstractmethod
-    def prime(self, given: object) -> Any:
-        """Return a prime of the base field. Raises :class:`LatticeError`."""
-
-    @abstractmethod
-    def shown(self, prime: Any) -> Any:
-        """Return a prime as the base field has it."""
-
-    @abstractmethod
-    def absolute_norm(self, prime: Any) -> int:
-        """Return how many residues there are modulo a prime."""
-
-    @abstractmethod
-    def good_primes(self) -> Iterator[Any]:
-        """Yield the primes that divide neither the level nor the discriminant."""
-
-    @abstractmethod
-    def lower(self, level: Level) -> Module:
-        """Return the module of another level, in the same algebra."""
+    def of_classes(self, classes: Classes) -> Module:
+        """Return the module of the classes of another level, of the same weight."""
 
     @abstractmethod
     def suits(self, p: int) -> bool:
@@ -98,7 +112,7 @@ class Module(ABC):
 
     @abstractmethod
     def operator(self, prime: Any, p: int) -> nmod_mat:
-        """Return the Hecke operator at a good prime."""
+        """Return the Hecke operator at a prime."""
 
     @abstractmethod
     def row(self, prime: Any, i: int, p: int) -> dict[int, int]:
@@ -133,7 +147,9 @@ class Module(ABC):
 
     def _at(self, level: Level) -> Module:
         if level not in self._family:
-            self._family[level] = found = self.lower(level)
+            primes = (self.base.prime_ideal(P) ** e for P, e in level)
+            classes = self.make(math.prod(primes, start=self.base.one))
+            self._family[level] = found = self.of_classes(classes)
             found._family = self._family
         return self._family[level]
 
@@ -147,7 +163,11 @@ class Module(ABC):
 
     def primes(self) -> Iterator[int]:
         """Yield primes below 2⁶² modulo which the module has a reduction."""
-        return (p for p in count(LARGEST - 1, -2) if is_prime(p) and self.suits(p))
+        yield from self._primes
+        for p in count(self._primes[-1] - 2 if self._primes else LARGEST - 1, -2):
+            if is_prime(p) and self.suits(p):
+                self._primes.append(p)
+                yield p
 
     def bound(self, prime: Any) -> int:
         """Return a bound of the absolute values of the eigenvalues at a good prime: Deligne's."""
@@ -287,14 +307,6 @@ def _quotient(f: nmod_poly, g: nmod_poly) -> nmod_poly:
     if rest:
         raise AssertionError("the eigenvalues of lower levels come in this one")
     return found
-
-
-def expect_eichler(is_eichler: bool) -> None:
-    """Raise :class:`LatticeError` for an order whose forms have no level."""
-    if not is_eichler:
-        raise LatticeError(
-            "newforms and their dimensions are for maximal and Eichler orders, and this is none"
-        )
 
 
 class WithForms(ABC):

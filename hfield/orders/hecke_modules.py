@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
@@ -12,8 +11,7 @@ from flint import fmpz_mat, nmod_mat, nmod_poly
 
 from hfield.orders import brandt
 from hfield.orders.classes import Classes, orbits
-from hfield.orders.eigensystems import Combination, Level, Module, expect_eichler
-from hfield.orders.invariants import good_primes, is_eichler, level
+from hfield.orders.eigensystems import Combination, Module
 
 
 class ClassFunctions(Module):
@@ -22,18 +20,12 @@ class ClassFunctions(Module):
     weight = 2
 
     def __init__(self, classes: Classes, make: Callable[[Any], Classes]) -> None:
-        super().__init__()
-        order, self.classes, self.make = classes.order, classes, make
-        expect_eichler(is_eichler(order))
-        self.base = base = order.ambient.base
-        self.level = tuple(base.factorisation(level(order)))
-        self.ramified = order.ambient.ramified
+        super().__init__(classes, make)
         self._kinds = orbits(len(classes), classes.central)
-        count = len(set(self._kinds))
-        self._of = [self._kinds.index(kind) for kind in range(count)]
+        self._of = [self._kinds.index(kind) for kind in range(len(set(self._kinds)))]
+        self.narrow = self._modulo_squares()
         self._operators: dict[Any, fmpz_mat] = {}
         self._rows: dict[tuple[Any, int], Counter[int]] = {}
-        self.narrow = self._modulo_squares()
 
     def _modulo_squares(self) -> list[int]:
         """Return the narrow class of the norm of each point modulo squares, by numbers."""
@@ -49,23 +41,6 @@ class ClassFunctions(Module):
             )
             out.append(known.setdefault(reduced, len(known)))
         return out
-
-    def prime(self, given: object) -> Any:
-        """Return a prime of the base."""
-        return self.base.prime(given)
-
-    def shown(self, prime: Any) -> Any:
-        """Return a prime as the base field has it."""
-        p = self.base.place(prime).below
-        return next(P for P, Q in self.base.primes_above(p) if prime == Q)
-
-    def good_primes(self) -> Iterator[Any]:
-        """Yield the primes that divide neither the level nor the discriminant."""
-        return good_primes(self.classes.order)
-
-    def absolute_norm(self, prime: Any) -> int:
-        """Return how many residues there are modulo a prime."""
-        return self.base.absolute_norm(self.base.prime_ideal(prime))
 
     def suits(self, p: int) -> bool:
         """Return True, as the operators are integral."""
@@ -117,7 +92,6 @@ class ClassFunctions(Module):
         """Return row i of the permutation of the points by the two-sided ideal at a prime."""
         return {self._kinds[self.classes.exchanged(prime)[self._of[i]]]: 1}
 
-    def lower(self, level: Level) -> ClassFunctions:
-        """Return the module of another level."""
-        primes = (self.base.prime_ideal(P) ** e for P, e in level)
-        return ClassFunctions(self.make(math.prod(primes, start=self.base.one)), self.make)
+    def of_classes(self, classes: Classes) -> ClassFunctions:
+        """Return the module of the classes of another level."""
+        return ClassFunctions(classes, self.make)

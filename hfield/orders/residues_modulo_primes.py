@@ -1,4 +1,4 @@
-"""Integers from their residues modulo several primes, and reduced echelon forms modulo one."""
+"""Integers from their residues modulo several primes, and linear algebra modulo one."""
 
 from __future__ import annotations
 
@@ -36,3 +36,17 @@ def echelon_form(rows: nmod_mat) -> nmod_mat:
 def pivots(rows: nmod_mat) -> list[int]:
     """Return the columns of the pivots of a matrix in reduced echelon form without rows of zeros."""
     return [next(k for k, c in enumerate(row) if c) for row in rows.tolist()]
+
+
+def identity(size: int, p: int) -> nmod_mat:
+    """Return the identity matrix modulo p."""
+    return nmod_mat(size, size, [int(i == j) for i in range(size) for j in range(size)], p)
+
+
+def fixed_by(matrix: nmod_mat, basis: nmod_mat) -> nmod_mat:
+    """Return a basis, in echelon form, of the vectors in the span of rows that a matrix fixes."""
+    rows = basis.nrows()
+    moved = matrix * basis.transpose() - basis.transpose()
+    kernel, rank = moved.nullspace()
+    entries = kernel.transpose().entries()[: rank * rows]
+    return echelon_form(nmod_mat(rank, rows, entries, int(basis.modulus())) * basis)
