@@ -3,6 +3,7 @@
 import importlib.util
 
 import pytest
+from flint import fmpz_poly
 
 from hfield import LatticeError, QuaternionAlgebra, ring
 from tests.subcases import first_quick
@@ -91,20 +92,89 @@ def test_signs_at_the_level_agree_with_ideals_of_that_norm() -> None:
 
 
 @pytest.mark.slow
-def test_class_number_two() -> None:
-    """Over ℚ(√10), class number 2: new dimensions do not depend on the algebra (Jacquet and Langlands)."""
+@pytest.mark.parametrize("weight", [2, 4])
+def test_class_number_two(weight: int) -> None:
+    """Over ℚ(√10), class number 2: newforms do not depend on the algebra (Jacquet and Langlands)."""
     K = ring("QQ(sqrt(10))")
     P, Q = K.primes_above(2)[0], K.primes_above(3)[0]
     split = QuaternionAlgebra.from_ramification(K, K.real_places())
     ramified = QuaternionAlgebra.from_ramification(K, [*K.real_places(), P, Q])
     over = split.eichler_order([(P, 1), (Q, 1)]).class_set()
     other = ramified.maximal_order().class_set()
-    assert over.new_dimension() == other.new_dimension() > 0
-    mine, its = over.newforms(), other.newforms()
+    assert over.new_dimension(weight) == other.new_dimension(weight) == {2: 2, 4: 12}[weight]
     primes = [P, Q, *K.primes_above(5), *K.primes_above(3), *K.primes_above(7)]
-    assert sorted([f[P] for P in primes] for f in mine) == sorted(
-        [f[P] for P in primes] for f in its
+    mine, its = (
+        sorted([f.minimal_polynomial(P) for P in primes] for f in C.newforms(weight))
+        for C in (over, other)
     )
+    assert mine == its
+
+
+# --- weights ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.skipif(importlib.util.find_spec("cypari") is None, reason="needs PARI")
+@pytest.mark.parametrize(
+    ("discriminant", "level", "weight"),
+    first_quick([(3, 5, 4), (2, 9, 6), (30, 1, 4), (7, 1, 12), (2, 27, 4), (5, 12, 6)], 3),
+)
+def test_weights_against_pari(discriminant: int, level: int, weight: int) -> None:
+    forms = QuaternionAlgebra(discriminant).eichler_order(level).class_set().newforms(weight)
+    expected = orbits(discriminant * level, weight, PRIMES)
+    assert sorted([f.minimal_polynomial(p) for p in PRIMES] for f in forms) == expected
+
+
+def test_level_one_over_the_golden_field() -> None:
+    """The forms of even weight are polynomials in three of weights 2, 6 and 10 (Gundlach, 1963)."""
+    C = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().class_set()
+    assert [C.cusp_dimension(k) for k in (2, 4, 6, 8, 10)] == [0, 0, 1, 1, 2]
+    (f,) = C.newforms(weight=6)
+    assert (f[2], f[3]) == (20, 90)
+
+
+def test_base_change() -> None:
+    """The form of level 3 and weight 6 over ℚ, and that over ℚ(√5) which comes from it."""
+    (f,) = QuaternionAlgebra(3).maximal_order().class_set().newforms(weight=6)
+    A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    lift = A.eichler_order(3).class_set().newforms(weight=6)[0]
+    assert lift[2] == f[2] ** 2 - 2 * 2**5
+    assert [lift[P] for P in A.ring.primes_above(11)] == [f[11]] * 2
+    assert (lift[3], lift.signs[A.ring.primes_above(3)[0]]) == (f[3] ** 2, f.signs[3])
+
+
+def test_base_change_to_a_cubic_field() -> None:
+    K = ring("QQ[s]/(s^3-s^2-2*s+1)")
+    A = QuaternionAlgebra.from_ramification(K, [*K.real_places(), K.primes_above(7)[0]])
+    (f,) = QuaternionAlgebra(7).maximal_order().class_set().newforms(weight=4)
+    (lift,) = A.maximal_order().class_set().newforms(weight=4)
+    assert lift[2] == f[2] ** 3 - 3 * 2**3 * f[2]
+    assert lift[K.primes_above(13)[0]] == f[13]
+
+
+def test_polynomials_on_all_forms() -> None:
+    """Old and new: Hecke's relations in T(4), T(6), and the level, where T(3) is not that of newforms."""
+    C = QuaternionAlgebra(5).eichler_order(3).class_set()
+    new = C.newforms(weight=4)
+    (old,) = QuaternionAlgebra(5).maximal_order().class_set().newforms(weight=4)
+    for norm, eigenvalue in {
+        2: lambda f: f[2],
+        4: lambda f: f[2] ** 2 - 2**3,
+        14: lambda f: f[2] * f[7],
+        25: lambda f: f[5] ** 2,
+    }.items():
+        expected = fmpz_poly([1])
+        for f in [*new, old, old]:
+            expected *= fmpz_poly([-int(eigenvalue(f)), 1])
+        assert C.hecke_polynomial(norm, weight=4) == [int(c) for c in expected.coeffs()]
+    with pytest.raises(LatticeError, match="weight 4"):
+        C.hecke_polynomial(9, weight=4)
+
+
+@pytest.mark.parametrize("weight", [0, 3, -2, "4", 2.5])
+def test_odd_weights_are_refused(weight: object) -> None:
+    C = QuaternionAlgebra(5).maximal_order().class_set()
+    with pytest.raises(LatticeError, match="2, 4, 6"):
+        C.newforms(weight=weight)  # type: ignore[arg-type]
 
 
 def test_other_orders_have_no_level() -> None:
