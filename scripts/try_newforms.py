@@ -3,8 +3,8 @@
     python scripts/try_newforms.py [--below 301] [--from 2] [--weights 2 12] [--seconds 600] [--orbits 20]
 
 Each level is written in every way as D·N with D a product of an odd number of primes that do not divide N.
-The characteristic polynomials of T₂, T₃, T₅ and T₇ on the new subspace are compared with ``mfheckemat``. Where
-it has at most ``--orbits`` dimensions the Galois orbits are compared with ``mfsplit`` too, by the minimal
+The characteristic polynomials of T₂, T₃, T₅, T₇ on the new subspace are compared with ``mfheckemat``. Where it
+has at most ``--orbits`` dimensions the Galois orbits are compared with ``mfsplit`` too, by the minimal
 polynomials of these four eigenvalues. Ends when all levels are compared or the time is over. Exit status 1 if
 a polynomial differs.
 """

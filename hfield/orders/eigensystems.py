@@ -26,7 +26,7 @@ from typing import Any, NamedTuple
 
 from flint import fmpz_poly, nmod_mat, nmod_poly
 
-from hfield.core.primality import is_prime
+from hfield.core.primality import is_prime, primes
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders.classes import Classes
 from hfield.orders.invariants import good_primes, is_eichler, level
@@ -94,6 +94,18 @@ class Module(ABC):
     def good_primes(self) -> Iterator[Any]:
         """Yield the primes that divide neither the level nor the discriminant."""
         return good_primes(self.classes.order)
+
+    def primes_up_to(self, norm: int) -> list[Any]:
+        """Return all primes of norm up to a bound, ascending by their norms."""
+        above = (P for p in primes(below=norm + 1) for _, P in self.base.primes_above(p))
+        return sorted((P for P in above if self.absolute_norm(P) <= norm), key=self.absolute_norm)
+
+    def expect_rational(self) -> None:
+        """Raise :class:`LatticeError` where the base is not ℤ."""
+        if not self.base.is_rational:
+            raise LatticeError(
+                "q-expansions are for forms over QQ: over other fields eigenvalue(P) belongs to a prime P"
+            )
 
     # --- what a module of one weight has ---------------------------------------------------------------
 
@@ -248,20 +260,15 @@ class Module(ABC):
             g = self._separated(T)
             if g is not None:
                 factors = (f if f[f.degree()] > 0 else -f for f, _ in g.factor()[1])
-                return sorted((Newform(self, T, f) for f in factors), key=self.sort_key)
+                return sorted((Newform(self, T, f) for f in factors), key=Traces)
         raise UndecidedError(
             f"{MAX_PRIMES} Hecke operators do not tell the newforms of this level apart"
         )
 
-    def sort_key(self, form: Newform) -> Any:
-        """Return a key by which newforms are sorted: the degree, and traces of eigenvalues."""
-        return Traces(form, self.good_primes)
-
     def _combinations(self) -> Iterator[Combination]:
         """Yield combinations of more and more Hecke operators."""
-        rng, primes = random.Random(1), self.good_primes()
-        several: list[Any] = []
-        for P in primes:
+        rng, several = random.Random(1), list[Any]()
+        for P in self.good_primes():
             several.append(P)
             for k in range(COMBINATIONS if len(several) > 1 else 1):
                 numbers = (
@@ -286,20 +293,17 @@ class Module(ABC):
 
 
 class Traces:
-    """A key that orders newforms by degree, then by traces of eigenvalues, as many as it takes."""
+    """A key that orders Galois orbits by degree, then by traces: no two have the same traces."""
 
-    def __init__(self, form: Newform, primes: Callable[[], Iterator[Any]]) -> None:
-        self.form, self.primes = form, primes
+    def __init__(self, form: Newform) -> None:
+        self.form = form
 
     def __lt__(self, other: Traces) -> bool:
         mine, its = self.form, other.form
         if mine.degree != its.degree:
             return mine.degree < its.degree
-        for _, P in zip(range(MAX_PRIMES), self.primes(), strict=False):
-            first, second = mine.trace(P), its.trace(P)
-            if first != second:
-                return first < second
-        return False
+        pairs = zip(mine.traces(), its.traces(), strict=False)
+        return next(a < b for a, b in pairs if a != b)
 
 
 def _quotient(f: nmod_poly, g: nmod_poly) -> nmod_poly:
@@ -343,8 +347,8 @@ class WithForms(ABC):
     def newforms(self, weight: int = 2) -> list[Newform]:
         """Return the Galois orbits of newforms, those with rational eigenvalues first.
 
-        They are ordered by their degrees, then by traces of eigenvalues. Raises :class:`UndecidedError` where
-        many Hecke operators do not tell them apart.
+        They are ordered by their degrees, then by traces of coefficients. Raises :class:`UndecidedError`
+        where many Hecke operators do not tell them apart.
 
         >>> from hfield import QuaternionAlgebra
         >>> f = QuaternionAlgebra(37).maximal_order().class_set().newforms()[0]; f, f.signs

@@ -8,16 +8,20 @@ the conjugates of a bounds the coefficients of N, so that they are known from re
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from functools import cached_property
-from itertools import islice
+from itertools import count, islice
 from typing import TYPE_CHECKING, Any
 
 from flint import fmpz_poly, nmod_mat, nmod_poly
 
+from hfield.core.factorisation import factorise
+from hfield.core.primality import is_prime
 from hfield.fields.rationals.ring import QQ
 from hfield.orders.eigenvalue_fields import EigenvalueField
 from hfield.orders.residues_modulo_primes import lifted
+from hfield.orders.validation import positive
 
 if TYPE_CHECKING:
     from hfield.orders.eigensystems import Combination, Level, Module
@@ -162,6 +166,69 @@ class Newform:
             self._numerators[P] = lifted(residues, bound)
         return self._numerators[P]
 
+    # --- q-expansions ------------------------------------------------------------------------------------
+
+    def coefficient(self, n: int) -> Any:
+        """Return the coefficient of qⁿ, n ≥ 1, an element of the field.
+
+        Raises :class:`LatticeError` over other fields than ℚ, where forms have no such expansion.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> f = QuaternionAlgebra(11).maximal_order().class_set().newforms()[0]
+        >>> [f.coefficient(n) for n in range(1, 11)], f.q_expansion(6)
+        ([1, -2, -1, 2, 1, 2, -2, 0, -2, -2], 'q - 2*q^2 - q^3 + 2*q^4 + q^5 + O(q^6)')
+        """
+        self._module.expect_rational()
+        found = self.field(1)
+        for p, e in factorise(positive(n, "number of a coefficient")).items():
+            a = self.eigenvalue(p)
+            weight = 0 if self._at_level(p) is not None else p ** (self.weight - 1)
+            before, power = self.field(0), self.field(1)
+            for _ in range(e):
+                before, power = power, a * power - before * weight
+            found = found * power
+        return found
+
+    def q_expansion(self, number: int = 10) -> str:
+        """Return the expansion up to O(qⁿ) as a text. Raises as :meth:`coefficient` does."""
+        text = "q"
+        for n in range(2, number):
+            c = self.coefficient(n)
+            if c:
+                shown = self.field.text(c)
+                is_sum = "+" in shown[1:] or "-" in shown[1:]
+                size = f"({shown})" if is_sum else shown.removeprefix("-")
+                sign = "-" if not is_sum and shown.startswith("-") else "+"
+                text += f" {sign} {'' if size == '1' else size + '*'}q^{n}"
+        return f"{text} + O(q^{number})"
+
+    def traces(self) -> Iterator[int]:
+        """Yield the traces of the coefficients of q², q³, …; elsewhere of the eigenvalues at good primes."""
+        if not self._module.base.is_rational:
+            yield from map(self.trace, self._module.good_primes())
+        for n in count(2):
+            if is_prime(n):
+                yield self.trace(n)
+            else:
+                a = self.coefficient(n)
+                yield int((a if self.degree == 1 else a.trace()).p)
+
+    @property
+    def label(self) -> str | None:
+        """The label in the LMFDB, such as ``389.2.a.e``; None over other fields than ℚ.
+
+        All newforms of weight k and level D·N come from an algebra of discriminant D, where D is prime to N:
+        so the place of an orbit among them is known. They are ordered by the traces of coefficients.
+        """
+        if not self._module.base.is_rational:
+            return None
+        level = math.prod(p**e for p, e in self.level) * math.prod(self._module.ramified)
+        number = self._module.newforms.index(self)
+        letters = chr(ord("a") + number % 26)
+        while number := number // 26:
+            letters = chr(ord("a") + number % 26) + letters
+        return f"{level}.{self.weight}.a.{letters}"
+
     # --- modulo primes -----------------------------------------------------------------------------------
 
     def _reductions(self) -> Iterator[tuple[int, nmod_mat]]:
@@ -192,6 +259,14 @@ class Newform:
         """Return the eigenvalues at the first primes off the level and the discriminant."""
         primes = islice(self._module.good_primes(), number)
         return {self._module.shown(P): self[P] for P in primes}
+
+    def eigenvalues_up_to(self, norm: int) -> dict[Any, Any]:
+        """Return the eigenvalues at all primes of norm up to a bound, those of the level too."""
+        return {self._module.shown(P): self[P] for P in self._module.primes_up_to(norm)}
+
+    def traces_up_to(self, norm: int) -> dict[Any, int]:
+        """Return the traces of the eigenvalues at the same primes."""
+        return {self._module.shown(P): self.trace(P) for P in self._module.primes_up_to(norm)}
 
     def named_eigenvalues(self, number: int) -> str:
         """Return the first eigenvalues as a text, such as ``a_2 = 1, a_5 = -2, …``."""

@@ -55,7 +55,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--newforms",
         action="store_true",
-        help="add the newforms of weight 2 with rational eigenvalues",
+        help="add the newforms of weight 2 with rational eigenvalues; hfield newforms has all",
     )
     add_answers(parser)
 
