@@ -356,7 +356,7 @@ class WithForms(ABC):
         >>> f, = QuaternionAlgebra(23).maximal_order().class_set().newforms(); f.degree, f.field
         (2, QQ[s]/(s^2-s-1))
         >>> f.eigenvalue(2), f.minimal_polynomial(2), f.eigenvalue(23)
-        (-s, [-1, 1, 1], 1)
+        (-1+s, [-1, 1, 1], 1)
         >>> [f.degree for f in QuaternionAlgebra(5).maximal_order().class_set().newforms(weight=12)]
         [1, 2]
         """

@@ -71,13 +71,13 @@ class ClassFunctions(Module):
     def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
         """Return the characteristic polynomial of a Hecke operator on functions of the norm alone."""
         size = max(self.narrow) + 1
-        rows, table = self.combined(T, p).tolist(), []
+        entries = [0] * (size * size)
         for kind in range(size):
-            line = [0] * size
-            for j, c in enumerate(rows[self.narrow.index(kind)]):
-                line[self.narrow[j]] += int(c)
-            table.append(line)
-        return nmod_mat(table, p).charpoly()
+            i = self.narrow.index(kind)
+            for P, c in zip(*T, strict=True):
+                for j, times in self.row(P, i, p).items():
+                    entries[kind * size + self.narrow[j]] += c * times
+        return nmod_mat(size, size, [x % p for x in entries], p).charpoly()
 
     def row(self, prime: Any, i: int, p: int) -> Counter[int]:
         """Return row i of the Brandt matrix of a prime, on functions on the points."""

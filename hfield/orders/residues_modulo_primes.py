@@ -10,7 +10,7 @@ from flint import nmod_mat
 def lifted(residues: Iterable[tuple[int, Sequence[int]]], bound: int) -> list[int]:
     """Return the integers of absolute value up to a bound that have given residues modulo primes.
 
-    >>> lifted([(5, [2, 4]), (7, [3, 1]), (11, [0, 0])], 15)
+    >>> lifted([(5, [2, 4]), (7, [3, 1]), (11, [4, 5])], 100)
     [-18, -6]
     """
     found: list[int] = []
