@@ -31,7 +31,7 @@ from hfield.errors import LatticeError, UndecidedError
 from hfield.orders.classes import Classes
 from hfield.orders.invariants import good_primes, is_eichler, level
 from hfield.orders.newforms import Newform
-from hfield.orders.residues_modulo_primes import lifted, pivots
+from hfield.orders.residues_modulo_primes import lifted
 from hfield.orders.validation import weight as checked_weight
 
 Level = tuple[tuple[Any, int], ...]
@@ -74,7 +74,8 @@ class Module(ABC):
         """The modules of the levels that divide one, which they have in common."""
         self._primes: list[int] = []
         self._new: dict[tuple[Combination, int], nmod_poly] = {}
-        self._orbits: dict[tuple[Combination, int], nmod_mat] = {}
+        self._orbits: dict[tuple[Combination, int, int], nmod_mat] = {}
+        self._known_polynomials: dict[tuple[Combination, int], list[nmod_poly]] = {}
 
     # --- primes of the base --------------------------------------------------------------------------
 
@@ -101,8 +102,8 @@ class Module(ABC):
         return sorted((P for P in above if self.absolute_norm(P) <= norm), key=self.absolute_norm)
 
     def expect_rational(self) -> None:
-        """Raise :class:`LatticeError` where the base is not ℤ."""
-        if not self.base.is_rational:
+        """Raise :class:`LatticeError` over a field other than ℚ."""
+        if self.base.degree > 1:
             raise LatticeError(
                 "q-expansions are for forms over QQ: over other fields eigenvalue(P) belongs to a prime P"
             )
@@ -123,20 +124,23 @@ class Module(ABC):
         """Tell whether the module has a reduction modulo p."""
 
     @abstractmethod
-    def operator(self, prime: Any, p: int) -> nmod_mat:
-        """Return the Hecke operator at a prime."""
+    def blocks(self, prime: Any, p: int) -> list[nmod_mat]:
+        """Return the Hecke operator at a good prime on subspaces that all these operators preserve.
+
+        Their sum is the space of functions with trivial character.
+        """
+
+    @abstractmethod
+    def expanded(self, block: int, rows: nmod_mat, p: int) -> nmod_mat:
+        """Return elements of such a subspace as functions, in rows."""
 
     @abstractmethod
     def row(self, prime: Any, i: int, p: int) -> dict[int, int]:
-        """Return row i of the same operator."""
+        """Return row i of the Hecke operator at a prime."""
 
     @abstractmethod
     def exchange_row(self, prime: Any, i: int, p: int) -> dict[int, int]:
         """Return row i of the operator of the two-sided ideal at a prime of the level or the discriminant."""
-
-    @abstractmethod
-    def subspace(self, p: int) -> nmod_mat | None:
-        """Return a basis of the functions with trivial character, in rows; None where all have it."""
 
     @abstractmethod
     def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
@@ -189,25 +193,28 @@ class Module(ABC):
         """Return the same for a combination."""
         return sum(abs(c) * self.bound(P) for P, c in zip(*T, strict=True))
 
-    def combined(self, T: Combination, p: int) -> nmod_mat:
-        """Return a combination of Hecke operators."""
-        terms = (self.operator(P, p) * c for P, c in zip(*T, strict=True))
-        first = next(terms)
-        return sum(terms, first)
+    def _combined(self, T: Combination, p: int) -> list[nmod_mat]:
+        """Return a combination of Hecke operators, block by block."""
+        several = zip(*(self.blocks(P, p) for P in T.primes), strict=True)
+        return [
+            sum(
+                (m * c for m, c in zip(rest, T.coefficients[1:], strict=True)),
+                first * T.coefficients[0],
+            )
+            for first, *rest in several
+        ]
 
-    def _polynomial(self, T: Combination, p: int) -> nmod_poly:
-        """Return the characteristic polynomial on functions with trivial character."""
-        matrix, basis = self.combined(T, p), self.subspace(p)
-        if basis is not None:
-            rows = (matrix * basis.transpose()).tolist()
-            size = basis.nrows()
-            matrix = nmod_mat(size, size, [c for k in pivots(basis) for c in rows[k]], p)
-        return matrix.charpoly()
+    def _polynomials(self, T: Combination, p: int) -> list[nmod_poly]:
+        """Return the characteristic polynomials, block by block."""
+        if (T, p) not in self._known_polynomials:
+            self._known_polynomials[T, p] = [m.charpoly() for m in self._combined(T, p)]
+        return self._known_polynomials[T, p]
 
     def _new_polynomial(self, T: Combination, p: int) -> nmod_poly:
         """Return the characteristic polynomial on the new subspace."""
         if (T, p) not in self._new:
-            found = _quotient(self._polynomial(T, p), self.norm_polynomial(T, p))
+            found = math.prod(self._polynomials(T, p), start=nmod_poly([1], p))
+            found = _quotient(found, self.norm_polynomial(T, p))
             for module, times, _ in self._lower:
                 found = _quotient(found, module._new_polynomial(T, p) ** times)
             self._new[T, p] = found
@@ -218,36 +225,43 @@ class Module(ABC):
         factors = (module._new_polynomial(T, p) for module, _, _ in self._lower)
         return math.prod(factors, start=self.norm_polynomial(T, p))
 
-    def orbit(self, T: Combination, p: int) -> nmod_mat:
-        """Return the rows v, T·v, T²·v, … for a random v with trivial character, one for each eigenvalue."""
-        if (T, p) not in self._orbits:
-            matrix, basis, rng = self.combined(T, p), self.subspace(p), random.Random(1)
+    def _orbit(self, T: Combination, p: int, block: int) -> nmod_mat:
+        """Return the rows v, T·v, T²·v, … for a random v in a block, one for each eigenvalue there."""
+        if (T, p, block) not in self._orbits:
+            matrix, rng = self._combined(T, p)[block], random.Random(1)
             size = matrix.nrows()
-            if basis is None:
-                v = nmod_mat(size, 1, [rng.randrange(p) for _ in range(size)], p)
-            else:
-                rows = basis.nrows()
-                numbers = nmod_mat(1, rows, [rng.randrange(p) for _ in range(rows)], p)
-                v = (numbers * basis).transpose()
-            number = self._lower_polynomial(T, p).degree() + self._new_polynomial(T, p).degree()
-            entries = []
+            v = nmod_mat(size, 1, [rng.randrange(p) for _ in range(size)], p)
+            entries, number = [], self._annihilator(T, p, block).degree()
             for _ in range(number):
                 entries += v.entries()
                 v = matrix * v
-            self._orbits[T, p] = nmod_mat(number, size, entries, p)
-        return self._orbits[T, p]
+            self._orbits[T, p, block] = nmod_mat(number, size, entries, p)
+        return self._orbits[T, p, block]
 
-    def eigenvectors(self, T: Combination, g: fmpz_poly, p: int) -> nmod_mat:
-        """Return the eigenvector of T for the root x of g, modulo p: column j is a polynomial in x."""
+    def _annihilator(self, T: Combination, p: int, block: int) -> nmod_poly:
+        """Return a polynomial f with f(T) = 0 on a block: T is semisimple, so one with all eigenvalues."""
+        whole = self._lower_polynomial(T, p) * self._new_polynomial(T, p)
+        return whole.gcd(self._polynomials(T, p)[block])
+
+    def eigenvectors(self, T: Combination, g: fmpz_poly, p: int) -> nmod_mat | None:
+        """Return the eigenvector of T for the root x of g, modulo p: column j is a polynomial in x.
+
+        It is None where g has a root in common with other factors modulo p.
+        """
         factor = nmod_poly(g.coeffs(), p)
         rest = _quotient(self._lower_polynomial(T, p) * self._new_polynomial(T, p), factor)
-        orbit = self.orbit(T, p)
+        if factor.gcd(rest).degree():
+            return None
+        polynomials = self._polynomials(T, p)
+        block = next(n for n, f in enumerate(polynomials) if not f % factor)
+        rest = _quotient(self._annihilator(T, p, block), factor)
+        orbit = self._orbit(T, p, block)
         rows = []
         for m in range(factor.degree()):
             # (g(T) − g(x))/(T − x) = Σ xᵐ·(g_(m+1) + g_(m+2)·T + …)
             coefficients = (factor.right_shift(m + 1) * rest).coeffs()
             rows.append(coefficients + [0] * (orbit.nrows() - len(coefficients)))
-        return nmod_mat(rows, p) * orbit
+        return self.expanded(block, nmod_mat(rows, p) * orbit, p)
 
     # --- newforms --------------------------------------------------------------------------------------
 

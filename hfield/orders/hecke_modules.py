@@ -24,7 +24,7 @@ class ClassFunctions(Module):
         self._kinds = orbits(len(classes), classes.central)
         self._of = [self._kinds.index(kind) for kind in range(len(set(self._kinds)))]
         self.narrow = self._modulo_squares()
-        self._operators: dict[Any, fmpz_mat] = {}
+        self._operators: dict[Any, list[fmpz_mat]] = {}
         self._rows: dict[tuple[Any, int], Counter[int]] = {}
 
     def _modulo_squares(self) -> list[int]:
@@ -46,27 +46,62 @@ class ClassFunctions(Module):
         """Return True, as the operators are integral."""
         return True
 
-    def subspace(self, p: int) -> None:
-        """Return None, as functions on the points have trivial character."""
-
     @cached_property
     def cusp_dimension(self) -> int:
         """The dimension of the cusp forms: functions on the points but for those of the norm alone."""
         return len(self._of) - len(set(self.narrow))
 
-    def operator(self, prime: Any, p: int) -> nmod_mat:
-        """Return the Brandt matrix of a prime, on functions on the points."""
+    @cached_property
+    def _involution(self) -> list[int]:
+        """An exchange of the points with which all Hecke operators at good primes commute."""
+        identity = list(range(len(self._of)))
+        for Q in self.ramified if len(identity) > brandt.MAX_UNSPLIT else ():
+            moved = [self._exchanged(i, Q) for i in identity]
+            if moved != identity:
+                return moved
+        return identity
+
+    @cached_property
+    def _signed(self) -> list[tuple[int, list[int]]]:
+        """The signs under it, with the points that represent functions of this sign."""
+        moved = list(enumerate(self._involution))
+        even, odd = [i for i, j in moved if i <= j], [i for i, j in moved if i < j]
+        return [(1, even), (-1, odd)] if odd else [(1, even)]
+
+    def blocks(self, prime: Any, p: int) -> list[nmod_mat]:
+        """Return the Brandt matrix of a good prime on functions of either sign under the involution."""
         if prime not in self._operators:
-            matrix = brandt.prime_power(self.classes, prime, 1)
-            if len(self._of) < len(self._kinds):
-                rows = matrix.tolist()
-                table = [[0] * len(self._of) for _ in self._of]
-                for line, n in zip(table, self._of, strict=True):
-                    for j, times in enumerate(rows[n]):
-                        line[self._kinds[j]] += int(times)
-                matrix = fmpz_mat(table)
-            self._operators[prime] = matrix
-        return nmod_mat(self._operators[prime], p)
+            self._operators[prime] = self._signed_matrices(
+                brandt.prime_power(self.classes, prime, 1)
+            )
+        return [nmod_mat(matrix, p) for matrix in self._operators[prime]]
+
+    def _signed_matrices(self, matrix: fmpz_mat) -> list[fmpz_mat]:
+        rows, found = matrix.tolist(), []
+        for sign, points in self._signed:
+            place = {i: n for n, i in enumerate(points)}
+            entries = [0] * (len(points) ** 2)
+            for n, i in enumerate(points):
+                for j, times in enumerate(rows[self._of[i]]):
+                    if times:
+                        point = self._kinds[j]
+                        other = self._involution[point]
+                        first = min(point, other)
+                        if first in place:
+                            factor = 1 if first == point else sign
+                            entries[n * len(points) + place[first]] += factor * int(times)
+            found.append(fmpz_mat(len(points), len(points), entries))
+        return found
+
+    def expanded(self, block: int, rows: nmod_mat, p: int) -> nmod_mat:
+        """Return functions of one sign by their values at all points, in rows."""
+        sign, points = self._signed[block]
+        columns, zero = rows.transpose().tolist(), [0] * rows.nrows()
+        values = [zero] * len(self._of)
+        for i, column in zip(points, columns, strict=True):
+            values[self._involution[i]] = [c * sign for c in column]
+            values[i] = column
+        return nmod_mat(values, p).transpose()
 
     def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
         """Return the characteristic polynomial of a Hecke operator on functions of the norm alone."""
@@ -90,7 +125,10 @@ class ClassFunctions(Module):
 
     def exchange_row(self, prime: Any, i: int, p: int) -> dict[int, int]:
         """Return row i of the permutation of the points by the two-sided ideal at a prime."""
-        return {self._kinds[self.classes.exchanged(prime)[self._of[i]]]: 1}
+        return {self._exchanged(i, prime): 1}
+
+    def _exchanged(self, i: int, prime: Any) -> int:
+        return self._kinds[self.classes.exchanged(prime)[self._of[i]]]
 
     def of_classes(self, classes: Classes) -> ClassFunctions:
         """Return the module of the classes of another level."""

@@ -95,6 +95,11 @@ class Newform:
         """The signs of Atkin and Lehner at the primes of the level and of the discriminant."""
         return {self._module.shown(P): sign for P, sign in self._signs.items()}
 
+    @property
+    def _exponents(self) -> Level:
+        """The primes of the level and of the discriminant, with their exponents."""
+        return (*self.level, *((P, 1) for P in self._module.ramified))
+
     # --- eigenvalues -----------------------------------------------------------------------------------
 
     def eigenvalue(self, prime: object) -> Any:
@@ -145,7 +150,7 @@ class Newform:
 
     def _at_level(self, P: Any) -> int | None:
         """Return the eigenvalue at a prime of the level or of the discriminant, None at others."""
-        exponents = dict((*self.level, *((Q, 1) for Q in self._module.ramified)))
+        exponents = dict(self._exponents)
         if P not in exponents:
             return None
         if exponents[P] > 1:
@@ -182,7 +187,8 @@ class Newform:
         found = self.field(1)
         for p, e in factorise(positive(n, "number of a coefficient")).items():
             a = self.eigenvalue(p)
-            weight = 0 if self._at_level(p) is not None else p ** (self.weight - 1)
+            is_good = self._at_level(self._module.prime(p)) is None
+            weight = p ** (self.weight - 1) if is_good else 0
             before, power = self.field(0), self.field(1)
             for _ in range(e):
                 before, power = power, a * power - before * weight
@@ -204,7 +210,7 @@ class Newform:
 
     def traces(self) -> Iterator[int]:
         """Yield the traces of the coefficients of q², q³, …; elsewhere of the eigenvalues at good primes."""
-        if not self._module.base.is_rational:
+        if self._module.base.degree > 1:
             yield from map(self.trace, self._module.good_primes())
         for n in count(2):
             if is_prime(n):
@@ -220,9 +226,9 @@ class Newform:
         All newforms of weight k and level D·N come from an algebra of discriminant D, where D is prime to N:
         so the place of an orbit among them is known. They are ordered by the traces of coefficients.
         """
-        if not self._module.base.is_rational:
+        if self._module.base.degree > 1:
             return None
-        level = math.prod(p**e for p, e in self.level) * math.prod(self._module.ramified)
+        level = math.prod(self._module.absolute_norm(P) ** e for P, e in self._exponents)
         number = self._module.newforms.index(self)
         letters = chr(ord("a") + number % 26)
         while number := number // 26:
@@ -241,13 +247,15 @@ class Newform:
                 yield p, found
 
     def _reduction(self, p: int) -> nmod_mat | None:
-        """Return g′(α)·vⱼ modulo p in column j; None where vᵢ is no unit."""
+        """Return g′(α)·vⱼ modulo p in column j; None where p is not good for it, as where vᵢ is no unit."""
         g = nmod_poly(self._polynomial.coeffs(), p)
         vector = self._module.eigenvectors(self._operator, self._polynomial, p)
-        columns = vector.transpose().tolist()
-        numbers = range(len(columns)) if self._coordinate < 0 else [self._coordinate]
+        if vector is None:
+            return None
+        numbers = range(vector.ncols()) if self._coordinate < 0 else [self._coordinate]
         for i in numbers:
-            common, inverse, _ = nmod_poly(columns[i], p).xgcd(g)
+            column = [vector[k, i] for k in range(self.degree)]
+            common, inverse, _ = nmod_poly(column, p).xgcd(g)
             if not common.degree():
                 self._coordinate = i
                 return _multiplication(inverse * g.derivative(), g).transpose() * vector

@@ -72,7 +72,7 @@ class WeightedFunctions(Module):
     def cusp_dimension(self) -> int:
         """The dimension of the cusp forms: of all functions with trivial character."""
         p = next(self.primes())
-        basis = self.subspace(p)
+        basis = self._trivial_character(p)
         return self._reduction(p).size if basis is None else int(basis.nrows())
 
     def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
@@ -119,15 +119,15 @@ class WeightedFunctions(Module):
     def _scale(self, prime: Any) -> int:
         return int(self.absolute_norm(prime) ** (self.weight // 2 - 1))
 
-    def operator(self, prime: Any, p: int) -> nmod_mat:
-        """Return the Hecke operator at a prime."""
+    def _hecke_operator(self, prime: Any, p: int) -> nmod_mat:
+        """Return the Hecke operator at a prime on all functions."""
         if (prime, p) not in self._operators:
             found = self._operator(lambda i: self._elements.neighbours(i, prime), p)
             self._operators[prime, p] = found * self._scale(prime)
         return self._operators[prime, p]
 
     def row(self, prime: Any, i: int, p: int) -> dict[int, int]:
-        """Return row i of the same operator."""
+        """Return row i of the Hecke operator at a prime."""
         scale = self._scale(prime)
         found = self._row(i, lambda i: self._elements.neighbours(i, prime), p)
         return {j: c * scale for j, c in found.items()}
@@ -140,11 +140,24 @@ class WeightedFunctions(Module):
         """Return the operator of an ideal of the base."""
         return self._operator(lambda i: [self._elements.multiplied(i, ideal)], p)
 
-    def subspace(self, p: int) -> nmod_mat | None:
+    def _trivial_character(self, p: int) -> nmod_mat | None:
         """Return a basis of the functions with trivial character, in rows; None where all have it."""
         if p not in self._subspaces:
             self._subspaces[p] = self._fixed(p) if self.base.class_generators else None
         return self._subspaces[p]
+
+    def blocks(self, prime: Any, p: int) -> list[nmod_mat]:
+        """Return the Hecke operator at a prime on functions with trivial character."""
+        matrix, basis = self._hecke_operator(prime, p), self._trivial_character(p)
+        if basis is None:
+            return [matrix]
+        rows, size = (matrix * basis.transpose()).tolist(), basis.nrows()
+        return [nmod_mat(size, size, [c for k in pivots(basis) for c in rows[k]], p)]
+
+    def expanded(self, block: int, rows: nmod_mat, p: int) -> nmod_mat:
+        """Return functions with trivial character as functions, in rows."""
+        basis = self._trivial_character(p)
+        return rows if basis is None else rows * basis
 
     def _fixed(self, p: int) -> nmod_mat:
         basis = identity(self._reduction(p).size, p)
@@ -177,7 +190,7 @@ class WeightedFunctions(Module):
     def _all_characters(self, factors: list[tuple[Any, int]], p: int) -> nmod_mat:
         found = identity(self._reduction(p).size, p)
         for P, e in factors:
-            step = self.operator(P, p)
+            step = self._hecke_operator(P, p)
             if P in self.ramified:
                 found = found * step**e
                 continue
