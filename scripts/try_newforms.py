@@ -3,7 +3,7 @@
     python scripts/try_newforms.py [--below 301] [--from 2] [--weights 2 12] [--seconds 600] [--orbits 20]
 
 Each level is written in every way as D·N with D a product of an odd number of primes that do not divide N.
-The characteristic polynomials of T₂, T₃, T₅, T₇ on the new subspace are compared with ``mfheckemat``. Where it
+The characteristic polynomials of T₂, T₃, T₅, T₇ on the new subspace are compared with ``mfheckemat``. If it
 has at most ``--orbits`` dimensions the Galois orbits are compared with ``mfsplit`` too, by the minimal
 polynomials of these four eigenvalues. Ends when all levels are compared or the time is over. Exit status 1 if
 a polynomial differs.
@@ -13,7 +13,7 @@ import argparse
 import sys
 import time
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import combinations, product
 from math import gcd, prod
 from pathlib import Path
 
@@ -77,36 +77,35 @@ def main() -> int:
     spaces = orbit_spaces = failures = level = 0
     mine = its = 0.0
     weights = range(args.weights[0], args.weights[1] + 1, 2)
-    for level in range(args.first, args.below):
-        pairs = list(algebras(level))
+    levels = [M for M in range(args.first, args.below) if any(algebras(M))]
+    for level, k in product(levels, weights):
         if time.monotonic() > end:
             break
-        for k in weights if pairs else ():
-            start = time.monotonic()
-            mf = pari(f"mfinit([{level}, {k}], 0)")
-            dimension = int(pari.mfdim(mf))
-            expected: Polynomials = [[1]] * len(PRIMES)
-            if dimension:
-                expected = [[int(c) for c in f] for f in whole(mf, PRIMES)]
-            has_orbits = 0 < dimension <= args.orbits
-            expected_orbits = (
-                sorted([[int(c) for c in f] for f in form] for form in split(mf, PRIMES))
-                if has_orbits
-                else []
-            )
-            middle = time.monotonic()
-            for D, N in pairs:
-                forms = QuaternionAlgebra(D).eichler_order(N).class_set().newforms(weight=k)
-                same = hecke_polynomials(forms) == expected
-                if has_orbits:
-                    same = same and orbits(forms) == expected_orbits
-                if not same:
-                    failures += 1
-                    print(f"differs: D = {D}, N = {N}, weight {k}", flush=True)
-                spaces += 1
-                orbit_spaces += has_orbits
-            its += middle - start
-            mine += time.monotonic() - middle
+        start = time.monotonic()
+        mf = pari(f"mfinit([{level}, {k}], 0)")
+        dimension = int(pari.mfdim(mf))
+        expected: Polynomials = [[1]] * len(PRIMES)
+        if dimension:
+            expected = [[int(c) for c in f] for f in whole(mf, PRIMES)]
+        has_orbits = 0 < dimension <= args.orbits
+        expected_orbits = (
+            sorted([[int(c) for c in f] for f in form] for form in split(mf, PRIMES))
+            if has_orbits
+            else []
+        )
+        middle = time.monotonic()
+        for D, N in algebras(level):
+            forms = QuaternionAlgebra(D).eichler_order(N).class_set().newforms(weight=k)
+            same = hecke_polynomials(forms) == expected
+            if has_orbits:
+                same = same and orbits(forms) == expected_orbits
+            if not same:
+                failures += 1
+                print(f"differs: D = {D}, N = {N}, weight {k}", flush=True)
+            spaces += 1
+            orbit_spaces += has_orbits
+        its += middle - start
+        mine += time.monotonic() - middle
     print(
         f"levels {args.first} to {level}, weights {weights.start} to {weights[-1]}: {spaces} new subspaces, "
         f"{orbit_spaces} of them by orbits, {failures} differ; {mine:.0f} s here, {its:.0f} s PARI"
