@@ -171,7 +171,8 @@ class WeightedFunctions(Module):
         """Return the characteristic polynomial of T of an ideal on forms of any unramified character.
 
         The values have an invariant definite form, so that no eigenvalue of T_P exceeds the number of ideals
-        of norm P times N(P)^(k/2−1). Raises :class:`LatticeError` where P² divides the norm and P the level.
+        of norm P, 2·N(P) + 1 at most, times N(P)^(k/2−1). Raises :class:`LatticeError` where P divides the
+        level and P² the norm.
         """
         factors = self.base.factorisation(norm)
         for P, e in factors:
@@ -180,9 +181,8 @@ class WeightedFunctions(Module):
                     f"the Hecke operator of {self.shown(P)}^{e} in weight {self.weight} is not computed, as "
                     "the prime divides the level: expected a norm that it divides once at most"
                 )
-        bound = math.prod(
-            (2 * self.absolute_norm(P) * (1 + self._scale(P))) ** e for P, e in factors
-        )
+        numbers = ((2 * self.absolute_norm(P) + 1) * self._scale(P) for P, _ in factors)
+        bound = math.prod(n**e for n, (_, e) in zip(numbers, factors, strict=True))
         polynomials = ((p, self._all_characters(factors, p).charpoly()) for p in self.primes())
         residues = ((p, list(map(int, f.coeffs()))) for p, f in polynomials)
         return lifted(residues, (1 + bound) ** self._reduction(next(self.primes())).size)
