@@ -20,8 +20,9 @@ import math
 import random
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import count, product
+from operator import add
 from typing import Any, NamedTuple
 
 from flint import fmpz_poly, nmod_mat, nmod_poly
@@ -179,11 +180,12 @@ class Module(ABC):
 
     def primes(self) -> Iterator[int]:
         """Yield primes below 2⁶² modulo which the module has a reduction."""
-        yield from self._primes
-        for p in count(self._primes[-1] - 2 if self._primes else LARGEST - 1, -2):
-            if is_prime(p) and self.suits(p):
-                self._primes.append(p)
-                yield p
+        for n in count():
+            if n == len(self._primes):
+                last = self._primes[-1] if n else LARGEST + 1
+                odd = range(last - 2, 2, -2)
+                self._primes.append(next(p for p in odd if is_prime(p) and self.suits(p)))
+            yield self._primes[n]
 
     def bound(self, prime: Any) -> int:
         """Return a bound of the absolute values of the eigenvalues at a good prime: Deligne's."""
@@ -195,14 +197,8 @@ class Module(ABC):
 
     def _combined(self, T: Combination, p: int) -> list[nmod_mat]:
         """Return a combination of Hecke operators, block by block."""
-        several = zip(*(self.blocks(P, p) for P in T.primes), strict=True)
-        return [
-            sum(
-                (m * c for m, c in zip(rest, T.coefficients[1:], strict=True)),
-                first * T.coefficients[0],
-            )
-            for first, *rest in several
-        ]
+        terms = ([m * c for m in self.blocks(P, p)] for P, c in zip(*T, strict=True))
+        return [reduce(add, several) for several in zip(*terms, strict=True)]
 
     def _polynomials(self, T: Combination, p: int) -> list[nmod_poly]:
         """Return the characteristic polynomials, block by block."""
