@@ -56,6 +56,37 @@ def test_orbits_of_level_389() -> None:
         assert [int(c) for c in a.minimal_polynomial()] == f.minimal_polynomial(p)
 
 
+@pytest.mark.skipif(importlib.util.find_spec("cypari") is None, reason="needs PARI")
+def test_fields_are_given_by_the_polynomials_of_the_lmfdb() -> None:
+    """Those that PARI's polredabs chooses."""
+    from cypari import pari
+
+    for p in (23, 71, 113, 173):
+        for f in QuaternionAlgebra(p).maximal_order().class_set().newforms():
+            coefficients = [int(c) for c in f.field.polynomial.coeffs()] if f.degree > 1 else [0, 1]
+            if f.degree < 8:
+                assert coefficients == [
+                    int(c) for c in pari.Polrev(coefficients).polredabs().Vecrev()
+                ]
+
+
+def test_labels_and_coefficients() -> None:
+    """LMFDB orders the curves of conductor 57 by a₂, a₃, …; a₄ and a₉ follow Hecke's relations."""
+    forms = QuaternionAlgebra(3).eichler_order(19).class_set().newforms()
+    assert [(f.label, f[2], f[3], f[5]) for f in forms] == [
+        ("57.2.a.a", -2, -1, -3),
+        ("57.2.a.b", -2, 1, 1),
+        ("57.2.a.c", 1, 1, -2),
+    ]
+    f = forms[0]
+    assert (f.coefficient(4), f.coefficient(9), f.coefficient(12)) == (f[2] ** 2 - 2, 1, -2)
+    A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    (f,) = A.eichler_order([(A.ring.primes_above(31)[0], 1)]).class_set().newforms()
+    assert f.label is None
+    with pytest.raises(LatticeError, match="q-expansions are for forms over QQ"):
+        f.coefficient(2)
+
+
 def test_known_spaces_over_the_golden_field() -> None:
     A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
     K = A.ring
