@@ -22,7 +22,10 @@ def lifted(residues: Iterable[tuple[int, Sequence[int]]], bound: int) -> list[in
         found = [x + modulus * ((r - x) * inverse % p) for x, r in zip(found, values, strict=True)]
         modulus *= p
         if modulus > 2 * bound:
-            return [x - modulus if 2 * x > modulus else x for x in found]
+            signed = [x - modulus if 2 * x > modulus else x for x in found]
+            if any(abs(x) > bound for x in signed):
+                raise AssertionError("residues belong to integers beyond their bound")
+            return signed
     raise AssertionError("there are too few primes")
 
 
