@@ -87,6 +87,20 @@ def test_labels_and_coefficients() -> None:
         f.coefficient(2)
 
 
+def test_larger_spaces_split_by_a_sign() -> None:
+    """Two orbits of one sign each, and traces of Brandt matrices that took no part in it."""
+    C = QuaternionAlgebra(1009).maximal_order().class_set()
+    forms = C.newforms()
+    assert [(f.degree, f.signs) for f in forms] == [(37, {1009: 1}), (46, {1009: -1})]
+    swap = C.exchanged(1009)
+    assert sum(swap[n] == n for n in range(len(C))) == 1 - 37 + 46
+    for p in (5, 7):
+        B = C.brandt_matrix(p)
+        assert sum(B[n][n] for n in range(len(C))) == p + 1 + sum(f.trace(p) for f in forms)
+        odd = sum(B[n][n] - B[n][m] for n, m in enumerate(swap) if n < m)
+        assert odd == forms[0].trace(p)
+
+
 def test_known_spaces_over_the_golden_field() -> None:
     A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
     K = A.ring
