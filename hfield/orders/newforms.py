@@ -209,7 +209,14 @@ class Newform:
         return f"{text} + O(q^{number})"
 
     def traces(self) -> Iterator[int]:
-        """Yield the traces of the coefficients of q², q³, …; elsewhere of the eigenvalues at good primes."""
+        """Yield the traces of the coefficients of q², q³, …; elsewhere of the eigenvalues at good primes.
+
+        >>> from itertools import islice
+        >>> from hfield import QuaternionAlgebra
+        >>> (f,) = QuaternionAlgebra(23).maximal_order().class_set().newforms()
+        >>> list(islice(f.traces(), 6)), f.named_eigenvalues(2)
+        ([-1, 0, -1, -2, -5, 2], 'a_2 = -1+s, a_3 = 1-2*s, …')
+        """
         if self._module.base.degree > 1:
             yield from map(self.trace, self._module.good_primes())
         for n in count(2):
