@@ -130,6 +130,7 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["brandt", "(2,3|QQ)"], "by strong approximation"),
         (["newforms", "(2,3|QQ)"], "by strong approximation"),
         (["newforms", "37", "--weight", "3"], "is not one of 2, 4, 6"),
+        (["newforms", "1000003"], "spaces of at most 10000 are split"),
         (["brandt", "(-1,-1|QQ(sqrt(-5)))"], "split at an infinite place"),
         (["classes", "(-1,-1|QQ(sqrt(5)))", "--formula"], "over QQ"),
         (["classes", "11", "--formula", "--newforms"], "enumerates none"),

@@ -16,6 +16,7 @@ from hfield.cli.orders import (
 )
 from hfield.cli.output_document import OutputDocument, answer_one, of_parts
 from hfield.cli.parser import (
+    UsageError,
     add_factors,
     add_format,
     add_output,
@@ -44,6 +45,8 @@ EXAMPLES = (
 )
 MAX_WEIGHT = 1_000
 MAX_PRIME = 10**5
+MAX_DIMENSION = 10_000
+"""Larger spaces are not split: a matrix of so many rows takes a gigabyte."""
 MAX_SHOWN_DEGREE = 6
 """Of newforms of a larger degree the page shows traces of eigenvalues."""
 TERMS = 10
@@ -87,7 +90,13 @@ def _answer(args: Namespace) -> OutputDocument:
     O = A.eichler_order(level)
     if not A.is_over_number_field and O.is_definite():
         number = A.class_number(level)
-        seconds = number * SECONDS_A_CLASS + (number * (k - 1)) ** 3 * SECONDS_A_CUBE
+        dimension = number * (k - 1)
+        if dimension > MAX_DIMENSION:
+            raise UsageError(
+                f"there are {number} classes, by Eichler's formula, so the forms have about {dimension} "
+                f"dimensions: spaces of at most {MAX_DIMENSION} are split"
+            )
+        seconds = number * SECONDS_A_CLASS + dimension**3 * SECONDS_A_CUBE
         announce(number, seconds, "hfield classes --formula counts them")
     C = O.class_set()
     Waiting.at("computing newforms")
