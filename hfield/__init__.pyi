@@ -51,6 +51,7 @@ from .orders.lattice import ClassSet as ClassSet
 from .orders.lattice import Ideal as Ideal
 from .orders.lattice import Lattice as Lattice
 from .orders.lattice import Order as Order
+from .orders.newforms import Newform as Newform
 from .prover.prove import prove as prove
 from .symbols import to_sympy as to_sympy
 

@@ -245,6 +245,8 @@ CALLS = {
     "BrandtModule": "O.class_set()",
     "HeckeOperator": "O.class_set().brandt_matrix(n)",
     "HilbertCuspForms": "O.class_set().newforms()",
+    "CuspForms": "O.class_set().newforms(weight=k)",
+    "mfinit, mfeigenbasis": "O.class_set().newforms(weight=k)",
     "IsLeftIsomorphic": "I.equivalence(J)",
     "IsPrincipal": "I.is_principal()",
     "IsConjugate": "O.isomorphism(O2)",

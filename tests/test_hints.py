@@ -103,6 +103,7 @@ def test_what_is_to_be_written_for_functions_of_magma_and_pari_runs():
         "b": 3,
         "p": 3,
         "n": 2,
+        "k": 4,
     }
     names |= {
         "O": order,

@@ -39,6 +39,7 @@ GROUPS: dict[str, dict[str, str]] = {
         "embed": "embed a quadratic order in an order",
         "classes": "ideal classes of an order",
         "brandt": "Brandt matrices and isogeny graphs",
+        "newforms": "newforms of an order, their eigenvalues and fields",
         "domain": "unit group of an indefinite order, and its fundamental domain",
         "survey": "tables of class numbers or unit groups over ranges",
     },

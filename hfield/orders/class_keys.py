@@ -182,13 +182,31 @@ class SublatticeKeys:
 
     def key(self, basis: Reduced) -> Key:
         """Return x⁻¹·I for a shortest x of a reduced basis."""
+        return self.keys.quotient(basis.rows, self.shortest_of(basis))
+
+    def shortest_of(self, basis: Reduced) -> ShortElement:
+        """Return a shortest element of a reduced basis."""
         gram, size = basis.gram, basis.gram.nrows()
         k = min(range(size), key=lambda k: gram[k, k])
-        x = self.element([basis.coordinates[k, m] for m in range(size)])
-        return self.keys.quotient(basis.rows, x)
+        return self.element([basis.coordinates[k, m] for m in range(size)])
 
     def representative(self, basis: Reduced) -> Representative:
         """Return the lattice that represents the class of a sublattice, by all its shortest elements."""
+        elements = self._chosen(self._all_shortest(basis))
+        quotients: dict[Key, tuple[ShortElement, int]] = {}
+        for x in elements:
+            key = self.keys.quotient(basis.rows, x)
+            quotients[key] = x, quotients[key][1] + 1 if key in quotients else 1
+        x, units = quotients[min(quotients)]
+        rest = Norm(self.norm.number, self.norm.element / x.norm)
+        return Representative(*self.keys.divided(basis.rows, x), rest, units, list(quotients))
+
+    def all_shortest(self, basis: Reduced) -> list[ShortElement]:
+        """Return all shortest elements of a sublattice, one of ±x."""
+        return [self.element(vector) for _, vector in self._all_shortest(basis)]
+
+    def _all_shortest(self, basis: Reduced) -> list[tuple[int, list[int]]]:
+        """Return the same as coordinates, with the number of the form for which they are short."""
         least, found = -1, list[tuple[int, list[int]]]()
         for number, _ in enumerate(self.keys.units):
             some = self.reduced(basis.coordinates, number) if number else basis
@@ -198,14 +216,7 @@ class SublatticeKeys:
             if value == least:
                 rows = fmpz_mat([list(v) for v in vectors]) * some.coordinates
                 found += [(number, list(row)) for row in tuples(rows)]
-        elements = self._chosen(found)
-        quotients: dict[Key, tuple[ShortElement, int]] = {}
-        for x in elements:
-            key = self.keys.quotient(basis.rows, x)
-            quotients[key] = x, quotients[key][1] + 1 if key in quotients else 1
-        x, units = quotients[min(quotients)]
-        rest = Norm(self.norm.number, self.norm.element / x.norm)
-        return Representative(*self.keys.divided(basis.rows, x), rest, units, list(quotients))
+        return found
 
     def _chosen(self, found: list[tuple[int, list[int]]]) -> list[ShortElement]:
         """Return some of the elements, by a choice that is the same for every ideal c·I in the class.

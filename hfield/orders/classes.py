@@ -12,7 +12,7 @@ Rows of Brandt matrices are kept by primes, and continued from where the enumera
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any
@@ -156,10 +156,18 @@ class Classes:
 
     def classes_inside(self, n: int, prime: Any) -> list[int]:
         """Return the classes of the ideals of relative norm P in class n, ordered as in :meth:`at_prime`."""
-        ideal = self.ambient.base.prime_ideal(prime)
-        norm = self.norms[n]
+        around, inside = self.sublattices(n, prime)
+        return [self._look_up(around, J) for J in inside]
+
+    def sublattices(self, n: int, prime: Any) -> tuple[SublatticeKeys, Iterator[fmpz_mat]]:
+        """Return the keys of the ideals of relative norm P in class n, and bases in its coordinates."""
+        norm, ideal = self.norms[n], self.ambient.base.prime_ideal(prime)
         around = SublatticeKeys(self.keys, *self._bases[n], self.keys.multiplied(norm, ideal))
-        return [self._look_up(around, J) for J in self.at_prime(prime).inside(around, norm)]
+        return around, self.at_prime(prime).inside(around, norm)
+
+    def class_keys(self, n: int) -> SublatticeKeys:
+        """Return the keys of sublattices of class n of its norm: of the lattice itself."""
+        return SublatticeKeys(self.keys, *self._bases[n], self.norms[n])
 
     def at_prime(self, prime: Any) -> Neighbours:
         """Return the right ideals of norm P."""
@@ -168,8 +176,7 @@ class Classes:
     def local_norm(self, n: int, prime: Any) -> Any:
         """Return N(x)/ν for an x that generates class n, of norm ν·a, at the primes above that below P."""
         norm, base = self.norms[n], self.ambient.base
-        around = SublatticeKeys(self.keys, *self._bases[n], norm)
-        x = generator_above(around, base.place(prime).below, norm)
+        x = generator_above(self.class_keys(n), base.place(prime).below, norm)
         return (base.field.one if x is None else x.norm) / norm.element
 
     # --- permutations ------------------------------------------------------------------------------

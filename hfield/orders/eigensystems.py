@@ -1,253 +1,333 @@
-"""Newforms of weight 2 with rational eigenvalues, and dimensions, from the Brandt matrices of Eichler orders.
+"""Systems of eigenvalues of Hecke operators on cusp forms, split over ℚ into Galois orbits of newforms.
 
-Functions on the right ideal classes, invariant under the ideals of K, that are orthogonal to those of the
-norm alone are the cusp forms of parallel weight 2 that are new at the primes of the algebra (Eichler; Jacquet
-and Langlands; M. Kirschmer and J. Voight, 2010; L. Dembélé and J. Voight, "Explicit methods for Hilbert
-modular forms", 2013). A newform of level m comes in level N as often as N/m has divisors, with the same
-eigenvalues off N; by multiplicity one nothing else has the same. So what a system of rational eigenvalues has
-more than the newforms of lower levels account for is, when it is one dimension, a newform of this level.
+Functions on the right ideal classes of an Eichler order, invariant under the ideals of K, are the modular
+forms of its level that are new at the primes of the algebra; in weight 2 those that depend on the norm alone
+are no cusp forms (Eichler; Jacquet and Langlands; M. Kirschmer and J. Voight, 2010; L. Dembélé and J. Voight,
+"Explicit methods for Hilbert modular forms", 2013). A newform of level m comes in level N as often as N/m has
+divisors, with the same eigenvalues off N. So the characteristic polynomial of a Hecke operator on the new
+subspace of level N is that on all functions, divided by those on the new subspaces of the levels that divide
+N. All this is done modulo primes p of 62 bits. Deligne's bound of the eigenvalues bounds the coefficients, so
+that finitely many primes prove the integral polynomial.
+
+Let T be a combination of Hecke operators whose polynomial on the new subspace has no multiple root, and none
+in common with those of lower levels. Such a T exists by multiplicity one. Then each irreducible factor g of
+degree d is a Galois orbit of d newforms, with eigenvalues in ℚ[x]/(g).
 """
 
 from __future__ import annotations
 
+import math
+import random
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import cached_property
-from itertools import product
-from math import prod
-from typing import Any
+from collections.abc import Callable, Iterator
+from functools import cached_property, reduce
+from itertools import count, product
+from operator import add
+from typing import Any, NamedTuple
 
-import flint
+from flint import fmpz_poly, nmod_mat, nmod_poly
 
+from hfield.core.primality import is_prime, primes
 from hfield.errors import LatticeError, UndecidedError
+from hfield.orders.classes import Classes
+from hfield.orders.invariants import good_primes, is_eichler, level
+from hfield.orders.newforms import Newform
+from hfield.orders.residues_modulo_primes import lifted
+from hfield.orders.validation import weight as checked_weight
 
-Exponents = tuple[int, ...]
-MOST_PRIMES = 60
-"""No more Hecke operators than this are used to tell newforms apart."""
-
-
-@dataclass(frozen=True)
-class Piece:
-    """A space of functions on which some Hecke operators are numbers: a basis, in columns, and these."""
-
-    basis: flint.fmpq_mat
-    values: tuple[int, ...]
-
-    @property
-    def dimension(self) -> int:
-        """How many forms there are in it."""
-        return int(self.basis.ncols())
-
-    def restricted(self, operator: flint.fmpq_mat) -> flint.fmpq_mat:
-        """Return the matrix of an operator that maps the space into itself."""
-        rows = flint.fmpq_mat(self.basis.transpose()).rref()[0].tolist()
-        pivots = [next(k for k, c in enumerate(row) if c != 0) for row in rows]
-        image, table = (operator * self.basis).tolist(), self.basis.tolist()
-        chosen = flint.fmpq_mat([table[k] for k in pivots])
-        return chosen.inv() * flint.fmpq_mat([image[k] for k in pivots])
-
-    def split(self, operator: flint.fmpq_mat) -> Iterator[Piece]:
-        """Yield the parts on which another operator is an integer too."""
-        matrix = self.restricted(operator)
-        one = flint.fmpq_mat(
-            [[int(k == m) for m in range(self.dimension)] for k in range(self.dimension)]
-        )
-        for factor, _ in matrix.charpoly().numer().factor()[1]:
-            if factor.degree() == 1:
-                root = int(-factor[0])  # a root of a monic integral polynomial
-                kernel, rank = (matrix - one * root).numer_denom()[0].nullspace()
-                table = [row[: int(rank)] for row in kernel.tolist()]
-                yield Piece(
-                    self.basis * flint.fmpq_mat(flint.fmpz_mat(table)), (*self.values, root)
-                )
+Level = tuple[tuple[Any, int], ...]
+MAX_PRIMES = 60
+"""No more Hecke operators than this are combined to separate newforms."""
+COMBINATIONS = 3
+"""So many combinations of the same Hecke operators are tried."""
+LARGEST = 2**62
 
 
-@dataclass(frozen=True)
-class Newform:
-    """A newform with rational eigenvalues ``f[P]``; ``level``: pairs of a prime and an exponent."""
+class Combination(NamedTuple):
+    """A sum of Hecke operators at good primes, times small integers."""
 
-    module: Module
-    piece: Piece
-    by_prime: dict[Any, int]
-
-    @property
-    def signs(self) -> dict[Any, int]:
-        """The signs of Atkin and Lehner at the primes of the level and of the discriminant."""
-        return {self.module.shown(P): sign for P, sign in self.by_prime.items()}
-
-    @property
-    def level(self) -> Sequence[tuple[Any, int]]:
-        """The level beside the discriminant of the algebra."""
-        return self.module.level
-
-    def __getitem__(self, prime: object) -> int:
-        """Return the eigenvalue at a prime."""
-        P = self.module.prime(prime)
-        exponents = dict((*self.level, *((Q, 1) for Q in self.module.ramified)))
-        if P in exponents:
-            return -self.by_prime[P] if exponents[P] == 1 else 0
-        return self._eigenvalue(P)
-
-    def _eigenvalue(self, P: Any) -> int:
-        total = _trace(self.piece.restricted(self.module.operator(P)))
-        for form, times in self.module.old(self.piece):
-            total -= times * form._eigenvalue(P)
-        return total
-
-    def eigenvalues(self, number: int) -> dict[Any, int]:
-        """Return the eigenvalues at the first primes off the level and the discriminant."""
-        primes = self.module.good_primes()
-        several = [next(primes) for _ in range(number)]
-        return {self.module.shown(P): self[P] for P in several}
-
-    def named_eigenvalues(self, number: int) -> str:
-        """Return the first eigenvalues as a text, such as ``a_2 = 1, a_5 = -2, …``."""
-        return ", ".join([*(f"a_{P} = {a}" for P, a in self.eigenvalues(number).items()), "…"])
-
-    def __repr__(self) -> str:
-        return f"<newform {self.named_eigenvalues(5)}>"
+    primes: tuple[Any, ...]
+    coefficients: tuple[int, ...]
 
 
 class Module(ABC):
-    """The functions on the classes of an Eichler order, modulo the ideals of the base field."""
+    """Functions on the classes of an Eichler order, with operators that are matrices modulo primes p.
 
-    level: Sequence[tuple[Any, int]]
-    """Pairs of a prime and its exponent in the level."""
-    ramified: Sequence[Any]
-    """The primes of the discriminant of the algebra."""
-    weights: Sequence[flint.fmpq]
-    """1/[units], of each point."""
-    narrow: Sequence[int]
-    """What the norm of each point is, modulo squares."""
+    An operator acts on columns. A row of it is a dict of its entries that are not 0. ``make`` returns the
+    classes of another level. Raises :class:`LatticeError` for an order that is not Eichler.
+    """
 
-    @abstractmethod
+    weight: int
+
+    def __init__(self, classes: Classes, make: Callable[[Any], Classes]) -> None:
+        self.classes, self.make = classes, make
+        order = classes.order
+        if not is_eichler(order):
+            raise LatticeError(
+                "newforms and their dimensions are for maximal and Eichler orders, and this is none"
+            )
+        self.base = base = order.ambient.base
+        self.level: Level = tuple(base.factorisation(level(order)))
+        """Pairs of a prime and its exponent in the level."""
+        self.ramified: tuple[Any, ...] = order.ambient.ramified
+        """The primes of the discriminant of the algebra."""
+        self._family: dict[Level, Module] = {self.level: self}
+        """The modules of the levels that divide one, which they have in common."""
+        self._primes: list[int] = []
+        self._new: dict[tuple[Combination, int], nmod_poly] = {}
+        self._orbits: dict[tuple[Combination, int, int], nmod_mat] = {}
+        self._known_polynomials: dict[tuple[Combination, int], list[nmod_poly]] = {}
+
+    # --- primes of the base --------------------------------------------------------------------------
+
     def prime(self, given: object) -> Any:
-        """Return a prime of the base field. Raises :class:`LatticeError`."""
+        """Return a prime of the base. Raises :class:`LatticeError`."""
+        return self.base.prime(given)
 
     def shown(self, prime: Any) -> Any:
         """Return a prime as the base field has it."""
-        return prime
+        p = self.base.place(prime).below
+        return next(P for P, Q in self.base.primes_above(p) if prime == Q)
 
-    @abstractmethod
+    def absolute_norm(self, prime: Any) -> int:
+        """Return how many residues there are modulo a prime."""
+        return self.base.absolute_norm(self.base.prime_ideal(prime))
+
     def good_primes(self) -> Iterator[Any]:
         """Yield the primes that divide neither the level nor the discriminant."""
+        return good_primes(self.classes.order)
 
+    def primes_up_to(self, norm: int) -> list[Any]:
+        """Return all primes of norm up to a bound, ascending by their norms."""
+        above = (P for p in primes(below=norm + 1) for _, P in self.base.primes_above(p))
+        return sorted((P for P in above if self.absolute_norm(P) <= norm), key=self.absolute_norm)
+
+    def expect_rational(self) -> None:
+        """Raise :class:`LatticeError` over a field other than ℚ."""
+        if self.base.degree > 1:
+            raise LatticeError(
+                "q-expansions are for forms over QQ: over other fields eigenvalue(P) belongs to a prime P"
+            )
+
+    # --- what a module of one weight has ---------------------------------------------------------------
+
+    @property
     @abstractmethod
-    def operator(self, prime: Any) -> flint.fmpq_mat:
-        """Return a Hecke operator on functions, in columns."""
-
-    @abstractmethod
-    def exchange(self, prime: Any) -> list[int]:
-        """Return which point each becomes by the two-sided ideal at a prime."""
-
-    @abstractmethod
-    def lower(self, level: Sequence[tuple[Any, int]]) -> Module:
-        """Return the module of another level, in the same algebra."""
-
-    @cached_property
-    def _lower(self) -> dict[Exponents, Module]:
-        """The modules of the levels that divide this one, by exponents."""
-        ranges = (range(e + 1) for _, e in self.level)
-        whole = tuple(e for _, e in self.level)
-        found: dict[Exponents, Module] = {}
-        for exponents in product(*ranges):
-            if exponents != whole:
-                pairs = [(P, k) for (P, _), k in zip(self.level, exponents, strict=True) if k]
-                found[exponents] = self.lower(pairs)
-        return found
-
-    @cached_property
     def cusp_dimension(self) -> int:
         """The dimension of the cusp forms of this level."""
-        return len(self.weights) - len(set(self.narrow))
+
+    @abstractmethod
+    def of_classes(self, classes: Classes) -> Module:
+        """Return the module of the classes of another level, of the same weight."""
+
+    @abstractmethod
+    def suits(self, p: int) -> bool:
+        """Tell whether the module has a reduction modulo p."""
+
+    @abstractmethod
+    def blocks(self, prime: Any, p: int) -> list[nmod_mat]:
+        """Return the Hecke operator at a good prime on subspaces that all these operators preserve.
+
+        Their sum is the space of functions with trivial character.
+        """
+
+    @abstractmethod
+    def expanded(self, block: int, rows: nmod_mat, p: int) -> nmod_mat:
+        """Return elements of such a subspace as functions, in rows."""
+
+    @abstractmethod
+    def row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+        """Return row i of the Hecke operator at a prime."""
+
+    @abstractmethod
+    def exchange_row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+        """Return row i of the operator of the two-sided ideal at a prime of the level or the discriminant."""
+
+    @abstractmethod
+    def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
+        """Return the characteristic polynomial on functions that depend on the norm alone."""
+
+    # --- levels that divide this one -----------------------------------------------------------------
+
+    @cached_property
+    def _lower(self) -> list[tuple[Module, int, int]]:
+        """Modules of lower levels, how often their newforms come here, and how they count in the new part."""
+        found = []
+        for exponents in product(*(range(e + 1) for _, e in self.level)):
+            drops = [e - k for (_, e), k in zip(self.level, exponents, strict=True)]
+            if any(drops):
+                pairs = zip(self.level, exponents, strict=True)
+                level = tuple((P, k) for (P, _), k in pairs if k)
+                sign = math.prod((1, -2, 1)[d] if d < 3 else 0 for d in drops)
+                found.append((self._at(level), math.prod(d + 1 for d in drops), sign))
+        return found
+
+    def _at(self, level: Level) -> Module:
+        if level not in self._family:
+            primes = (self.base.prime_ideal(P) ** e for P, e in level)
+            classes = self.make(math.prod(primes, start=self.base.one))
+            self._family[level] = found = self.of_classes(classes)
+            found._family = self._family
+        return self._family[level]
 
     @cached_property
     def new_dimension(self) -> int:
         """The dimension of the newforms: by inclusion and exclusion over the levels that divide this one."""
-        total = self.cusp_dimension
-        for exponents, module in self._lower.items():
-            drops = [e - k for (_, e), k in zip(self.level, exponents, strict=True)]
-            total += prod((1, -2, 1)[d] if d < 3 else 0 for d in drops) * module.cusp_dimension
-        return total
+        rest = sum(sign * module.cusp_dimension for module, _, sign in self._lower)
+        return self.cusp_dimension + rest
 
-    @cached_property
-    def cusp_forms(self) -> Piece:
-        """The functions that are orthogonal to those of the norm alone."""
-        kinds = sorted(set(self.narrow))
-        table = [
-            [
-                w if n == kind else flint.fmpq(0)
-                for w, n in zip(self.weights, self.narrow, strict=True)
-            ]
-            for kind in kinds
-        ]
-        kernel, rank = flint.fmpq_mat(table).numer_denom()[0].nullspace()
-        rows = [row[: int(rank)] for row in kernel.tolist()]
-        return Piece(flint.fmpq_mat(flint.fmpz_mat(rows)), ())
+    # --- polynomials ---------------------------------------------------------------------------------
 
-    def old(self, piece: Piece) -> Iterator[tuple[Newform, int]]:
-        """Yield the newforms of lower levels with the eigenvalues of a piece, and how often each is there."""
-        primes = self._first(len(piece.values))
-        for exponents, module in self._lower.items():
-            times = prod(e - k + 1 for (_, e), k in zip(self.level, exponents, strict=True))
-            for form in module.newforms:
-                if all(form[P] == a for P, a in zip(primes, piece.values, strict=True)):
-                    yield form, times
+    def primes(self) -> Iterator[int]:
+        """Yield primes below 2⁶² modulo which the module has a reduction."""
+        for n in count():
+            if n == len(self._primes):
+                last = self._primes[-1] if n else LARGEST + 1
+                odd = range(last - 2, 2, -2)
+                self._primes.append(next(p for p in odd if is_prime(p) and self.suits(p)))
+            yield self._primes[n]
 
-    def _first(self, number: int) -> list[Any]:
-        primes = self.good_primes()
-        return [next(primes) for _ in range(number)]
+    def bound(self, prime: Any) -> int:
+        """Return a bound of the absolute values of the eigenvalues at a good prime: Deligne's."""
+        return math.isqrt(4 * self.absolute_norm(prime) ** (self.weight - 1)) + 1
+
+    def radius(self, T: Combination) -> int:
+        """Return the same for a combination."""
+        return sum(abs(c) * self.bound(P) for P, c in zip(*T, strict=True))
+
+    def _combined(self, T: Combination, p: int) -> list[nmod_mat]:
+        """Return a combination of Hecke operators, block by block."""
+        terms = ([m * c for m in self.blocks(P, p)] for P, c in zip(*T, strict=True))
+        return [reduce(add, several) for several in zip(*terms, strict=True)]
+
+    def _polynomials(self, T: Combination, p: int) -> list[nmod_poly]:
+        """Return the characteristic polynomials, block by block."""
+        if (T, p) not in self._known_polynomials:
+            self._known_polynomials[T, p] = [m.charpoly() for m in self._combined(T, p)]
+        return self._known_polynomials[T, p]
+
+    def _new_polynomial(self, T: Combination, p: int) -> nmod_poly:
+        """Return the characteristic polynomial on the new subspace."""
+        if (T, p) not in self._new:
+            found = math.prod(self._polynomials(T, p), start=nmod_poly([1], p))
+            found = _quotient(found, self.norm_polynomial(T, p))
+            for module, times, _ in self._lower:
+                found = _quotient(found, module._new_polynomial(T, p) ** times)
+            self._new[T, p] = found
+        return self._new[T, p]
+
+    def _lower_polynomial(self, T: Combination, p: int) -> nmod_poly:
+        """Return a polynomial whose roots are all eigenvalues that are not those of newforms."""
+        factors = (module._new_polynomial(T, p) for module, _, _ in self._lower)
+        return math.prod(factors, start=self.norm_polynomial(T, p))
+
+    def _orbit(self, T: Combination, p: int, block: int) -> nmod_mat:
+        """Return the rows v, T·v, T²·v, … for a random v in a block, one for each eigenvalue there."""
+        if (T, p, block) not in self._orbits:
+            matrix, rng = self._combined(T, p)[block], random.Random(1)
+            size = matrix.nrows()
+            v = nmod_mat(size, 1, [rng.randrange(p) for _ in range(size)], p)
+            entries, number = [], self._annihilator(T, p, block).degree()
+            for _ in range(number):
+                entries += v.entries()
+                v = matrix * v
+            self._orbits[T, p, block] = nmod_mat(number, size, entries, p)
+        return self._orbits[T, p, block]
+
+    def _annihilator(self, T: Combination, p: int, block: int) -> nmod_poly:
+        """Return a polynomial f with f(T) = 0 on a block: T is semisimple, so one with all eigenvalues."""
+        whole = self._lower_polynomial(T, p) * self._new_polynomial(T, p)
+        return whole.gcd(self._polynomials(T, p)[block])
+
+    def eigenvectors(self, T: Combination, g: fmpz_poly, p: int) -> nmod_mat | None:
+        """Return the eigenvector of T for the root x of g, modulo p: column j is a polynomial in x.
+
+        It is None where g has a root in common with other factors modulo p.
+        """
+        factor = nmod_poly(g.coeffs(), p)
+        rest = _quotient(self._lower_polynomial(T, p) * self._new_polynomial(T, p), factor)
+        if factor.gcd(rest).degree():
+            return None
+        polynomials = self._polynomials(T, p)
+        block = next(n for n, f in enumerate(polynomials) if not f % factor)
+        rest = _quotient(self._annihilator(T, p, block), factor)
+        orbit = self._orbit(T, p, block)
+        rows = []
+        for m in range(factor.degree()):
+            # (g(T) − g(x))/(T − x) = Σ xᵐ·(g_(m+1) + g_(m+2)·T + …)
+            coefficients = (factor.right_shift(m + 1) * rest).coeffs()
+            rows.append(coefficients + [0] * (orbit.nrows() - len(coefficients)))
+        return self.expanded(block, nmod_mat(rows, p) * orbit, p)
+
+    # --- newforms --------------------------------------------------------------------------------------
 
     @cached_property
     def newforms(self) -> list[Newform]:
-        """The newforms of this level with rational eigenvalues. Raises :class:`UndecidedError`."""
-        pieces = [self.cusp_forms] if self.new_dimension else []
-        found: list[Newform] = []
-        for count, P in enumerate(self.good_primes()):
-            left = []
-            for piece in pieces:
-                new = piece.dimension - sum(times for _, times in self.old(piece))
-                if count and new == 1:
-                    found.append(self._newform(piece))
-                elif new:
-                    left.append(piece)
-            if not left:
-                return sorted(found, key=lambda form: form.piece.values)
-            if count == MOST_PRIMES:
-                break
-            operator = self.operator(P)
-            pieces = [part for piece in left for part in piece.split(operator)]
+        """The Galois orbits of newforms of this level. Raises :class:`UndecidedError`."""
+        if not self.new_dimension:
+            return []
+        for T in self._combinations():
+            g = self._separated(T)
+            if g is not None:
+                factors = (f if f[f.degree()] > 0 else -f for f, _ in g.factor()[1])
+                return sorted((Newform(self, T, f) for f in factors), key=Traces)
         raise UndecidedError(
-            f"{MOST_PRIMES} Hecke operators do not tell the newforms of this level apart"
+            f"{MAX_PRIMES} Hecke operators do not tell the newforms of this level apart"
         )
 
-    def _newform(self, piece: Piece) -> Newform:
-        signs = {}
-        old = list(self.old(piece))
-        for Q, e in (*self.level, *((Q, 0) for Q in self.ramified)):
-            moved = self.exchange(Q)
-            size = range(len(moved))
-            matrix = flint.fmpq_mat([[int(moved[i] == j) for j in size] for i in size])
-            trace = _trace(piece.restricted(matrix))
-            # W exchanges what comes from g by d with what comes by Qᶠ/d: in the middle it is the sign of g
-            for form, times in old:
-                drop = e - dict(form.level).get(Q, 0)
-                if drop % 2 == 0:
-                    trace -= (
-                        times // (drop + 1) * (form.by_prime.get(Q, 1) if e else -form.by_prime[Q])
-                    )
-            if abs(trace) != 1:
-                raise AssertionError("an involution is 1 or −1 on a newform")
-            signs[Q] = trace if e else -trace
-        return Newform(self, piece, signs)
+    def _combinations(self) -> Iterator[Combination]:
+        """Yield combinations of more and more Hecke operators."""
+        rng, several = random.Random(1), list[Any]()
+        for P in self.good_primes():
+            several.append(P)
+            for k in range(COMBINATIONS if len(several) > 1 else 1):
+                numbers = (
+                    rng.choice((-2, -1, 1, 2)) if k else (-1) ** n for n, _ in enumerate(several)
+                )
+                yield Combination(tuple(several), tuple(numbers))
+            if len(several) == MAX_PRIMES:
+                return
+
+    def _separated(self, T: Combination) -> fmpz_poly | None:
+        """Return the polynomial on the new subspace, or None where it does not separate newforms."""
+        degree = self.new_dimension
+        p = next(self.primes())
+        found = self._new_polynomial(T, p)
+        if found.degree() != degree:
+            raise AssertionError("the dimensions of newforms do not add up")
+        others = self._lower_polynomial(T, p)
+        if found.gcd(found.derivative()).degree() or found.gcd(others).degree():
+            return None
+        several = ((q, list(map(int, self._new_polynomial(T, q).coeffs()))) for q in self.primes())
+        return fmpz_poly(lifted(several, (1 + self.radius(T)) ** degree))
 
 
-class WithForms:
-    """What class sets of Eichler orders say of cusp forms of parallel weight 2 and trivial character.
+class Traces:
+    """A key that orders Galois orbits by degree, then by traces: no two have the same traces."""
 
-    Those of the level of the order that are new at the primes of the algebra. All raises
-    :class:`LatticeError` for other orders.
+    def __init__(self, form: Newform) -> None:
+        self.form = form
+
+    def __lt__(self, other: Traces) -> bool:
+        mine, its = self.form, other.form
+        if mine.degree != its.degree:
+            return mine.degree < its.degree
+        pairs = zip(mine.traces(), its.traces(), strict=False)
+        return next(a < b for a, b in pairs if a != b)
+
+
+def _quotient(f: nmod_poly, g: nmod_poly) -> nmod_poly:
+    found, rest = divmod(f, g)
+    if rest:
+        raise AssertionError("the eigenvalues of lower levels come in this one")
+    return found
+
+
+class WithForms(ABC):
+    """What class sets of Eichler orders say of cusp forms of parallel weight and trivial character.
+
+    Those of the level of the order that are new at the primes of the algebra. The weight is an even number.
+    All raises :class:`LatticeError` for other orders and weights.
 
     >>> from hfield import QuaternionAlgebra
     >>> C = QuaternionAlgebra(11).eichler_order(3).class_set(); C.cusp_dimension(), C.new_dimension()
@@ -257,40 +337,37 @@ class WithForms:
     (-3, -2, 2, 2, -1)
     """
 
-    @property
     @abstractmethod
-    def _forms(self) -> Module:
-        """The functions on the classes as a module of Hecke operators."""
+    def _functions(self, weight: int) -> Module:
+        """Return the functions on the classes as a module of Hecke operators, of an even weight."""
 
-    def cusp_dimension(self) -> int:
-        """Return the dimension of the cusp forms."""
-        return self._forms.cusp_dimension
+    def cusp_dimension(self, weight: int = 2) -> int:
+        """Return the dimension of the cusp forms.
 
-    def new_dimension(self) -> int:
+        >>> from hfield import QuaternionAlgebra
+        >>> QuaternionAlgebra(11).maximal_order().class_set().cusp_dimension(weight=4)
+        2
+        """
+        return self._functions(checked_weight(weight)).cusp_dimension
+
+    def new_dimension(self, weight: int = 2) -> int:
         """Return the dimension of the newforms."""
-        return self._forms.new_dimension
+        return self._functions(checked_weight(weight)).new_dimension
 
-    def newforms(self) -> list[Newform]:
-        """Return the newforms with rational eigenvalues: ``f[P]``, and ``f.signs``, of Atkin and Lehner.
+    def newforms(self, weight: int = 2) -> list[Newform]:
+        """Return the Galois orbits of newforms, those with rational eigenvalues first.
 
-        Raises :class:`UndecidedError` where many Hecke operators do not tell them apart.
+        They are ordered by their degrees, then by traces of coefficients. Raises :class:`UndecidedError`
+        where many Hecke operators do not tell them apart.
 
         >>> from hfield import QuaternionAlgebra
         >>> f = QuaternionAlgebra(37).maximal_order().class_set().newforms()[0]; f, f.signs
         (<newform a_2 = -2, a_3 = -3, a_5 = -2, a_7 = -1, a_11 = -5, …>, {37: 1})
+        >>> f, = QuaternionAlgebra(23).maximal_order().class_set().newforms(); f.degree, f.field
+        (2, QQ[s]/(s^2-s-1))
+        >>> f.eigenvalue(2), f.minimal_polynomial(2), f.eigenvalue(23)
+        (-1+s, [-1, 1, 1], 1)
+        >>> [f.degree for f in QuaternionAlgebra(5).maximal_order().class_set().newforms(weight=12)]
+        [1, 2]
         """
-        return self._forms.newforms
-
-
-def _trace(matrix: flint.fmpq_mat) -> int:
-    total = sum((matrix[k, k] for k in range(matrix.nrows())), flint.fmpq(0))
-    assert total.q == 1, "eigenvalues are integral"
-    return int(total.p)
-
-
-def expect_eichler(is_eichler: bool) -> None:
-    """Raise :class:`LatticeError` for an order whose forms have no level."""
-    if not is_eichler:
-        raise LatticeError(
-            "newforms and their dimensions are for maximal and Eichler orders, and this is none"
-        )
+        return list(self._functions(checked_weight(weight)).newforms)

@@ -2,36 +2,30 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator, Sequence
-from fractions import Fraction
+from collections import Counter
+from collections.abc import Callable
+from functools import cached_property
 from typing import Any
 
-import flint
+from flint import fmpz_mat, nmod_mat, nmod_poly
 
 from hfield.orders import brandt
 from hfield.orders.classes import Classes, orbits
-from hfield.orders.eigensystems import Module, expect_eichler
-from hfield.orders.invariants import good_primes, is_eichler, level
+from hfield.orders.eigensystems import Combination, Module
 
 
 class ClassFunctions(Module):
-    """Functions on the classes of an Eichler order; ``make`` returns the classes of another level."""
+    """Forms of weight 2: functions on the classes; ``make`` returns the classes of another level."""
+
+    weight = 2
 
     def __init__(self, classes: Classes, make: Callable[[Any], Classes]) -> None:
-        order, self.classes, self.make = classes.order, classes, make
-        expect_eichler(is_eichler(order))
-        self.base = base = order.ambient.base
-        self.level = base.factorisation(level(order))
-        self.ramified = order.ambient.ramified
+        super().__init__(classes, make)
         self._kinds = orbits(len(classes), classes.central)
-        count = len(set(self._kinds))
-        self._of = [self._kinds.index(kind) for kind in range(count)]
-        weights = [Fraction(0)] * count
-        for units, kind in zip(classes.units, self._kinds, strict=True):
-            weights[kind] += Fraction(1, units)
-        self.weights = [flint.fmpq(w.numerator, w.denominator) for w in weights]
+        self._of = [self._kinds.index(kind) for kind in range(len(set(self._kinds)))]
         self.narrow = self._modulo_squares()
+        self._operators: dict[Any, list[fmpz_mat]] = {}
+        self._rows: dict[tuple[Any, int], Counter[int]] = {}
 
     def _modulo_squares(self) -> list[int]:
         """Return the narrow class of the norm of each point modulo squares, by numbers."""
@@ -48,37 +42,94 @@ class ClassFunctions(Module):
             out.append(known.setdefault(reduced, len(known)))
         return out
 
-    def prime(self, given: object) -> Any:
-        """Return a prime of the base."""
-        return self.base.prime(given)
+    def suits(self, p: int) -> bool:
+        """Return True, as the operators are integral."""
+        return True
 
-    def shown(self, prime: Any) -> Any:
-        """Return a prime as the base field has it."""
-        p = self.base.place(prime).below
-        return next(P for P, Q in self.base.primes_above(p) if prime == Q)
+    @cached_property
+    def cusp_dimension(self) -> int:
+        """The dimension of the cusp forms: functions on the points but for those of the norm alone."""
+        return len(self._of) - len(set(self.narrow))
 
-    def good_primes(self) -> Iterator[Any]:
-        """Yield the primes that divide neither the level nor the discriminant."""
-        return good_primes(self.classes.order)
+    @cached_property
+    def _involution(self) -> list[int]:
+        """An exchange of the points with which all Hecke operators at good primes commute."""
+        identity = list(range(len(self._of)))
+        for Q in self.ramified if len(identity) > brandt.MAX_UNSPLIT else ():
+            moved = [self._exchanged(i, Q) for i in identity]
+            if moved != identity:
+                return moved
+        return identity
 
-    def operator(self, prime: Any) -> flint.fmpq_mat:
-        """Return the Brandt matrix of a prime, on functions on the points."""
-        matrix = brandt.prime_power(self.classes, prime, 1)
-        if len(self._of) == len(self._kinds):
-            return flint.fmpq_mat(matrix)
-        rows = matrix.tolist()
-        table = [[0] * len(self._of) for _ in self._of]
-        for line, n in zip(table, self._of, strict=True):
-            for j, times in enumerate(rows[n]):
-                line[self._kinds[j]] += int(times)
-        return flint.fmpq_mat(table)
+    @cached_property
+    def _signed(self) -> list[tuple[int, list[int]]]:
+        """The signs under it, with the points that represent functions of this sign."""
+        moved = list(enumerate(self._involution))
+        even, odd = [i for i, j in moved if i <= j], [i for i, j in moved if i < j]
+        return [(1, even), (-1, odd)] if odd else [(1, even)]
 
-    def exchange(self, prime: Any) -> list[int]:
-        """Return which point each becomes by the two-sided ideal at a prime."""
-        moved = self.classes.exchanged(prime)
-        return [self._kinds[moved[n]] for n in self._of]
+    def blocks(self, prime: Any, p: int) -> list[nmod_mat]:
+        """Return the Brandt matrix of a good prime on functions of either sign under the involution."""
+        if prime not in self._operators:
+            self._operators[prime] = self._signed_matrices(
+                brandt.prime_power(self.classes, prime, 1)
+            )
+        return [nmod_mat(matrix, p) for matrix in self._operators[prime]]
 
-    def lower(self, level: Sequence[tuple[Any, int]]) -> ClassFunctions:
-        """Return the module of another level."""
-        primes = (self.base.prime_ideal(P) ** e for P, e in level)
-        return ClassFunctions(self.make(math.prod(primes, start=self.base.one)), self.make)
+    def _signed_matrices(self, matrix: fmpz_mat) -> list[fmpz_mat]:
+        rows, found = matrix.tolist(), []
+        for sign, points in self._signed:
+            place = {i: n for n, i in enumerate(points)}
+            entries = [0] * (len(points) ** 2)
+            for n, i in enumerate(points):
+                for j, times in enumerate(rows[self._of[i]]):
+                    if times:
+                        point = self._kinds[j]
+                        other = self._involution[point]
+                        first = min(point, other)
+                        if first in place:
+                            factor = 1 if first == point else sign
+                            entries[n * len(points) + place[first]] += factor * int(times)
+            found.append(fmpz_mat(len(points), len(points), entries))
+        return found
+
+    def expanded(self, block: int, rows: nmod_mat, p: int) -> nmod_mat:
+        """Return functions of one sign by their values at all points, in rows."""
+        sign, points = self._signed[block]
+        columns, zero = rows.transpose().tolist(), [0] * rows.nrows()
+        values = [zero] * len(self._of)
+        for i, column in zip(points, columns, strict=True):
+            values[self._involution[i]] = [c * sign for c in column]
+            values[i] = column
+        return nmod_mat(values, p).transpose()
+
+    def norm_polynomial(self, T: Combination, p: int) -> nmod_poly:
+        """Return the characteristic polynomial of a Hecke operator on functions of the norm alone."""
+        size = max(self.narrow) + 1
+        entries = [0] * (size * size)
+        for kind in range(size):
+            i = self.narrow.index(kind)
+            for P, c in zip(*T, strict=True):
+                for j, times in self.row(P, i, p).items():
+                    entries[kind * size + self.narrow[j]] += c * times
+        return nmod_mat(size, size, [x % p for x in entries], p).charpoly()
+
+    def row(self, prime: Any, i: int, p: int) -> Counter[int]:
+        """Return row i of the Brandt matrix of a prime, on functions on the points."""
+        if (prime, i) not in self._rows:
+            found: Counter[int] = Counter()
+            for j, times in self.classes.neighbours_of(self._of[i], prime).items():
+                found[self._kinds[j]] += times
+            self._rows[prime, i] = found
+        return self._rows[prime, i]
+
+    def exchange_row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+        """Return row i of the permutation of the points by the two-sided ideal at a prime."""
+        return {self._exchanged(i, prime): 1}
+
+    def _exchanged(self, i: int, prime: Any) -> int:
+        return self._kinds[self.classes.exchanged(prime)[self._of[i]]]
+
+    def of_classes(self, classes: Classes) -> ClassFunctions:
+        """Return the module of the classes of another level."""
+        return ClassFunctions(classes, self.make)

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any, Self, overload
 
 from flint import fmpq
@@ -56,7 +56,7 @@ from hfield.orders import (
 from hfield.orders.basis import basis_of
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.classes import Classes
-from hfield.orders.eigensystems import WithForms
+from hfield.orders.eigensystems import Module, WithForms
 from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.hecke_modules import ClassFunctions
 from hfield.orders.lattice_values import LatticeValue, rows_json
@@ -67,6 +67,8 @@ from hfield.orders.stable_classes import stable_classes
 from hfield.orders.ternary_forms import TernaryForm
 from hfield.orders.validation import checked_side, listed, natural
 from hfield.orders.validation import prime as checked_prime
+from hfield.orders.validation import weight as checked_weight
+from hfield.orders.weighted_functions import WeightedFunctions
 from hfield.sympy_printing import PrintedBySympy
 
 if TYPE_CHECKING:
@@ -1389,9 +1391,23 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         matrix = brandt.brandt_matrix(self._classes, self._base.integral_ideal(norm))
         return [[int(x) for x in row] for row in matrix.tolist()]
 
-    def hecke_polynomial(self, norm: object) -> list[int]:
-        """Return the characteristic polynomial of the Brandt matrix, low degree first."""
-        return brandt.hecke_polynomial(self._classes, self._base.integral_ideal(norm))
+    def hecke_polynomial(self, norm: object, weight: int = 2) -> list[int]:
+        """Return the characteristic polynomial of the Brandt matrix, low degree first.
+
+        With an even weight k > 2 it is that of the Hecke operator on all forms of weight k, of any unramified
+        character. Raises :class:`LatticeError` for other weights, and there for orders that are not Eichler.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra(3).maximal_order().class_set()
+        >>> C.hecke_polynomial(2), C.hecke_polynomial(2, weight=6), C.hecke_polynomial(2, weight=8)
+        ([-3, 1], [6, 1], [-6, 1])
+        """
+        ideal = self._base.integral_ideal(norm)
+        if checked_weight(weight) == 2:
+            return brandt.hecke_polynomial(self._classes, ideal)
+        functions = self._functions(weight)
+        assert isinstance(functions, WeightedFunctions)
+        return functions.hecke_polynomial(ideal)
 
     def hecke_operator(self, norm: object, values: Sequence[Any]) -> list[Any]:
         """Return the Brandt matrix of a norm times a function on the classes, given by its values.
@@ -1494,12 +1510,31 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return self._classes.norms[n].number, stable.reduced(values)
 
     @cached_property
-    def _forms(self) -> ClassFunctions:
-        """The functions on the classes as a module of Hecke operators."""
+    def _modules(self) -> dict[int, Module]:
+        """The modules of :meth:`_functions`, by weights."""
+        return {}
+
+    def _functions(self, weight: int) -> Module:
+        """Return the functions on the classes as a module of Hecke operators, of an even weight."""
+        if weight not in self._modules:
+            make = self._classes_of_level
+            self._modules[weight] = (
+                ClassFunctions(self._classes, make)
+                if weight == 2
+                else WeightedFunctions(self._classes, make, weight)
+            )
+        return self._modules[weight]
+
+    @cached_property
+    def _classes_of_level(self) -> Callable[[Any], Classes]:
+        """The classes of Eichler orders of the same algebra, by their levels."""
         algebra: Any = self.order.algebra
-        return ClassFunctions(
-            self._classes, lambda level: Classes(algebra.eichler_order(level).value)
-        )
+
+        @cache
+        def classes(level: Any) -> Classes:
+            return Classes(algebra.eichler_order(level).value)
+
+        return classes
 
     def latex(self) -> str:
         """Write the number of classes and the mass in LaTeX."""

@@ -73,3 +73,14 @@ def natural(n: object, what: str) -> int:
     if value is None or value < 0:
         raise LatticeError(f"{what} an integer ≥ 0, and {shorten(repr(n))} is none")
     return value
+
+
+def weight(k: object) -> int:
+    """Return the weight of modular forms, 2, 4, 6, … Raises :class:`LatticeError` for any other."""
+    value = _whole(k)
+    if value is None or value < 2 or value % 2:
+        raise LatticeError(
+            f"the weight {shorten(repr(k))} is not one of 2, 4, 6, …: forms with trivial character have an "
+            "even weight, the same at all real places"
+        )
+    return value

@@ -45,6 +45,14 @@ from tests.cli.running import page, run
         (["classes", "(3,5|QQ)", "--level", "7"], ["order 105: indefinite", "class number 1, by strong"]),
         (["classes", "(-1,3|QQ(sqrt(10)))"], ["number 2, by", "norms ideal(1), ideal(2, sqrt(10))"]),
         (["classes", "1019"], ["more; --format json lists all"]),
+        (["newforms", "43"],
+         ["3 of weight 2, newforms among them 3, in 2 Galois orbits", "43.2.a.b field QQ[s]/(s^2-2)",
+          "a_5 = 2-s, a_7 = -2+s", "w_43 = -1", "q + s*q^2 - s*q^3 + (2-s)*q^5"]),
+        (["newforms", "3", "--level", "5", "--weight", "4", "--primes", "30"],
+         ["15.4.a.b", "a_29 = -78", "w_5 = 1, w_3 = 1"]),
+        (["newforms", "(-1,-1|QQ(sqrt(5)))", "--level", "6 + sqrt(5)"],
+         ["in 1 Galois orbit f1 field QQ", "a_2 = -3, a_(5, sqrt(5)) = -2", "w_(31, sqrt(5)-25) = 1"]),
+        (["newforms", "167"], ["167.2.a.b degree 12 traces a_2 = 2"]),
         (["brandt", "37", "--prime", "2"], ["1 1 1 1 0 2 1 2 0", "x^3 - x^2 - 6*x"]),
         (["brandt", "11", "3", "--prime", "5", "--format", "edges"], ["0 0 2 0 1 1"]),
         (["brandt", "11", "--format", "latex"], [r"1 & 2 \\ 3 & 0"]),
@@ -69,6 +77,14 @@ def test_json(capsys):
     data = json.loads(page(capsys, "classes", "30", "--level", "7", "--format", "json"))
     assert data["class_number"] == len(data["classes"]) == 8
     assert Fraction(data["mass"]) == sum(Fraction(2, c["units"]) for c in data["classes"])
+    data = json.loads(page(capsys, "newforms", "43", "--primes", "7", "--format", "json"))
+    assert data["newforms"][1] == {
+        "label": "43.2.a.b",
+        "degree": 2,
+        "field": [-2, 0, 1],
+        "signs": {"43": -1},
+        "eigenvalues": {"2": [0, 1], "3": [0, -1], "5": [2, -1], "7": [-2, 1]},
+    }
     data = json.loads(page(capsys, "brandt", "37", "--prime", "3", "--format", "json"))
     assert [sum(row) for row in data["matrix"]] == [4, 4, 4]
     assert len(data["characteristic_polynomial"]) == 4
@@ -112,6 +128,9 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["order", "(2,3|QQ)", "--extremal"], "prime discriminant"),
         (["classes", "(2,3|QQ)", "--newforms"], "indefinite"),
         (["brandt", "(2,3|QQ)"], "by strong approximation"),
+        (["newforms", "(2,3|QQ)"], "by strong approximation"),
+        (["newforms", "37", "--weight", "3"], "is not one of 2, 4, 6"),
+        (["newforms", "1000003"], "spaces of at most 10000 are split"),
         (["brandt", "(-1,-1|QQ(sqrt(-5)))"], "split at an infinite place"),
         (["classes", "(-1,-1|QQ(sqrt(5)))", "--formula"], "over QQ"),
         (["classes", "11", "--formula", "--newforms"], "enumerates none"),

@@ -27,6 +27,7 @@ from hfield.cli.status import Waiting
 if TYPE_CHECKING:
     from hfield.evidence import Claim
     from hfield.orders.lattice import ClassSet, Order
+    from hfield.orders.newforms import Newform
     from hfield.presenting import Part
 
 HELP = (
@@ -57,7 +58,7 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--newforms",
         action="store_true",
-        help="add the newforms of weight 2 with rational eigenvalues",
+        help="add the newforms of weight 2 with rational eigenvalues; hfield newforms has all",
     )
     add_answers(parser)
 
@@ -241,10 +242,10 @@ def _indefinite(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[],
     return of_parts(data, parts), lambda: claim
 
 
-def _newforms(C: Any) -> list[Any]:
+def _newforms(C: ClassSet) -> list[Newform]:
+    """Return the newforms with rational eigenvalues."""
     Waiting.at("computing newforms")
-    found: list[Any] = C.newforms()
-    return found
+    return [f for f in C.newforms() if f.degree == 1]
 
 
 def _forms_data(C: Any) -> dict[str, object]:

@@ -1,0 +1,86 @@
+"""Elements between ideals of one class: γ with J = γ·I for the representative I of the class of J.
+
+The lattices y⁻¹·I for the shortest elements y of I are those of its class (:mod:`hfield.orders.class_keys`).
+So if x⁻¹·J = y⁻¹·I for a short element x of J, then γ = x·y⁻¹. Scalars do not matter here: elements are
+integer rows, up to rational factors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from flint import fmpz, fmpz_mat
+
+from hfield.orders.class_keys import Key, Norm, Reduced, ShortElement, SublatticeKeys
+from hfield.orders.classes import Classes
+from hfield.orders.ideals_of_norm import two_sided_prime
+from hfield.orders.lattice_values import LatticeValue, product, times_ideal
+
+Row = list[fmpz]
+Located = tuple[int, Row]
+"""The number of the class of an ideal J, and γ."""
+
+
+class ClassElements:
+    """The elements that take representatives of classes to other ideals, and to themselves: ``units``."""
+
+    def __init__(self, classes: Classes) -> None:
+        self.classes, self._ambient = classes, classes.ambient
+        self._known: dict[Key, tuple[int, fmpz_mat]] = {}
+        """For y⁻¹·I the number of the class, and the multiplication by y⁻¹ from the right."""
+        self.units: list[list[Row]] = []
+        """The units of the left order of each class modulo those of the base, 1 first; some come twice."""
+        self._neighbours: dict[tuple[int, Any], list[Located]] = {}
+        for n in range(len(classes)):
+            around = classes.class_keys(n)
+            basis = around.reduced(self._ambient.identity)
+            found: dict[Key, list[ShortElement]] = {}
+            for x in around.all_shortest(basis):
+                found.setdefault(classes.keys.quotient(basis.rows, x), []).append(x)
+            for key, elements in found.items():
+                self._known[key] = n, self._divisor(elements[0])
+            first, *_ = found.values()
+            divisor = self._divisor(first[0])
+            self.units.append([self._quotient(x, divisor) for x in first])
+
+    def _divisor(self, y: ShortElement) -> fmpz_mat:
+        return self._ambient.right_matrix(y.inverse[0])
+
+    def _quotient(self, x: ShortElement, divisor: fmpz_mat) -> Row:
+        entries: Row = (fmpz_mat([x.row]) * divisor).entries()
+        return entries
+
+    def _locate(self, around: SublatticeKeys, coordinates: fmpz_mat) -> Located:
+        basis = around.reduced(coordinates)
+        for x in self._candidates(around, basis):
+            known = self._known.get(self.classes.keys.quotient(basis.rows, x))
+            if known is not None:
+                return known[0], self._quotient(x, known[1])
+        raise AssertionError("an ideal is in none of the classes")
+
+    def _candidates(self, around: SublatticeKeys, basis: Reduced) -> Iterator[ShortElement]:
+        yield around.shortest_of(basis)
+        yield from around.all_shortest(basis)
+
+    def neighbours(self, n: int, prime: Any) -> list[Located]:
+        """Return the ideals of relative norm P in class n."""
+        if (n, prime) not in self._neighbours:
+            around, inside = self.classes.sublattices(n, prime)
+            self._neighbours[n, prime] = [self._locate(around, J) for J in inside]
+        return self._neighbours[n, prime]
+
+    def exchanged(self, n: int, prime: Any) -> Located:
+        """Return class n times the two-sided prime ideal at a prime."""
+        ideal = two_sided_prime(self.classes.order, prime)
+        return self._moved(product(self.classes.lattice(n), ideal), n, ideal.norm)
+
+    def multiplied(self, n: int, ideal: Any) -> Located:
+        """Return class n times an ideal of the base."""
+        return self._moved(times_ideal(self.classes.lattice(n), ideal), n, ideal * ideal)
+
+    def _moved(self, lattice: LatticeValue, n: int, ideal: Any) -> Located:
+        keys = self.classes.keys
+        norm: Norm = keys.multiplied(self.classes.norms[n], ideal)
+        around = SublatticeKeys(keys, lattice.matrix, lattice.den, norm)
+        return self._locate(around, self._ambient.identity)

@@ -1,0 +1,132 @@
+"""The algebra modulo a prime p of 62 bits, as matrices at the real places, and their symmetric powers.
+
+Forms of weight k have values in the tensor product, over the real places, of the harmonic polynomials of
+degree k/2 − 1 on elements of trace 0, on which a quaternion acts by conjugation. Over a splitting field it is
+Symᵏ⁻²⊗N^(1−k/2). Let p be a prime that splits completely in the field, and does not divide the constants of
+the algebra. Then the prime ideals above p are embeddings of the field into 𝔽_p, one for each real place, and
+the algebra is M₂(𝔽_p) at each. So no number field is needed, and a scalar acts trivially.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from flint import fmpz, nmod_mat, nmod_poly
+
+from hfield.fields.rationals.whole_numbers import sqrt_mod
+from hfield.orders.basis import AlgebraBasis
+
+Square = tuple[int, int, int, int]
+"""A 2 × 2 matrix, row by row."""
+
+
+class Place(NamedTuple):
+    """An embedding of the field into 𝔽_p: the images of the integral basis, and of 1, I, J, IJ in M₂."""
+
+    numbers: list[int]
+    units: list[Square]
+
+
+def embeddings(ambient: AlgebraBasis, p: int) -> list[list[int]]:
+    """Return the images of the integral basis by all embeddings of the field in 𝔽_p."""
+    base = ambient.base
+    if base.is_rational:
+        return [[1]]
+    field = base.field
+    modulus = nmod_poly([_modulo(c, p) for c in field.modulus_over_rationals()], p)
+    rows = [[_modulo(c, p) for c in field.coefficients_of(w)] for w in base.integral_basis]
+    roots = sorted(int(root) for root, times in modulus.roots() if times == 1)
+    return [[int(nmod_poly(row, p)(root)) for row in rows] for root in roots]
+
+
+def splits_completely(ambient: AlgebraBasis, p: int) -> bool:
+    """Tell whether a prime number, larger than all that is in question, splits completely in the field."""
+    if ambient.degree == 1:
+        return True
+    coefficients = ambient.base.field.modulus_over_rationals()
+    modulus = nmod_poly([_modulo(c, p) for c in coefficients], p)
+    x = nmod_poly([0, 1], p)
+    return bool(x.pow_mod(p, modulus) == x % modulus)
+
+
+def places(ambient: AlgebraBasis, p: int) -> list[Place]:
+    """Return the embeddings of the field in 𝔽_p and the matrices of the algebra there."""
+    rows = ambient.base.coordinate_rows(list(ambient.constants)).tolist()
+    found = []
+    for numbers in embeddings(ambient, p):
+        a, t, b = (
+            sum(_modulo(c, p) * w for c, w in zip(row, numbers, strict=True)) % p for row in rows
+        )
+        found.append(Place(numbers, _matrix_units(a, t, b, p)))
+    return found
+
+
+def _matrix_units(a: int, t: int, b: int, p: int) -> list[Square]:
+    """Return matrices 1, I, J, IJ modulo p with I² = a + t·I and J² = b."""
+    half = t * pow(2, -1, p) % p
+    square = (a + half * half) % p
+    # (x, −b·y; y, −x) has the square x² − b·y², and anticommutes with (0, b; 1, 0)
+    y = next(y for y in range(p) if _is_square(square + b * y * y, p))
+    x = sqrt_mod(square + b * y * y, p)
+    first = (half + x) % p, -b * y % p, y, (half - x) % p
+    second = 0, b, 1, 0
+    return [(1, 0, 0, 1), first, second, _product(first, second, p)]
+
+
+def _is_square(x: int, p: int) -> bool:
+    return pow(x % p, (p - 1) // 2, p) <= 1
+
+
+def _product(x: Square, y: Square, p: int) -> Square:
+    a, b, c, d = x
+    e, f, g, h = y
+    return (a * e + b * g) % p, (a * f + b * h) % p, (c * e + d * g) % p, (c * f + d * h) % p
+
+
+def _modulo(x: Any, p: int) -> int:
+    return int(x.p) * pow(int(x.q), -1, p) % p
+
+
+class SymmetricPower:
+    """The action of quaternions on the tensor product of symmetric powers, for even weights, modulo p."""
+
+    def __init__(self, ambient: AlgebraBasis, weight: int, p: int) -> None:
+        self.p, self._weight = p, weight
+        self._places = places(ambient, p)
+        self._degree = ambient.degree
+        self.dimension = (weight - 1) ** self._degree
+
+    def matrix(self, row: Sequence[fmpz]) -> nmod_mat:
+        """Return the matrix by which an element, an integer row, acts on columns."""
+        whole = [[1]]
+        for place in self._places:
+            whole = _kronecker(whole, self._at(place, row), self.p)
+        return nmod_mat(whole, self.p)
+
+    def _at(self, place: Place, row: Sequence[fmpz]) -> list[list[int]]:
+        p, n, s = self.p, self._degree, self._weight - 2
+        a = b = c = d = 0
+        for k, (e, f, g, h) in enumerate(place.units):
+            part = row[k * n : (k + 1) * n]
+            x = sum(int(u) * w for u, w in zip(part, place.numbers, strict=True)) % p
+            a, b, c, d = a + x * e, b + x * f, c + x * g, d + x * h
+        # X ↦ a·X + c·Y, Y ↦ b·X + d·Y on the polynomials Xˢ, Xˢ⁻¹·Y, …
+        first, second = (_powers(nmod_poly([u % p, v % p], p), s) for u, v in ((a, c), (b, d)))
+        factor = pow((a * d - b * c) % p, -s // 2, p)
+        columns = []
+        for k in range(s + 1):
+            entries = (first[s - k] * second[k] * factor).coeffs()
+            columns.append([*map(int, entries), *[0] * (s + 1 - len(entries))])
+        return list(map(list, zip(*columns, strict=True)))
+
+
+def _powers(x: nmod_poly, most: int) -> list[nmod_poly]:
+    found = [x**0]
+    for _ in range(most):
+        found.append(found[-1] * x)
+    return found
+
+
+def _kronecker(first: list[list[int]], second: list[list[int]], p: int) -> list[list[int]]:
+    return [[x * y % p for x in u for y in v] for u in first for v in second]

@@ -1,0 +1,117 @@
+"""Newforms over ℚ against PARI's (cypari): every level up to a bound, weights 2 to 12.
+
+    python scripts/try_newforms.py [--below 301] [--from 2] [--weights 2 12] [--seconds 600] [--orbits 20]
+
+Each level is written in every way as D·N with D a product of an odd number of primes that do not divide N.
+The characteristic polynomials of T₂, T₃, T₅, T₇ on the new subspace are compared with ``mfheckemat``. If it
+has at most ``--orbits`` dimensions the Galois orbits are compared with ``mfsplit`` too, by the minimal
+polynomials of these four eigenvalues. Ends when all levels are compared or the time is over. Exit status 1 if
+a polynomial differs.
+"""
+
+import argparse
+import sys
+import time
+from collections.abc import Iterator
+from itertools import combinations, product
+from math import gcd, prod
+from pathlib import Path
+
+from cypari import pari
+from flint import fmpz_poly
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from hfield import QuaternionAlgebra
+from hfield.core.factorisation import factorise
+from hfield.orders.newforms import Newform
+
+PRIMES = [2, 3, 5, 7]
+Polynomials = list[list[int]]
+POLYNOMIALS = "(mf, primes) -> [Vecrev(charpoly(mfheckemat(mf, p))) | p <- primes]"
+ORBITS = """
+(mf, primes) -> my(minimal(c) = Vecrev(if(type(c) == "t_POLMOD", minpoly(c), x - c)));
+apply(f -> apply(p -> minimal(mfcoef(f, p)), primes), mfeigenbasis(mf))
+"""
+
+
+def algebras(level: int) -> Iterator[tuple[int, int]]:
+    """The (D, N) with D·N = level, D a product of an odd number of primes that do not divide N."""
+    primes = sorted(factorise(level))
+    for size in range(1, len(primes) + 1, 2):
+        for some in combinations(primes, size):
+            D = prod(some)
+            if gcd(D, level // D) == 1:
+                yield D, level // D
+
+
+def hecke_polynomials(forms: list[Newform]) -> Polynomials:
+    """The characteristic polynomials of the Hecke operators on the new subspace."""
+    found = []
+    for p in PRIMES:
+        whole = fmpz_poly([1])
+        for f in forms:
+            polynomial = fmpz_poly(f.minimal_polynomial(p))
+            whole *= polynomial ** (f.degree // polynomial.degree())
+        found.append([int(c) for c in whole.coeffs()])
+    return found
+
+
+def orbits(forms: list[Newform]) -> list[Polynomials]:
+    """The minimal polynomials of the eigenvalues, orbit by orbit."""
+    return sorted([f.minimal_polynomial(p) for p in PRIMES] for f in forms)
+
+
+def main() -> int:
+    """Compare, print what differs, and count."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--from", dest="first", type=int, default=2)
+    parser.add_argument("--below", type=int, default=301)
+    parser.add_argument("--weights", type=int, nargs=2, default=(2, 12))
+    parser.add_argument("--seconds", type=float, default=600)
+    parser.add_argument("--orbits", type=int, default=20)
+    args = parser.parse_args()
+    pari.allocatemem(2 * 10**9)
+    whole, split = pari(POLYNOMIALS), pari(ORBITS.replace("\n", " "))
+    end = time.monotonic() + args.seconds
+    spaces = orbit_spaces = failures = level = 0
+    mine = its = 0.0
+    weights = range(args.weights[0], args.weights[1] + 1, 2)
+    levels = [M for M in range(args.first, args.below) if any(algebras(M))]
+    for level, k in product(levels, weights):
+        if time.monotonic() > end:
+            break
+        start = time.monotonic()
+        mf = pari(f"mfinit([{level}, {k}], 0)")
+        dimension = int(pari.mfdim(mf))
+        expected: Polynomials = [[1]] * len(PRIMES)
+        if dimension:
+            expected = [[int(c) for c in f] for f in whole(mf, PRIMES)]
+        has_orbits = 0 < dimension <= args.orbits
+        expected_orbits = (
+            sorted([[int(c) for c in f] for f in form] for form in split(mf, PRIMES))
+            if has_orbits
+            else []
+        )
+        middle = time.monotonic()
+        for D, N in algebras(level):
+            forms = QuaternionAlgebra(D).eichler_order(N).class_set().newforms(weight=k)
+            same = hecke_polynomials(forms) == expected
+            if has_orbits:
+                same = same and orbits(forms) == expected_orbits
+            if not same:
+                failures += 1
+                print(f"differs: D = {D}, N = {N}, weight {k}", flush=True)
+            spaces += 1
+            orbit_spaces += has_orbits
+        its += middle - start
+        mine += time.monotonic() - middle
+    print(
+        f"levels {args.first} to {level}, weights {weights.start} to {weights[-1]}: {spaces} new subspaces, "
+        f"{orbit_spaces} of them by orbits, {failures} differ; {mine:.0f} s here, {its:.0f} s PARI"
+    )
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
