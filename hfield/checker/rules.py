@@ -185,7 +185,7 @@ class Rules:
 MAX_DEPTH = 8
 
 
-class Item:
+class VerifiedItem:
     """One entry of ``items`` that has been verified: zeros imply ``member``, or exclude ``nonzero``."""
 
     def __init__(

@@ -42,7 +42,7 @@ from hfield.orders.short_elements import reduced
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
-    from hfield.fields.number_fields.ideals import Ideal
+    from hfield.fields.number_fields.ideals import FractionalIdeal
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.classes import Classes
     from hfield.orders.equivalence_result import EquivalenceResult
@@ -348,7 +348,7 @@ class _OverField:
     def __init__(self, ambient: AlgebraBasis) -> None:
         self.ambient = ambient
 
-    def size(self, ideal: Ideal) -> Fraction | int:
+    def size(self, ideal: FractionalIdeal) -> Fraction | int:
         return ideal.norm()
 
     def element(self, q: Quaternion) -> dict[str, Any]:
@@ -426,7 +426,7 @@ def _primes(order: LatticeValue) -> list[Any]:
     return [[p, evidence.seconds_above(s, p)] for p in sorted(wanted)]
 
 
-def _product(ring: Any, a: Ideal) -> list[Any]:
+def _product(ring: Any, a: FractionalIdeal) -> list[Any]:
     """Return x and exponents with a = x·∏P^e, P in S."""
     x, exponents = ring.class_group().factors(a)
     return [x.field.coordinates(x), list(map(int, exponents))]

@@ -115,7 +115,7 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
 
 
 def _table(C: ClassSet) -> Part:
-    from hfield.presenting import Table
+    from hfield.presenting import TextTable
 
     rows = [
         [
@@ -126,7 +126,7 @@ def _table(C: ClassSet) -> Part:
         for n, I in enumerate(islice(C, SHOWN))
     ]
     more = len(C) - SHOWN
-    return Table(
+    return TextTable(
         rows,
         ">>>>>",
         "rrrlr",
@@ -138,7 +138,7 @@ def _table(C: ClassSet) -> Part:
 
 def _types(C: ClassSet) -> list[Part]:
     """Return the types in the order of their labels, unless they are many."""
-    from hfield.presenting import Table
+    from hfield.presenting import TextTable
 
     if C.type_number > SHOWN:
         return []
@@ -146,7 +146,7 @@ def _types(C: ClassSet) -> list[Part]:
         [str(C.types[numbers[0]]), str(len(numbers)), label]
         for label, numbers in C.types_by_label().items()
     ]
-    return [Table(rows, ">>", "rrl", head=("type", "classes", "label of the left orders"))]
+    return [TextTable(rows, ">>", "rrl", head=("type", "classes", "label of the left orders"))]
 
 
 def _over_number_field(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], Claim]]:
@@ -182,7 +182,7 @@ def _over_number_field(args: Namespace, O: Order) -> tuple[OutputDocument, Calla
         }
 
     def parts() -> list[Part]:
-        from hfield.presenting import Facts, Table
+        from hfield.presenting import Facts, TextTable
 
         cancels = ": cancellation" if C.has_cancellation() else ""
         facts = [
@@ -199,7 +199,7 @@ def _over_number_field(args: Namespace, O: Order) -> tuple[OutputDocument, Calla
         more = len(C) - SHOWN
         head = ("class", "norm", "units", "group", "type")
         below = f"… and {more} more; --format json lists all" if more > 0 else ""
-        table = Table(rows, "><><", "rlrlr", head=head, below=below)
+        table = TextTable(rows, "><><", "rlrlr", head=head, below=below)
         return [Facts(facts, 14), table, *(_forms(C) if args.newforms else [])]
 
     return of_parts(data, parts), lambda: C.claim
