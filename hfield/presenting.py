@@ -31,7 +31,7 @@ def latex(parts: Iterable[Part]) -> str:
     text = ""
     for part in parts:
         if written := part.latex():
-            text += ("\n" if isinstance(part, Table) else "\n\n") * bool(text) + written
+            text += ("\n" if isinstance(part, TextTable) else "\n\n") * bool(text) + written
     return text
 
 
@@ -64,7 +64,7 @@ def aligned(grid: Sequence[Sequence[str]], align: str, indent: str = "") -> list
 
 
 @dataclass(frozen=True)
-class Piece:
+class LayoutBlock:
     """What is laid out in its own way: the lines of a width, and the LaTeX."""
 
     page: Callable[[int], Sequence[str]]
@@ -110,7 +110,7 @@ class Facts:
 
 
 @dataclass(frozen=True)
-class Table:
+class TextTable:
     """Rows of texts in columns, of which the last one wraps; ``align`` has < or > for each of the others.
 
     In LaTeX ``columns`` aligns as many of them, and ``cells`` sets what is no words. A ``title`` and what is

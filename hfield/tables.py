@@ -14,7 +14,7 @@ MAX_ROWS = 1_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class Table:
+class NumberTable:
     """Rows of numbers (n, columns), and the line number of each row in the file."""
 
     name: str
@@ -26,7 +26,7 @@ class Table:
         return f"{self.name}, line {self.lines[row]}"
 
 
-def read_table(path: str | Path, columns: Mapping[int, str]) -> Table:
+def read_table(path: str | Path, columns: Mapping[int, str]) -> NumberTable:
     """Return the numbers of a text file, separated by semicolons, commas, or spaces and tabs.
 
     Empty lines and comments after ``#`` are skipped. A first line without any number is a heading.
@@ -72,7 +72,7 @@ def read_table(path: str | Path, columns: Mapping[int, str]) -> Table:
             raise TableError(f"{name!r} has more than {MAX_ROWS} rows")
     if not rows:
         raise TableError(f"{name!r} has no numbers; expected {expected} on each line")
-    return Table(name, np.array(rows), tuple(lines))
+    return NumberTable(name, np.array(rows), tuple(lines))
 
 
 def _fields(line: str) -> list[str]:

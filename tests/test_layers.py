@@ -41,8 +41,7 @@ LAYERS = [
     {"hfield.fields.linear_algebra"},
     {"hfield.fields.quadratic_forms"},
     {"hfield.fields.local"},
-    {"hfield.fields.rationals"},  # ℚ as a field with places
-    {"hfield.fields"},  # the other kinds of fields, and the names of all
+    {"hfield.fields"},  # the kinds of fields with places, and the names of all
     {"hfield.rings"},  # former names
     {"hfield.algebra.structure"},
     {"hfield.notation", "hfield.algebra.embedding", "hfield.latex"},
@@ -61,9 +60,9 @@ LAYERS = [
     {"hfield.orders.elliptic_points"},
     {"hfield.fuchsian"},  # stands on orders as values, and what a user holds hands over to it
     {"hfield.orders.equivalence"},  # looks for elements in the hyperbolic plane
-    {"hfield.orders.isomorphisms"},
+    {"hfield.orders.isomorphisms", "hfield.orders.element_factors"},
     {"hfield.orders.lattice"},
-    {"hfield.orders.hurwitz_order"},
+    {"hfield.orders.hurwitz_order", "hfield.orders.foreign_texts"},
     {"hfield.algebra"},
     {"hfield.description", "hfield.census"},
     {"hfield.prover"},
@@ -189,7 +188,7 @@ def breaches(module: str, source: str) -> list[str]:
 
 def kinds_known(module: str, source: str) -> set[str]:
     """The kinds of fields with places, folders of hfield.fields, that a module imports."""
-    parts = ("hfield.fields", "hfield.fields.rationals", "hfield.fields.local")
+    parts = ("hfield.fields", "hfield.fields.local")
     folders = (t.split(".") for t in imports(source, module) if part_of(t) in parts)
     return {folder[2] for folder in folders if len(folder) > 2} & kinds()
 

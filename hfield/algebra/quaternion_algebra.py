@@ -56,13 +56,13 @@ if TYPE_CHECKING:
     from hfield.algebra.brauer import Corestriction, TensorProduct
     from hfield.algebra.maps import Division, Isomorphism, LinearMap, Splitting
     from hfield.algebra.quadratic_fields import Embedding
-    from hfield.algebra.quotients import Quotient
+    from hfield.algebra.quotients import AlgebraQuotient
     from hfield.exploring.automorphisms import AutomorphismGroup
     from hfield.exploring.conjugacy_classes import ConjugacyClass
     from hfield.exploring.elements import Elements
     from hfield.exploring.ideals import AlgebraIdeal
     from hfield.exploring.subalgebras import Subalgebra
-    from hfield.exploring.unit_groups import UnitGroup
+    from hfield.exploring.unit_groups import FiniteUnitGroup
     from hfield.matrices.equations import LinearSolutions, SystemSolutions
     from hfield.matrices.matrix import Matrix
     from hfield.orders.hurwitz_order import HurwitzOrder
@@ -605,7 +605,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         """
         return tuple(self(*c) for c in structure.radical(*self._here()))
 
-    def quotient(self, elements: Iterable[object]) -> Quotient:
+    def quotient(self, elements: Iterable[object]) -> AlgebraQuotient:
         """Return the quotient by the two-sided ideal that elements generate, over a field, and the map to it.
 
         The quotient is a :class:`StructureAlgebra` whose basis are the images of some of e, i, j, k, the
@@ -904,7 +904,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         return self._collection("trace", check_scalar(self, s))
 
-    def unit_group(self) -> UnitGroup:
+    def unit_group(self) -> FiniteUnitGroup:
         """Return the group of units over a finite ring: order, structure, centre, generators, classes.
 
         Raises :class:`NotFiniteError` over an infinite ring.
@@ -917,7 +917,7 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
 
         return unit_group(self)
 
-    def special_unit_group(self) -> UnitGroup:
+    def special_unit_group(self) -> FiniteUnitGroup:
         """Return the group of elements of norm 1 over a finite ring, as :meth:`unit_group` does.
 
         ``maximal_order().norm_one_group()``, of an indefinite order, is modulo ±1; this one is not.

@@ -13,7 +13,7 @@ from hfield.exploring.submodules import Submodule, products
 from hfield.fields.linear_algebra.echelon import echelon
 
 
-class Quotient(NamedTuple):
+class AlgebraQuotient(NamedTuple):
     """The quotient of an algebra, and the homomorphism onto it: ``algebra, projection``."""
 
     algebra: StructureAlgebra
@@ -65,7 +65,7 @@ class Projection:
         return f"{self.source} → its quotient by {self.kernel.span_text}: {images}"
 
 
-def quotient(algebra: Parent, elements: Iterable[object]) -> Quotient:
+def quotient(algebra: Parent, elements: Iterable[object]) -> AlgebraQuotient:
     """Return the quotient by the two-sided ideal that elements generate, over a field.
 
     Raises :class:`RingError` over a ring that is no field, :class:`CoercionError` where the quotient is 0.
@@ -85,4 +85,4 @@ def quotient(algebra: Parent, elements: Iterable[object]) -> Quotient:
             "the quotient is 0"
         )
     projection = Projection(algebra, kernel)
-    return Quotient(projection.target, projection)
+    return AlgebraQuotient(projection.target, projection)

@@ -35,7 +35,7 @@ FORMS = {
 }
 
 
-class Item:
+class VerifiedItem:
     """One entry of ``items`` that has been verified: zeros imply ``member``, or exclude ``nonzero``."""
 
     def __init__(

@@ -23,7 +23,7 @@ def without_matrices(tree: Tree, is_constant: Callable[[Tree], bool]) -> Tree:
     for node in walk(tree):
         maker = node[0] == "call" and node[1] in MAKERS
         if maker or (node[0] == "name" and node[1] in free) or _binds(node, free):
-            return _Writer(free).truth(tree)
+            return _MatrixWriter(free).truth(tree)
     return tree
 
 
@@ -35,7 +35,7 @@ def _names(matrix: str) -> list[str]:
     return [matrix, *(x for x in ENTRIES if x[0] == matrix)]
 
 
-class _Writer:
+class _MatrixWriter:
     def __init__(self, free: set[str]) -> None:
         self.free = free
 

@@ -138,7 +138,7 @@ class _Linear:
 
 def in_coordinates(tree: Tree, table: Table) -> Tree:
     """Return a statement about elements of the algebra as one about their coordinates."""
-    written = _Writer(table).truth(tree)
+    written = _TableWriter(table).truth(tree)
     size, stack = 0, [written]
     while stack:
         node = stack.pop()
@@ -152,7 +152,7 @@ def in_coordinates(tree: Tree, table: Table) -> Tree:
     return written
 
 
-class _Writer:
+class _TableWriter:
     """One statement: a value is a tree, for a scalar, or a list of them."""
 
     def __init__(self, table: Table) -> None:

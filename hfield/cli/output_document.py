@@ -47,6 +47,15 @@ def of_parts(
     )
 
 
+def of_styles(
+    data: Callable[[], Mapping[str, object]], page: Callable[[str], str], status: int = 0
+) -> OutputDocument:
+    """Return the answer whose page is written in a style of elements, plain or unicode."""
+    return OutputDocument(
+        data, lambda _: page("plain"), {"unicode": lambda: page("unicode")}, status
+    )
+
+
 def answer_one(args: Namespace, answer: Callable[[], OutputDocument]) -> int:
     """Open the output, and only then find the answer; write it, and return its exit status."""
     with open_output(args.output) as out:

@@ -11,7 +11,7 @@ import numpy as np
 
 from hfield.compiling import machine_code, memory
 from hfield.compiling.arithmetic import Arithmetic
-from hfield.compiling.arithmetics.doubles import Formula
+from hfield.compiling.arithmetics.doubles import FloatFormula
 from hfield.compiling.loops import Operand, emit_loop
 from hfield.compiling.memory import Array, Rows, address, in_one_piece, rows_of
 from hfield.compiling.threads import in_pieces, threads
@@ -41,7 +41,7 @@ class Kernel:
 
     def __init__(
         self,
-        program: Program | Formula,
+        program: Program | FloatFormula,
         arithmetic: Arithmetic,
         sides: Sequence[tuple[str, ...]],
         constants: Mapping[str, float],

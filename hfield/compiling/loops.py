@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from hfield.compiling.arithmetic import Arithmetic, Symbol
-from hfield.compiling.arithmetics.doubles import Formula
+from hfield.compiling.arithmetics.doubles import FloatFormula
 from hfield.compiling.instructions import Code, module, raw_type, vector
 from hfield.core.straight_line import ONE, Program
 
@@ -37,7 +37,7 @@ class Operand(NamedTuple):
 
 def emit_body(
     code: Code,
-    program: Program | Formula,
+    program: Program | FloatFormula,
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
     literals: Mapping[str, float],
@@ -63,7 +63,7 @@ def emit_body(
 
 
 def emit_loop(
-    program: Program | Formula,
+    program: Program | FloatFormula,
     arithmetic: Arithmetic,
     operands: tuple[Operand, ...],
     literals: Mapping[str, float],

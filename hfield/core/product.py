@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Generic, NamedTuple, Protocol, Self
 Coordinates = tuple[Any, Any, Any, Any]
 
 
-class Arithmetic(Protocol):
+class SupportsArithmetic(Protocol):
     """What the formula asks of a coordinate: ``+``, ``−`` and ``×`` with its like."""
 
     def __add__(self, other: Any, /) -> Self:
@@ -30,7 +30,7 @@ class Arithmetic(Protocol):
         """Return −self."""
 
 
-class Scalar(Arithmetic, Protocol):
+class Scalar(SupportsArithmetic, Protocol):
     """An element of a ring: what its library takes beside, such as numbers, may stand to its left too."""
 
     def __radd__(self, other: Any, /) -> Self:
@@ -46,7 +46,7 @@ class Scalar(Arithmetic, Protocol):
 if TYPE_CHECKING:
     from typing_extensions import TypeVar
 
-    S = TypeVar("S", bound=Arithmetic)
+    S = TypeVar("S", bound=SupportsArithmetic)
     C = TypeVar("C", default=Any)  # scalars, or what stands for them: a text, a number of a row
 else:
     from typing import TypeVar

@@ -14,10 +14,10 @@ from functools import lru_cache
 from typing import Any, NamedTuple, TypeVar
 
 from hfield.core import product
-from hfield.core.product import Arithmetic, Constants, Scalar
+from hfield.core.product import Constants, Scalar, SupportsArithmetic
 from hfield.syntax.brackets import outside
 
-S = TypeVar("S", bound=Arithmetic)
+S = TypeVar("S", bound=SupportsArithmetic)
 T = TypeVar("T")
 
 ZERO, ONE, MINUS_ONE = "0", "1", "-1"
@@ -25,7 +25,7 @@ FIRST, SECOND = ("w1", "x1", "y1", "z1"), ("w2", "x2", "y2", "z2")
 GENERAL = Constants("a", "t", "b")  # constants of which nothing is known
 
 
-class Step(NamedTuple):
+class ProgramStep(NamedTuple):
     """One operation: ``operation`` is ``+``, ``-``, ``*`` (two operands) or ``neg`` (one)."""
 
     name: str
@@ -43,7 +43,7 @@ class Program:
     """
 
     inputs: tuple[str, ...]
-    steps: tuple[Step, ...]
+    steps: tuple[ProgramStep, ...]
     outputs: tuple[str, ...]
 
     def evaluate(self, values: dict[str, S], zero: S) -> tuple[S, ...]:
@@ -85,7 +85,7 @@ class _Tape:
 
     def __init__(self, characteristic: int) -> None:
         self.characteristic = characteristic
-        self.steps: list[Step] = []
+        self.steps: list[ProgramStep] = []
         self._known: dict[tuple[str, tuple[str, ...]], str] = {}
 
     def write(self, operation: str, *operands: str) -> str:
@@ -93,7 +93,7 @@ class _Tape:
         key = (operation, tuple(sorted(operands)) if commutes else operands)
         if key not in self._known:
             self._known[key] = f"s{len(self.steps) + 1}"
-            self.steps.append(Step(self._known[key], operation, operands))
+            self.steps.append(ProgramStep(self._known[key], operation, operands))
         return self._known[key]
 
 
@@ -197,7 +197,7 @@ def specialise(formula: str, constants: Constants[str], characteristic: int = 0)
     is nothing; of other characteristics no use is made.
 
     >>> specialise("norm", Constants("-1", "0", "-1")).steps[0]
-    Step(name='s1', operation='*', operands=('w1', 'w1'))
+    ProgramStep(name='s1', operation='*', operands=('w1', 'w1'))
     """
     tape = _Tape(characteristic)
     c = Constants(*(_constant(tape, name) for name in constants))
@@ -251,7 +251,7 @@ def _constant(tape: _Tape, name: str) -> _Symbol:
 def _program(tape: _Tape, outputs: list[str]) -> Program:
     """Leave out the steps that nothing uses, as where a term was multiplied by 0 afterwards."""
     used = dict.fromkeys(outputs)
-    kept: list[Step] = []
+    kept: list[ProgramStep] = []
     for step in reversed(tape.steps):
         if step.name in used:
             kept.insert(0, step)

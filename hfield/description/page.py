@@ -13,7 +13,7 @@ from hfield.fields.base.ring import Ring
 from hfield.fields.quadratic_forms.global_field import global_field
 from hfield.latex import words
 from hfield.notation import element_text
-from hfield.presenting import Facts, Part, Piece, hanging
+from hfield.presenting import Facts, LayoutBlock, Part, hanging
 
 if TYPE_CHECKING:
     from hfield.algebra import QuaternionAlgebra
@@ -27,12 +27,12 @@ def parts(d: Description) -> list[Part]:
     A = d.algebra
     over = A.ring.in_words()
     return [
-        Piece(
+        LayoutBlock(
             partial(_title, A.name, over),
             lambda: rf"\[ {A.latex()} \]" + f"\n\n\\noindent over {words(over)}.",
         ),
-        Piece(partial(_relations, d.relations)),
-        Piece(partial(_table, A), lambda: rf"\[ {A.table_text('latex')} \]"),
+        LayoutBlock(partial(_relations, d.relations)),
+        LayoutBlock(partial(_table, A), lambda: rf"\[ {A.table_text('latex')} \]"),
         *(Facts(facts, title=title) for title, facts in _facts(d) if facts),
     ]
 

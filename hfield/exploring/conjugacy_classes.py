@@ -90,7 +90,7 @@ class ListedClass(ConjugacyClass):
 
 
 @dataclass(frozen=True)
-class Quadratic:
+class QuadraticPolynomial:
     """A polynomial ``X² − t·X + n`` over a finite field, with the roots that it has there."""
 
     t: Any
@@ -101,7 +101,7 @@ class Quadratic:
 class SplitClass(ConjugacyClass):
     """All elements of M₂(F) with one characteristic polynomial, scalars or not."""
 
-    def __init__(self, algebra: Parent, polynomial: Quadratic, scalar: bool) -> None:
+    def __init__(self, algebra: Parent, polynomial: QuadraticPolynomial, scalar: bool) -> None:
         q = order_of_ring(algebra)
         sizes = {0: q * q - q, 1: q * q - 1, 2: q * q + q}
         super().__init__(algebra, 1 if scalar else sizes[len(polynomial.roots)], self._fits)
@@ -136,7 +136,7 @@ class TransvectionClass(SplitClass):
     and −z, by d and squares.
     """
 
-    def __init__(self, algebra: Parent, polynomial: Quadratic, factor: Any) -> None:
+    def __init__(self, algebra: Parent, polynomial: QuadraticPolynomial, factor: Any) -> None:
         super().__init__(algebra, polynomial, False)
         self._size //= 2
         self._factor = factor
@@ -168,7 +168,7 @@ def _splitting(ring: Any, constants: Any) -> CoordinateSplitting:
     return found
 
 
-def quadratics(ring: Ring, n: Any = None) -> Iterator[Quadratic]:
+def quadratics(ring: Ring, n: Any = None) -> Iterator[QuadraticPolynomial]:
     """Yield all polynomials X² − tX + n over a finite field, or those of one n."""
     assert ring.order is not None
     if ring.order**2 > MAX_CLASSES:
@@ -183,7 +183,7 @@ def quadratics(ring: Ring, n: Any = None) -> Iterator[Quadratic]:
             roots.setdefault((ring.key(x + y), ring.key(x * y)), [x] if y is x else [x, y])
     for t in elements:
         for norm in elements if n is None else [n]:
-            yield Quadratic(t, norm, tuple(roots.get((ring.key(t), ring.key(norm)), ())))
+            yield QuadraticPolynomial(t, norm, tuple(roots.get((ring.key(t), ring.key(norm)), ())))
 
 
 def split_classes(algebra: Parent, units_only: bool = False) -> tuple[ConjugacyClass, ...]:

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     import numpy as np
 
 
-class UnitGroup(ABC):
+class FiniteUnitGroup(ABC):
     """A finite group of units of an algebra: iterate over it, ask ``in`` and ``len``.
 
     >>> from hfield import H
@@ -87,7 +87,7 @@ class UnitGroup(ABC):
 
     @property
     @abstractmethod
-    def center(self) -> UnitGroup:
+    def center(self) -> FiniteUnitGroup:
         """The centre, a group too."""
 
     @property
@@ -142,7 +142,7 @@ class UnitGroup(ABC):
         return f"<the {self.title} of {self.algebra}: order {self.order}>"
 
 
-class ListedUnitGroup(ListedGroup, UnitGroup):
+class ListedUnitGroup(ListedGroup, FiniteUnitGroup):
     """A group of units whose elements are listed by their numbers."""
 
     def __init__(self, algebra: Parent, title: str, elements: Elements | np.ndarray) -> None:
@@ -169,7 +169,7 @@ class ListedUnitGroup(ListedGroup, UnitGroup):
         return self._given.cardinality() if isinstance(self._given, Elements) else len(self._given)
 
     @cached_property
-    def _parts(self) -> list[UnitGroup]:
+    def _parts(self) -> list[FiniteUnitGroup]:
         """The groups modulo prime powers, of which the group of all units, or of norm 1, is the product."""
         if not isinstance(self._given, Elements):
             return []
@@ -187,7 +187,7 @@ class ListedUnitGroup(ListedGroup, UnitGroup):
         return tuple(self._labels.element(int(self._group.members[n])) for n in places)
 
     @cached_property
-    def center(self) -> UnitGroup:
+    def center(self) -> FiniteUnitGroup:
         """The centre."""
         members = self._group.members[self._group.center]
         return ListedUnitGroup(self.algebra, f"centre of the {self.title}", members)
@@ -215,7 +215,7 @@ class ListedUnitGroup(ListedGroup, UnitGroup):
         return x in ListedClass(self._labels, self._group.members)
 
 
-class LinearGroup(UnitGroup):
+class LinearGroup(FiniteUnitGroup):
     """The units of M₂(F), F finite, or those of determinant 1: everything by formulas in q."""
 
     def __init__(self, algebra: Parent, special: bool) -> None:
@@ -251,7 +251,7 @@ class LinearGroup(UnitGroup):
         return GroupInvariants(self.order, self.exponent, cyclic[0], cyclic[1], tuple(series))
 
     @cached_property
-    def center(self) -> UnitGroup:
+    def center(self) -> FiniteUnitGroup:
         """The scalars, or ±1."""
         import numpy as np
 
@@ -318,7 +318,7 @@ class LinearGroup(UnitGroup):
         return x in self.elements
 
 
-def unit_group(algebra: Parent, special: bool = False) -> UnitGroup:
+def unit_group(algebra: Parent, special: bool = False) -> FiniteUnitGroup:
     """Return the group of all units of a finite algebra, or of the elements of norm 1.
 
     It is the same object for equal algebras. Raises :class:`NotFiniteError` over infinite rings. Its
@@ -330,7 +330,7 @@ def unit_group(algebra: Parent, special: bool = False) -> UnitGroup:
 
 
 @lru_cache(maxsize=4)
-def _unit_group(algebra: Any, special: bool) -> UnitGroup:
+def _unit_group(algebra: Any, special: bool) -> FiniteUnitGroup:
     if structure.is_central_simple(algebra.ring, algebra.constants):
         return LinearGroup(algebra, special)
     return ListedUnitGroup(

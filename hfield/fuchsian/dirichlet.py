@@ -42,7 +42,7 @@ DEEPEST = 1e6
 
 
 @dataclass(frozen=True)
-class Cycle:
+class VertexCycle:
     """A vertex up to the group: the sides that lead around it, in order, and its stabiliser's order.
 
     ``order`` is 0 at a cusp. ``start`` is the vertex where it begins.
@@ -53,7 +53,7 @@ class Cycle:
     order: int
 
 
-Found = tuple[Polygon, list[int], list[Cycle]]
+Found = tuple[Polygon, list[int], list[VertexCycle]]
 """A domain, the partners of its sides, and the cycles of its vertices."""
 
 
@@ -198,7 +198,7 @@ def paired(found: Polygon) -> list[int] | None:
     return partners
 
 
-def cycles_of(found: Polygon, partners: list[int]) -> list[Cycle]:
+def cycles_of(found: Polygon, partners: list[int]) -> list[VertexCycle]:
     """Return the vertices up to the pairing, with what goes around them, having checked the angles.
 
     Around a vertex of the plane the angles have the sum 2π/order, the condition of Poincaré's theorem; at a
@@ -221,7 +221,7 @@ def cycles_of(found: Polygon, partners: list[int]) -> list[Cycle]:
             raise ArithmeticError("what goes around a vertex of the domain does not fix it")
         if not cusp and found.turns(path, order) != 1:
             raise ArithmeticError("the angles around a vertex of the domain are more than a turn")
-        cycles.append(Cycle(start, tuple(path), order))
+        cycles.append(VertexCycle(start, tuple(path), order))
     return cycles
 
 
@@ -246,7 +246,7 @@ def rotation_order(order: SplitOrder, g: Quaternion) -> int:
     raise ArithmeticError("a unit that ought to fix a point is of infinite order")
 
 
-def area_of(partners: list[int], cycles: list[Cycle]) -> Fraction:
+def area_of(partners: list[int], cycles: list[VertexCycle]) -> Fraction:
     """Return the area of a paired polygon by Gauss and Bonnet, in units of 2π."""
     angles = sum((Fraction(1, c.order) for c in cycles if c.order), Fraction(0))
     return Fraction(len(partners) - 2, 2) - angles

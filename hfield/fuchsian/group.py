@@ -45,7 +45,7 @@ MAX_TRACE = 100_000
 
 
 def signature_of(
-    partners: Sequence[int], cycles: Sequence[dirichlet.Cycle], area: Fraction
+    partners: Sequence[int], cycles: Sequence[dirichlet.VertexCycle], area: Fraction
 ) -> Signature:
     """Return the signature of the group with a domain."""
     orders = [c.order for c in cycles if c.order > 1]
@@ -62,7 +62,7 @@ def _signature(area: Fraction, orders: tuple[int, ...], cusps: int) -> Signature
     return Signature(int(twice / 2), orders, cusps)
 
 
-class Quotient(NamedTuple):
+class QuotientOrbifold(NamedTuple):
     """The plane modulo a group between the units of norm 1 and the normaliser of an order.
 
     ``elements`` has for each norm an element of the normaliser: these represent the larger group modulo the
@@ -92,7 +92,7 @@ class Domain(Certified):
     group: NormOneGroup
     polygon: Polygon
     partners: tuple[int, ...]
-    cycles: tuple[dirichlet.Cycle, ...]
+    cycles: tuple[dirichlet.VertexCycle, ...]
 
     def __repr__(self) -> str:
         return f"a Dirichlet domain with {len(self.partners)} sides of {self.group}"
@@ -401,7 +401,7 @@ class NormOneGroup(Certified, Hinted):
 
     # --- larger groups -----------------------------------------------------------------------------
 
-    def quotient(self, *norms: object) -> Quotient:
+    def quotient(self, *norms: object) -> QuotientOrbifold:
         """Return the plane modulo this group and elements of totally positive norm that normalise the order.
 
         All of them, or those with the given norms, up to squares of ideals, and products: exact divisors of
@@ -424,7 +424,7 @@ class NormOneGroup(Certified, Hinted):
             while w.norm() in elements:  # two ideals may have one norm
                 w = 2 * w
             elements[w.norm()] = w
-        return Quotient(signature_of(partners, cycles, area), area, elements)
+        return QuotientOrbifold(signature_of(partners, cycles, area), area, elements)
 
     def unit_of_norm(self, u: object) -> Quaternion | None:
         """Return a unit of the order with a given norm, such as −1; None if none was found.

@@ -37,7 +37,7 @@ MAX_ARC_ANGLE = 0.75
 """No piece of an arc drawn as a cubic curve has a wider angle, in radians."""
 
 
-class Side(NamedTuple):
+class DrawnSide(NamedTuple):
     """A side of an image: the arc about ``center`` from one point to another; without centre straight."""
 
     start: complex
@@ -55,7 +55,7 @@ class Area(NamedTuple):
     """Images of one colour: the sides of each."""
 
     color: str
-    images: list[list[Side]]
+    images: list[list[DrawnSide]]
 
 
 class Drawing(NamedTuple):
@@ -65,7 +65,7 @@ class Drawing(NamedTuple):
     facts: str
     theme: dict[str, str]
     areas: list[Area]
-    own: list[Side]
+    own: list[DrawnSide]
     colors: list[str]
     letters: list[str]
     """Of the domain's own sides: their colours, and what they are called."""
@@ -131,7 +131,7 @@ def _words(domain: Domain) -> tuple[str, str]:
 # --- geometry: points of the disc are complex numbers ----------------------------------------------------
 
 
-def sides_of(corners: Any) -> list[Side]:
+def sides_of(corners: Any) -> list[DrawnSide]:
     """Return the sides of the polygon with these corners, (k,)."""
     ends = np.roll(corners, -1)
     # The centre c has the same power 1 to the unit circle: Re(c·conj(p)) = (1 + |p|²)/2 at both ends.
@@ -140,12 +140,12 @@ def sides_of(corners: Any) -> list[Side]:
     straight = abs(cross) < 1e-9 * (abs(ends - corners) + 1e-300)
     centers = 1j * (other * corners - one * ends) / np.where(straight, 1, cross)
     return [
-        Side(complex(p), complex(q), None if line else complex(c))
+        DrawnSide(complex(p), complex(q), None if line else complex(c))
         for p, q, c, line in zip(corners, ends, centers, straight, strict=True)
     ]
 
 
-def _middle(side: Side) -> complex:
+def _middle(side: DrawnSide) -> complex:
     """Return the middle of a side in the plane, halfway between its ends."""
     ends = np.array([side.start, side.end])
     stretched = 2 * ends / (1 - abs(ends) ** 2)  # horizontal coordinates on the hyperboloid
@@ -182,7 +182,7 @@ def letters_on_sides(drawing: Drawing) -> Iterator[tuple[complex, float, str]]:
             yield RADIUS * _summit(side) + inwards * (0.95 * size + 2), size, text
 
 
-def _summit(side: Side) -> complex:
+def _summit(side: DrawnSide) -> complex:
     """Return the point of the arc that is farthest from its chord."""
     middle = (side.start + side.end) / 2
     if side.center is None or abs(middle - side.center) < 1e-9:
@@ -277,7 +277,7 @@ def _svg_entry(entry: Entry) -> Iterator[str]:
     yield f'<text x="{entry.text_x:.1f}" y="{-entry.y + 4:.1f}">{entry.text}</text>'
 
 
-def _way(sides: list[Side], short: float = 0.0) -> str:
+def _way(sides: list[DrawnSide], short: float = 0.0) -> str:
     """Write sides that follow one another as a path; those shorter than ``short`` pixels are drawn as one."""
     here = np.round(sides[0].start * RADIUS, DECIMALS)
     words = ["M" + _numbers(here)]
@@ -380,7 +380,7 @@ def _save(drawing: Drawing, path: Path) -> None:
         save_figure(figure, path)
 
 
-def _curve(sides: list[Side]) -> Any:
+def _curve(sides: list[DrawnSide]) -> Any:
     """Return matplotlib's path along sides that follow one another, arcs as cubic curves."""
     from matplotlib.path import Path as Curve
 

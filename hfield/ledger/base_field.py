@@ -109,7 +109,7 @@ class LevelAbove:
 
 
 @dataclass(frozen=True)
-class Division:
+class IsDivisionAlgebra:
     """Every nonzero element of H(F) is invertible: no nonzero element has norm 0."""
 
     text: str = "every nonzero element of H(F) has an inverse"

@@ -38,7 +38,7 @@ class SVD(NamedTuple):
     right: Matrix
 
 
-class Polar(NamedTuple):
+class PolarDecomposition(NamedTuple):
     """M = ``unitary`` @ ``positive``; ``positive`` is hermitian, its eigenvalues are not negative."""
 
     unitary: Matrix
@@ -131,7 +131,7 @@ def svd(M: Matrix) -> SVD:
     return SVD(_matrix(M, left), values, _matrix(M, right))
 
 
-def polar(M: Matrix) -> Polar:
+def polar(M: Matrix) -> PolarDecomposition:
     """Return the polar form; see :meth:`Matrix.polar`."""
     m, n = M.shape
     if m < n:
@@ -141,7 +141,7 @@ def polar(M: Matrix) -> Polar:
         )
     left, values, right = _singular(_pair(M))
     scaled = right.scaled(values[..., None, :])
-    return Polar(_matrix(M, left[..., :, :n] @ right.H), _matrix(M, scaled @ right.H))
+    return PolarDecomposition(_matrix(M, left[..., :, :n] @ right.H), _matrix(M, scaled @ right.H))
 
 
 def _singular(given: Pair) -> tuple[Pair, np.ndarray, Pair]:

@@ -22,7 +22,7 @@ class DiagonalForm(NamedTuple):
     transformation: Matrix
 
 
-class Signature(NamedTuple):
+class HermitianSignature(NamedTuple):
     """How many entries of a diagonal form are positive, negative and 0 in an ordering."""
 
     positive: int
@@ -84,7 +84,7 @@ def _make_unit(M: Matrix, rows: list[list[Quaternion]], k: int, add: Any) -> int
     return None
 
 
-def signature(M: Matrix, ordering: int = 0) -> Signature:
+def signature(M: Matrix, ordering: int = 0) -> HermitianSignature:
     """Return how many entries of a diagonal form have which sign: of all the same (Sylvester).
 
     Raises :class:`RingError` unless the norm of the algebra is positive in the ordering, which there is.
@@ -97,7 +97,7 @@ def signature(M: Matrix, ordering: int = 0) -> Signature:
             f"the norm of {M.algebra} takes both signs in this ordering, so that d and −d are the same form"
         )
     signs = [F.sign(d.coordinates[0], ordering) for d in diagonal_form(M).diagonal]
-    return Signature(signs.count(1), signs.count(-1), signs.count(0))
+    return HermitianSignature(signs.count(1), signs.count(-1), signs.count(0))
 
 
 def is_positive_definite(M: Matrix, ordering: int = 0) -> bool:

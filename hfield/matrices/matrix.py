@@ -38,8 +38,8 @@ if TYPE_CHECKING:
     import sympy
 
     from hfield.fields.base.ring import Ring
-    from hfield.matrices.decompositions import SVD, Polar, Schur
-    from hfield.matrices.hermitian import DiagonalForm, Signature
+    from hfield.matrices.decompositions import SVD, PolarDecomposition, Schur
+    from hfield.matrices.hermitian import DiagonalForm, HermitianSignature
 
 Entries = tuple[Vector, ...]
 
@@ -163,7 +163,7 @@ class Matrix(PrintedBySympy):
 
         return diagonal_form(self)
 
-    def signature(self, ordering: int = 0) -> Signature:
+    def signature(self, ordering: int = 0) -> HermitianSignature:
         """Return how many entries of a diagonal form are positive, negative and 0 in an ordering of F.
 
         Raises :class:`CoercionError` unless M* = M, :class:`RingError` where the norm of the algebra takes
@@ -171,7 +171,7 @@ class Matrix(PrintedBySympy):
 
         >>> from hfield import H
         >>> H("QQ").matrix([[0, "i"], ["-i", 1]]).signature()
-        Signature(positive=1, negative=1, zero=0)
+        HermitianSignature(positive=1, negative=1, zero=0)
         """
         from hfield.matrices.hermitian import signature
 
@@ -483,7 +483,7 @@ class Matrix(PrintedBySympy):
 
         return svd(self)
 
-    def polar(self) -> Polar:
+    def polar(self) -> PolarDecomposition:
         """Return ``.unitary`` W and ``.positive`` P over RDF: M = W·P, W*·W = 1, P hermitian, not negative.
 
         >>> from hfield import H

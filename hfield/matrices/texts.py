@@ -31,33 +31,33 @@ def read_matrix(algebra: Parent, text: str, vector: str = "") -> Matrix:
     if not has_matrix(text):
         raise NotationError(f"{shorten(text)} is no matrix; {EXPECTED}")
     F = algebra.ring
-    found, functions = vocabulary(algebra, Operand, Operand.element)
+    found, functions = vocabulary(algebra, MatrixOperand, MatrixOperand.element)
     before, rest = "", text
     while (place := _matrix_at(rest)) is not None:
         start, end = place
         name = f"matrix_{len(found)}"
-        found[name] = Operand(_literal(algebra, rest[start:end]))
+        found[name] = MatrixOperand(_literal(algebra, rest[start:end]))
         before, rest = f"{before}{rest[:start]} {name} ", rest[end:]
     functions |= {
-        "/": lambda x, y: x * Operand(y.element().inverse()),
-        "**": lambda x, n: Operand(x.value**n),
-        "inv": lambda x: Operand(x.value.inverse()),
-        "conj": lambda x: Operand(x.value.conjugate()),
-        "transpose": lambda x: Operand(x.matrix().T),
+        "/": lambda x, y: x * MatrixOperand(y.element().inverse()),
+        "**": lambda x, n: MatrixOperand(x.value**n),
+        "inv": lambda x: MatrixOperand(x.value.inverse()),
+        "conj": lambda x: MatrixOperand(x.value.conjugate()),
+        "transpose": lambda x: MatrixOperand(x.matrix().T),
     }
     reader = Reader(
-        lambda n: Operand(algebra.scalar(n)),
+        lambda n: MatrixOperand(algebra.scalar(n)),
         found,
         functions,
         f"matrices over {algebra}",
         F.parse_limit,
     )
-    operand: Operand = reader.read_typed(before + rest)
+    operand: MatrixOperand = reader.read_typed(before + rest)
     return operand.matrix()
 
 
 @dataclass(frozen=True)
-class Operand:
+class MatrixOperand:
     """A matrix or an element while an expression is computed; ``*`` is the product of matrices."""
 
     value: Matrix | Quaternion
@@ -76,23 +76,23 @@ class Operand:
             )
         return self.value
 
-    def __mul__(self, other: Operand) -> Operand:
+    def __mul__(self, other: MatrixOperand) -> MatrixOperand:
         a, b = self.value, other.value
         both = isinstance(a, Matrix) and isinstance(b, Matrix)
-        return Operand(a @ b if both else a * b)  # type: ignore[operator]
+        return MatrixOperand(a @ b if both else a * b)  # type: ignore[operator]
 
-    def __add__(self, other: Operand) -> Operand:
+    def __add__(self, other: MatrixOperand) -> MatrixOperand:
         a, b = self.value, other.value
         if isinstance(a, Matrix) != isinstance(b, Matrix):
             raise CoercionError(
                 f"a matrix and an element do not add: {shorten(a)} and {shorten(b)}"
             )
-        return Operand(a + b)
+        return MatrixOperand(a + b)
 
-    def __neg__(self) -> Operand:
-        return Operand(-self.value)
+    def __neg__(self) -> MatrixOperand:
+        return MatrixOperand(-self.value)
 
-    def __sub__(self, other: Operand) -> Operand:
+    def __sub__(self, other: MatrixOperand) -> MatrixOperand:
         return self + -other
 
 

@@ -524,7 +524,7 @@ class NumberFieldIntegers:
     def primes_above(self, p: int) -> list[tuple[PrimeIdeal, PrimeIdeal]]:
         return [(P, P) for P in self.field.primes_above(p)]
 
-    def prime_ideal(self, prime: PrimeIdeal) -> ideals.Ideal:
+    def prime_ideal(self, prime: PrimeIdeal) -> ideals.FractionalIdeal:
         return self.integers.prime(prime)
 
     @property
@@ -536,13 +536,13 @@ class NumberFieldIntegers:
         classes = self.ring.class_group().order
         return Fraction(abs(self.zeta_minus_one) * classes, 2 ** (self.degree - 1))
 
-    def absolute_norm(self, ideal: ideals.Ideal) -> int:
+    def absolute_norm(self, ideal: ideals.FractionalIdeal) -> int:
         return int(ideal.norm())
 
-    def valuation(self, ideal: ideals.Ideal, prime: PrimeIdeal) -> int:
+    def valuation(self, ideal: ideals.FractionalIdeal, prime: PrimeIdeal) -> int:
         return ideal.valuation(prime)
 
-    def factorisation(self, ideal: ideals.Ideal) -> list[tuple[PrimeIdeal, int]]:
+    def factorisation(self, ideal: ideals.FractionalIdeal) -> list[tuple[PrimeIdeal, int]]:
         return [(self.prime(P), e) for P, e in ideal.factorisation()]
 
     def residues(self, prime: PrimeIdeal) -> list[FieldElement]:
@@ -574,29 +574,31 @@ class NumberFieldIntegers:
         digits = [int(c.p) * pow(int(c.q), -1, modulus) % modulus for c in row]
         return self.element_of([fmpq(c) for c in digits])
 
-    def integral_ideal(self, x: object, what: str = "norm") -> ideals.Ideal:
+    def integral_ideal(self, x: object, what: str = "norm") -> ideals.FractionalIdeal:
         found = self.ideal(x)
         if not found.is_integral():
             raise LatticeError(f"expected an ideal of integers as the {what}, not {found}")
         return found
 
-    def ideal_text(self, ideal: ideals.Ideal) -> str:
+    def ideal_text(self, ideal: ideals.FractionalIdeal) -> str:
         return str(ideal)
 
     def classes_modulo_signs(self, ambient: AlgebraBasis) -> Any:
         return class_group(self.ring, ambient.ramified_real_places)
 
-    def generators(self, ideal: ideals.Ideal, places: tuple[int, ...]) -> list[FieldElement]:
+    def generators(
+        self, ideal: ideals.FractionalIdeal, places: tuple[int, ...]
+    ) -> list[FieldElement]:
         return positive_generators.generators(ideal, places)
 
     @property
     def positive_units(self) -> tuple[FieldElement, ...]:
         return positive_generators.units_modulo_squares(self.ring)
 
-    def is_integral(self, ideal: ideals.Ideal) -> bool:
+    def is_integral(self, ideal: ideals.FractionalIdeal) -> bool:
         return ideal.is_integral()
 
-    def are_coprime(self, first: ideals.Ideal, second: ideals.Ideal) -> bool:
+    def are_coprime(self, first: ideals.FractionalIdeal, second: ideals.FractionalIdeal) -> bool:
         return bool(first + second == self.one)
 
     @property
@@ -604,14 +606,14 @@ class NumberFieldIntegers:
         return positive_generators.narrow_classes(self.ring)
 
     @property
-    def class_generators(self) -> tuple[ideals.Ideal, ...]:
+    def class_generators(self) -> tuple[ideals.FractionalIdeal, ...]:
         return tuple(self.ring.class_group().generators)
 
     def square_classes(self, prime: PrimeIdeal) -> tuple[int, Callable[[FieldElement], int]]:
         size = prime.e * prime.f + 1 if prime.p == 2 else 1
         return size, partial(square_class, prime)
 
-    def principal_multiple(self, ideal: ideals.Ideal) -> ideals.Ideal:
+    def principal_multiple(self, ideal: ideals.FractionalIdeal) -> ideals.FractionalIdeal:
         if ideal.is_principal():
             return ideal
         return self.ideal(Fraction(ideal.least_integer, ideal.denominator))
@@ -670,28 +672,28 @@ class NumberFieldIntegers:
         return QuaternionBasis(Constants(a * (r * r), self.field.zero, b * (s * s)), into, back)
 
     @property
-    def one(self) -> ideals.Ideal:
+    def one(self) -> ideals.FractionalIdeal:
         return self.integers.one
 
-    def principal(self, x: FieldElement) -> ideals.Ideal:
+    def principal(self, x: FieldElement) -> ideals.FractionalIdeal:
         return self.integers.principal(x)
 
-    def ideal_spanned(self, entries: Sequence[fmpz], den: int) -> ideals.Ideal:
+    def ideal_spanned(self, entries: Sequence[fmpz], den: int) -> ideals.FractionalIdeal:
         n = self.degree
         rows = fmpz_mat(len(entries) // n, n, list(entries))
         return self.integers.ideal(fmpq_mat(rows) * fmpq(1, den))
 
-    def ideal_rows(self, ideal: ideals.Ideal) -> tuple[int, list[list[fmpz]]]:
+    def ideal_rows(self, ideal: ideals.FractionalIdeal) -> tuple[int, list[list[fmpz]]]:
         return ideal.denominator, ideal.matrix.tolist()
 
-    def inverse(self, ideal: ideals.Ideal) -> ideals.Ideal:
+    def inverse(self, ideal: ideals.FractionalIdeal) -> ideals.FractionalIdeal:
         return ideal.inverse()
 
-    def ideal(self, x: object) -> ideals.Ideal:
+    def ideal(self, x: object) -> ideals.FractionalIdeal:
         return ideals.ideal(self.ring, x)
 
     def is_ideal(self, x: object) -> bool:
-        return isinstance(x, ideals.Ideal)
+        return isinstance(x, ideals.FractionalIdeal)
 
     def is_totally_positive(self, x: FieldElement) -> bool:
         signs = self.field.multiplication(x).charpoly().coeffs()
@@ -711,10 +713,10 @@ class NumberFieldIntegers:
         found = x.sqrt()
         return None if found is None else self.outside(found)
 
-    def short_elements(self, ideal: ideals.Ideal, count: int) -> Iterable[FieldElement]:
+    def short_elements(self, ideal: ideals.FractionalIdeal, count: int) -> Iterable[FieldElement]:
         return s_units(self.ring).short(ideal, count)
 
-    def ideal_classes(self, most: int) -> list[ideals.Ideal]:
+    def ideal_classes(self, most: int) -> list[ideals.FractionalIdeal]:
         group = self.ring.class_group()
         if group.order > most:
             raise TooLargeError(
@@ -732,11 +734,11 @@ class NumberFieldIntegers:
     def trace(self, x: FieldElement) -> fmpq:
         return self.field(x).trace()
 
-    def shown_norm(self, lattice: LatticeValue) -> ideals.Ideal:
-        found: ideals.Ideal = lattice.norm
+    def shown_norm(self, lattice: LatticeValue) -> ideals.FractionalIdeal:
+        found: ideals.FractionalIdeal = lattice.norm
         return found
 
-    def shown_index(self, ideal: ideals.Ideal) -> ideals.Ideal:
+    def shown_index(self, ideal: ideals.FractionalIdeal) -> ideals.FractionalIdeal:
         return ideal
 
     def theta_step(self, lattice: LatticeValue) -> Fraction:

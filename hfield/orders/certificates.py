@@ -43,7 +43,7 @@ from hfield.orders.short_elements import reduced
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
-    from hfield.fields.number_fields.ideals import Ideal
+    from hfield.fields.number_fields.ideals import FractionalIdeal
     from hfield.fields.number_fields.ring import NumberField
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.classes import Classes
@@ -350,7 +350,7 @@ class _OverField:
     def __init__(self, ambient: AlgebraBasis) -> None:
         self.ambient = ambient
 
-    def size(self, ideal: Ideal) -> Fraction | int:
+    def size(self, ideal: FractionalIdeal) -> Fraction | int:
         return ideal.norm()
 
     def element(self, q: Quaternion) -> dict[str, object]:
@@ -428,7 +428,7 @@ def _primes(order: LatticeValue) -> list[object]:
     return [[p, evidence.seconds_above(s, p)] for p in sorted(wanted)]
 
 
-def _product(ring: NumberField, a: Ideal) -> list[object]:
+def _product(ring: NumberField, a: FractionalIdeal) -> list[object]:
     """Return x and exponents with a = x·∏P^e, P in S."""
     x, exponents = ring.class_group().factors(a)
     return [x.field.coordinates(x), list(map(int, exponents))]

@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from hfield.fields.number_fields.ideals import Ideal, integers
+from hfield.fields.number_fields.ideals import FractionalIdeal, integers
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.elements import FieldElement
@@ -37,7 +37,7 @@ def _signs(x: FieldElement, places: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(x.field.sign_at(x, k) for k in places)
 
 
-def generators(ideal: Ideal, places: tuple[int, ...]) -> list[FieldElement]:
+def generators(ideal: FractionalIdeal, places: tuple[int, ...]) -> list[FieldElement]:
     """Return the generators of a fractional ideal that are positive at some real places.
 
     One for each coset of the squares of units; none where there are none.
@@ -59,7 +59,7 @@ def _all_places(ring: NumberField) -> tuple[int, ...]:
     return tuple(range(integers(ring).field.signature[0]))
 
 
-def totally_positive_generator(ideal: Ideal) -> FieldElement | None:
+def totally_positive_generator(ideal: FractionalIdeal) -> FieldElement | None:
     """Return a totally positive generator of a fractional ideal, or None where there is none."""
     return next(iter(generators(ideal, _all_places(ideal.ring))), None)
 
@@ -71,9 +71,9 @@ class NarrowClasses:
         self.group = ring.narrow_class_group()
         self.order = self.group.order
         self._numbers: dict[tuple[int, ...], int] = {}
-        self.ideals: list[Ideal] = []
+        self.ideals: list[FractionalIdeal] = []
 
-    def split(self, ideal: Ideal) -> tuple[int, FieldElement]:
+    def split(self, ideal: FractionalIdeal) -> tuple[int, FieldElement]:
         """Return the number of a and ν. Numbers count from 0 as classes are met."""
         known = self.group.class_of(ideal) if self.order > 1 else ()
         if known not in self._numbers:

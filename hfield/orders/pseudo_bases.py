@@ -18,7 +18,7 @@ from hfield.orders.hermite import tuples
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
-    from hfield.fields.number_fields.ideals import Ideal
+    from hfield.fields.number_fields.ideals import FractionalIdeal
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
@@ -120,7 +120,7 @@ def free_basis(ambient: AlgebraBasis, pairs: PseudoBasis) -> tuple[Quaternion, .
     :class:`LatticeError` for another one.
     """
     found: list[Quaternion] = []
-    left: list[tuple[Ideal, Quaternion]] = []
+    left: list[tuple[FractionalIdeal, Quaternion]] = []
     for basis, x in pairs:
         ideal = ambient.base.ideal(list(basis))
         principal = ideal.is_principal()
@@ -148,7 +148,7 @@ def free_basis(ambient: AlgebraBasis, pairs: PseudoBasis) -> tuple[Quaternion, .
 
 
 def _combination(
-    ambient: AlgebraBasis, I: Ideal, J: Ideal
+    ambient: AlgebraBasis, I: FractionalIdeal, J: FractionalIdeal
 ) -> tuple[Scalar, Scalar, Scalar, Scalar]:
     """Return a in I, b in J, s in I⁻¹ and t in J⁻¹ with a·s + b·t = 1."""
     a = I.basis[0]

@@ -34,7 +34,7 @@ Matrix = tuple[tuple[Any, Any, Any], ...]
 
 
 @dataclass(frozen=True)
-class Equivalence:
+class FormEquivalence:
     """True or false in an ``if``: ``matrix`` is M with f(v) = g(v·M), rows v; ``reason`` says why not.
 
     In an indefinite algebra a theorem may decide, and the matrix be missing.
@@ -197,7 +197,7 @@ class TernaryForm(Hinted):
 
     # --- forms that are alike ----------------------------------------------------------------------
 
-    def equivalence(self, other: TernaryForm) -> Equivalence:
+    def equivalence(self, other: TernaryForm) -> FormEquivalence:
         """Return an answer with a ``matrix`` M of integers, of a unit as determinant: f(v) = g(v·M).
 
         Found as an isomorphism of orders. Raises as that does, :class:`UndecidedError`, and over fields
@@ -218,7 +218,7 @@ class TernaryForm(Hinted):
         ratio = self.discriminant() / other.discriminant()
         root = F.sqrt(ratio) if F.is_square(ratio) else None
         if root is None or not (_is_integer(F, root) and _is_integer(F, F.inverse(root))):
-            return Equivalence(
+            return FormEquivalence(
                 False,
                 f"the discriminants {F.text(self.discriminant())} and {F.text(other.discriminant())} "
                 "do not differ by the square of a unit",
@@ -226,19 +226,19 @@ class TernaryForm(Hinted):
         first, second = self.order(), other.order()
         onto = second.algebra.isomorphism(first.algebra)
         if onto is None:
-            return Equivalence(
+            return FormEquivalence(
                 False, "their even Clifford algebras are not isomorphic over the field"
             )
         moved = first.algebra.order_from_basis([1, *map(onto, other._clifford)])
         answer = first.isomorphism(moved)
         x = answer.element
         if not answer or x is None:
-            return Equivalence(bool(answer), f"of their orders: {answer.reason}")
+            return FormEquivalence(bool(answer), f"of their orders: {answer.reason}")
         back = x.inverse()
         images = [x * d * back for d in self._codifferent]
         basis = [onto(q) for q in other._clifford]
         a, b, c = ([root * (d * q).trace() for q in basis] for d in images)
-        return Equivalence(
+        return FormEquivalence(
             True, "the matrix maps one onto the other", (tuple(a), tuple(b), tuple(c))
         )
 

@@ -65,14 +65,14 @@ def parse(text: str) -> Node:
         )
     if not text.strip():
         raise NotationError("the text is empty; expected an expression such as (1+i)*j")
-    parser = _Parser(text)
+    parser = _TreeParser(text)
     node = parser.expression(0, 0)
     if parser.token:
         parser.fail(f"did not expect {parser.token!r} after a complete expression{parser.mend()}")
     return node
 
 
-class _Parser:
+class _TreeParser:
     """One text being read; the methods take tokens from the left and return trees."""
 
     def __init__(self, text: str) -> None:

@@ -133,7 +133,7 @@ def write_products(letters: Letters, source: str, vocabulary: Vocabulary) -> Typ
     items, depth = _grouped(letters)
     if depth > MAX_DEPTH:  # the parser refuses it
         return Typed(source, letters.text, letters.places)
-    writer = _Writer(source, vocabulary)
+    writer = _ProductWriter(source, vocabulary)
     written = writer.body(items)
     written += letters[len(letters.text.rstrip()) :]
     return Typed(source, written.text, written.places, tuple(writer.remarks))
@@ -174,7 +174,7 @@ def _split(items: _Items, signs: Collection[str]) -> tuple[list[_Items], list[_T
     return parts, between
 
 
-class _Writer:
+class _ProductWriter:
     """Writes out one text; ``remarks`` report unexpected readings."""
 
     def __init__(self, source: str, vocabulary: Vocabulary) -> None:

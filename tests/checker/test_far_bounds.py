@@ -11,7 +11,7 @@ from hfield.checker.rejection import Rejected
 from hfield.checker.scalars import names, rationals, real_roots, surds
 from hfield.checker.scalars.number_fields import root_discs, without_common_factors
 from hfield.checker.scalars.quotients import MAX_DEGREE
-from hfield.checker.scalars.quotients import Quotient as Residues
+from hfield.checker.scalars.quotients import QuotientField as Residues
 from hfield.checker.scalars.real_roots import RealRoot
 from hfield.checker.statement import HAMILTON
 from tests.checker.ring_data import read_field

@@ -11,7 +11,7 @@ import pytest
 from hfield import prove
 from hfield.checker.anisotropy import is_certified as certifies
 from hfield.checker.rejection import Rejected
-from hfield.checker.scalars.quotients import Quotient
+from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.scalars.rationals import has_no_rational_root
 from hfield.checker.scalars.residues import jacobi
 from hfield.core.product import Constants
@@ -200,9 +200,9 @@ def test_residue_fields_are_fields(text: str) -> None:
     for f in (f for d in monic for f in monic[d]):
         if f in products:
             with pytest.raises(Rejected):
-                Quotient(base, list(f))
+                QuotientField(base, list(f))
         else:
-            k = Quotient(base, list(f))
+            k = QuotientField(base, list(f))
             if len(f) > 2:
                 x = k.generator
                 assert k.mul(x, k.inverse(x)) == k.one
@@ -492,7 +492,7 @@ def test_an_unshown_norm_is_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_polynomials_at_a_prime_that_stays_prime(field: str, p: int, d: int) -> None:
     """The symbol of the norm of the discriminant tells what the field of p² elements does."""
     base = read_field(f"GF({p})")
-    k = Quotient(base, [-d % p, 0, 1])
+    k = QuotientField(base, [-d % p, 0, 1])
     v = read_field(field).place(number(p))
     for trace, norm in product(product(range(p), repeat=2), repeat=2):
         assert v.is_irreducible(trace, norm) == k.is_irreducible(

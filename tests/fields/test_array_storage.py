@@ -16,7 +16,7 @@ from hfield import H, QuaternionAlgebra, ring
 from hfield.algebra.quaternion import product_plus
 from hfield.compiling import calling, machine_code
 from hfield.compiling.arithmetics import register_tables
-from hfield.compiling.arithmetics.extension_fields import ExtensionField
+from hfield.compiling.arithmetics.extension_fields import PolynomialArithmetic
 from hfield.compiling.arithmetics.logarithms import LogarithmicField
 from hfield.compiling.arithmetics.register_tables import RegisterField
 from hfield.compiling.threads import threads
@@ -481,7 +481,7 @@ def test_logarithms_and_polynomials_say_the_same_as_galois(p, n):
     assert not powers[2 * (p**n - 1) :].any()
     with pytest.raises(ValueError, match="does not generate"):
         LogarithmicField(p, tuple(F.coefficients), 1).tables()
-    assert ExtensionField(p, tuple(F.coefficients)).dtype == arithmetic.dtype
+    assert PolynomialArithmetic(p, tuple(F.coefficients)).dtype == arithmetic.dtype
 
 
 @pytest.mark.slow

@@ -4,7 +4,7 @@ import pytest
 
 from hfield import ring
 from hfield.fields.base.ring import INFINITY
-from hfield.ledger.base_field import Division, LevelAbove, PositiveNorm
+from hfield.ledger.base_field import IsDivisionAlgebra, LevelAbove, PositiveNorm
 from hfield.ledger.modulus import ModulusLaw
 
 LEVELS = {2: 4, 3: 2, 5: 1, 7: 2, 13: 1, 41: 1}
@@ -24,7 +24,7 @@ def test_what_depends_on_the_level_is_decided(p, level):
             assert found.evidence is None or "O(" not in str(found.evidence)
     assert PositiveNorm().decide(F).verdict == "refuted"
     assert ModulusLaw().decide(F).verdict == ("refuted" if level == 1 else "proved")
-    assert Division().decide(F).verdict == ("proved" if p == 2 else "refuted")
+    assert IsDivisionAlgebra().decide(F).verdict == ("proved" if p == 2 else "refuted")
 
 
 def test_a_sum_that_is_known_to_differ_is_no_witness(monkeypatch):

@@ -9,7 +9,7 @@ from flint import Ordering, fmpz_mpoly_ctx
 from hfield.errors import TooLargeError
 from hfield.prover.clock import Clock
 from hfield.prover.polynomials.groebner import Monomials
-from hfield.prover.polynomials.membership import Ideal
+from hfield.prover.polynomials.membership import PolynomialIdeal
 from tests.subcases import subcases
 
 
@@ -49,7 +49,7 @@ def test_membership_agrees_with_sympy(seed):
     generators = [random_polynomial(rng, gens, 3, 3) + 0 * gens[0] for _ in range(3)]
     targets = [random_polynomial(rng, gens, 2, 2) + 0 * gens[0] for _ in range(4)]
     targets += [sum(g * random_polynomial(rng, gens, 2, 1) for g in generators) for _ in range(3)]
-    ideal = Ideal(3, p, clock=Clock.of(20))
+    ideal = PolynomialIdeal(3, p, clock=Clock.of(20))
     ideal.extend(generators)
     assert ideal.run(10_000)
 

@@ -8,7 +8,7 @@ from hfield.checker.budget import spend, spend_products
 from hfield.checker.check_result import CheckResult
 from hfield.checker.clauses import Clause, Expansion, freeze, without_factors
 from hfield.checker.glossary import COMMUTATIVE_RINGS, FIELD, FIELDS, IMPLICATION
-from hfield.checker.ideal_membership import Item
+from hfield.checker.ideal_membership import VerifiedItem
 from hfield.checker.over_field import EvaluationContext, evaluation_context, reach
 from hfield.checker.polynomials import is_constant
 from hfield.checker.rejection import a_list, an_object, reject
@@ -26,7 +26,9 @@ def check_implication(
     ring = setting.field
     context = EvaluationContext(expansion, ring)
     rules = Rules(expansion, setting, context, data["facts"])
-    items = [Item(raw, expansion.names, context, rules) for raw in a_list(data["items"], "items")]
+    items = [
+        VerifiedItem(raw, expansion.names, context, rules) for raw in a_list(data["items"], "items")
+    ]
     if ring is None:
         return CheckResult(_everywhere(expansion, items), IMPLICATION)
     if not ring.is_field and (expansion.factors or not ring.is_domain):
@@ -35,7 +37,7 @@ def check_implication(
     return CheckResult(FIELD, IMPLICATION).citing(*rules.cites)
 
 
-def _everywhere(expansion: Expansion, items: list[Item]) -> str:
+def _everywhere(expansion: Expansion, items: list[VerifiedItem]) -> str:
     """Cover the clauses over all fields, and again in each characteristic that was divided by."""
     general = [item for item in items if item.p == 0]
     _cover(expansion, EvaluationContext(expansion, None), general)
@@ -59,14 +61,14 @@ def _everywhere(expansion: Expansion, items: list[Item]) -> str:
     return COMMUTATIVE_RINGS if direct else FIELDS
 
 
-def _cover(expansion: Expansion, context: EvaluationContext, items: list[Item]) -> None:
+def _cover(expansion: Expansion, context: EvaluationContext, items: list[VerifiedItem]) -> None:
     for clause in expansion.clauses:
         if not context.is_trivial(clause) and not _covers(clause, expansion, context, items):
             reject("a case of the statement is not covered by the evidence")
 
 
 def _covers(
-    clause: Clause, expansion: Expansion, context: EvaluationContext, items: list[Item]
+    clause: Clause, expansion: Expansion, context: EvaluationContext, items: list[VerifiedItem]
 ) -> bool:
     """Tell whether verified items prove the clause."""
     # Where a factor of the denominators is 0, the clause is true: so it may be divided by.

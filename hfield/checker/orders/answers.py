@@ -28,7 +28,7 @@ from hfield.checker.number_fields.matrices import Row, Rows, determinant, invers
 from hfield.checker.orders.algebra import Algebra
 from hfield.checker.orders.class_set import need_class_set, need_ideal
 from hfield.checker.orders.elements import of_norm, with_trace_and_norm
-from hfield.checker.orders.fuchsian import Domain, area
+from hfield.checker.orders.fuchsian import FundamentalDomain, area
 from hfield.checker.orders.lattice import Element, Lattice
 from hfield.checker.orders.local_types import mass, symbols
 from hfield.checker.orders.reading import OverField, OverQ
@@ -277,7 +277,7 @@ def is_domain(given: Given, parts: Parts) -> CheckResult:
     center = given.elements(parts[1])
     if len(center) != 1:
         reject(f"a domain has one centre, found {len(center)}")
-    Domain(order, plane, area(order, given.primes), center[0], given.elements(parts[2]))
+    FundamentalDomain(order, plane, area(order, given.primes), center[0], given.elements(parts[2]))
     return CheckResult(FIELD, BY_AREA).citing(*given.zeta_theorems, SHIMIZU)
 
 
@@ -286,7 +286,7 @@ def is_group(given: Given, parts: Parts) -> CheckResult:
     order, plane = given.order(parts[0]), given.real_algebra()
     center = given.element(given.data["center"])
     units = [given.element(x) for x in a_list(given.data["units"], "units")]
-    domain = Domain(order, plane, area(order, given.primes), center, units)
+    domain = FundamentalDomain(order, plane, area(order, given.primes), center, units)
     signature = (a_rational(parts[1]), list(numbers_of(parts[2])), a_rational(parts[3]))
     domain.need_group(signature, given.elements(parts[4]), list(words_of(parts[5])))
     return CheckResult(FIELD, BY_AREA).citing(*given.zeta_theorems, SHIMIZU, POINCARE)

@@ -56,7 +56,7 @@ def _norm_index_at_two(order: Lattice) -> int:
     return 4 // len(norms & {1, 3, 5, 7})
 
 
-class Domain:
+class FundamentalDomain:
     """The Dirichlet domain of the units of norm 1 around the fixed point of c.
 
     Side n lies halfway between c and the image of c under unit n; units and sides go counterclockwise.

@@ -13,7 +13,7 @@ from hfield.checker.scalars.finite import Finite
 from hfield.checker.scalars.names import blackboard, plain, polynomial_text, variables
 from hfield.checker.scalars.place import Place
 from hfield.checker.scalars.polynomials import MAX_DEGREE, Poly, Polynomials, dense
-from hfield.checker.scalars.quotients import Quotient
+from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.scalars.residues import OverFiniteField
 from hfield.checker.scalars.ring import Kind, ReadRing, Ring
 
@@ -241,7 +241,7 @@ class PrimePolynomial(OverFiniteField):
         top, texts = zip(*(_coefficient(base, c) for c in coefficients), strict=True)
         if not base.equal(top[-1], base.one):
             reject("a prime polynomial is monic")
-        self.residues: Quotient = Quotient(base, top)
+        self.residues: QuotientField = QuotientField(base, top)
         self.name = f"({polynomial_text(texts, field.variable)})"
         powers = tuple(((n,), c) for n, c in enumerate(top) if not base.is_zero(c))
         self.odd: Fraction = (powers, field.polynomials.one)

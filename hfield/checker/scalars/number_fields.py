@@ -27,7 +27,7 @@ from hfield.checker.scalars.matrices import inverse_matrix
 from hfield.checker.scalars.names import a_rational, plain, polynomial_text, variables
 from hfield.checker.scalars.place import Place
 from hfield.checker.scalars.prime_ideals import prime_ideal
-from hfield.checker.scalars.quotients import Quotient
+from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.scalars.rationals import QQ, over_one_denominator, value_modulo
 from hfield.checker.scalars.real_roots import real_roots
 from hfield.checker.scalars.residues import modulo
@@ -328,7 +328,7 @@ def check_irreducible(f: list[int], name: str) -> None:
 
 def _is_irreducible_modulo(p: int, f: list[int]) -> bool:
     try:
-        Quotient(Residues(p, True, f"GF({p})"), [c % p for c in f])
+        QuotientField(Residues(p, True, f"GF({p})"), [c % p for c in f])
     except Rejected:  # it is reducible; or there was no work left
         spend(0)
         return False

@@ -16,7 +16,7 @@ from hfield.checker.scalars.finite import Residues, gcd_modulo, is_prime
 from hfield.checker.scalars.matrices import inverse_matrix
 from hfield.checker.scalars.names import a_rational, polynomial_text
 from hfield.checker.scalars.place import Place
-from hfield.checker.scalars.quotients import Quotient
+from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.scalars.rationals import QQ, over_one_denominator
 from hfield.checker.scalars.residues import OverFiniteField, modulo
 
@@ -47,7 +47,9 @@ class PrimeIdeal(OverFiniteField):
         self.field, self.p, self.name = field, p, f"({p})"
         f = [_modulo(c, p) for c in field.modulus]
         g = _monic(g, p)
-        self.residues: Quotient = Quotient(Residues(p, True, f"GF({p})"), g)  # g is irreducible
+        self.residues: QuotientField = QuotientField(
+            Residues(p, True, f"GF({p})"), g
+        )  # g is irreducible
         e, h = 0, f
         while True:
             quotient, rest = _divide(h, g, p)

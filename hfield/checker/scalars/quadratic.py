@@ -9,7 +9,7 @@ from hfield.checker.budget import spend
 from hfield.checker.rejection import an_integer, an_object, keyed, reject, shown
 from hfield.checker.scalars.names import plain
 from hfield.checker.scalars.place import Place
-from hfield.checker.scalars.quotients import Quotient
+from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.scalars.rationals import QQ, root
 from hfield.checker.scalars.residues import (
     GF2,
@@ -206,7 +206,7 @@ class InertTwo(OverFiniteField):
     """ℚ(√d) at 2 for d ≡ 5 modulo 8, with residues in GF(4); for d ≡ 1 the polynomial of ω is reducible."""
 
     def __init__(self, field: Quadratic) -> None:
-        self.residues: Quotient = Quotient(GF2, [(1 - field.d) // 4 % 2, 1, 1])
+        self.residues: QuotientField = QuotientField(GF2, [(1 - field.d) // 4 % 2, 1, 1])
         self.odd, self.name = field.number(2), "(2)"
 
     def residue(self, x: Surd) -> Hashable | None:

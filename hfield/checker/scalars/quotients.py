@@ -12,7 +12,7 @@ MAX_DEGREE = 200
 Dense = tuple[Any, ...]  # as many coefficients as the degree of the modulus, low degree first
 
 
-class Quotient(Finite):
+class QuotientField(Finite):
     """``base[t]/(modulus)`` for a finite field, the modulus dense, low degree first."""
 
     is_field = True

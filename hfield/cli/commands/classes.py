@@ -163,7 +163,7 @@ def _enumerated(
 
 def _table(C: ClassSet) -> Part:
     """Return the first classes; ideals with a basis of four elements by a reduced one."""
-    from hfield.presenting import Table
+    from hfield.presenting import TextTable
 
     some = list(islice(C, SHOWN))
     bases = [", ".join(map(str, I.reduced_basis())) if len(I.basis) == 4 else "" for I in some]
@@ -176,7 +176,7 @@ def _table(C: ClassSet) -> Part:
     head = ("class", "norm", "units", "group", "type", "reduced basis")
     columns = 6 if any(bases) else 5
     more = len(C) - SHOWN
-    return Table(
+    return TextTable(
         [row[:columns] for row in rows],
         "><>>>"[: columns - 1],
         "rlrlr",
@@ -189,7 +189,7 @@ def _table(C: ClassSet) -> Part:
 def _types(C: ClassSet) -> list[Part]:
     """Return the types in the order of their labels, unless they are many or have none."""
     from hfield.errors import UndecidedError
-    from hfield.presenting import Table
+    from hfield.presenting import TextTable
 
     if C.type_number > SHOWN:
         return []
@@ -200,7 +200,7 @@ def _types(C: ClassSet) -> list[Part]:
     rows = [
         [str(C.types[numbers[0]]), str(len(numbers)), label] for label, numbers in labels.items()
     ]
-    return [Table(rows, ">>", "rrl", head=("type", "classes", "label of the left orders"))]
+    return [TextTable(rows, ">>", "rrl", head=("type", "classes", "label of the left orders"))]
 
 
 def _indefinite(args: Namespace, O: Order) -> tuple[OutputDocument, Callable[[], Claim]]:

@@ -37,7 +37,7 @@ def configure(parser: ArgumentParser) -> None:
 
 
 @dataclass
-class Counts:
+class CountTable:
     """One line a count: what, how many, the formula (or None); and how many were gone through."""
 
     algebra: QuaternionAlgebra
@@ -68,7 +68,7 @@ def run(args: Namespace) -> int:
     return answer_one(args, answer)
 
 
-def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) -> Counts:
+def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) -> CountTable:
     """Count, and confirm unless ``formulas``. Raises :class:`NotFiniteError` over an infinite ring.
 
     Over a finite ring that has no formulas (no field, and not ℤ/n) only the exhaustive count answers.
@@ -98,7 +98,7 @@ def counts(A: QuaternionAlgebra, formulas: bool = False, quick: bool = False) ->
     add("square roots of 1", "square roots", 1)
     if F.characteristic != 2:
         add("square roots of −1", "square roots", -1)
-    result = Counts(A, lines)
+    result = CountTable(A, lines)
     assert F.order is not None
     if not formulas and F.order**4 <= (MAX_PAGE_ELEMENTS if quick else LIMIT):
         result.exhausted = structure.confirm(F, c).elements
@@ -130,7 +130,7 @@ def _classes(A: QuaternionAlgebra) -> list[tuple[str, object]]:
     return classes
 
 
-def _exhausted(A: QuaternionAlgebra) -> Counts:
+def _exhausted(A: QuaternionAlgebra) -> CountTable:
     """Count over a finite ring that is no field by going through all elements."""
     from hfield.algebra import structure
 
@@ -144,21 +144,21 @@ def _exhausted(A: QuaternionAlgebra) -> Counts:
         ("square roots of 1", found.roots[A.ring.text(A.ring.one)], None),
         ("square roots of −1", found.roots[A.ring.text(A.ring(-1))], None),
     ]
-    return Counts(A, lines, found.elements)
+    return CountTable(A, lines, found.elements)
 
 
-def parts(result: Counts, heading: str = "") -> list[Part]:
+def parts(result: CountTable, heading: str = "") -> list[Part]:
     """Return what people read; without a heading as a part of the page about the algebra."""
     from hfield.latex import words
-    from hfield.presenting import Piece, Table, hanging
+    from hfield.presenting import LayoutBlock, TextTable, hanging
 
     A, note = result.algebra, _note(result)
     return [
-        Piece(
+        LayoutBlock(
             lambda _: [heading] * bool(heading),
             lambda: rf"\[ {A.latex()}, \qquad q = {A.ring.order} \]",
         ),
-        Table(
+        TextTable(
             [(label, str(n), formula or "") for label, n, formula in result.lines],
             "<>",
             "lrl",
@@ -166,14 +166,14 @@ def parts(result: Counts, heading: str = "") -> list[Part]:
             indent="  ",
             cells={2: lambda formula: formula and f"${words(formula).strip('$')}$"},
         ),
-        Piece(
+        LayoutBlock(
             lambda width: hanging("  ", note, width),
             lambda: rf"\noindent {words(note.capitalize())}.",
         ),
     ]
 
 
-def _note(result: Counts) -> str:
+def _note(result: CountTable) -> str:
     """Say how the counts were found."""
     if result.exhausted is None:
         return "by the formulas; there are too many elements to go through them all here"

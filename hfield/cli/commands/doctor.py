@@ -75,7 +75,7 @@ def _version(name: str) -> str | None:
 
 
 def _parts(needed: dict[str, str | None], others: dict[str, str | None]) -> list[Part]:
-    from hfield.presenting import Facts, Piece
+    from hfield.presenting import Facts, LayoutBlock
 
     encoding = getattr(sys.stdout, "encoding", None) or "unknown"
     lines = [
@@ -88,7 +88,7 @@ def _parts(needed: dict[str, str | None], others: dict[str, str | None]) -> list
         missing = ((name, f"missing; it adds {adds}"), ("", how))
         optional += [(name, found)] if found else missing
     return [
-        Piece(lambda _: lines),
+        LayoutBlock(lambda _: lines),
         Facts(
             [(name, found or f"MISSING: pip install {name}") for name, found in needed.items()],
             title="Needed",

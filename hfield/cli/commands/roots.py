@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from hfield.cli.batch import add_inputs, answer_all
-from hfield.cli.output_document import OutputDocument
+from hfield.cli.output_document import OutputDocument, of_styles
 from hfield.cli.parser import add_algebra, add_output, algebra_of
 from hfield.errors import NotFiniteError, TooLargeError
 
@@ -107,7 +107,7 @@ def _roots(A: QuaternionAlgebra, variable: str | None, listed: bool, text: str) 
             lines.append(f"{number}{place}{outside}, such as {m.example.text(style)}")
         return "\n".join(lines) or "no root"
 
-    return OutputDocument(data, lambda _: page("plain"), {"unicode": partial(page, "unicode")})
+    return of_styles(data, page)
 
 
 def _number(count: Callable[[], int]) -> int | None:

@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from hfield.cli.batch import add_inputs, answer_all
-from hfield.cli.output_document import OutputDocument
+from hfield.cli.output_document import OutputDocument, of_styles
 from hfield.cli.parser import add_algebra, add_output, algebra_of
 
 if TYPE_CHECKING:
@@ -93,8 +93,7 @@ def _solve(A: QuaternionAlgebra, unknown: str | None, text: str) -> OutputDocume
                 lines.append(f"    {', '.join(pairs) if len(v) > 1 else shown[0]}")
         return "\n".join(lines)
 
-    forms = {"unicode": partial(page, "unicode")}
-    return OutputDocument(data, lambda _: page("plain"), forms, 1 if particular is None else 0)
+    return of_styles(data, page, 1 if particular is None else 0)
 
 
 def _plain(v: Mapping[str, Value]) -> object:

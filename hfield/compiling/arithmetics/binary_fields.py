@@ -20,7 +20,7 @@ HOLES = 0x1111111111111111
 _PAIR = vector("i64", 2)
 
 
-class Polynomial(NamedTuple):
+class BinaryPolynomial(NamedTuple):
     """A value of the loop, and the greatest degree that it may have."""
 
     name: str
@@ -43,12 +43,16 @@ class _BinaryField(Arithmetic):
         """The smallest unsigned integers that hold k bits."""
         return unsigned((1 << self.degree) - 1)
 
-    def negate(self, code: Code, x: Polynomial) -> Polynomial:
+    def negate(self, code: Code, x: BinaryPolynomial) -> BinaryPolynomial:
         """Return −x = x."""
         return x
 
-    def _sum(self, code: Code, kind: str, x: Polynomial, y: Polynomial) -> Polynomial:
-        return Polynomial(code.value(f"xor {kind} {x.name}, {y.name}"), max(x.degree, y.degree))
+    def _sum(
+        self, code: Code, kind: str, x: BinaryPolynomial, y: BinaryPolynomial
+    ) -> BinaryPolynomial:
+        return BinaryPolynomial(
+            code.value(f"xor {kind} {x.name}, {y.name}"), max(x.degree, y.degree)
+        )
 
 
 @dataclass(frozen=True)
@@ -60,27 +64,27 @@ class SmallBinaryField(_BinaryField):
         """The integers that hold an unreduced product."""
         return f"i{max(16, 2 * 8 * int(self.dtype[1]))}"
 
-    def load(self, code: Code, raw: str) -> Polynomial:
+    def load(self, code: Code, raw: str) -> BinaryPolynomial:
         """Read a label."""
         kind = raw_type(self.dtype)
-        return Polynomial(code.value(f"zext {kind} {raw} to {self.word}"), self.degree - 1)
+        return BinaryPolynomial(code.value(f"zext {kind} {raw} to {self.word}"), self.degree - 1)
 
-    def store(self, code: Code, x: Polynomial) -> str:
+    def store(self, code: Code, x: BinaryPolynomial) -> str:
         """Reduce and write."""
         name = self._reduced(code, x).name
         return code.value(f"trunc {self.word} {name} to {raw_type(self.dtype)}")
 
-    def constant(self, code: Code, value: int) -> Polynomial:
+    def constant(self, code: Code, value: int) -> BinaryPolynomial:
         """Return the element with a label."""
-        return Polynomial(str(value), max(0, value.bit_length() - 1))
+        return BinaryPolynomial(str(value), max(0, value.bit_length() - 1))
 
-    def add(self, code: Code, x: Polynomial, y: Polynomial) -> Polynomial:
+    def add(self, code: Code, x: BinaryPolynomial, y: BinaryPolynomial) -> BinaryPolynomial:
         """Return x + y."""
         return self._sum(code, self.word, x, y)
 
     subtract = add
 
-    def multiply(self, code: Code, x: Polynomial, y: Polynomial) -> Polynomial:
+    def multiply(self, code: Code, x: BinaryPolynomial, y: BinaryPolynomial) -> BinaryPolynomial:
         """Return x·y unreduced: the sum of x·t^n over the bits n of y."""
         x, y = self._reduced(code, x), self._reduced(code, y)
         parts = []
@@ -88,19 +92,19 @@ class SmallBinaryField(_BinaryField):
             shifted = code.value(f"shl {self.word} {x.name}, {n}") if n else x.name
             parts.append(code.value(f"and {self.word} {shifted}, {self._spread(code, y, n)}"))
         total = reduce(lambda s, part: code.value(f"xor {self.word} {s}, {part}"), parts)
-        return Polynomial(total, x.degree + y.degree)
+        return BinaryPolynomial(total, x.degree + y.degree)
 
-    def _spread(self, code: Code, x: Polynomial, n: int) -> str:
+    def _spread(self, code: Code, x: BinaryPolynomial, n: int) -> str:
         """Return the bit n of x in every bit."""
         bits = int(self.word[1:])
         top = code.value(f"shl {self.word} {x.name}, {bits - 1 - n}")
         return code.value(f"ashr {self.word} {top}, {bits - 1}")
 
-    def _reduced(self, code: Code, x: Polynomial) -> Polynomial:
+    def _reduced(self, code: Code, x: BinaryPolynomial) -> BinaryPolynomial:
         while x.degree >= self.degree:
             multiple = self.modulus << (x.degree - self.degree)
             taken = code.value(f"and {self.word} {self._spread(code, x, x.degree)}, {multiple}")
-            x = Polynomial(code.value(f"xor {self.word} {x.name}, {taken}"), x.degree - 1)
+            x = BinaryPolynomial(code.value(f"xor {self.word} {x.name}, {taken}"), x.degree - 1)
         return x
 
 
@@ -112,35 +116,35 @@ class LargeBinaryField(_BinaryField):
 
     vectorise = False
 
-    def load(self, code: Code, raw: str) -> Polynomial:
+    def load(self, code: Code, raw: str) -> BinaryPolynomial:
         """Read a label."""
         kind = raw_type(self.dtype)
         wide = raw if kind == "i64" else code.value(f"zext {kind} {raw} to i64")
         pair = code.value(f"insertelement {_PAIR} zeroinitializer, i64 {wide}, i32 0")
-        return Polynomial(pair, self.degree - 1)
+        return BinaryPolynomial(pair, self.degree - 1)
 
-    def store(self, code: Code, x: Polynomial) -> str:
+    def store(self, code: Code, x: BinaryPolynomial) -> str:
         """Reduce and write."""
         low = self._low(code, self._reduced(code, x).name)
         kind = raw_type(self.dtype)
         return low if kind == "i64" else code.value(f"trunc i64 {low} to {kind}")
 
-    def constant(self, code: Code, value: int) -> Polynomial:
+    def constant(self, code: Code, value: int) -> BinaryPolynomial:
         """Return the element with a label."""
-        return Polynomial(self._pair(value), max(0, value.bit_length() - 1))
+        return BinaryPolynomial(self._pair(value), max(0, value.bit_length() - 1))
 
-    def add(self, code: Code, x: Polynomial, y: Polynomial) -> Polynomial:
+    def add(self, code: Code, x: BinaryPolynomial, y: BinaryPolynomial) -> BinaryPolynomial:
         """Return x + y."""
         return self._sum(code, _PAIR, x, y)
 
     subtract = add
 
-    def multiply(self, code: Code, x: Polynomial, y: Polynomial) -> Polynomial:
+    def multiply(self, code: Code, x: BinaryPolynomial, y: BinaryPolynomial) -> BinaryPolynomial:
         """Return x·y unreduced."""
         x, y = self._reduced(code, x), self._reduced(code, y)
-        return Polynomial(self._carryless(code, x.name, y.name), x.degree + y.degree)
+        return BinaryPolynomial(self._carryless(code, x.name, y.name), x.degree + y.degree)
 
-    def _reduced(self, code: Code, x: Polynomial) -> Polynomial:
+    def _reduced(self, code: Code, x: BinaryPolynomial) -> BinaryPolynomial:
         """Subtract the modulus f times ⌊⌊x/t^k⌋·⌊t^2k/f⌋/t^k⌋, the quotient of x by f."""
         if x.degree < self.degree:
             return x
@@ -158,7 +162,7 @@ class LargeBinaryField(_BinaryField):
         else:
             quotient = self._shifted(code, self._carryless(code, top, self._pair(inverse)))
             taken = self._carryless(code, quotient, self._pair(f))
-        return Polynomial(code.value(f"xor {_PAIR} {x.name}, {taken}"), k - 1)
+        return BinaryPolynomial(code.value(f"xor {_PAIR} {x.name}, {taken}"), k - 1)
 
     def _shifted(self, code: Code, x: str) -> str:
         """Return ⌊x/t^k⌋."""

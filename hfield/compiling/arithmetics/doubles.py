@@ -48,7 +48,7 @@ class Doubles(Arithmetic):
 
 
 @dataclass(frozen=True)
-class Formula:
+class FloatFormula:
     """A function of floats that a loop evaluates on symbols, in place of a straight-line program."""
 
     function: Callable[..., tuple[Symbol, ...]]

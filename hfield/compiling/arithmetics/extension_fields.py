@@ -11,7 +11,7 @@ from functools import cached_property, reduce
 from typing import Any
 
 from hfield.compiling.arithmetic import Arithmetic, unsigned
-from hfield.compiling.arithmetics.residues import LIMITS, Bounded, Residues
+from hfield.compiling.arithmetics.residues import LIMITS, Bounded, ResidueArithmetic
 from hfield.compiling.instructions import Code, raw_type
 
 Digits = tuple[Bounded, ...]
@@ -41,14 +41,16 @@ class OddExtension(Arithmetic):
 
 
 @dataclass(frozen=True)
-class ExtensionField(OddExtension):
+class PolynomialArithmetic(OddExtension):
     """The field by products of polynomials, whose digits are residues."""
 
     @cached_property
-    def digits(self) -> Residues:
+    def digits(self) -> ResidueArithmetic:
         """The arithmetic of the digits: in the smaller word, if it holds labels and four products."""
         largest = max(self.order, 8 * self.degree * self.characteristic**2)
-        return Residues(self.characteristic, "float" if largest < LIMITS["float"] else "double")
+        return ResidueArithmetic(
+            self.characteristic, "float" if largest < LIMITS["float"] else "double"
+        )
 
     def load(self, code: Code, raw: str) -> Digits:
         """Read a label."""

@@ -37,14 +37,14 @@ class Bounded(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Residues(Arithmetic):
+class ResidueArithmetic(Arithmetic):
     """The ring ℤ/n; residues are read and written as 0 … n − 1."""
 
     modulus: int
     word: str
 
     @classmethod
-    def modulo(cls, n: int) -> Residues:
+    def modulo(cls, n: int) -> ResidueArithmetic:
         """Return the arithmetic modulo n, in the word that is quickest."""
         return cls(n, "float" if n <= 1 << 8 else "double" if n <= 1 << 23 else "i64")
 

@@ -49,7 +49,7 @@ def judge(
         raise MismatchError("the statement nests too deeply")
     whole = read(text)
     if whole is not None:
-        return _Logic(name, whole, setting, depth).judge(verdict, evidence)
+        return _CompoundStatement(name, whole, setting, depth).judge(verdict, evidence)
     if is_presentation(text):
         return presentation(text, setting, verdict, evidence)
     if setting.field is None and evidence.get("kind") == Kind.OVER:
@@ -71,7 +71,7 @@ def claimed(text: str, setting: Setting) -> str:
     if whole is None:
         if is_presentation(text):
             field = setting.field
-            return Presentation(
+            return PresentationStatement(
                 text, 0 if field is None else base_ring_of(field).characteristic
             ).text
         return Judgement("", text, setting).sentence.text
@@ -110,7 +110,7 @@ def _no_word(word: str) -> NotCoveredError:
     return NotCoveredError(f"the word {word!r} of the ledger's vocabulary")
 
 
-class _Logic:
+class _CompoundStatement:
     """One statement made of others."""
 
     def __init__(self, name: str, whole: Proposition, setting: Setting, depth: int) -> None:
@@ -228,7 +228,7 @@ def is_presentation(text: str) -> bool:
     return re.match(r"\s*associative\s*\(", text) is not None
 
 
-class Presentation:
+class PresentationStatement:
     """Relations and goals in letters, as a proposition about rings in which ``characteristic`` is 0."""
 
     def __init__(self, text: str, characteristic: int) -> None:
@@ -321,7 +321,7 @@ def presentation(text: str, setting: Setting, verdict: str, evidence: Mapping[st
     all rings. Raises :class:`NotCoveredError` for proofs that divide.
     """
     p = 0 if setting.field is None else base_ring_of(setting.field).characteristic
-    said = Presentation(text, p)
+    said = PresentationStatement(text, p)
     kind = evidence["kind"]
     if (kind, verdict) == (Kind.PRESENTATION, PROVED):
         return _consequence(said, evidence)
@@ -344,7 +344,7 @@ def _equations(node: Node) -> list[Compare]:
     return [node]
 
 
-def _consequence(said: Presentation, evidence: Mapping[str, Any]) -> Proved:
+def _consequence(said: PresentationStatement, evidence: Mapping[str, Any]) -> Proved:
     if evidence["characteristic"] not in (0, said.characteristic):
         raise MismatchError("the proof is one for another characteristic")
     if evidence["identity"] is not said.identity:

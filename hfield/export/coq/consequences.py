@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 @dataclass
-class Item:
+class CertificateItem:
     """One item as it stands in the certificate, with its polynomials read."""
 
     raw: Mapping[str, Any]
@@ -123,7 +123,7 @@ def vanishes_as_function(f: flint.fmpz_mpoly, p: int) -> list[flint.fmpz_mpoly] 
 class Directly:
     """Derives a formula as Coq does over commutative rings, to know whether it will."""
 
-    def __init__(self, items: Sequence[Item]) -> None:
+    def __init__(self, items: Sequence[CertificateItem]) -> None:
         self.items = [i for i in items if i.is_direct]
 
     def derives(self, zeros: Sequence[flint.fmpz_mpoly], formula: Formula) -> bool:
@@ -226,11 +226,11 @@ class Items:
         self.terms = terms
         self.items = [self._item(raw) for raw in data]
 
-    def _item(self, raw: Mapping[str, Any]) -> Item:
+    def _item(self, raw: Mapping[str, Any]) -> CertificateItem:
         if raw.get("relations"):
             raise NotCoveredError("the evidence uses relations between constants of the field")
         read = self.terms.numerators.read
-        item = Item(raw, [read(z) for z in raw["zero"]])
+        item = CertificateItem(raw, [read(z) for z in raw["zero"]])
         if "member" in raw:
             item.member = read(raw["member"])
             item.denominators = {_integer(raw["denominator"])}
@@ -239,7 +239,7 @@ class Items:
             item.denominators = set(_denominators(raw["steps"]))
         return item
 
-    def coq(self, item: Item) -> str:
+    def coq(self, item: CertificateItem) -> str:
         """Return an item for Coq."""
         raw, known = item.raw, self.terms.numerators
         zeros = _texts(known, raw["zero"])
@@ -257,7 +257,9 @@ class Items:
 
     # --- hints -----------------------------------------------------------------------------------
 
-    def hints(self, formulas: Iterable[Formula], items: Sequence[Item], p: int) -> ItemsInCoq:
+    def hints(
+        self, formulas: Iterable[Formula], items: Sequence[CertificateItem], p: int
+    ) -> ItemsInCoq:
         """Return the items for Coq, with hints where it would not see by itself what they say."""
         numerators = self.terms.numerators
         found = {str(f): f for f in tops(formulas)}.values()

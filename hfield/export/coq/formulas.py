@@ -57,7 +57,7 @@ class Invertible:
 
 
 @dataclass(frozen=True)
-class Negation:
+class NegatedFormula:
     """The opposite of a formula."""
 
     formula: "Formula"
@@ -96,13 +96,13 @@ class Junction:
         return f"{DATA[self.op]} ({self.left.data}) ({self.right.data})"
 
 
-Formula = Equation | Invertible | Negation | Junction
+Formula = Equation | Invertible | NegatedFormula | Junction
 
 
 def grouped(formula: Formula) -> str:
     """Return the text of a formula as it stands inside another."""
     if isinstance(formula, Junction) or (
-        isinstance(formula, Negation) and not isinstance(formula.formula, Equation)
+        isinstance(formula, NegatedFormula) and not isinstance(formula.formula, Equation)
     ):
         return f"({formula.text})"
     return formula.text
@@ -120,7 +120,7 @@ class Formulas:
         """Say that something has an inverse."""
         if not self.is_field:
             return Invertible(d, self.type)
-        return Negation(Equation(d, self.terms.number(0), self.type))
+        return NegatedFormula(Equation(d, self.terms.number(0), self.type))
 
     def of(self, node: Node) -> Formula:
         """Translate a statement; a comparison says too that what it divides by has an inverse."""
@@ -131,13 +131,13 @@ class Formulas:
                     left, right = self.terms.embed(left), self.terms.embed(right)
                 out: Formula = Equation(left, right, self.type)
                 if op == "!=":
-                    out = Negation(out)
+                    out = NegatedFormula(out)
                 divisors = {c.text: c for c in (*left.conditions, *right.conditions)}
                 for d in reversed(divisors.values()):
                     out = Junction("and", self.defined(d), out)
                 return out
             case Not(x):
-                return Negation(self.of(x))
+                return NegatedFormula(self.of(x))
             case Logic("and", Logic("and", x, y), z):
                 return self.of(Logic("and", x, Logic("and", y, z)))
             case Logic(op, x, y):
@@ -150,7 +150,7 @@ def equations(formula: Formula) -> list[Equation]:
     match formula:
         case Equation():
             return [formula]
-        case Negation(inner):
+        case NegatedFormula(inner):
             return equations(inner)
         case Junction(_, left, right):
             return equations(left) + equations(right)

@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from hfield.core.product import Arithmetic
+from hfield.core.product import SupportsArithmetic
 from hfield.errors import TooLargeError
 
 if TYPE_CHECKING:
     from hfield.fields.base.flint_types import AnyPolynomial
 
-M = TypeVar("M", bound=Arithmetic)
+M = TypeVar("M", bound=SupportsArithmetic)
 
 MAX_UNCHECKED_POWER = 16  # a power up to this is computed whatever comes of it
 MAX_BITS = 1 << 20

@@ -92,7 +92,7 @@ def _power_roots(c: list[int], p: int, k: int) -> list[int]:
         above = q * p
         lifted: list[int] = []
         for r in roots:
-            value, slope = _value(c, r) // q % p, _value(derivative, r) % p
+            value, slope = horner(c, r) // q % p, horner(derivative, r) % p
             if slope:  # Hensel: one root above
                 lifted.append((r - value * pow(slope, -1, p) * q) % above)
             elif value == 0:  # all p numbers above, or none
@@ -103,10 +103,11 @@ def _power_roots(c: list[int], p: int, k: int) -> list[int]:
     return roots
 
 
-def _value(c: Sequence[int], x: int) -> int:
-    total = 0
-    for a in reversed(c):
-        total = total * x + a
+def horner(coefficients: Sequence[Any], x: Any, zero: Any = 0) -> Any:
+    """Return Σ cₙ·xⁿ, for coefficients from low to high."""
+    total = zero
+    for c in reversed(coefficients):
+        total = total * x + c
     return total
 
 

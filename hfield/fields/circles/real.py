@@ -25,8 +25,9 @@ from hfield.fields.base.printing import quotient_text, sum_text
 from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
 from hfield.fields.base.to_sympy import symbol
 from hfield.fields.circles.angles import PI, Angle, WithAngles, rotated
-from hfield.fields.circles.ring import CircleFunctions, in_latex, pole
+from hfield.fields.circles.ring import CircleFunctions, in_latex
 from hfield.fields.circles.ring import build as build_circles
+from hfield.fields.function_fields.quotients import value_of_fraction
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.number_fields.spelled_names import NamedNumber, SpelledField
 from hfield.fields.rationals.ring import QQ
@@ -449,15 +450,13 @@ class RealCircles(WithAngles[RealCircleElement], Overfield[RealCircleElement]):
 
         def value(x: RealCircleElement) -> Any:
             terms, den = self.in_cosines(x)
-            denominator, total = polynomial(den), target.zero
-            if target.is_zero(denominator):
-                raise pole(self.text(x))
+            total = target.zero
             for m, c in terms.items():
                 term = number(c)
                 for y, n in zip(values, m, strict=True):
                     term = term * target.power(y, n)
                 total = total + term
-            return target.divide(total, denominator)
+            return value_of_fraction(self, x, target, total, polynomial(den))
 
         return value
 

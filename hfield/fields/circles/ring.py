@@ -13,7 +13,7 @@ from math import prod
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from hfield.errors import CoercionError, NotInvertibleError, shorten
+from hfield.errors import CoercionError, shorten
 from hfield.fields.base.printing import blackboard, quotient_text
 from hfield.fields.base.ring import Ring, shared
 from hfield.fields.base.to_sympy import symbol
@@ -27,7 +27,7 @@ from hfield.fields.circles.angles import (
 )
 from hfield.fields.function_fields.extensions import ExtensionElement
 from hfield.fields.function_fields.over_number_fields import OverNumberField
-from hfield.fields.function_fields.quotients import FractionField, Quotient
+from hfield.fields.function_fields.quotients import FractionField, Quotient, value_of_fraction
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.polynomial_rings import PolynomialRing
 from hfield.fields.polynomial_rings import build as build_polynomials
@@ -269,10 +269,7 @@ class CircleFunctions(WithAngles[Quotient], FractionField):
 
         def value(x: Quotient) -> Any:
             num, den = self.in_cosines(x)
-            denominator = polynomial(den)
-            if not target.is_zero(denominator):
-                return target.divide(polynomial(num), denominator)
-            raise pole(self.text(x))
+            return value_of_fraction(self, x, target, polynomial(num), polynomial(den))
 
         return value
 
@@ -372,11 +369,6 @@ class CirclesOverNumberField(WithAngles[ExtensionElement], OverNumberField):
 def in_latex(text: str) -> str:
     """Return a text of LaTeX with its cosines and sines as functions."""
     return text.replace("cos(", r"\cos(").replace("sin(", r"\sin(")
-
-
-def pole(text: str) -> NotInvertibleError:
-    """Return the error for a value of a function where its denominator is 0."""
-    return NotInvertibleError(f"{shorten(text)} has a pole there: its denominator is 0")
 
 
 def _power(field: Any, tangent: Any, n: int) -> tuple[Any, Any]:

@@ -18,7 +18,7 @@ from hfield.errors import (
 from hfield.fields.base.operators import Element, Overfield
 from hfield.fields.base.printing import blackboard, from_unicode, sum_text
 from hfield.fields.base.ring import Fact, Ring, shared
-from hfield.fields.base.roots import multiplied, stripped
+from hfield.fields.base.roots import horner, multiplied, stripped
 from hfield.fields.base.to_sympy import polynomial_in, symbol
 from hfield.fields.function_fields.quotients import Quotient
 from hfield.fields.function_fields.ring import FunctionField
@@ -221,12 +221,12 @@ class SimpleExtension(Overfield[ExtensionElement]):
         if root is None:
             root = target.generators().get(str(self.gen_name))
         modulus = [*map(coefficient, self.modulus_coefficients)]
-        if root is None or not target.is_zero(_horner(target, modulus, root)):
+        if root is None or not target.is_zero(horner(modulus, root, target.zero)):
             raise CoercionError(
                 f"{self.gen_name} in {shorten(self.name)} is a root of a polynomial over {self.base}: "
                 "give it a value, too, that is a root where the others have theirs"
             )
-        return lambda x: _horner(target, [*map(coefficient, x.coefficients)], root)
+        return lambda x: horner([*map(coefficient, x.coefficients)], root, target.zero)
 
     def derivative(self, x: ExtensionElement, variable: str) -> ExtensionElement:
         """Return the derivative that extends the one below: u′ = −∂f(u)/f′(u)."""
@@ -308,14 +308,6 @@ def _without_zeros(f: list[Any]) -> list[Any]:
     """Return the coefficients up to the last that is not 0."""
     size = next((n for n in range(len(f), 0, -1) if f[n - 1] != 0), 0)
     return f[:size]
-
-
-def _horner(target: Ring, coefficients: Sequence[Any], x: Any) -> Any:
-    """Return Σ cₙ·xⁿ, for coefficients from low to high."""
-    total = target.zero
-    for c in reversed(coefficients):
-        total = total * x + c
-    return total
 
 
 def build(base: Ring, variable: str, text: str) -> SimpleExtension:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from hfield.errors import CoercionError, NotInvertibleError, shorten
 from hfield.fields.base.printing import blackboard, sum_text
 from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
-from hfield.fields.base.roots import monic_root
+from hfield.fields.base.roots import horner, monic_root
 from hfield.fields.function_fields.extensions import ExtensionElement, SimpleExtension
 from hfield.fields.function_fields.ring import FunctionField
 
@@ -204,13 +204,7 @@ class OverNumberField(SimpleExtension):
         else:
             root = below(self._field, target)(self._field.gen)
 
-        def value(x: ExtensionElement) -> Any:
-            total = target.zero
-            for c in reversed(x.coefficients):
-                total = total * root + coefficient(c)
-            return total
-
-        return value
+        return lambda x: horner([*map(coefficient, x.coefficients)], root, target.zero)
 
     def derivative(self, x: ExtensionElement, variable: str) -> ExtensionElement:
         """Return the derivative; that of θ is 0."""

@@ -189,12 +189,7 @@ class FractionField(Overfield[Quotient]):
         def value(x: Quotient) -> Any:
             if self.is_one(x.den):
                 return polynomial(x.num)
-            denominator = polynomial(x.den)
-            if target.is_zero(denominator):
-                raise NotInvertibleError(
-                    f"{shorten(self.text(x))} has a pole there: its denominator is 0"
-                )
-            return target.divide(polynomial(x.num), denominator)
+            return value_of_fraction(self, x, target, polynomial(x.num), polynomial(x.den))
 
         return value
 
@@ -223,6 +218,16 @@ class FractionField(Overfield[Quotient]):
     def minus_one_as_squares(self) -> tuple[Quotient, ...]:
         """Return constants whose squares add up to −1."""
         return tuple(self(c) for c in self.base.minus_one_as_squares())
+
+
+def value_of_fraction(field: Ring, x: Any, target: Ring, num: Any, den: Any) -> Any:
+    """Return the value num/den of a function x of the field.
+
+    Raises :class:`NotInvertibleError` where x has a pole.
+    """
+    if target.is_zero(den):
+        raise NotInvertibleError(f"{shorten(field.text(x))} has a pole there: its denominator is 0")
+    return target.divide(num, den)
 
 
 def functions_name(base: Ring, names: tuple[str, ...]) -> str:

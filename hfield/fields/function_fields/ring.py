@@ -20,7 +20,7 @@ from hfield.errors import CoercionError
 from hfield.fields.base.printing import blackboard, quotient_text, sum_text
 from hfield.fields.base.residue_polynomials import polynomials_modulo
 from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
-from hfield.fields.base.roots import common_divisor, monic, multiplied, substituted
+from hfield.fields.base.roots import common_divisor, horner, monic, multiplied, substituted
 from hfield.fields.base.storage.base import Storage
 from hfield.fields.base.to_sympy import polynomial_in, symbol
 from hfield.fields.finite.ring import ExtensionField, PrimeField
@@ -244,10 +244,8 @@ class FunctionField(FractionField):
         constant, point = below(self.base, target), images[self.gen_name or ""]
 
         def value(poly: Polynomial) -> Any:
-            total = target.zero
-            for c in reversed(poly.coeffs()):
-                total = total * point + constant(self.base_element(c))
-            return total
+            coefficients = [constant(self.base_element(c)) for c in poly.coeffs()]
+            return horner(coefficients, point, target.zero)
 
         return value
 

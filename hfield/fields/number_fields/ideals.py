@@ -50,7 +50,7 @@ class MaximalOrder:
             f"{shorten(x)} is no prime ideal of {shorten(self.field.name)}; see primes_above(p) of the field"
         )
 
-    def ideal(self, rows: flint.fmpq_mat) -> Ideal:
+    def ideal(self, rows: flint.fmpq_mat) -> FractionalIdeal:
         """Return the ideal that rows of coordinates span over ℤ."""
         whole, den = rows.numer_denom()
         n = self.n
@@ -62,13 +62,13 @@ class MaximalOrder:
             )
         common = math.gcd(int(den), *map(int, entries))
         matrix = flint.fmpz_mat(n, n, [c // common for c in entries])
-        return Ideal(self, matrix, int(den) // common)
+        return FractionalIdeal(self, matrix, int(den) // common)
 
-    def principal(self, x: FieldElement) -> Ideal:
+    def principal(self, x: FieldElement) -> FractionalIdeal:
         """Return the ideal of one element, not 0."""
         return self.ideal(coordinate_rows(self.field, [x * w for w in self.basis]))
 
-    def prime(self, prime: PrimeIdeal) -> Ideal:
+    def prime(self, prime: PrimeIdeal) -> FractionalIdeal:
         """Return a prime ideal as a lattice."""
         # the root s may have a denominator prime to p
         scale = int(coordinate_rows(self.field, [prime.pi]).numer_denom()[1])
@@ -76,12 +76,12 @@ class MaximalOrder:
         return self.ideal(coordinate_rows(self.field, [x * w for x in pair for w in self.basis]))
 
     @cached_property
-    def codifferent(self) -> Ideal:
+    def codifferent(self) -> FractionalIdeal:
         """The x with tr(x·y) in ℤ for all integers y."""
         return self.ideal(self.trace_form.inv())
 
     @cached_property
-    def one(self) -> Ideal:
+    def one(self) -> FractionalIdeal:
         """The ideal of all integers."""
         return self.principal(self.field.one)
 
@@ -92,7 +92,7 @@ def integers(field: NumberField) -> MaximalOrder:
     return MaximalOrder(field)
 
 
-def ideal(ring: NumberField, *generators: object) -> Ideal:
+def ideal(ring: NumberField, *generators: object) -> FractionalIdeal:
     """Return the fractional ideal that some elements, prime ideals and ideals generate, or that a text names.
 
     Raises :class:`RingError` for the zero ideal, :class:`CoercionError` for what is not of the field.
@@ -101,11 +101,11 @@ def ideal(ring: NumberField, *generators: object) -> Ideal:
     things: list[Any] = list(generators)
     if len(things) == 1:
         (one,) = things
-        if isinstance(one, Ideal) and one.ring == ring:
+        if isinstance(one, FractionalIdeal) and one.ring == ring:
             return one
         if isinstance(one, str):
             things = _generators(one)
-        elif isinstance(one, Iterable) and not isinstance(one, Ideal):
+        elif isinstance(one, Iterable) and not isinstance(one, FractionalIdeal):
             things = list(one)
     rows: list[flint.fmpq] = []
     for x in things:
@@ -127,7 +127,7 @@ def _generators(text: str) -> list[str]:
 
 def _rows(frame: MaximalOrder, x: Any) -> list[flint.fmpq]:
     """Return the coordinates of a basis of the ideal of one thing; nothing for 0."""
-    if isinstance(x, Ideal):
+    if isinstance(x, FractionalIdeal):
         if x.ring != frame.field:
             raise RingError(
                 f"{shorten(x)} is an ideal of {shorten(x.ring.name)}, not of {shorten(frame.field.name)}"
@@ -140,7 +140,7 @@ def _rows(frame: MaximalOrder, x: Any) -> list[flint.fmpq]:
     return coordinate_rows(frame.field, products).entries() if y else []
 
 
-class Ideal:
+class FractionalIdeal:
     """A nonzero fractional ideal of the integers of a number field: ``K.ideal(gens)``.
 
     ``basis`` is a basis over ℤ, ``matrix`` over ``denominator`` its coordinates in ``K.integral_basis()``, in
@@ -179,8 +179,8 @@ class Ideal:
 
     # --- arithmetic --------------------------------------------------------------------------------
 
-    def _other(self, x: object) -> Ideal | None:
-        if isinstance(x, Ideal):
+    def _other(self, x: object) -> FractionalIdeal | None:
+        if isinstance(x, FractionalIdeal):
             return x if x.ring == self.ring else None
         if isinstance(x, str):
             return None
@@ -189,7 +189,7 @@ class Ideal:
         except HFieldError:
             return None
 
-    def __mul__(self, other: object) -> Ideal:
+    def __mul__(self, other: object) -> FractionalIdeal:
         b = self._other(other)
         if b is None:
             return NotImplemented
@@ -206,7 +206,7 @@ class Ideal:
 
     __rmul__ = __mul__
 
-    def __add__(self, other: object) -> Ideal:
+    def __add__(self, other: object) -> FractionalIdeal:
         b = self._other(other)
         if b is None:
             return NotImplemented
@@ -216,29 +216,29 @@ class Ideal:
 
     __radd__ = __add__
 
-    def __and__(self, other: object) -> Ideal:
+    def __and__(self, other: object) -> FractionalIdeal:
         b = self._other(other)
         return NotImplemented if b is None else (self._dual() + b._dual())._dual()
 
     __rand__ = __and__
 
-    def _dual(self) -> Ideal:
+    def _dual(self) -> FractionalIdeal:
         """Return the x with tr(x·y) in ℤ for all y of the ideal."""
         return self.frame.ideal((self.rows * self.frame.trace_form).inv().transpose())
 
-    def inverse(self) -> Ideal:
+    def inverse(self) -> FractionalIdeal:
         """Return the x with x·a integral: the dual of the product with the codifferent."""
         return (self * self.frame.codifferent)._dual()
 
-    def __truediv__(self, other: object) -> Ideal:
+    def __truediv__(self, other: object) -> FractionalIdeal:
         b = self._other(other)
         return NotImplemented if b is None else self * b.inverse()
 
-    def __rtruediv__(self, other: object) -> Ideal:
+    def __rtruediv__(self, other: object) -> FractionalIdeal:
         b = self._other(other)
         return NotImplemented if b is None else b * self.inverse()
 
-    def __pow__(self, exponent: int) -> Ideal:
+    def __pow__(self, exponent: int) -> FractionalIdeal:
         if not isinstance(exponent, int):
             return NotImplemented
         base, n = (self.inverse(), -exponent) if exponent < 0 else (self, exponent)

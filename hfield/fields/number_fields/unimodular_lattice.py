@@ -1,11 +1,16 @@
 """Isometries of the pure quaternions of two isomorphic algebras over a number field, by lattice reduction.
 
-As over ℚ (:mod:`hfield.fields.rationals.embedding`) an isometry is the graph of a totally
-isotropic subspace of A₀ ⊥ −B₀, where the difference of the norms is hyperbolic at every place. On some
-module it is even and unimodular: at a prime ideal the standard lattice is enlarged by vectors v/π with Q(v/π)
-integral, v in the radical modulo the prime, and ends at a maximal lattice, which is unimodular, above 2 as
-elsewhere. Zeros are met on a walk through its reduced bases, one of them, u, and another on u⊥/u; the third
-is a square root. So nothing is factored but the norms of the constants, and images are about as long.
+Let A₀ and B₀ be the quaternions of trace 0. An isometry of them is the graph of a totally isotropic subspace
+of A₀ ⊥ −B₀, where the difference of the norms is hyperbolic at every place. (In division algebras all such
+subspaces are graphs, because no vector of A₀ or B₀ but 0 has norm 0.) On some module this form is even and
+unimodular: at a prime ideal the standard lattice is enlarged by vectors v/π with Q(v/π) integral, v in the
+radical modulo the prime. This ends at a maximal lattice, which is unimodular, above 2 too. A walk through
+reduced bases of the module finds a zero u, another one finds a zero in u⊥/u, and the third is a square root.
+So only the norms of the constants are factored, and images are about as long as the constants.
+
+Over ℚ, a number field of degree 1, a shortest vector of the module is a zero: the least value of the definite
+form with the absolute values of the coefficients is at most γ₆/2 < 1, γ₆ = (64/3)^(1/6) Hermite's constant,
+and at least that of the form, which is integral. The same holds on u⊥/u, where γ₄/2 < 1.
 """
 
 from __future__ import annotations
@@ -30,7 +35,7 @@ from hfield.fields.number_fields.residues import LocalPlace, local_place
 from hfield.fields.number_fields.ring import NumberField
 from hfield.fields.number_fields.symbols import candidates
 from hfield.fields.number_fields.walk import Walk, expect_small_degree, not_met
-from hfield.fields.quadratic_forms.minimal_conics import Vector, adapt, kernel_at
+from hfield.fields.quadratic_forms.minimal_conics import Vector, kernel_at
 
 
 def isometry(
@@ -121,21 +126,50 @@ def unimodular_module(field: NumberField, form: Vector, primes: Iterable[int]) -
     rows = list(standard)
     for p in primes:
         for prime in primes_above(field, p):
-            basis = _enlarged(form, standard, local_place(prime))
-            rows += [v for v in basis if v not in standard]
+            rows += _enlarged(form, local_place(prime))
     return module_basis(field, rows)
 
 
-def _enlarged(form: Vector, standard: list[Vector], place: LocalPlace) -> list[Vector]:
-    """Return a basis of a maximal lattice at a place; it is integral at all other primes."""
-    basis = [list(v) for v in standard]
+def _enlarged(form: Vector, place: LocalPlace) -> list[Vector]:
+    """Return vectors that make the standard lattice a maximal one at a place; they are integral elsewhere.
+
+    Where 2 is a unit, the coefficients that are units span a unimodular part, which nothing enlarges.
+    """
+    valuations = [place.valuation(f) for f in form]
+    chosen = [i for i, m in enumerate(valuations) if place.even or m]
+    zero, n = form[0] * 0, len(chosen)
+    units = [place.inverse_uniformiser ** (valuations[i] // 2) for i in chosen]
+    basis = [
+        [x if i == j else zero for j in range(len(form))]
+        for i, x in zip(chosen, units, strict=True)
+    ]
+    gram = [
+        [form[i] * x * x if i == j else zero for j in chosen]
+        for i, x in zip(chosen, units, strict=True)
+    ]
+    enlarged = {k for k, i in enumerate(chosen) if valuations[i] > 1}
     while True:
-        modulo = [[place.reduce(_value(form, u, v) * 2) for v in basis] for u in basis]
-        vectors = kernel_at(place, modulo, len(form))
-        if not vectors:
-            return basis
-        at = _singular(form, basis, place, vectors)
-        basis[at] = [x * place.inverse_uniformiser for x in basis[at]]
+        modulo = [[place.zero] * n for _ in range(n)]
+        for i, j in itertools.combinations_with_replacement(range(n), 2):
+            modulo[i][j] = modulo[j][i] = place.reduce(gram[i][j] * 2)
+        radical = kernel_at(place, modulo, n)
+        if not radical:
+            return [basis[i] for i in enlarged]
+        v = _singular(gram, place, radical)
+        at = next(i for i, x in enumerate(v) if x != 0)
+        unit = place.inverse(v[at])
+        v = [place.lift(place.multiply(unit, x)) * place.inverse_uniformiser for x in v]
+        basis[at], row = _combination(v, basis), _combination(v, gram)
+        for j in range(n):
+            gram[at][j] = gram[j][at] = row[j]
+        gram[at][at] = dot(v, row)
+        enlarged.add(at)
+
+
+def _combination(scalars: Vector, rows: list[Vector]) -> Vector:
+    """Return a sum of multiples of rows; of scalars that are 0 nothing is computed."""
+    terms = [[c * x for x in row] for c, row in zip(scalars, rows, strict=True) if c]
+    return [sum(column[1:], column[0]) for column in zip(*terms, strict=True)]
 
 
 def _value(form: Vector, u: Vector, v: Vector) -> Any:
@@ -143,29 +177,25 @@ def _value(form: Vector, u: Vector, v: Vector) -> Any:
     return dot([f * x for f, x in zip(form, u, strict=True)], v)
 
 
-def _singular(form: Vector, basis: list[Vector], place: LocalPlace, radical: list[Vector]) -> int:
-    """Change the basis so that in it is a v of the radical with Q(v) in P²; return its index."""
-    at = adapt(basis, place, radical)
+def _singular(gram: list[Vector], place: LocalPlace, radical: list[Vector]) -> Vector:
+    """Return a v of the radical modulo the prime with Q(v) in P², whichever number lifts it."""
+    lifted = [[place.lift(x) for x in v] for v in radical]
     if place.even:  # on the radical Q is additive modulo P
-        roots = [place.sqrt(place.reduce(_value(form, basis[i], basis[i]))) for i in at]
-        at = _within(basis, place, at, kernel_at(place, [roots], len(at)))
-    inverse, inside = place.inverse_uniformiser, [basis[i] for i in at]
-    squares = [place.reduce(_value(form, v, v) * inverse) for v in inside]
-    mixed = [[place.reduce(_value(form, u, v) * 2 * inverse) for v in inside] for u in inside]
-    return _within(basis, place, at, [_zero(place, squares, mixed)])[0]
+        values = [dot(v, _combination(v, gram)) for v in lifted]
+        roots = [place.sqrt(place.reduce(x)) for x in values]
+        radical = [_residues(place, c, radical) for c in kernel_at(place, [roots], len(roots))]
+        lifted = [[place.lift(x) for x in v] for v in radical]
+    inverse, images = place.inverse_uniformiser, [_combination(v, gram) for v in lifted]
+    values = [[dot(v, image) * inverse for image in images] for v in lifted]
+    squares = [place.reduce(values[i][i]) for i in range(len(lifted))]
+    mixed = [[place.reduce(x * 2) for x in row] for row in values]
+    return _residues(place, _zero(place, squares, mixed), radical)
 
 
-def _within(
-    basis: list[Vector], place: LocalPlace, at: list[int], vectors: list[Vector]
-) -> list[int]:
-    """Put combinations of some vectors of the basis into it; return their indices."""
-    wide = []
-    for v in vectors:
-        row = [place.zero] * len(basis)
-        for i, x in zip(at, v, strict=True):
-            row[i] = x
-        wide.append(row)
-    return adapt(basis, place, wide)
+def _residues(place: LocalPlace, scalars: Vector, vectors: list[Vector]) -> Vector:
+    """Return a combination of vectors over the residue field."""
+    columns = zip(*vectors, strict=True)
+    return [dot(scalars, column) % place.modulus for column in columns]
 
 
 def _zero(place: LocalPlace, squares: Vector, mixed: list[Vector]) -> Vector:

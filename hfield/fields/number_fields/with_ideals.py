@@ -9,7 +9,7 @@ from hfield.hints import FIELD, Hinted
 
 if TYPE_CHECKING:
     from hfield.fields.number_fields.classes.class_groups import ClassGroup, UnitGroup
-    from hfield.fields.number_fields.ideals import Ideal
+    from hfield.fields.number_fields.ideals import FractionalIdeal
 
 
 class WithIdeals(Hinted):
@@ -17,7 +17,7 @@ class WithIdeals(Hinted):
 
     foreign_names = FIELD
 
-    def ideal(self, *generators: object) -> Ideal:
+    def ideal(self, *generators: object) -> FractionalIdeal:
         """Return the fractional ideal of elements, prime ideals and ideals, a list of such, or its text.
 
         Raises :class:`RingError` for the zero ideal, :class:`CoercionError` for what is not of the field.

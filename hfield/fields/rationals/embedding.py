@@ -3,38 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import flint
 
 from hfield.core.factorisation import known_primes
 from hfield.core.primality import is_prime
 from hfield.core.product import Constants, Coordinates
-from hfield.fields.base.ring import Ring
+from hfield.fields.base.ring import Ring, shared
+from hfield.fields.number_fields.ring import NumberField
+from hfield.fields.number_fields.unimodular_lattice import embed_number_field
 from hfield.fields.rationals import symbols
-from hfield.fields.rationals.isometries import isometry
 from hfield.fields.rationals.places import INFINITE, Place
 from hfield.fields.rationals.symbols import ramified_places_q
-from hfield.fields.rationals.whole_numbers import crt, fraction, square_class, squarefree
-
-if TYPE_CHECKING:
-    import flint
-
-
-class _Diagonal:
-    """The norm on the quaternions of trace 0 of (a, b | ℚ), with squarefree coefficients.
-
-    ``scales`` are those of i, j and k = ij that have ``−form`` as squares.
-    """
-
-    def __init__(self, a: flint.fmpq, b: flint.fmpq) -> None:
-        m, r, in_m = squarefree(square_class(a))
-        n, s, in_n = squarefree(square_class(b))
-        common = math.gcd(m, n)
-        self.form = (-m, -n, (m // common) * (n // common))
-        self.primes = {*in_m, *in_n}
-        x, y = fraction(a).denominator / fraction(r), fraction(b).denominator / fraction(s)
-        self.scales = (x, y, x * y / common)
+from hfield.fields.rationals.whole_numbers import crt, square_class, squarefree
 
 
 def embed_rational(
@@ -42,15 +23,13 @@ def embed_rational(
 ) -> tuple[Coordinates, Coordinates]:
     """Return I and J in the algebra ``inner`` over ℚ that satisfy the relations of ``outer``.
 
-    Both are division algebras, isomorphic, with t = 0. Raises :class:`UnfactoredError`.
+    Both are division algebras, isomorphic, with t = 0; ℚ is taken as a number field of degree 1. Raises
+    :class:`UnfactoredError`.
     """
-    source, target = _Diagonal(outer.a, outer.b), _Diagonal(inner.a, inner.b)
-    images = isometry(source.form, target.form, source.primes | target.primes)
-    found = []
-    for row, scale in zip(images[:2], source.scales, strict=False):
-        x, y, z = (ring(u * v / scale) for u, v in zip(row, target.scales, strict=True))
-        found.append((ring.zero, x, y, z))
-    return found[0], found[1]
+    K = shared(NumberField, "s-1", "s")
+    given = [Constants(*map(K, constants)) for constants in (outer, inner)]
+    i, j = (tuple(ring(x.poly[0]) for x in q) for q in embed_number_field(K, *given))
+    return i, j
 
 
 def traceless_root_rational(ring: Ring, c: Constants, s: flint.fmpq) -> Coordinates | None:

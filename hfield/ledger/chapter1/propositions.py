@@ -2,7 +2,7 @@
 
 from hfield.checker.glossary import INDUCTION
 from hfield.fields.base.ring import INFINITY
-from hfield.ledger.base_field import Division, LevelAbove, PositiveNorm
+from hfield.ledger.base_field import IsDivisionAlgebra, LevelAbove, PositiveNorm
 from hfield.ledger.document import Propositions
 from hfield.ledger.linear_algebra import Centre, IsBasis
 from hfield.ledger.modulus import ModulusDefined, ModulusLaw
@@ -227,7 +227,7 @@ COMPUTED = {
     # Section 1.3 up to the norm's multiplicativity: norm, modulus, conjugate, Theorem 2
     "C1.3.1-a": Propositions(as_printed=ModulusDefined()),
     "C1.3.1-d": Propositions(
-        as_printed=Negation(Division("N(q) = 0 ⇒ q = 0")),
+        as_printed=Negation(IsDivisionAlgebra("N(q) = 0 ⇒ q = 0")),
         spoilt=Negation(Statement("q == 0 => norm(q) == 0")),
     ),
     "C1.3.1-n": Propositions(as_printed=ModulusLaw("*"), spoilt=ModulusLaw("+")),
@@ -244,13 +244,13 @@ COMPUTED = {
         ),
     ),
     "C1.3.1-x": Propositions(
-        as_printed=Implication(LevelAbove(INFINITY), Division(), THREE_SQUARES),
-        spoilt=Implication(LevelAbove(1), Division()),
+        as_printed=Implication(LevelAbove(INFINITY), IsDivisionAlgebra(), THREE_SQUARES),
+        spoilt=Implication(LevelAbove(1), IsDivisionAlgebra()),
     ),
     "C1.3.1-y": Propositions(
-        as_printed=Implication(Division(), LevelAbove(INFINITY)),
-        spoilt=Implication(Division(), LevelAbove(2), TWO_SQUARES),
-        corrected=Equivalence(Division(), LevelAbove(2), TWO_SQUARES),
+        as_printed=Implication(IsDivisionAlgebra(), LevelAbove(INFINITY)),
+        spoilt=Implication(IsDivisionAlgebra(), LevelAbove(2), TWO_SQUARES),
+        corrected=Equivalence(IsDivisionAlgebra(), LevelAbove(2), TWO_SQUARES),
     ),
     # Sections 1.4.1 and 1.4.2: the canonical and the Hamiltonian form
     "C1.4.1-a": Propositions(

@@ -28,7 +28,7 @@ from hfield.prover.counterexamples.candidates import (
 from hfield.prover.evaluation.scalars import RingScalars
 from hfield.prover.evaluation.searcher import Assignment, Searcher, assigned, lifted
 from hfield.prover.polynomials.expansion import Expanded
-from hfield.prover.polynomials.normal_form import Clause
+from hfield.prover.polynomials.normal_form import PolynomialClause
 from hfield.prover.polynomials.starting_relations import quaternions_of
 from hfield.prover.polynomials.vanishing import Monomial, coefficients
 from hfield.prover.problem import Problem
@@ -59,7 +59,9 @@ def search_counterexample(problem: Problem, limit: int) -> Assignment | None:
     return ring_search(problem, limit)
 
 
-def solve_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Assignment | None:
+def solve_clauses(
+    problem: Problem, x: Expanded, left: Sequence[PolynomialClause]
+) -> Assignment | None:
     """Look for a counterexample by solving the hypotheses, and test it in the statement itself."""
     test = Searcher(problem, RingScalars(problem.ring)).test
     quaternions = quaternions_of(problem)
@@ -74,17 +76,18 @@ def solve_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Assi
     return None
 
 
-def on_axes(clause: Clause) -> Iterator[Clause]:
+def on_axes(clause: PolynomialClause) -> Iterator[PolynomialClause]:
     """Run through clauses in which all variables of the conditions but one are 0."""
     gens = clause.zeros[0].context().gens() if clause.zeros else ()
     used = [g for n, g in enumerate(gens) if any(z.degrees()[n] for z in clause.zeros)]
     for own in used[:MAX_AXES] if len(used) > 1 else ():
-        yield Clause((*clause.zeros, *(g for g in used if g != own)), clause.goals)
+        yield PolynomialClause((*clause.zeros, *(g for g in used if g != own)), clause.goals)
 
 
 def narrowed(
-    clause: Clause, quaternions: Sequence[tuple[tuple[flint.fmpz_mpoly, ...], flint.fmpz_mpoly]]
-) -> Iterator[Clause]:
+    clause: PolynomialClause,
+    quaternions: Sequence[tuple[tuple[flint.fmpz_mpoly, ...], flint.fmpz_mpoly]],
+) -> Iterator[PolynomialClause]:
     """Run through clauses with more conditions, at whose places the clause fails too.
 
     A norm is 0 where its quaternion is, and a quadratic polynomial that is never negative where its
@@ -93,11 +96,11 @@ def narrowed(
     for q, norm in quaternions:
         if norm in clause.zeros or -norm in clause.zeros:
             others = [z for z in clause.zeros if z not in (norm, -norm)]
-            yield Clause((*others, *(u for u in q if u != 0)), clause.goals)
+            yield PolynomialClause((*others, *(u for u in q if u != 0)), clause.goals)
     bent = [z for z in clause.zeros if z.total_degree() == 2]
     if bent:
         slopes = [z.derivative(n) for z in bent for n in range(z.context().nvars())]
-        yield Clause((*clause.zeros, *(f for f in slopes if f != 0)), clause.goals)
+        yield PolynomialClause((*clause.zeros, *(f for f in slopes if f != 0)), clause.goals)
 
 
 MAX_NODES = 1_500
@@ -107,7 +110,7 @@ BRANCHES = 5
 Polynomial = dict[Monomial, Any]
 
 
-def solve(problem: Problem, x: Expanded, clause: Clause) -> Assignment | None:
+def solve(problem: Problem, x: Expanded, clause: PolynomialClause) -> Assignment | None:
     """Return values at which the clause fails: its zeros vanish, and no goal does entirely.
 
     0 is the last value that letters are given.

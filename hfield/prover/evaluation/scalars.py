@@ -13,7 +13,7 @@ from functools import lru_cache
 from operator import and_, mul, or_, xor
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias
 
-from hfield.core.product import Arithmetic, Constants, Scalar, multiply, norm
+from hfield.core.product import Constants, Scalar, SupportsArithmetic, multiply, norm
 from hfield.errors import NotInvertibleError, UndecidedError
 from hfield.fields.base.coercion import fmpq
 from hfield.fields.base.ring import Ring
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from hfield.fields.base.flint_types import Rational
 
-    S = TypeVar("S", bound=Arithmetic, default=Any)
+    S = TypeVar("S", bound=SupportsArithmetic, default=Any)
     C = TypeVar("C", default=Any)
     T = TypeVar("T", default=Any)
 else:

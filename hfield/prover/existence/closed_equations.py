@@ -15,7 +15,7 @@ from hfield.errors import HFieldError, TooLargeError, UndecidedError
 from hfield.fields.base.ring import Ring
 from hfield.prover.evaluation.scalars import RingScalars
 from hfield.prover.evaluation.searcher import Searcher, assigned
-from hfield.prover.polynomials.expansion import Expanded, Quotient, Symbolic
+from hfield.prover.polynomials.expansion import Expanded, PolynomialFraction, Symbolic
 from hfield.prover.polynomials.normal_form import branches
 from hfield.prover.polynomials.vanishing import Monomial, coefficients
 from hfield.prover.problem import Problem
@@ -30,27 +30,27 @@ Polynomial = dict[Monomial, Any]
 
 
 @dataclass(frozen=True)
-class Solutions:
+class SolutionPlaces:
     """Some ``places`` at which equations hold; ``none`` tells that they hold nowhere."""
 
     places: tuple[dict[str, Any], ...] = ()
     none: bool = False
 
 
-def closed_solutions(problem: Problem) -> Solutions:
+def closed_solutions(problem: Problem) -> SolutionPlaces:
     """Solve the equations of a statement without quantifier for all its unknowns, over one ring."""
     field = problem.ring
     roots = quaternion_roots(problem)
     if roots is not None:
         ((name, _),) = problem.statement.unknowns
-        return Solutions(tuple({name: root} for root in roots), none=not roots)
+        return SolutionPlaces(tuple({name: root} for root in roots), none=not roots)
     try:
         world = Symbolic(problem)
         ways = list(branches(world.truth(problem.statement.node)))
     except TooLargeError:
-        return Solutions()
+        return SolutionPlaces()
     if len(ways) > MAX_BRANCHES or world.conditions:
-        return Solutions()
+        return SolutionPlaces()
     x = Expanded(world.context, world.variables, world.unknowns, ())
     places, none = list[dict[str, Any]](), True
     for way in ways:
@@ -62,7 +62,7 @@ def closed_solutions(problem: Problem) -> Solutions:
             continue
         none = none and not found
         places.extend(assigned(problem.statement, values) for values in found)
-    return Solutions(tuple(places), none)
+    return SolutionPlaces(tuple(places), none)
 
 
 def _solved(equations: list[Polynomial], unknowns: int, field: Ring) -> list[list[Scalar]]:
@@ -219,7 +219,7 @@ def _read(problem: Problem, node: Compare) -> Quadratic | None:
 
 def _divided(value: Any, x: Expanded, field: Ring) -> dict[Monomial, Any]:
     """Return the coefficients of a polynomial, or of a fraction whose denominator is a number."""
-    if not isinstance(value, Quotient):
+    if not isinstance(value, PolynomialFraction):
         return dict(coefficients(value, x, field))
     below = field.inverse(coefficients(value.bottom, x, field)[ONE])
     return {m: below * c for m, c in coefficients(value.top, x, field).items()}

@@ -108,7 +108,7 @@ Sorts = Mapping[str, Sort]
 
 
 @dataclass(frozen=True)
-class Part:
+class TwoSidedMap:
     """The map u ↦ left·u·right."""
 
     left: Node
@@ -129,7 +129,7 @@ def two_sided(side: Node, value: Node, name: str, sorts: Sorts) -> Iterator[Node
         yield from _disappearing(second, first, r, sorts)
 
 
-def _disappearing(one: Part, other: Part, r: Node, sorts: Sorts) -> Iterator[Node]:
+def _disappearing(one: TwoSidedMap, other: TwoSidedMap, r: Node, sorts: Sorts) -> Iterator[Node]:
     """Run through solutions of a·u·b + c·u·d = r that let c disappear, or d."""
     a, b, c, d = one.left, one.right, other.left, other.right
     if not (is_scalar(c, sorts) or is_scalar(d, sorts)):  # N(c) in the place of c
@@ -156,13 +156,13 @@ def _determining(a: Node, b: Node, d: Node) -> Node:
     return plus(plus(out, times(trace, times(b, d))), times(d, d))
 
 
-def _split(node: Node, name: str, sorts: Sorts) -> tuple[list[Part], Node] | None:
+def _split(node: Node, name: str, sorts: Sorts) -> tuple[list[TwoSidedMap], Node] | None:
     """Write a term as Σ left·u·right + rest, None where u stands in any other way."""
     if not occurrences(node, name):
         return [], node
     match node:
         case Name():
-            return [Part(ONE, ONE)], ZERO
+            return [TwoSidedMap(ONE, ONE)], ZERO
         case Negate(x):
             return _scaled(_split(x, name, sorts), left=Number(-1))
         case Binary("+" | "-" as op, x, y):
@@ -189,26 +189,28 @@ def _split(node: Node, name: str, sorts: Sorts) -> tuple[list[Part], Node] | Non
 
 
 def _scaled(
-    found: tuple[list[Part], Node] | None, left: Node = ONE, right: Node = ONE
-) -> tuple[list[Part], Node] | None:
+    found: tuple[list[TwoSidedMap], Node] | None, left: Node = ONE, right: Node = ONE
+) -> tuple[list[TwoSidedMap], Node] | None:
     if found is None:
         return None
-    parts = [Part(times(left, part.left), times(part.right, right)) for part in found[0]]
+    parts = [TwoSidedMap(times(left, part.left), times(part.right, right)) for part in found[0]]
     return parts, times(times(left, found[1]), right)
 
 
-def _joined(parts: list[Part], sorts: Sorts) -> list[Part]:
+def _joined(parts: list[TwoSidedMap], sorts: Sorts) -> list[TwoSidedMap]:
     """Return parts with the same sum, those that share a side put together."""
-    lefts: dict[str, Part] = {}  # by what stands on the right
+    lefts: dict[str, TwoSidedMap] = {}  # by what stands on the right
     for part in parts:
         key = to_text(part.right)
         known = lefts.get(key)
-        lefts[key] = part if known is None else Part(plus(known.left, part.left), part.right)
-    rights: dict[str, Part] = {}
+        lefts[key] = part if known is None else TwoSidedMap(plus(known.left, part.left), part.right)
+    rights: dict[str, TwoSidedMap] = {}
     for part in lefts.values():
         if is_scalar(part.left, sorts):
-            part = Part(ONE, times(part.left, part.right))
+            part = TwoSidedMap(ONE, times(part.left, part.right))
         key = to_text(part.left)
         known = rights.get(key)
-        rights[key] = part if known is None else Part(part.left, plus(known.right, part.right))
+        rights[key] = (
+            part if known is None else TwoSidedMap(part.left, plus(known.right, part.right))
+        )
     return list(rights.values())

@@ -75,7 +75,7 @@ class System:
         self.variables, self.context = world.variables, world.context
         self.formula = world.truth(statement.conclusion)
         p = None if problem.field is None else problem.field.characteristic
-        self.of = Coefficients(self.context, p)
+        self.of = FieldCoefficients(self.context, p)
         names = [
             c
             for name, sort in statement.unknowns
@@ -199,7 +199,7 @@ class System:
 Row = tuple[Any, ...]  # the coefficients of what is sought, and last the constant
 
 
-class Coefficients:
+class FieldCoefficients:
     """The polynomials over ``context``, over the fields of characteristic p, or over all (p is None)."""
 
     def __init__(self, context: flint.fmpz_mpoly_ctx, p: int | None) -> None:
@@ -266,7 +266,7 @@ class Way:
 class Elimination:
     """Runs through the ways to solve linear equations for ``width`` unknowns."""
 
-    def __init__(self, coefficients: Coefficients, width: int, clock: Clock) -> None:
+    def __init__(self, coefficients: FieldCoefficients, width: int, clock: Clock) -> None:
         self.of, self.width, self.clock, self.ways = coefficients, width, clock, 0
 
     def start(self, rows: Sequence[Row], known: Sequence[flint.fmpz_mpoly]) -> Way:

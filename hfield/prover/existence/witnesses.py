@@ -26,7 +26,7 @@ from hfield.prover.counterexamples.candidates import shown, true_place, witness_
 from hfield.prover.decision import FIELD, PROVED, REFUTED, Decision
 from hfield.prover.evaluation.scalars import RingScalars
 from hfield.prover.evaluation.searcher import Assignment, Searcher, lifted
-from hfield.prover.existence.closed_equations import Solutions, closed_solutions
+from hfield.prover.existence.closed_equations import SolutionPlaces, closed_solutions
 from hfield.prover.existence.linear_systems import linear_cases
 from hfield.prover.methods import universal
 from hfield.prover.polynomials.expansion import Symbolic
@@ -52,7 +52,7 @@ def decide_closed(problem: Problem) -> Decision:
         found = attempts.answer(search)
         if found is not None:
             return _witnessed(problem, found)
-    solutions = attempts.answer(closed_solutions, somewhere) or Solutions()
+    solutions = attempts.answer(closed_solutions, somewhere) or SolutionPlaces()
     found = attempts.answer(_true_at, somewhere, solutions.places)
     if found is not None:
         return _witnessed(problem, found)

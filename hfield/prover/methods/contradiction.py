@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 from hfield.errors import TooLargeError
 from hfield.fields.base.ring import Ring
 from hfield.prover.clock import Clock
-from hfield.prover.polynomials.anisotropic_forms import Form, Forms
+from hfield.prover.polynomials.anisotropic_forms import AnisotropicForm, Forms
 from hfield.prover.polynomials.field_rules import NORM, ROOTS, SQUARES, Rule
-from hfield.prover.polynomials.membership import LARGE_PRIMES, Cofactors, Ideal
+from hfield.prover.polynomials.membership import LARGE_PRIMES, Cofactors, PolynomialIdeal
 from hfield.prover.polynomials.recognition import (
     MAX_DEGREE,
     as_squares,
@@ -95,7 +95,7 @@ def member(
     """Return cofactors that put every target into the ideal of the zeros, or None."""
     if _is_large(conditions):
         return None
-    ideal = Ideal(
+    ideal = PolynomialIdeal(
         len(conditions.variables), conditions.characteristic, _primes(conditions)[0], clock
     )
     try:
@@ -137,10 +137,10 @@ class _Search:
         count = len(conditions.nonzero)
         self.names = (*conditions.variables, *(f"T{n + 1}" for n in range(count)))
 
-    def start(self, prime: int | None) -> Ideal:
+    def start(self, prime: int | None) -> PolynomialIdeal:
         """Return the ideal of the conditions."""
         p = self.conditions
-        ideal = Ideal(len(self.names), p.characteristic, prime, self.clock)
+        ideal = PolynomialIdeal(len(self.names), p.characteristic, prime, self.clock)
         ideal.extend(ideal.lift(z) for z in p.zeros)
         variables = ideal.context.gens()[len(p.variables) :]
         for t, g in zip(variables, p.nonzero, strict=True):
@@ -151,7 +151,7 @@ class _Search:
         """Return what was found."""
         return Refutation(tuple(self.steps), tuple(self.denominators), tuple(self.used))
 
-    def run(self, ideal: Ideal, depth: int) -> bool:
+    def run(self, ideal: PolynomialIdeal, depth: int) -> bool:
         """Let the ideal grow until it contains 1; append the steps of the proof."""
         one = ideal.context.constant(1)
         while True:
@@ -185,7 +185,7 @@ class _Search:
 
     def _derive(
         self,
-        ideal: Ideal,
+        ideal: PolynomialIdeal,
         rule: Rule,
         form: flint.fmpz_mpoly,
         terms: list[flint.fmpz_mpoly],
@@ -200,7 +200,7 @@ class _Search:
         ideal.extend(terms)
         return True
 
-    def _norm(self, ideal: Ideal) -> bool:
+    def _norm(self, ideal: PolynomialIdeal) -> bool:
         rule = self._rule(NORM)
         if rule is None:
             return False
@@ -210,7 +210,7 @@ class _Search:
                 return True
         return False
 
-    def _squares(self, ideal: Ideal) -> bool:
+    def _squares(self, ideal: PolynomialIdeal) -> bool:
         rule = self._rule(SQUARES)
         if rule is None:
             return False
@@ -226,7 +226,7 @@ class _Search:
                 return True
         return False
 
-    def _gram(self, ideal: Ideal) -> bool:
+    def _gram(self, ideal: PolynomialIdeal) -> bool:
         """Write a polynomial of the ideal as a sum of squares of polynomials, and put these there."""
         rule = self._rule(SQUARES)
         if rule is None or not rule.positive:
@@ -251,7 +251,7 @@ class _Search:
     def _rule(self, form: str) -> Rule | None:
         return next((r for r in self.rules if r.form == form), None)
 
-    def _rootless(self, ideal: Ideal) -> bool:
+    def _rootless(self, ideal: PolynomialIdeal) -> bool:
         """Find a polynomial in one variable that has no root in the field."""
         p = self.conditions
         roots = self._rule(ROOTS)
@@ -267,7 +267,7 @@ class _Search:
                 return True
         return False
 
-    def _forms(self, ideal: Ideal) -> bool:
+    def _forms(self, ideal: PolynomialIdeal) -> bool:
         """Find a form that is 0 only where its terms are, and put them into the ideal."""
         p = self.conditions
         if p.field is None or self._rule(ROOTS) is None or self.clock.is_late:
@@ -284,7 +284,7 @@ class _Search:
                     return True
         return False
 
-    def _cases(self, ideal: Ideal, depth: int) -> bool:
+    def _cases(self, ideal: PolynomialIdeal, depth: int) -> bool:
         """Split a product that is 0 into its factors."""
         for f in sorted([*ideal.generators, *ideal.elements()], key=len):
             if len(f) > MAX_FACTORED or not 2 <= f.total_degree() <= MAX_DEGREE:
@@ -306,7 +306,9 @@ class _Search:
             branches = []
             for g in factors:
                 branch = _Search(self.conditions, self.rules, self.clock)
-                below = Ideal(len(self.names), ideal.characteristic, ideal.basis.p, self.clock)
+                below = PolynomialIdeal(
+                    len(self.names), ideal.characteristic, ideal.basis.p, self.clock
+                )
                 below.extend([*ideal.generators, g])
                 if not branch.run(below, depth + 1):
                     break
@@ -327,7 +329,7 @@ class _Search:
         return False
 
 
-def fits(rule: Rule, form: Form) -> bool:
+def fits(rule: Rule, form: AnisotropicForm) -> bool:
     """Tell whether a rule about sums of squares speaks of this one."""
     plain = all(c == 1 for c in form.step["coefficients"])
     return len(form.terms) <= rule.most and (plain or rule.positive)

@@ -21,7 +21,7 @@ from hfield.prover.methods.contradiction import Conditions, member, refute
 from hfield.prover.polynomials.expansion import Expanded, expand
 from hfield.prover.polynomials.field_rules import ROOTS, Rule, rules
 from hfield.prover.polynomials.membership import Cofactors
-from hfield.prover.polynomials.normal_form import Clause
+from hfield.prover.polynomials.normal_form import PolynomialClause
 from hfield.prover.polynomials.recognition import polynomial_text
 from hfield.prover.polynomials.starting_relations import (
     nonzero_constants_of,
@@ -231,7 +231,7 @@ class _Attempt:
             self.quaternions,
         )
 
-    def clause(self, clause: Clause) -> list[Item] | None:
+    def clause(self, clause: PolynomialClause) -> list[Item] | None:
         """Return items that prove a clause, None if there are none."""
         if any(all(map(self.is_zero, goal)) for goal in clause.goals):
             return []

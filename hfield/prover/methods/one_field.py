@@ -32,7 +32,7 @@ from hfield.prover.methods.decisions import (
 from hfield.prover.methods.implications import prove_clauses
 from hfield.prover.polynomials.expansion import Expanded, expand
 from hfield.prover.polynomials.field_rules import unused_norm
-from hfield.prover.polynomials.normal_form import Clause
+from hfield.prover.polynomials.normal_form import PolynomialClause
 from hfield.prover.polynomials.vanishing import (
     is_nonzero_constant,
     known,
@@ -74,7 +74,9 @@ def _by_values(problem: Problem) -> Iterator[Method]:
         yield lambda: exhaust(problem, None)
 
 
-def _by_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Iterator[Method]:
+def _by_clauses(
+    problem: Problem, x: Expanded, left: Sequence[PolynomialClause]
+) -> Iterator[Method]:
     """Run through the methods for the clauses that are ``left``: quick ones, then slow ones."""
     finite = problem.ring.order is not None
     yield lambda: refuted_at(problem, quick_search(problem), x)
@@ -90,7 +92,7 @@ def _by_clauses(problem: Problem, x: Expanded, left: Sequence[Clause]) -> Iterat
 
 
 def _refuting_an_identity(
-    problem: Problem, x: Expanded, left: Sequence[Clause]
+    problem: Problem, x: Expanded, left: Sequence[PolynomialClause]
 ) -> Iterator[Method]:
     """Run through the methods where some clause is an identity that does not hold."""
     field = problem.ring
@@ -114,7 +116,7 @@ def _implied(limited: Problem, problem: Problem) -> Decision | None:
     return None if proof is None else implied(proof, problem)
 
 
-def is_trivial(clause: Clause, x: Expanded, field: Ring) -> bool:
+def is_trivial(clause: PolynomialClause, x: Expanded, field: Ring) -> bool:
     """Tell whether a clause is known to hold: a goal is identically 0, or a hypothesis a nonzero number."""
     if any(all(known(vanishes_as_function, p, x, field) for p in goal) for goal in clause.goals):
         return True
@@ -126,7 +128,7 @@ def not_everywhere_zero(p: flint.fmpz_mpoly, x: Expanded, field: Ring) -> bool:
     return known(vanishes_as_function, p, x, field) is False
 
 
-def _is_hopeless(clause: Clause, x: Expanded, field: Ring) -> bool:
+def _is_hopeless(clause: PolynomialClause, x: Expanded, field: Ring) -> bool:
     """Tell whether a clause certainly fails somewhere: it has no hypotheses, and goals that do not hold."""
     if not all(known(vanishes, z, x, field) for z in clause.zeros):
         return False

@@ -247,13 +247,13 @@ def _read(source: str | Mapping[str, int], identity: bool) -> Words:
     node = parse(source)
     if weight(node) > MAX_WEIGHT:
         raise NotationError(f"{source[:60]!r} is too large for a relation")
-    reader = _Words(source, identity)
+    reader = _WordReader(source, identity)
     if isinstance(node, Compare) and node.op == "==":
         return _sum(reader.read(node.left), reader.read(node.right), -1)
     return reader.read(node)
 
 
-class _Words:
+class _WordReader:
     """Reads a term as a polynomial in noncommuting letters."""
 
     def __init__(self, text: str, identity: bool) -> None:

@@ -30,7 +30,7 @@ Square = tuple[Any, Any]  # c and L of c·L²
 
 
 @dataclass(frozen=True)
-class Form:
+class AnisotropicForm:
     """``value`` is a form in ``terms`` that is 0 only where they are; ``step`` says so in evidence."""
 
     value: Any
@@ -50,7 +50,7 @@ class Forms:
         self.free = [n for n in range(len(self.gens)) if not unknowns <= n < len(names)]
         self.one = context.constant(1)
 
-    def of(self, f: flint.fmpz_mpoly) -> Iterator[Form]:
+    def of(self, f: flint.fmpz_mpoly) -> Iterator[AnisotropicForm]:
         """Run through the forms that f is, up to a factor."""
         if not 2 <= len(f) <= MAX_TERMS:
             return
@@ -61,7 +61,7 @@ class Forms:
 
     # --- binary forms ----------------------------------------------------------------------------
 
-    def binary(self, f: flint.fmpz_mpoly) -> Iterator[Form]:
+    def binary(self, f: flint.fmpz_mpoly) -> Iterator[AnisotropicForm]:
         """Run through ways to write f as Σ cₖ·X^k·Y^(n−k) with monomials X and Y."""
         parts = self.coefficients(f)
         monomials = list(parts)
@@ -101,20 +101,20 @@ class Forms:
         top: tuple[int, ...],
         bottom: tuple[int, ...],
         n: int,
-    ) -> Form:
+    ) -> AnisotropicForm:
         """Return the binary form."""
         x, y = (self.context.from_dict({tuple(e // n for e in m): 1}) for m in (top, bottom))
         return self.form(coefficients, x, y)
 
     def form(
         self, coefficients: list[flint.fmpz_mpoly], x: flint.fmpz_mpoly, y: flint.fmpz_mpoly
-    ) -> Form:
+    ) -> AnisotropicForm:
         """Return Σ cₖ·x^k·y^(n−k) as a form."""
         n = len(coefficients) - 1
         zero = self.context.constant(0)
         value = sum((c * x**k * y ** (n - k) for k, c in enumerate(coefficients)), zero)
         step = {"step": "binary form", "coefficients": [self.text(c) for c in coefficients]}
-        return Form(value, (x, y), step)
+        return AnisotropicForm(value, (x, y), step)
 
     # --- quadratic forms -------------------------------------------------------------------------
 
@@ -165,7 +165,7 @@ class Forms:
             made.append(((c / int(c.content())) * rest, root * g))
         return made
 
-    def quadratic(self, squares: list[Square]) -> Iterator[Form]:
+    def quadratic(self, squares: list[Square]) -> Iterator[AnisotropicForm]:
         """Run through the reasons why Σ c·L² is 0 only where all L are."""
         if any(self.is_zero(c) for c, _ in squares):
             return
@@ -176,7 +176,7 @@ class Forms:
             if all(n > 0 for n in numbers) or all(n < 0 for n in numbers):
                 step = {"step": "squares", "coefficients": [abs(n) for n in numbers]}
                 positive = value if numbers[0] > 0 else -value
-                yield Form(positive, tuple(g for _, g in squares), step)
+                yield AnisotropicForm(positive, tuple(g for _, g in squares), step)
         if len(squares) == 2:
             (a, x), (b, y) = squares
             if self.field.is_rootless(self.values([b, zero, a])):
@@ -184,7 +184,7 @@ class Forms:
         if len(squares) == 3:
             yield from self.ternary(squares)
 
-    def ternary(self, squares: list[Square]) -> Iterator[Form]:
+    def ternary(self, squares: list[Square]) -> Iterator[AnisotropicForm]:
         """Return a·(a·X² + b·Y² + c·Z²) as the norm of (−ab, −ac), where that is a division algebra."""
         (a, x), (b, y), (c, z) = squares
         (p, alpha), (q, beta) = (square_free(-a * other) for other in (b, c))
@@ -193,7 +193,7 @@ class Forms:
             return
         terms = (a * x, p * y, q * z, self.context.constant(0))
         value = terms[0] ** 2 - alpha * terms[1] ** 2 - beta * terms[2] ** 2
-        yield Form(value, terms, {"step": "norm", "algebra": rule.algebra}, rule)
+        yield AnisotropicForm(value, terms, {"step": "norm", "algebra": rule.algebra}, rule)
 
     # --- coefficients ----------------------------------------------------------------------------
 

@@ -20,7 +20,7 @@ from hfield.core.product import Constants
 from hfield.errors import TooLargeError
 from hfield.prover.evaluation.evaluator import Evaluator
 from hfield.prover.evaluation.scalars import Scalars
-from hfield.prover.polynomials.normal_form import TRUE, Clause, Formula, clauses, literal
+from hfield.prover.polynomials.normal_form import TRUE, Formula, PolynomialClause, clauses, literal
 from hfield.prover.problem import Problem, remembered
 from hfield.prover.statements.language import Sort
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 MAX_WORK = 4_000_000  # products of terms, about a second; they bound the memory too
 MAX_WEIGHT = 20_000
 
-Term: TypeAlias = "flint.fmpz_mpoly | Quotient"  # what stands for a scalar
+Term: TypeAlias = "flint.fmpz_mpoly | PolynomialFraction"  # what stands for a scalar
 Conditions: TypeAlias = tuple[flint.fmpz_mpoly, ...]  # polynomials that must not be 0
 
 
@@ -46,7 +46,7 @@ class Expanded:
     context: Any
     variables: tuple[str, ...]
     unknowns: int
-    clauses: tuple[Clause, ...]
+    clauses: tuple[PolynomialClause, ...]
     conditions: Conditions = ()
 
     @property
@@ -88,7 +88,7 @@ class Symbolic(Evaluator):
     The structure constants are defined where none of the ``conditions`` is 0.
     """
 
-    scalars: Polynomials
+    scalars: PolynomialScalars
 
     def __init__(self, problem: Problem) -> None:
         statement, setting = problem.statement, problem.setting
@@ -98,7 +98,7 @@ class Symbolic(Evaluator):
             [f"v{n}" for n in range(len(self.variables))], Ordering.degrevlex
         )
         divides = statement.divides or setting.divides
-        scalars = (_Fractions if divides else Polynomials)(self.context)
+        scalars = (_Fractions if divides else PolynomialScalars)(self.context)
         lifted = map(scalars.lift, self.context.gens())
         by_text = dict(zip(self.variables, lifted, strict=True))
         fixed = {text: by_text[text] for text in statement.constants}
@@ -114,7 +114,7 @@ class Symbolic(Evaluator):
         return tuple(map(self.scalars.numerator, self.embed(x)))
 
 
-class Budget:
+class ExpansionBudget:
     """The work that may still be done; every product of polynomials is charged to it beforehand."""
 
     def __init__(self) -> None:
@@ -127,14 +127,14 @@ class Budget:
         self.left -= work
 
 
-class Polynomials(Scalars[Term, Conditions, Formula]):
+class PolynomialScalars(Scalars[Term, Conditions, Formula]):
     """Scalars are integer polynomials, statements are formulas about their zeros."""
 
     always = ()
     reflexive = True  # that a thing is itself needs no expanding
 
     def __init__(self, context: flint.fmpz_mpoly_ctx) -> None:
-        self.context, self.budget = context, Budget()
+        self.context, self.budget = context, ExpansionBudget()
         self.zero, self.one = self.lift(context.constant(0)), self.lift(context.constant(1))
 
     def lift(self, x: flint.fmpz_mpoly) -> flint.fmpz_mpoly:
@@ -204,28 +204,28 @@ class Polynomials(Scalars[Term, Conditions, Formula]):
         return f
 
 
-class _Fractions(Polynomials):
+class _Fractions(PolynomialScalars):
     """Scalars are fractions of polynomials."""
 
     reflexive = False  # a thing that is not defined is not itself
 
-    def lift(self, x: flint.fmpz_mpoly) -> Quotient:
-        return Quotient(x, self.context.constant(1), self.budget)
+    def lift(self, x: flint.fmpz_mpoly) -> PolynomialFraction:
+        return PolynomialFraction(x, self.context.constant(1), self.budget)
 
-    def numerator(self, x: Quotient) -> flint.fmpz_mpoly:
+    def numerator(self, x: PolynomialFraction) -> flint.fmpz_mpoly:
         return x.top
 
-    def number(self, value: int | Fraction) -> tuple[Quotient, Conditions]:
+    def number(self, value: int | Fraction) -> tuple[PolynomialFraction, Conditions]:
         top, bottom = (self.context.constant(n) for n in (value.numerator, value.denominator))
-        return Quotient(top, bottom, self.budget), (() if bottom == 1 else (bottom,))
+        return PolynomialFraction(top, bottom, self.budget), (() if bottom == 1 else (bottom,))
 
-    def reciprocal(self, x: Quotient) -> tuple[Quotient, Conditions]:
+    def reciprocal(self, x: PolynomialFraction) -> tuple[PolynomialFraction, Conditions]:
         if x.top == 0:
             return self.zero, (x.top,)
-        return Quotient(x.bottom, x.top, self.budget), (() if x.top == 1 else (x.top,))
+        return PolynomialFraction(x.bottom, x.top, self.budget), (() if x.top == 1 else (x.top,))
 
 
-class Quotient:
+class PolynomialFraction:
     """A fraction of polynomials, never reduced, so that its numerator is a matter of definition.
 
     u/d + v/d = (u + v)/d, u/d + v/f = (u·f + v·d)/(d·f), and 0 is always 0/1.
@@ -233,35 +233,37 @@ class Quotient:
 
     __slots__ = ("bottom", "budget", "top")
 
-    def __init__(self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly, budget: Budget) -> None:
+    def __init__(
+        self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly, budget: ExpansionBudget
+    ) -> None:
         self.top, self.bottom, self.budget = top, bottom if top != 0 else top**0, budget
 
     def __len__(self) -> int:
         return len(self.top) + len(self.bottom)
 
-    def __neg__(self) -> Quotient:
-        return Quotient(-self.top, self.bottom, self.budget)
+    def __neg__(self) -> PolynomialFraction:
+        return PolynomialFraction(-self.top, self.bottom, self.budget)
 
-    def __add__(self, other: Quotient) -> Quotient:
+    def __add__(self, other: PolynomialFraction) -> PolynomialFraction:
         return self._sum(other.top, other.bottom)
 
-    def __sub__(self, other: Quotient) -> Quotient:
+    def __sub__(self, other: PolynomialFraction) -> PolynomialFraction:
         return self._sum(-other.top, other.bottom)
 
-    def _sum(self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly) -> Quotient:
+    def _sum(self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly) -> PolynomialFraction:
         if top == 0:
             return self
         if self.top == 0:
-            return Quotient(top, bottom, self.budget)
+            return PolynomialFraction(top, bottom, self.budget)
         if self.bottom == bottom:
-            return Quotient(self.top + top, bottom, self.budget)
+            return PolynomialFraction(self.top + top, bottom, self.budget)
         self._charge(top, bottom)
         top = self.top * bottom + top * self.bottom
-        return Quotient(top, self.bottom * bottom, self.budget)
+        return PolynomialFraction(top, self.bottom * bottom, self.budget)
 
-    def __mul__(self, other: Quotient) -> Quotient:
+    def __mul__(self, other: PolynomialFraction) -> PolynomialFraction:
         self._charge(other.top, other.bottom)
-        return Quotient(self.top * other.top, self.bottom * other.bottom, self.budget)
+        return PolynomialFraction(self.top * other.top, self.bottom * other.bottom, self.budget)
 
     def _charge(self, top: flint.fmpz_mpoly, bottom: flint.fmpz_mpoly) -> None:
         self.budget.spend((len(self.top) + len(self.bottom)) * (len(top) + len(bottom)))

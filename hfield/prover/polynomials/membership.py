@@ -34,7 +34,7 @@ class Cofactors:
     denominator: int
 
 
-class Ideal:
+class PolynomialIdeal:
     """An ideal that grows; polynomials are flint's, over ``context``, all of one characteristic."""
 
     def __init__(

@@ -60,14 +60,14 @@ def literal(polynomials: Iterable[flint.fmpz_mpoly], zero: bool) -> Formula:
 
 
 @dataclass(frozen=True)
-class Clause:
+class PolynomialClause:
     """If all polynomials of ``zeros`` vanish, then all of one of the tuples ``goals`` do."""
 
     zeros: tuple[Any, ...]
     goals: tuple[tuple[Any, ...], ...]
 
 
-def clauses(formula: Formula) -> tuple[Clause, ...]:
+def clauses(formula: Formula) -> tuple[PolynomialClause, ...]:
     """Return clauses whose conjunction is the formula. Raises TooLargeError for more than 256."""
     return tuple(_clause(c) for c in _conjunction(formula) if not _tautology(c))
 
@@ -106,9 +106,9 @@ def _tautology(literals: tuple[Literal, ...]) -> bool:
     return any(not x.zero and x.key in zeros for x in literals)
 
 
-def _clause(literals: tuple[Literal, ...]) -> Clause:
+def _clause(literals: tuple[Literal, ...]) -> PolynomialClause:
     zeros: dict[str, Any] = {}
     for x in literals:
         if not x.zero:
             zeros.update(zip(x.key, x.polynomials, strict=True))
-    return Clause(tuple(zeros.values()), tuple(x.polynomials for x in literals if x.zero))
+    return PolynomialClause(tuple(zeros.values()), tuple(x.polynomials for x in literals if x.zero))

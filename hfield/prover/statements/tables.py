@@ -81,7 +81,7 @@ def in_coordinates(
         )
     needed = -(-algebra.dimension // 4)
     blocks = {letter: names[:needed] for letter, names in BLOCKS.items() if letter not in taken}
-    written = _Writer(algebra, blocks, frozenset(taken), text).statement(node)
+    written = _StatementTableWriter(algebra, blocks, frozenset(taken), text).statement(node)
     if any(True for _ in islice(walk(written), MAX_NODES, None)):
         raise NotationError(
             f"in coordinates the statement has more than {MAX_NODES} terms; write it in parts"
@@ -90,7 +90,7 @@ def in_coordinates(
 
 
 @dataclass
-class _Writer:
+class _StatementTableWriter:
     """One text: a term is a node, where it is a scalar, or the coordinates of an element."""
 
     algebra: StructureAlgebra

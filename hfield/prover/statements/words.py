@@ -100,12 +100,12 @@ def without_words(
     quantified = any(isinstance(n, Exists) for n in walk_once(node))
     taken = names_in(node).union(() if field is None else field.names())
     free = [name for name in HELPERS if name not in taken]
-    writer = _Writer(hamilton, text, quantified, free, is_scalar)
+    writer = _StatementWriter(hamilton, text, quantified, free, is_scalar)
     written = writer.statement(node, True)
     return implication(tuple(writer.hypotheses), written)
 
 
-class _Writer:
+class _StatementWriter:
     def __init__(
         self,
         hamilton: bool,

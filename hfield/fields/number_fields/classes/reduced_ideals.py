@@ -17,7 +17,7 @@ import flint
 
 from hfield.errors import TooLargeError, shorten
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Ideal, MaximalOrder
+from hfield.fields.number_fields.ideals import FractionalIdeal, MaximalOrder
 
 MAX_REDUCED = 2_000_000
 """So many reduced ideals are enumerated at most."""
@@ -50,7 +50,7 @@ class ReducedIdeals:
         self._add_class(self._path((1, self.D % 2))[-1], (0, 0), ())
         self.rows: list[list[int]] = []
 
-    def __contains__(self, a: Ideal) -> bool:
+    def __contains__(self, a: FractionalIdeal) -> bool:
         """Tell whether the primes generate the class of an ideal."""
         return self._path(self._form(a)[0])[-1] in self._place
 
@@ -71,7 +71,7 @@ class ReducedIdeals:
         start = self._starts[0]
         return self._product([self._step(form) for form in self._cycle(start)]).inverse()
 
-    def class_of(self, a: Ideal) -> tuple[FieldElement, list[int]] | None:
+    def class_of(self, a: FractionalIdeal) -> tuple[FieldElement, list[int]] | None:
         """Return (x, e) with a = x·∏Pᵉ, or None where the primes do not generate the class of a."""
         form, scale = self._form(a)
         reduced, x = self._reduced(form)
@@ -85,7 +85,7 @@ class ReducedIdeals:
 
     # --- the group ---------------------------------------------------------------------------------
 
-    def adjoin(self, a: Ideal) -> None:
+    def adjoin(self, a: FractionalIdeal) -> None:
         """Take a prime into the group, with the relation of its first power that lies in the group before."""
         P = self._form(a)[0]
         before, count = len(self._starts), len(self.rows)
@@ -154,7 +154,7 @@ class ReducedIdeals:
 
     # --- ideals as pairs ---------------------------------------------------------------------------
 
-    def _form(self, a: Ideal) -> tuple[Form, tuple[int, int]]:
+    def _form(self, a: FractionalIdeal) -> tuple[Form, tuple[int, int]]:
         """Return (a, b) and a rational m with the ideal m·(a, b)."""
         half = self._root / 2
         s = half.poly[1]

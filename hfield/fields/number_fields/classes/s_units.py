@@ -36,7 +36,7 @@ from hfield.fields.base.residue_polynomials import residues
 from hfield.fields.number_fields.classes.reduced_ideals import ReducedIdeals
 from hfield.fields.number_fields.classes.short_integers import ShortIntegers
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Ideal, MaximalOrder, integers
+from hfield.fields.number_fields.ideals import FractionalIdeal, MaximalOrder, integers
 from hfield.fields.number_fields.integers import left_kernel
 from hfield.fields.number_fields.integral_basis import element_of
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
@@ -102,7 +102,7 @@ class SUnits:
 
     # --- smooth elements ---------------------------------------------------------------------------
 
-    def short(self, ideal: Ideal, count: int) -> Iterator[FieldElement]:
+    def short(self, ideal: FractionalIdeal, count: int) -> Iterator[FieldElement]:
         """Yield short elements of an ideal, by a reduced basis."""
         rows = ideal.matrix * self._shape
         change = rows.lll(transform=True)[1]
@@ -130,7 +130,7 @@ class SUnits:
         size, den = x.norm(), int(x.poly.denom())
         return self._exponents_at(int(size.p), int(size.q) * den, lambda P: P.valuation(x))
 
-    def smooth_ideal(self, a: Ideal) -> dict[int, int] | None:
+    def smooth_ideal(self, a: FractionalIdeal) -> dict[int, int] | None:
         """Return the exponents of an ideal at the primes of the base, or None if it has others."""
         return self._exponents_at(
             int(a.matrix.det()), a.denominator, lambda P: min(map(P.valuation, a.basis))
