@@ -6,7 +6,7 @@ the same package defines, from some package above on: ``"rationals.arithmetic.Ra
 
 import ast
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 
@@ -44,9 +44,14 @@ def stubs() -> dict[str, str]:
 def running(node: ast.AST) -> Iterator[ast.AST]:
     """The nodes that may run: all but those under ``if TYPE_CHECKING``, which name types."""
     yield node
-    typing = isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
-    for child in node.orelse if typing else ast.iter_child_nodes(node):
+    for child in children(node):
         yield from running(child)
+
+
+def children(node: ast.AST) -> Iterable[ast.AST]:
+    """The nodes below one that may run, one level down."""
+    typing = isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+    return node.orelse if typing else ast.iter_child_nodes(node)
 
 
 def graph(modules: Sources, stubs: Mapping[str, str] = {}) -> Graph:

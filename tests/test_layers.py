@@ -6,7 +6,7 @@ from functools import cache
 
 import pytest
 
-from tests.import_graph import ROOT, circles, graph, sources, stubs
+from tests.import_graph import ROOT, children, circles, graph, sources, stubs
 
 # The parts of the packages by layers, lowest first. A part may import parts of lower layers, and itself.
 LAYERS = [
@@ -142,8 +142,8 @@ def part_of(module: str) -> str:
 
 
 def statements(node: ast.AST) -> Iterator[ast.AST]:
-    """Yield the statements below a node, at all depths; expressions contain none."""
-    for child in ast.iter_child_nodes(node):
+    """Yield the statements below a node that may run, at all depths; expressions contain none."""
+    for child in children(node):
         if not isinstance(child, ast.expr):
             yield child
             yield from statements(child)
@@ -151,7 +151,10 @@ def statements(node: ast.AST) -> Iterator[ast.AST]:
 
 @cache
 def imports(source: str, package: str) -> set[str]:
-    """All modules that a source imports, also inside functions; ``from x import y`` counts as x.y too."""
+    """All modules that a source imports, also inside functions; ``from x import y`` counts as x.y too.
+
+    Imports under ``if TYPE_CHECKING`` only name types.
+    """
     found = set()
     for node in statements(ast.parse(source)):
         if isinstance(node, ast.Import):

@@ -14,6 +14,7 @@ import flint
 
 from hfield.orders.base_values import Scalar
 from hfield.orders.enumeration import short_vectors, vectors_of_length
+from hfield.orders.isomorphic_orders import conjugator as by_reduced_bases
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.short_elements import expect_definite, reduced, ternary_rows
 
@@ -28,7 +29,9 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
     Raises :class:`IndefiniteError` unless the algebra is totally definite.
     """
     expect_definite(first.ambient, "isomorphism()")
-    return first.ambient.kernels.conjugator(first, second)
+    if first.ambient.kernels.reduces_ternary_forms:
+        return by_reduced_bases(first, second)
+    return by_two_images(first, second)
 
 
 def by_two_images(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:

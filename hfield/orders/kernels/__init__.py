@@ -16,7 +16,6 @@ from hfield.orders.base_values import BaseIdeal, ThetaSeries
 from hfield.orders.kernels import general, rank4
 
 if TYPE_CHECKING:
-    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.enumeration import Gram
     from hfield.orders.lattice_values import LatticeValue
@@ -36,7 +35,8 @@ class Kernels:
     is_locally_principal: Callable[[LatticeValue, LatticeValue], bool]
     combination: Callable[[Sequence[int], Sequence[Sequence[int]]], tuple[int, ...]]
     theta_series: Callable[[AlgebraBasis, int, fmpz_mat, Gram, fmpz, Fraction, int], ThetaSeries]
-    conjugator: Callable[[LatticeValue, LatticeValue], tuple[Quaternion | None, str]]
+    reduces_ternary_forms: bool
+    """Whether lattices of rank 3 have few reduced bases, which are listed at once: over ℤ."""
 
     def __init__(self, rational: bool) -> None:
         def choose(name: str) -> Any:
@@ -50,4 +50,4 @@ class Kernels:
         self.is_locally_principal = choose("is_locally_principal")
         self.combination = choose("combination")
         self.theta_series = choose("theta_series")
-        self.conjugator = choose("conjugator")
+        self.reduces_ternary_forms = rational

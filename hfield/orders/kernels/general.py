@@ -18,7 +18,6 @@ from hfield.orders.base_values import BaseIdeal, ThetaSeries
 from hfield.orders.hermite import hermite, stacked, tuples
 
 if TYPE_CHECKING:
-    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
@@ -142,10 +141,3 @@ def theta_series(
     below = 2 * ambient.scale * den**2
     found: ThetaSeries = ambient.base.shown_counts(Counts(counts, below), step, bound)
     return found
-
-
-def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
-    """Return x with x·O·x⁻¹ = O' for definite orders of one discriminant, by the images of two elements."""
-    from hfield.orders.conjugators import by_two_images
-
-    return by_two_images(first, second)

@@ -14,7 +14,6 @@ from hfield.orders import enumeration
 from hfield.orders.hermite import integral
 
 if TYPE_CHECKING:
-    from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.lattice_values import LatticeValue
 
@@ -79,10 +78,3 @@ def theta_series(
 ) -> list[int]:
     """Count vectors by the values of the form: a value 2m belongs to the norm ``m·step``."""
     return enumeration.theta_series(gram, bound, "elements as short as")
-
-
-def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | None, str]:
-    """Return x with x·O·x⁻¹ = O' for definite orders of one discriminant, by reduced bases of rank 3."""
-    from hfield.orders.isomorphic_orders import conjugator
-
-    return conjugator(first, second)
