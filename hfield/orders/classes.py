@@ -12,17 +12,20 @@ Rows of Brandt matrices are kept by primes, and continued from where the enumera
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from fractions import Fraction
 from functools import cached_property, partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from flint import fmpz_mat
-
+from hfield.core.executors import InProcess
+from hfield.core.packed_integers import pack
 from hfield.core.progress import report, track
+from hfield.core.sparse_rows import SparseRows
 from hfield.errors import TooLargeError, shorten
-from hfield.orders.class_keys import ClassKeys, Key, Norm, Representative, SublatticeKeys
+from hfield.orders.class_keys import Norm, Reduced, SublatticeKeys
 from hfield.orders.class_number import mass
+from hfield.orders.class_store import ClassStore, Norms, PackedClass, pack_class
 from hfield.orders.conjugators import conjugator
 from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.invariants import good_primes, is_eichler
@@ -34,18 +37,30 @@ from hfield.orders.lattice_values import (
     product,
     times_ideal,
 )
+from hfield.orders.neighbour_blocks import class_keys, neighbours_inside, rows_in_blocks
 from hfield.orders.neighbours import Neighbours, generator_above, neighbours_at
 
-MAX_CLASSES = 200_000
-"""Sets of more classes than this are not enumerated."""
+if TYPE_CHECKING:
+    from hfield.orders.class_file import ClassFile
+
+MAX_CLASSES = 1_000_000
+"""Sets of more classes than this are not enumerated; over ℚ they take five minutes and half a gigabyte."""
 MAX_NEIGHBOURS = 500_000
-"""The largest number of ideals of prime norm that are listed."""
+"""The largest number of ideals of prime norm that are listed in one."""
+MAX_LISTED_NEIGHBOURS = 20_000_000
+"""The largest number of ideals of prime norm that are listed in all classes together, in about an hour."""
 
 
 class Classes:
-    """The classes as values: lattices, norms, units of left orders, and neighbours."""
+    """The classes as values: lattices, norms, units of left orders, and neighbours.
 
-    def __init__(self, order: LatticeValue) -> None:
+    Neighbours are computed here, or by an executor. A file keeps what was found for a run that is
+    interrupted.
+    """
+
+    def __init__(
+        self, order: LatticeValue, executor: Executor | None = None, file: ClassFile | None = None
+    ) -> None:
         self.order, self.ambient = order, order.ambient
         self.mass = mass(order)
         if self.mass > MAX_CLASSES:
@@ -53,36 +68,45 @@ class Classes:
                 f"the mass is {shorten(self.mass)}, so there are more than {MAX_CLASSES} classes: too many "
                 "to enumerate; over QQ A.class_number(N) counts those of Eichler orders by Eichler's formula"
             )
-        self.keys = ClassKeys(order)
-        self.units: list[int] = []
-        """[O_L(I)ˣ : Rˣ], class by class; R are the integers of the base."""
-        self.norms: list[Norm] = []
-        self._bases: list[tuple[fmpz_mat, int]] = []
-        """A reduced basis of the lattice of each class, rows over a denominator."""
-        self._numbers: dict[Key, int] = {}
-        self._rows: dict[Any, list[Counter[int]]] = {}
+        self.keys = class_keys(order)
+        self.store = ClassStore(self.ambient)
+        self._rows: dict[Any, SparseRows] = {}
         self._exchanged: dict[Any, list[int]] = {}
         self._left = self.mass
-        self._enumerate()
-
-    def _enumerate(self) -> None:
+        self._file = file
+        self._new: list[PackedClass] = []
+        """What is not in the file yet."""
         self.class_of(self.order)
+        if file is not None:
+            file.read(self)
+            self._new.clear()
+        self._enumerate(executor)
+
+    def _enumerate(self, executor: Executor | None) -> None:
         for prime in good_primes(self.order):
             if not self._left:
                 return
             self._expect_few_neighbours(1, prime)
-            rows = self._rows.setdefault(prime, [])
-            while len(rows) < len(self) and self._left:
-                rows.append(self.neighbours_of(len(rows), prime))
+            for _ in self._more_rows(prime, executor, lambda: bool(self._left)):
                 report(self.mass - self._left, self.mass, "the classes")
 
     def __len__(self) -> int:
-        return len(self.units)
+        return len(self.store)
+
+    @property
+    def units(self) -> Sequence[int]:
+        """[O_L(I)ˣ : Rˣ], class by class; R are the integers of the base."""
+        return self.store.units
+
+    @property
+    def norms(self) -> Sequence[Norm]:
+        """The norms of the lattices that represent the classes."""
+        return Norms(self.store)
 
     def lattice(self, n: int) -> LatticeValue:
         """Return the lattice that represents class n; it contains the order."""
-        rows, den = self._bases[n]
-        return hermite_form(self.ambient, den, rows)
+        record = self.store[n]
+        return hermite_form(self.ambient, record.den, record.rows)
 
     # --- looking up --------------------------------------------------------------------------------
 
@@ -92,62 +116,94 @@ class Classes:
 
     def _class_of(self, lattice: LatticeValue, norm: Norm) -> int:
         around = SublatticeKeys(self.keys, lattice.matrix, lattice.den, norm)
-        return self._look_up(around, self.ambient.identity)
+        return self._look_up(around, around.reduced(self.ambient.identity))
 
-    def _look_up(self, around: SublatticeKeys, coordinates: fmpz_mat) -> int:
+    def _look_up(self, around: SublatticeKeys, basis: Reduced) -> int:
         """Return the number of the class of a sublattice, which may be new."""
-        basis = around.reduced(coordinates)
-        key = around.key(basis)
-        found = self._numbers.get(key)
-        if found is None:
-            found = self._numbers[key] = self._add(around.representative(basis))
-        return found
+        return self.number_of(
+            pack(around.key(basis)),
+            lambda _: pack_class(self.ambient, around.representative(basis)),
+        )
 
-    def _add(self, found: Representative) -> int:
+    def number_of(self, key: bytes, representative: Callable[[bytes], PackedClass]) -> int:
+        """Return the number of the class of a key, of a class that may be new."""
+        number = self.store.number(key)
+        if number is None:
+            number = self.add(representative(key))
+            self.store.add_key(key, number)
+        return number
+
+    def add(self, found: PackedClass) -> int:
         """Return the number of a class, of which all keys are known if one is."""
-        known = self._numbers.get(found.keys[0])
+        known = self.store.number(found.keys[0])
         if known is not None:
             return known
-        number = len(self)
-        for key in found.keys:
-            self._numbers[key] = number
-        self._bases.append((found.rows, found.den))
-        self.units.append(found.units)
-        self.norms.append(found.norm)
         self._left -= Fraction(1, found.units)
         if self._left < 0:
             raise AssertionError("the classes found exceed the mass")
-        return number
+        if self._file is not None:
+            self._new.append(found)
+        return self.store.add(found)
 
     # --- neighbours --------------------------------------------------------------------------------
 
     def _expect_few_neighbours(self, rows: int, prime: Any) -> None:
         """Raise :class:`TooLargeError` before a list of neighbours that is too long is begun."""
         base = self.ambient.base
-        count = rows * (base.absolute_norm(base.prime_ideal(prime)) + 1)
-        if count > MAX_NEIGHBOURS:
-            raise TooLargeError(
-                f"{count} ideals of relative norm {prime} would be listed, and at most {MAX_NEIGHBOURS} are; "
-                "expected a smaller prime"
-            )
+        one = base.absolute_norm(base.prime_ideal(prime)) + 1
+        for count, most in ((one, MAX_NEIGHBOURS), (rows * one, MAX_LISTED_NEIGHBOURS)):
+            if count > most:
+                raise TooLargeError(
+                    f"{count} ideals of relative norm {prime} would be listed, and at most {most} are; "
+                    "expected a smaller prime"
+                )
 
-    def neighbours(self, prime: Any) -> list[Counter[int]]:
+    def _more_rows(
+        self, prime: Any, executor: Executor | None, wanted: Callable[[], bool]
+    ) -> Iterator[int]:
+        """Add rows of neighbours while they are wanted and not all known; yield how many are known.
+
+        A loop that is interrupted is continued.
+        """
+        rows = self._rows.setdefault(prime, SparseRows())
+        if executor is None and self._file is None:
+            while wanted() and len(rows) < len(self):
+                rows.append(self.neighbours_of(len(rows), prime))
+                yield len(rows)
+            return
+        for block in rows_in_blocks(self, prime, executor or InProcess(), len(rows), wanted):
+            if self._file is not None:
+                self._file.append(self, prime, len(rows), block, self._new)
+                self._new.clear()
+            for row in block:
+                rows.append(row)
+            yield len(rows)
+
+    def restore_rows(self, prime: Any, first: int, rows: Sequence[Mapping[int, int]]) -> None:
+        """Add rows that follow those known. Raises ValueError where they are no rows of neighbours."""
+        found, count = self._rows.setdefault(prime, SparseRows()), len(self.at_prime(prime))
+        if first != len(found):
+            raise ValueError(f"row {first} of the prime {prime} follows row {len(found)}")
+        for row in rows:
+            if sum(row.values()) != count or max(row) >= len(self):
+                raise ValueError(f"row {len(found)} of the prime {prime} is no row of neighbours")
+            found.append(row)
+
+    def neighbours(self, prime: Any, executor: Executor | None = None) -> SparseRows:
         """Return for each class how many right ideals of relative norm P in it belong to which class.
 
         Raises :class:`TooLargeError` where there are too many.
         """
-        rows = self._rows.get(prime, [])
+        rows = self._rows.get(prime, SparseRows())
         if len(rows) < len(self):
             self._expect_few_neighbours(len(self) - len(rows), prime)
-            # a loop that is interrupted is continued
-            self._rows[prime] = rows
-            for n in track(range(len(rows), len(self)), len(self) - len(rows), "rows"):
-                rows.append(self.neighbours_of(n, prime))
-        return rows
+            for done in self._more_rows(prime, executor, lambda: True):
+                report(done, len(self), "rows")
+        return self._rows[prime]
 
     def has_rows(self, prime: Any) -> bool:
         """Tell whether all neighbours at a prime are known."""
-        return len(self._rows.get(prime, [])) == len(self)
+        return len(self._rows.get(prime, ())) == len(self)
 
     def neighbours_of(self, n: int, prime: Any) -> Counter[int]:
         """Return how many ideals of relative norm P in class n belong to which class."""
@@ -156,10 +212,8 @@ class Classes:
 
     def classes_inside(self, n: int, prime: Any) -> list[int]:
         """Return the classes of the ideals of relative norm P in class n, ordered as in :meth:`at_prime`."""
-        ideal = self.ambient.base.prime_ideal(prime)
-        norm = self.norms[n]
-        around = SublatticeKeys(self.keys, *self._bases[n], self.keys.multiplied(norm, ideal))
-        return [self._look_up(around, J) for J in self.at_prime(prime).inside(around, norm)]
+        found = neighbours_inside(self.keys, self.store[n], prime)
+        return [self._look_up(around, basis) for around, basis in found]
 
     def at_prime(self, prime: Any) -> Neighbours:
         """Return the right ideals of norm P."""
@@ -167,10 +221,10 @@ class Classes:
 
     def local_norm(self, n: int, prime: Any) -> Any:
         """Return N(x)/ν for an x that generates class n, of norm ν·a, at the primes above that below P."""
-        norm, base = self.norms[n], self.ambient.base
-        around = SublatticeKeys(self.keys, *self._bases[n], norm)
-        x = generator_above(around, base.place(prime).below, norm)
-        return (base.field.one if x is None else x.norm) / norm.element
+        record, base = self.store[n], self.ambient.base
+        around = SublatticeKeys(self.keys, record.rows, record.den, record.norm)
+        x = generator_above(around, base.place(prime).below, record.norm)
+        return (base.field.one if x is None else x.norm) / record.norm.element
 
     # --- permutations ------------------------------------------------------------------------------
 
