@@ -18,6 +18,7 @@ from hfield.orders.class_store import PackedClass
 from hfield.orders.lattice_values import rows_json
 
 if TYPE_CHECKING:
+    from hfield.orders.base import Base
     from hfield.orders.classes import Classes
 
 SCHEMA = "hfield-class-rows/1"
@@ -61,14 +62,13 @@ class ClassFile:
 
     def append(
         self,
-        classes: Classes,
+        base: Base,
         prime: Any,
         first: int,
         rows: Sequence[Mapping[int, int]],
-        new: Sequence[PackedClass],
+        new: Sequence[tuple[PackedClass, int | None]],
     ) -> None:
-        """Add the rows of a prime from a first class on, and the classes that are new in them."""
-        base = classes.ambient.base
+        """Add the rows of a prime from a first class on, and new classes with those exchanged with them."""
         line = {
             "prime": base.ideal_text(base.prime_ideal(prime)),
             "first": first,
@@ -78,8 +78,9 @@ class ClassFile:
                     "record": unpack(found.record),
                     "units": found.units,
                     "keys": list(map(unpack, found.keys)),
+                    "exchanged": exchanged,
                 }
-                for found in new
+                for found, exchanged in new
             ],
         }
         self._journal.append([line])
@@ -95,6 +96,7 @@ def _restore(classes: Classes, line: Row) -> None:
     base = classes.ambient.base
     for found in line["classes"]:
         keys = tuple(map(pack, found["keys"]))
-        classes.add(PackedClass(pack(found["record"]), int(found["units"]), keys))
+        packed = PackedClass(pack(found["record"]), int(found["units"]), keys)
+        classes.restore_class(packed, found["exchanged"])
     rows = [dict(zip(row[::2], row[1::2], strict=True)) for row in line["rows"]]
     classes.restore_rows(base.prime(line["prime"]), line["first"], rows)

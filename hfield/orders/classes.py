@@ -6,7 +6,9 @@ class is missing, and as all are different none comes twice (M. Kirschmer and J.
 2010; J. Voight, *Quaternion Algebras*, main theorem 26.1.5). Where local units do not have all norms, or
 where there are several narrow classes, neighbours at one prime reach a part of the classes.
 
-Rows of Brandt matrices are kept by primes, and continued from where the enumeration stopped.
+In large sets the class of I·J, J a two-sided prime ideal, is found with that of I, and its rows of neighbours
+are those of I with the classes exchanged: half as many neighbours are looked up, and fewer are waited for at
+the end. Rows of Brandt matrices are kept by primes, and continued from where the enumeration stopped.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ from hfield.core.sparse_rows import SparseRows
 from hfield.errors import TooLargeError, shorten
 from hfield.orders.class_keys import Norm, Reduced, SublatticeKeys
 from hfield.orders.class_number import mass
-from hfield.orders.class_store import ClassStore, Norms, PackedClass, pack_class
+from hfield.orders.class_store import ClassStore, Norms, PackedClass
 from hfield.orders.conjugators import conjugator
 from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.invariants import good_primes, is_eichler
@@ -37,7 +39,13 @@ from hfield.orders.lattice_values import (
     product,
     times_ideal,
 )
-from hfield.orders.neighbour_blocks import class_keys, neighbours_inside, rows_in_blocks
+from hfield.orders.neighbour_blocks import (
+    BlockSearch,
+    class_keys,
+    found_class,
+    neighbours_inside,
+    partner_inside,
+)
 from hfield.orders.neighbours import Neighbours, generator_above, neighbours_at
 
 if TYPE_CHECKING:
@@ -45,6 +53,8 @@ if TYPE_CHECKING:
 
 MAX_CLASSES = 1_000_000
 """Sets of more classes than this are not enumerated; over ℚ they take five minutes and half a gigabyte."""
+MIN_EXCHANGED_MASS = 1_000
+"""From this mass on a class is followed by the one that a two-sided prime ideal makes of it."""
 MAX_NEIGHBOURS = 500_000
 """The largest number of ideals of prime norm that are listed in one."""
 MAX_LISTED_NEIGHBOURS = 20_000_000
@@ -73,9 +83,13 @@ class Classes:
         self._rows: dict[Any, SparseRows] = {}
         self._exchanged: dict[Any, list[int]] = {}
         self._left = self.mass
+        self.exchange_prime = self._find_exchange_prime()
+        """A prime whose two-sided ideal gives each class another one, in large sets; else None."""
+        if self.exchange_prime is not None:
+            self._exchanged[self.exchange_prime] = []
         self._file = file
         self._new: list[PackedClass] = []
-        """What is not in the file yet."""
+        """The last classes, which are not in the file yet."""
         self.class_of(self.order)
         if file is not None:
             file.read(self)
@@ -89,6 +103,14 @@ class Classes:
             self._expect_few_neighbours(1, prime)
             for _ in self._more_rows(prime, executor, lambda: bool(self._left)):
                 report(self.mass - self._left, self.mass, "the classes")
+
+    def _find_exchange_prime(self) -> Any:
+        """Return a prime with a two-sided ideal of that norm, for an exchange that is an involution."""
+        base = self.ambient.base
+        if self.mass < MIN_EXCHANGED_MASS or base.class_generators:
+            return None
+        factors = base.factorisation(discriminant(self.order))
+        return next((P for P, e in factors if e == 1), None)
 
     def __len__(self) -> int:
         return len(self.store)
@@ -122,28 +144,40 @@ class Classes:
         """Return the number of the class of a sublattice, which may be new."""
         return self.number_of(
             pack(around.key(basis)),
-            lambda _: pack_class(self.ambient, around.representative(basis)),
+            lambda _: found_class(self.keys, around, basis, self.exchange_prime),
         )
 
-    def number_of(self, key: bytes, representative: Callable[[bytes], PackedClass]) -> int:
-        """Return the number of the class of a key, of a class that may be new."""
+    def number_of(self, key: bytes, found: Callable[[bytes], Sequence[PackedClass]]) -> int:
+        """Return the number of the class of a key, of a class that may be new.
+
+        What is found for a key is its class, then the one that is exchanged with it, where there is a prime.
+        """
         number = self.store.number(key)
         if number is None:
-            number = self.add(representative(key))
+            first, *others = found(key)
+            number = self.store.number(first.keys[0])  # if one key of a class is known, all are
+            if number is None:
+                number = self._add(first)
+                for other in others:
+                    known = self.store.number(other.keys[0])
+                    self._set_exchanged(number, self._add(other) if known is None else known)
             self.store.add_key(key, number)
         return number
 
-    def add(self, found: PackedClass) -> int:
-        """Return the number of a class, of which all keys are known if one is."""
-        known = self.store.number(found.keys[0])
-        if known is not None:
-            return known
+    def _add(self, found: PackedClass) -> int:
+        """Add a new class, and return its number."""
         self._left -= Fraction(1, found.units)
         if self._left < 0:
             raise AssertionError("the classes found exceed the mass")
         if self._file is not None:
             self._new.append(found)
         return self.store.add(found)
+
+    def _set_exchanged(self, n: int, m: int) -> None:
+        """Note that two classes are exchanged."""
+        moved = self._exchanged[self.exchange_prime]
+        moved += [-1] * (len(self) - len(moved))
+        moved[n], moved[m] = m, n
 
     # --- neighbours --------------------------------------------------------------------------------
 
@@ -168,16 +202,46 @@ class Classes:
         rows = self._rows.setdefault(prime, SparseRows())
         if executor is None and self._file is None:
             while wanted() and len(rows) < len(self):
-                rows.append(self.neighbours_of(len(rows), prime))
+                n = len(rows)
+                rows.append(self.exchanged_row(n, prime) or self.neighbours_of(n, prime))
                 yield len(rows)
             return
-        for block in rows_in_blocks(self, prime, executor or InProcess(), len(rows), wanted):
+        for first in BlockSearch(self, prime, executor or InProcess(), rows).blocks(wanted):
             if self._file is not None:
-                self._file.append(self, prime, len(rows), block, self._new)
+                numbers = range(len(self) - len(self._new), len(self))
+                new = list(zip(self._new, map(self._exchange_of, numbers), strict=True))
+                self._file.append(self.ambient.base, prime, first, rows[first:], new)
                 self._new.clear()
-            for row in block:
-                rows.append(row)
             yield len(rows)
+
+    def _exchange_of(self, n: int) -> int | None:
+        """Return the class that is exchanged with class n, where there is a prime for that."""
+        return None if self.exchange_prime is None else self._exchanged[self.exchange_prime][n]
+
+    def has_own_row(self, n: int, prime: Any) -> bool:
+        """Tell whether the row of class n is computed, and not read off the row of a class before."""
+        other = self._exchange_of(n)
+        return other is None or other >= n or prime == self.exchange_prime
+
+    def exchanged_row(self, n: int, prime: Any) -> Counter[int] | None:
+        """Return the row of class n from that of the class exchanged with it, or None if it is not before n.
+
+        Off its prime the exchange commutes with the Brandt matrix.
+        """
+        if self.has_own_row(n, prime):
+            return None
+        moved = self._exchanged[self.exchange_prime]
+        return Counter({moved[j]: times for j, times in self._rows[prime][moved[n]].items()})
+
+    def restore_class(self, found: PackedClass, exchanged: int | None) -> None:
+        """Add a class that a file has. Raises ValueError where there is one already."""
+        if self.store.number(found.keys[0]) is not None:
+            raise ValueError("a class comes twice")
+        number = self._add(found)
+        if (exchanged is None) != (self.exchange_prime is None):
+            raise ValueError("exchanged classes are given where there are none, or are missing")
+        if exchanged is not None and exchanged <= number:
+            self._set_exchanged(number, exchanged)
 
     def restore_rows(self, prime: Any, first: int, rows: Sequence[Mapping[int, int]]) -> None:
         """Add rows that follow those known. Raises ValueError where they are no rows of neighbours."""
@@ -253,12 +317,17 @@ class Classes:
         """
         if prime not in self._exchanged:
             ideal = two_sided_prime(self.order, prime)
+            is_short = ideal.norm == self.ambient.base.prime_ideal(prime)
             involution, found = not self.ambient.base.class_generators, [-1] * len(self)
             for n in track(range(len(self)), len(self), "types"):
                 if found[n] < 0:
-                    found[n] = self._moved(n, lambda lattice: product(lattice, ideal), ideal.norm)
+                    if is_short:
+                        moved = self._look_up(*partner_inside(self.keys, self.store[n], prime))
+                    else:
+                        moved = self._moved(n, lambda x: product(x, ideal), ideal.norm)
+                    found[n] = moved
                     if involution:  # the square of the ideal is generated by a number
-                        found[found[n]] = n
+                        found[moved] = n
             self._exchanged[prime] = found
         return self._exchanged[prime]
 

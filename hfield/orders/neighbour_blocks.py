@@ -9,7 +9,7 @@ executor. The keys of the next block are computed meanwhile.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor, Future
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -17,10 +17,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from flint import fmpz_mat
 
 from hfield.core.packed_integers import pack, unpack
+from hfield.core.sparse_rows import SparseRows
 from hfield.orders.class_keys import ClassKeys, Reduced, SublatticeKeys
 from hfield.orders.class_store import PackedClass, Record, pack_class, unpack_record
 from hfield.orders.lattice_values import LatticeValue
-from hfield.orders.neighbours import neighbours_at
+from hfield.orders.neighbours import neighbours_at, two_sided_at
 
 if TYPE_CHECKING:
     from hfield.orders.classes import Classes
@@ -38,17 +39,17 @@ class Neighbour(NamedTuple):
 
 
 class Block(NamedTuple):
-    """The rows of consecutive classes, from a first one, whose keys are being computed."""
+    """The rows of the classes from a first to before another, whose keys are being computed."""
 
     first: int
-    records: list[bytes]
-    keys: list[Future[list[list[Neighbour]]]]
+    stop: int
+    keys: list[Future[list[tuple[int, list[Neighbour]]]]]
 
 
-Rows = tuple[LatticeValue, Any, list[bytes]]
-"""A piece of the first step: an order, a prime, and records of classes."""
-Unknown = tuple[LatticeValue, Any, list[tuple[bytes, bytes]]]
-"""A piece of the second step: an order, a prime, and pairs of a record and coordinates of a neighbour."""
+Rows = tuple[LatticeValue, Any, list[tuple[int, bytes]]]
+"""A piece of the first step: an order, a prime, and numbers and records of classes."""
+Unknown = tuple[LatticeValue, Any, Any, list[tuple[bytes, bytes]]]
+"""A piece of the second step: an order, a prime, that of the exchange, records with coordinates."""
 
 
 @lru_cache(maxsize=16)
@@ -72,78 +73,111 @@ def neighbours_inside(
         yield whole, whole.reduced(coordinates)
 
 
-def keys_of_rows(task: Rows) -> list[list[Neighbour]]:
-    """Return the neighbours of classes."""
+def keys_of_rows(task: Rows) -> list[tuple[int, list[Neighbour]]]:
+    """Return the neighbours of classes, with the numbers of these."""
     order, prime, records = task
-    keys = class_keys(order)
-    out = []
-    for data in records:
+    keys, out = class_keys(order), []
+    for n, data in records:
         record = unpack_record(keys.ambient, data)
-        out.append(
-            [
-                Neighbour(pack(whole.key(basis)), pack(list(map(int, basis.coordinates.entries()))))
-                for whole, basis in neighbours_inside(keys, record, prime)
-            ]
-        )
+        row = [
+            Neighbour(pack(whole.key(basis)), pack(list(map(int, basis.coordinates.entries()))))
+            for whole, basis in neighbours_inside(keys, record, prime)
+        ]
+        out.append((n, row))
     return out
 
 
-def representatives(task: Unknown) -> list[PackedClass]:
-    """Return the representatives of the classes of neighbours."""
-    order, prime, pairs = task
+def partner_inside(keys: ClassKeys, record: Record, prime: Any) -> tuple[SublatticeKeys, Reduced]:
+    """Return the right ideal that the two-sided ideal of norm P makes of one, by a reduced basis."""
+    whole = around(keys, record, prime)
+    coordinates = next(two_sided_at(keys.order, prime).inside(whole, record.norm))
+    return whole, whole.reduced(coordinates)
+
+
+def found_class(
+    keys: ClassKeys, whole: SublatticeKeys, basis: Reduced, exchange: Any
+) -> list[PackedClass]:
+    """Return the representative of a class, then that of the class exchanged with it, if a prime is given."""
+    found = [pack_class(keys.ambient, whole.representative(basis))]
+    if exchange is not None:
+        record = unpack_record(keys.ambient, found[0].record)
+        other, exchanged = partner_inside(keys, record, exchange)
+        found.append(pack_class(keys.ambient, other.representative(exchanged)))
+    return found
+
+
+def representatives(task: Unknown) -> list[list[PackedClass]]:
+    """Return the representatives of the classes of neighbours, as :func:`found_class` does."""
+    order, prime, exchange, pairs = task
     keys, out = class_keys(order), []
     size = keys.ambient.size
     for data, coordinates in pairs:
         whole = around(keys, unpack_record(keys.ambient, data), prime)
         basis = whole.with_coordinates(fmpz_mat(size, size, unpack(coordinates)))
-        out.append(pack_class(keys.ambient, whole.representative(basis)))
+        out.append(found_class(keys, whole, basis, exchange))
     return out
 
 
-def rows_in_blocks(
-    classes: Classes, prime: Any, executor: Executor, first: int, wanted: Callable[[], bool]
-) -> Iterator[list[Counter[int]]]:
-    """Yield the rows of the classes from ``first`` on, a block at a time, as long as they are wanted.
+class BlockSearch:
+    """Adds rows of neighbours at a prime to those known, in blocks that an executor computes."""
 
-    New classes are added to those given as they are found; their rows follow.
-    """
+    def __init__(self, classes: Classes, prime: Any, executor: Executor, rows: SparseRows) -> None:
+        self.classes, self.prime, self.executor, self.rows = classes, prime, executor, rows
 
-    def begin(start: int) -> Block:
-        records = classes.store.packed[start : start + ROWS_A_BLOCK]
-        pieces = [(classes.order, prime, some) for some in _pieces(records, ROWS_A_PIECE)]
-        return Block(start, records, [executor.submit(keys_of_rows, piece) for piece in pieces])
+    def blocks(self, wanted: Callable[[], bool]) -> Iterator[int]:
+        """Add rows while they are wanted; yield, after each block, from which row on it was added.
 
-    block = begin(first)
-    while block.records:
-        rows = [row for future in block.keys for row in future.result()]
-        found = _unknown(classes, block, rows)
-        pieces = [
-            (classes.order, prime, some)
-            for some in _pieces(list(found.values()), 1 + len(found) // PIECES_A_BLOCK)
+        New classes are added as they are found; their rows follow.
+        """
+        block = self._begin(len(self.rows))
+        while block.stop > block.first:
+            found = {n: row for future in block.keys for n, row in future.result()}
+            unknown = self._unknown(found)
+            futures = [
+                self.executor.submit(
+                    representatives,
+                    (self.classes.order, self.prime, self.classes.exchange_prime, some),
+                )
+                for some in _pieces(list(unknown.values()), 1 + len(unknown) // PIECES_A_BLOCK)
+            ]
+            following = self._begin(block.stop)
+            new = [some for future in futures for some in future.result()]
+            known = dict(zip(unknown, new, strict=True))
+            for n in range(block.first, block.stop):
+                row = self.classes.exchanged_row(n, self.prime)
+                if row is None:
+                    numbers = (self.classes.number_of(x.key, known.__getitem__) for x in found[n])
+                    row = Counter(numbers)
+                self.rows.append(row)
+            yield block.first
+            if not wanted():
+                for future in following.keys:
+                    future.cancel()
+                return
+            block = following if following.stop > following.first else self._begin(block.stop)
+
+    def _begin(self, first: int) -> Block:
+        """Begin to compute the keys of a block of rows."""
+        store = self.classes.store
+        stop = min(first + ROWS_A_BLOCK, len(store))
+        numbers = [n for n in range(first, stop) if self.classes.has_own_row(n, self.prime)]
+        futures = [
+            self.executor.submit(
+                keys_of_rows, (self.classes.order, self.prime, [(n, store.packed[n]) for n in some])
+            )
+            for some in _pieces(numbers, ROWS_A_PIECE)
         ]
-        futures = [executor.submit(representatives, piece) for piece in pieces]
-        following = begin(block.first + len(rows))
-        new = dict(
-            zip(found, (some for future in futures for some in future.result()), strict=True)
-        )
-        yield [Counter(classes.number_of(x.key, new.__getitem__) for x in row) for row in rows]
-        if not wanted():
-            for future in following.keys:
-                future.cancel()
-            return
-        block = following if following.records else begin(following.first)
+        return Block(first, stop, futures)
 
-
-def _unknown(
-    classes: Classes, block: Block, rows: list[list[Neighbour]]
-) -> dict[bytes, tuple[bytes, bytes]]:
-    """Return the first neighbour with each key of no known class, and the class that it lies in."""
-    found: dict[bytes, tuple[bytes, bytes]] = {}
-    for record, row in zip(block.records, rows, strict=True):
-        for key, coordinates in row:
-            if key not in found and classes.store.number(key) is None:
-                found[key] = record, coordinates
-    return found
+    def _unknown(self, rows: Mapping[int, list[Neighbour]]) -> dict[bytes, tuple[bytes, bytes]]:
+        """Return the first neighbour with each key of no known class, and the class that it lies in."""
+        found: dict[bytes, tuple[bytes, bytes]] = {}
+        store = self.classes.store
+        for n, row in rows.items():
+            for key, coordinates in row:
+                if key not in found and store.number(key) is None:
+                    found[key] = store.packed[n], coordinates
+        return found
 
 
 def _pieces(items: list[Any], size: int) -> Iterator[list[Any]]:

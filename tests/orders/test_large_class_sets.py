@@ -10,7 +10,7 @@ import pytest
 from hfield import LatticeError, Order, QuaternionAlgebra, TooLargeError
 from hfield.core.packed_integers import pack, unpack
 from hfield.core.sparse_rows import SparseRows
-from hfield.orders import brandt, neighbour_blocks
+from hfield.orders import brandt, classes, neighbour_blocks
 from hfield.orders.lattice import ClassSet
 
 ORDERS = {
@@ -22,8 +22,10 @@ ORDERS = {
 
 @pytest.fixture(autouse=True)
 def small_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let small class sets be enumerated as large ones are."""
     monkeypatch.setattr(neighbour_blocks, "ROWS_A_PIECE", 3)
     monkeypatch.setattr(neighbour_blocks, "ROWS_A_BLOCK", 12)
+    monkeypatch.setattr(classes, "MIN_EXCHANGED_MASS", 1)
 
 
 def prime(O: Order) -> Any:
@@ -65,6 +67,36 @@ def test_executors_find_the_same_classes_in_the_same_order(name: str) -> None:
         D = O.class_set(executor=executor)
         D.neighbour_counts(prime(O), executor=executor)
     assert same(O.class_set(), D)
+
+
+@pytest.mark.parametrize(
+    "O",
+    [
+        ORDERS["QQ"],
+        ORDERS["level"],
+        QuaternionAlgebra(3).eichler_order(4 * 7),
+        QuaternionAlgebra("QQ(sqrt(3))", -1, -1).eichler_order(7),
+    ],
+)
+def test_rows_of_exchanged_classes(O: Order, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In large sets half of the rows are read off the others."""
+    C = O.class_set()
+    base = O.value.ambient.base
+    for p in (2, 3, 5, 7, 13):
+        for _, P in base.primes_above(p):
+            rows = C._classes.neighbours(P)
+            assert rows == [C._classes.neighbours_of(n, P) for n in range(len(C))], p
+    assert C._classes.exchange_prime is not None
+    monkeypatch.setattr(classes, "MIN_EXCHANGED_MASS", 10**9)
+    D = O.class_set()
+    assert D._classes.exchange_prime is None
+    number = [D.index(I) for I in C]
+    assert sorted(number) == list(range(len(D)))
+    for P, _ in base.factorisation(O.value.ambient.base.integral_ideal(O.discriminant())):
+        moved = D._classes.exchanged(P)
+        assert [moved[n] for n in number] == [number[n] for n in C._classes.exchanged(P)]
+        ideal = O.two_sided_prime(P)
+        assert moved[:9] == [D.index(I * ideal) for I in D][:9]
 
 
 class Interrupted(Executor):
