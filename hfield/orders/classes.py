@@ -238,8 +238,10 @@ class Classes:
         if self.store.number(found.keys[0]) is not None:
             raise ValueError("a class comes twice")
         number = self._add(found)
-        if (exchanged is None) != (self.exchange_prime is None):
-            raise ValueError("exchanged classes are given where there are none, or are missing")
+        if exchanged not in (
+            (None,) if self.exchange_prime is None else range(number - 1, number + 2)
+        ):
+            raise ValueError(f"class {number} is not exchanged with class {exchanged}")
         if exchanged is not None and exchanged <= number:
             self._set_exchanged(number, exchanged)
 
@@ -248,6 +250,8 @@ class Classes:
         found, count = self._rows.setdefault(prime, SparseRows()), len(self.at_prime(prime))
         if first != len(found):
             raise ValueError(f"row {first} of the prime {prime} follows row {len(found)}")
+        if len(self._exchanged.get(self.exchange_prime, self.units)) != len(self):
+            raise ValueError("an exchanged class is missing")
         for row in rows:
             if sum(row.values()) != count or max(row) >= len(self):
                 raise ValueError(f"row {len(found)} of the prime {prime} is no row of neighbours")

@@ -143,7 +143,14 @@ def test_files_that_cannot_go_on(tmp_path: Path) -> None:
     lines = path.read_text().splitlines()
     line = json.loads(lines[1])
     line["rows"][0][1] += 1  # a row of another sum
-    for broken in ("[1]", '{"schema": "hfield-cert/2"}', f"{lines[0]}\n{json.dumps(line)}"):
+    other, single = json.loads(lines[1]), json.loads(lines[1])
+    other["classes"][0]["exchanged"] += 7
+    del single["classes"][-1]
+    for broken in (
+        "[1]",
+        '{"schema": "hfield-cert/2"}',
+        *(f"{lines[0]}\n{json.dumps(some)}" for some in (line, other, single)),
+    ):
         path.write_text(f"{broken}\n")
         with pytest.raises(LatticeError, match="no file of classes"):
             O.class_set(file=path)
