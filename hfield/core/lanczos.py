@@ -151,6 +151,8 @@ def eigenvectors(
     operator: SparseOperator, start: np.ndarray, found: Recurrence, values: Sequence[int]
 ) -> list[np.ndarray]:
     """Return an eigenvector modulo the prime for each of some roots of a recurrence."""
+    if not values:
+        return []
     inverses = [pow(square, -1, PRIME) for square in found.squares]
     factors = [
         [p * inverse % PRIME for p, inverse in zip(found.polynomials(a), inverses, strict=False)]

@@ -66,21 +66,25 @@ class ClassFile:
         prime: Any,
         first: int,
         rows: Sequence[Mapping[int, int]],
-        new: Sequence[tuple[PackedClass, int | None]],
+        new: Sequence[tuple[int, int | None, PackedClass]],
     ) -> None:
-        """Add the rows of a prime from a first class on, and new classes with those exchanged with them."""
+        """Add the rows of a prime from a first one on, and new classes.
+
+        These are given with their numbers, and the numbers of the classes exchanged with them.
+        """
         line = {
             "prime": base.ideal_text(base.prime_ideal(prime)),
             "first": first,
             "rows": [[x for pair in sorted(row.items()) for x in pair] for row in rows],
             "classes": [
                 {
+                    "number": number,
+                    "exchanged": exchanged,
                     "record": unpack(found.record),
                     "units": found.units,
                     "keys": list(map(unpack, found.keys)),
-                    "exchanged": exchanged,
                 }
-                for found, exchanged in new
+                for number, exchanged, found in new
             ],
         }
         self._journal.append([line])
@@ -97,6 +101,6 @@ def _restore(classes: Classes, line: Row) -> None:
     for found in line["classes"]:
         keys = tuple(map(pack, found["keys"]))
         packed = PackedClass(pack(found["record"]), int(found["units"]), keys)
-        classes.restore_class(packed, found["exchanged"])
+        classes.restore_class(found["number"], found["exchanged"], packed)
     rows = [dict(zip(row[::2], row[1::2], strict=True)) for row in line["rows"]]
     classes.restore_rows(base.prime(line["prime"]), line["first"], rows)

@@ -90,6 +90,8 @@ class Classes:
         self._file = file
         self._new: list[PackedClass] = []
         """The last classes, which are not in the file yet."""
+        self._saved: dict[Any, int] = {}
+        """How many rows of a prime are in the file."""
         self.class_of(self.order)
         if file is not None:
             file.read(self)
@@ -206,13 +208,19 @@ class Classes:
                 rows.append(self.exchanged_row(n, prime) or self.neighbours_of(n, prime))
                 yield len(rows)
             return
-        for first in BlockSearch(self, prime, executor or InProcess(), rows).blocks(wanted):
+        for done in BlockSearch(self, prime, executor or InProcess(), rows).blocks(wanted):
             if self._file is not None:
-                numbers = range(len(self) - len(self._new), len(self))
-                new = list(zip(self._new, map(self._exchange_of, numbers), strict=True))
-                self._file.append(self.ambient.base, prime, first, rows[first:], new)
-                self._new.clear()
-            yield len(rows)
+                self._save(self._file, prime)
+            yield done
+
+    def _save(self, file: ClassFile, prime: Any) -> None:
+        """Write the rows of a prime, and the classes, that are not in the file yet."""
+        rows, first = self._rows[prime], self._saved.get(prime, 0)
+        numbers = range(len(self) - len(self._new), len(self))
+        new = list(zip(numbers, map(self._exchange_of, numbers), self._new, strict=True))
+        file.append(self.ambient.base, prime, first, rows[first:], new)
+        self._new.clear()
+        self._saved[prime] = len(rows)
 
     def _exchange_of(self, n: int) -> int | None:
         """Return the class that is exchanged with class n, where there is a prime for that."""
@@ -233,29 +241,32 @@ class Classes:
         moved = self._exchanged[self.exchange_prime]
         return Counter({moved[j]: times for j, times in self._rows[prime][moved[n]].items()})
 
-    def restore_class(self, found: PackedClass, exchanged: int | None) -> None:
-        """Add a class that a file has. Raises ValueError where there is one already."""
-        if self.store.number(found.keys[0]) is not None:
-            raise ValueError("a class comes twice")
-        number = self._add(found)
+    def restore_class(self, number: int, exchanged: int | None, found: PackedClass) -> None:
+        """Add a class that a file has, if it is not known yet. Raises ValueError where it does not follow."""
+        if number < len(self):  # it was written twice, about an interrupt
+            return
+        if number > len(self) or self.store.number(found.keys[0]) is not None:
+            raise ValueError(f"class {number} does not follow")
         if exchanged not in (
             (None,) if self.exchange_prime is None else range(number - 1, number + 2)
         ):
             raise ValueError(f"class {number} is not exchanged with class {exchanged}")
+        self._add(found)
         if exchanged is not None and exchanged <= number:
             self._set_exchanged(number, exchanged)
 
     def restore_rows(self, prime: Any, first: int, rows: Sequence[Mapping[int, int]]) -> None:
-        """Add rows that follow those known. Raises ValueError where they are no rows of neighbours."""
+        """Add the rows that follow those known. Raises ValueError where they are no rows of neighbours."""
         found, count = self._rows.setdefault(prime, SparseRows()), len(self.at_prime(prime))
-        if first != len(found):
+        if first > len(found):
             raise ValueError(f"row {first} of the prime {prime} follows row {len(found)}")
         if len(self._exchanged.get(self.exchange_prime, self.units)) != len(self):
             raise ValueError("an exchanged class is missing")
-        for row in rows:
+        for row in rows[len(found) - first :]:
             if sum(row.values()) != count or max(row) >= len(self):
                 raise ValueError(f"row {len(found)} of the prime {prime} is no row of neighbours")
             found.append(row)
+        self._saved[prime] = len(found)
 
     def neighbours(self, prime: Any, executor: Executor | None = None) -> SparseRows:
         """Return for each class how many right ideals of relative norm P in it belong to which class.

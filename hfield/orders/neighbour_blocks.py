@@ -125,7 +125,7 @@ class BlockSearch:
         self.classes, self.prime, self.executor, self.rows = classes, prime, executor, rows
 
     def blocks(self, wanted: Callable[[], bool]) -> Iterator[int]:
-        """Add rows while they are wanted; yield, after each block, from which row on it was added.
+        """Add rows while they are wanted; yield, after each block, how many are known.
 
         New classes are added as they are found; their rows follow.
         """
@@ -149,7 +149,7 @@ class BlockSearch:
                     numbers = (self.classes.number_of(x.key, known.__getitem__) for x in found[n])
                     row = Counter(numbers)
                 self.rows.append(row)
-            yield block.first
+            yield len(self.rows)
             if not wanted():
                 for future in following.keys:
                     future.cancel()

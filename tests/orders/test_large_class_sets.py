@@ -11,8 +11,10 @@ from hfield import LatticeError, Order, QuaternionAlgebra, TooLargeError
 from hfield.core.packed_integers import pack, unpack
 from hfield.core.sparse_rows import SparseRows
 from hfield.orders import brandt, classes, neighbour_blocks
+from hfield.orders.class_file import ClassFile
 from hfield.orders.lattice import ClassSet
 
+SQRT3: Any = QuaternionAlgebra("QQ(sqrt(3))", -1, -1)
 ORDERS = {
     "QQ": QuaternionAlgebra(389).maximal_order(),
     "level": QuaternionAlgebra(13).eichler_order(15),
@@ -75,7 +77,7 @@ def test_executors_find_the_same_classes_in_the_same_order(name: str) -> None:
         ORDERS["QQ"],
         ORDERS["level"],
         QuaternionAlgebra(3).eichler_order(4 * 7),
-        QuaternionAlgebra("QQ(sqrt(3))", -1, -1).eichler_order(7),
+        SQRT3.eichler_order([(SQRT3.ring.primes_above(11)[0], 1)]),
     ],
 )
 def test_rows_of_exchanged_classes(O: Order, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -133,6 +135,31 @@ def test_an_interrupted_run_goes_on(name: str, tmp_path: Path) -> None:
     assert path.read_text().splitlines()[: len(before) - 1] == before[:-1]
     # all is in the file: nothing is computed any more
     assert same(C, O.class_set(file=path, executor=Interrupted(0)))
+
+
+def test_an_object_goes_on_after_an_interrupt(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Rows that were found before the interrupt, or were written twice, do not harm the file."""
+    O, path = ORDERS["QQ"], tmp_path / "classes.jsonl"
+    C = O.class_set(file=path)
+    write = ClassFile.append
+
+    def interrupted(*args: Any) -> None:
+        if len(path.read_text().splitlines()) % 2:
+            write(*args)
+        raise KeyboardInterrupt
+
+    for _ in range(2):
+        with monkeypatch.context() as patch:
+            patch.setattr(ClassFile, "append", interrupted)
+            with pytest.raises(KeyboardInterrupt):
+                C.neighbour_counts(5)
+    rows = C.neighbour_counts(5)
+    assert rows == [C.neighbours_of(n, 5) for n in range(len(C))]
+    D = O.class_set(file=path)
+    assert D.neighbour_counts(5) == rows
+    assert D.neighbour_counts(5, executor=Interrupted(0)) == rows
 
 
 def test_files_that_cannot_go_on(tmp_path: Path) -> None:
