@@ -14,7 +14,7 @@ the end. Rows of Brandt matrices are kept by primes, and continued from where th
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from fractions import Fraction
 from functools import cached_property, partial
@@ -149,18 +149,19 @@ class Classes:
             lambda _: found_class(self.keys, around, basis, self.exchange_prime),
         )
 
-    def number_of(self, key: bytes, found: Callable[[bytes], Sequence[PackedClass]]) -> int:
+    def number_of(self, key: bytes, found: Callable[[bytes], Iterable[PackedClass]]) -> int:
         """Return the number of the class of a key, of a class that may be new.
 
         What is found for a key is its class, then the one that is exchanged with it, where there is a prime.
         """
         number = self.store.number(key)
         if number is None:
-            first, *others = found(key)
+            several = iter(found(key))
+            first = next(several)
             number = self.store.number(first.keys[0])  # if one key of a class is known, all are
             if number is None:
                 number = self._add(first)
-                for other in others:
+                for other in several:
                     known = self.store.number(other.keys[0])
                     self._set_exchanged(number, self._add(other) if known is None else known)
             self.store.add_key(key, number)

@@ -96,14 +96,14 @@ def partner_inside(keys: ClassKeys, record: Record, prime: Any) -> tuple[Sublatt
 
 def found_class(
     keys: ClassKeys, whole: SublatticeKeys, basis: Reduced, exchange: Any
-) -> list[PackedClass]:
-    """Return the representative of a class, then that of the class exchanged with it, if a prime is given."""
-    found = [pack_class(keys.ambient, whole.representative(basis))]
+) -> Iterator[PackedClass]:
+    """Yield the representative of a class, then that of the class exchanged with it, if a prime is given."""
+    found = pack_class(keys.ambient, whole.representative(basis))
+    yield found
     if exchange is not None:
-        record = unpack_record(keys.ambient, found[0].record)
+        record = unpack_record(keys.ambient, found.record)
         other, exchanged = partner_inside(keys, record, exchange)
-        found.append(pack_class(keys.ambient, other.representative(exchanged)))
-    return found
+        yield pack_class(keys.ambient, other.representative(exchanged))
 
 
 def representatives(task: Unknown) -> list[list[PackedClass]]:
@@ -114,7 +114,7 @@ def representatives(task: Unknown) -> list[list[PackedClass]]:
     for data, coordinates in pairs:
         whole = around(keys, unpack_record(keys.ambient, data), prime)
         basis = whole.with_coordinates(fmpz_mat(size, size, unpack(coordinates)))
-        out.append(found_class(keys, whole, basis, exchange))
+        out.append(list(found_class(keys, whole, basis, exchange)))
     return out
 
 
