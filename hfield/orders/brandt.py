@@ -57,7 +57,7 @@ def expect_matrix_fits(classes: int) -> None:
             f"the Brandt matrix of {classes} classes has {classes**2} entries and would take about "
             f"{matrix_bytes(classes) / 1e9:.1f} GB, and at most {MAX_MATRIX_BYTES / 1e9:.0f} GB are filled: "
             "C.neighbour_counts(P) has the entries that are not 0, row by row, for a prime P; "
-            "from the shell, hfield brandt --format edges"
+            "from the shell, hfield brandt --format edges, with a prime, writes them"
         )
 
 
