@@ -140,7 +140,7 @@ class BlockSearch:
                 )
                 for some in _pieces(list(unknown.values()), 1 + len(unknown) // PIECES_A_BLOCK)
             ]
-            following = self._begin(block.stop)
+            next_block = self._begin(block.stop)
             new = [some for future in futures for some in future.result()]
             known = dict(zip(unknown, new, strict=True))
             for n in range(block.first, block.stop):
@@ -151,10 +151,10 @@ class BlockSearch:
                 self.rows.append(row)
             yield len(self.rows)
             if not wanted():
-                for future in following.keys:
+                for future in next_block.keys:
                     future.cancel()
                 return
-            block = following if following.stop > following.first else self._begin(block.stop)
+            block = next_block if next_block.stop > next_block.first else self._begin(block.stop)
 
     def _begin(self, first: int) -> Block:
         """Begin to compute the keys of a block of rows."""
