@@ -1,30 +1,27 @@
 """Surveys of class sets and of groups of units, computed row by row.
 
-Rows are appended to a file of JSON lines as they come, whole pieces at a time; what a killed run has
-left is read back, a torn last line dropped, and only what is missing is computed.
+Rows are appended to a journal as they come, whole pieces at a time, and only what is missing in it is
+computed.
 """
 
 from __future__ import annotations
 
-import json
-import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from math import gcd
-from pathlib import Path
 from typing import Any
 
 from hfield.algebra import QuaternionAlgebra
 from hfield.core.executors import unordered
 from hfield.core.factorisation import factorise
+from hfield.core.journal import Row
 from hfield.errors import HFieldError
 from hfield.fields.names import ring
 from hfield.orders import class_number
 
 Pair = tuple[Any, Any]
-Row = dict[str, Any]
 PIECE = 8
 """Pairs that are computed at one place, one after the other."""
 
@@ -191,29 +188,3 @@ def run(
     pieces = [(survey, missing[n : n + PIECE], most) for n in range(0, len(missing), PIECE)]
     for _, found in unordered(executor, rows, pieces):
         yield found
-
-
-class Journal:
-    """A file of JSON lines that survives a kill: rows are appended, and read back whole."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-
-    def read(self) -> list[Row]:
-        """Return the rows, after cutting off a line that was torn."""
-        if not self.path.exists():
-            return []
-        data = self.path.read_bytes()
-        whole = data.rfind(b"\n") + 1
-        if whole < len(data):
-            with self.path.open("r+b") as file:
-                file.truncate(whole)
-        return [json.loads(line) for line in data[:whole].splitlines()]
-
-    def append(self, found: list[Row]) -> None:
-        """Append rows in one write, and have them on the disk."""
-        text = "".join(json.dumps(item) + "\n" for item in found)
-        with self.path.open("ab") as file:
-            file.write(text.encode())
-            file.flush()
-            os.fsync(file.fileno())

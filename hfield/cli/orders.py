@@ -4,21 +4,27 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hfield.cli.output import note, open_output
+from hfield.cli.output import OutputError, note, open_output
 from hfield.cli.output_document import OutputDocument, answer_one
 from hfield.cli.parser import (
     UsageError,
     add_factors,
     add_format,
+    add_jobs,
     add_output,
     add_standalone,
     given_factors,
 )
+from hfield.errors import shorten
 from hfield.syntax.brackets import split
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from hfield.algebra import QuaternionAlgebra
     from hfield.algebra.quaternion import Quaternion
     from hfield.evidence import Claim
@@ -57,6 +63,47 @@ def answer_certified(
             return found
 
         return answer_one(args, certified)
+
+
+def add_class_search(parser: ArgumentParser) -> None:
+    """Declare the workers that look for classes, and the file that keeps what they have found."""
+    parser.add_argument(
+        "--resume",
+        metavar="FILE",
+        help="keep classes and neighbours in FILE (JSON lines); an interrupted run continues from it",
+    )
+    add_jobs(parser, "use the Dask cluster at ADDRESS")
+
+
+@contextmanager
+def class_search(args: Namespace) -> Iterator[Executor | None]:
+    """Yield the executor that looks for classes, or None to find them here.
+
+    Raises :class:`OutputError` where the file cannot be written.
+    """
+    from hfield.core.executors import open_executor
+
+    size = _size(args.resume)
+    try:
+        if args.jobs == 1 and args.dask is None:
+            yield None
+        else:
+            with open_executor(args.jobs, args.dask) as executor:
+                yield executor
+    except KeyboardInterrupt:
+        if _size(args.resume) > size:
+            note(f"the same command goes on from {args.resume}")
+        raise
+    except OSError as error:
+        if args.resume is None or error.filename != args.resume:
+            raise
+        reason = error.strerror or str(error)
+        raise OutputError(f"cannot write {shorten(args.resume)!r}: {reason}") from error
+
+
+def _size(path: str | None) -> int:
+    """Return the size of a file in bytes, 0 where there is none."""
+    return Path(path).stat().st_size if path is not None and Path(path).exists() else 0
 
 
 def add_algebra(parser: ArgumentParser) -> None:

@@ -217,6 +217,8 @@ class AlgebraBasis:
 
     def inverse_number(self, row: Sequence[int | fmpz]) -> tuple[list[fmpz], int]:
         """Return 1/x for a number x with integer coordinates, as integers over a denominator."""
+        if len(row) == 1:
+            return [fmpz(1 if row[0] > 0 else -1)], abs(int(row[0]))
         found, den = (self._one * self.number_matrix(row).inv()).numer_denom()
         return found.entries(), int(den)
 

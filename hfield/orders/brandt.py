@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import product as pairs
 from typing import Any
 
 from flint import fmpz_mat, fmpz_poly, nmod_mat
 
 from hfield.core.progress import track
+from hfield.core.sparse_rows import SparseRows
 from hfield.errors import TooLargeError, shorten
 from hfield.orders.classes import Classes
 from hfield.orders.ideals_of_norm import (
@@ -36,8 +37,28 @@ MAX_NORM = 10**5
 """The largest norm of ideals that are counted by their elements."""
 MODULUS = 2**31 - 1
 """A prime of half a word, larger than every entry that is computed modulo it."""
+MAX_MATRIX_BYTES = 2 * 10**9
+"""Brandt matrices that take more memory are not filled."""
+ENTRY_BYTES = 16
+"""An entry is a word in the matrix, and one in the list that is returned."""
 MAX_UNSPLIT = 60
 """The polynomial of a matrix of so many rows takes less time than to see which classes are exchanged."""
+
+
+def matrix_bytes(classes: int) -> int:
+    """Return about how much memory a Brandt matrix of so many classes takes."""
+    return ENTRY_BYTES * classes**2
+
+
+def expect_matrix_fits(classes: int) -> None:
+    """Raise :class:`TooLargeError` for a Brandt matrix that takes too much memory."""
+    if matrix_bytes(classes) > MAX_MATRIX_BYTES:
+        raise TooLargeError(
+            f"the Brandt matrix of {classes} classes has {classes**2} entries and would take about "
+            f"{matrix_bytes(classes) / 1e9:.1f} GB, and at most {MAX_MATRIX_BYTES / 1e9:.0f} GB are filled: "
+            "C.neighbour_counts(P) has the entries that are not 0, row by row, for a prime P; "
+            "from the shell, hfield brandt --format edges, with a prime, writes them"
+        )
 
 
 def brandt_matrix(classes: Classes, norm: Any) -> fmpz_mat:
@@ -45,6 +66,7 @@ def brandt_matrix(classes: Classes, norm: Any) -> fmpz_mat:
 
     They are the invertible ideals of that relative norm. Raises :class:`TooLargeError`.
     """
+    expect_matrix_fits(len(classes))
     found = identity(classes)
     for P, e in classes.ambient.base.factorisation(norm):
         found = found * prime_power(classes, P, e)
@@ -58,12 +80,13 @@ def identity(classes: Classes) -> fmpz_mat:
 
 
 def prime_power(classes: Classes, P: Any, e: int) -> fmpz_mat:
-    """Return the Brandt matrix of Pᵉ.
+    """Return the Brandt matrix of Pᵉ. Raises :class:`TooLargeError`.
 
     Off the discriminant it is made by the classes of P·I (Voight, section 41.3). Where the algebra ramifies
     and the order is maximal it is a power. For other orders that are not of level P the ideals of norm Pᵉ are
     listed where they are few, or elements counted.
     """
+    expect_matrix_fits(len(classes))
     base, ambient = classes.ambient.base, classes.ambient
     exponent, ramified = base.valuation(discriminant(classes.order), P), P in ambient.ramified
     if not exponent:
@@ -83,9 +106,14 @@ def of_prime(classes: Classes, P: Any) -> fmpz_mat:
     return _by_commuting(classes, P) or of_rows(classes.neighbours(P))
 
 
-def of_rows(rows: Sequence[Counter[int]]) -> fmpz_mat:
+def of_rows(rows: Sequence[Mapping[int, int]]) -> fmpz_mat:
     """Return rows that count classes as a matrix."""
-    return fmpz_mat([[row[j] for j in range(len(rows))] for row in rows])
+    expect_matrix_fits(len(rows))
+    found = fmpz_mat(len(rows), len(rows))
+    for i, row in enumerate(rows):
+        for j, times in row.items():
+            found[i, j] = times
+    return found
 
 
 def of_permutation(moved: Sequence[int]) -> fmpz_mat:
@@ -259,7 +287,9 @@ def hecke_polynomial(classes: Classes, norm: Any) -> list[int]:
     """Return the characteristic polynomial of the Brandt matrix, low degree first.
 
     Classes that a two-sided prime ideal exchanges make it a product of two (the signs of Atkin and Lehner).
+    Raises :class:`TooLargeError`.
     """
+    expect_matrix_fits(len(classes))
     h = range(len(classes))
     swap = _involution(classes, norm) if len(h) > MAX_UNSPLIT else list(h)
     if all(swap[i] == i for i in h):
@@ -280,15 +310,23 @@ def hecke_polynomial(classes: Classes, norm: Any) -> list[int]:
     return [int(c) for c in found.coeffs()]
 
 
-def brandt_rows(classes: Classes, norm: Any) -> list[Counter[int]]:
-    """Return the rows of a Brandt matrix as counters of classes; for a prime they have few entries."""
+def brandt_rows(classes: Classes, norm: Any) -> SparseRows:
+    """Return the entries of a Brandt matrix that are not 0, row by row; for a prime they are few."""
     factors = classes.ambient.base.factorisation(norm)
     if len(factors) == 1 and factors[0][1] == 1:
         return classes.neighbours(factors[0][0])
-    return counters(brandt_matrix(classes, norm))
+    return sparse(brandt_matrix(classes, norm))
 
 
-def counters(matrix: fmpz_mat) -> list[Counter[int]]:
-    """Return the entries of each row that are not 0."""
-    rows = matrix.tolist()
-    return [Counter({j: int(c) for j, c in enumerate(row) if c}) for row in rows]
+def sparse(matrix: fmpz_mat) -> SparseRows:
+    """Return the entries of a matrix that are not 0, row by row."""
+    rows, size = SparseRows(), range(matrix.ncols())
+    for i in range(matrix.nrows()):
+        rows.append({j: c for j in size if (c := int(matrix[i, j]))})
+    return rows
+
+
+def dense(matrix: fmpz_mat) -> Matrix:
+    """Return a matrix as lists of ints, without a second copy of it as integers of flint."""
+    size = range(matrix.ncols())
+    return [[int(matrix[i, j]) for j in size] for i in range(matrix.nrows())]

@@ -51,8 +51,7 @@ class ClassElements:
         entries: Row = (fmpz_mat([x.row]) * divisor).entries()
         return entries
 
-    def _locate(self, around: SublatticeKeys, coordinates: fmpz_mat) -> Located:
-        basis = around.reduced(coordinates)
+    def _locate(self, around: SublatticeKeys, basis: Reduced) -> Located:
         for x in self._candidates(around, basis):
             known = self._known.get(self.classes.keys.quotient(basis.rows, x))
             if known is not None:
@@ -66,8 +65,8 @@ class ClassElements:
     def neighbours(self, n: int, prime: Any) -> list[Located]:
         """Return the ideals of relative norm P in class n."""
         if (n, prime) not in self._neighbours:
-            around, inside = self.classes.sublattices(n, prime)
-            self._neighbours[n, prime] = [self._locate(around, J) for J in inside]
+            inside = self.classes.sublattices(n, prime)
+            self._neighbours[n, prime] = [self._locate(around, basis) for around, basis in inside]
         return self._neighbours[n, prime]
 
     def exchanged(self, n: int, prime: Any) -> Located:
@@ -83,4 +82,4 @@ class ClassElements:
         keys = self.classes.keys
         norm: Norm = keys.multiplied(self.classes.norms[n], ideal)
         around = SublatticeKeys(keys, lattice.matrix, lattice.den, norm)
-        return self._locate(around, self._ambient.identity)
+        return self._locate(around, around.reduced(self._ambient.identity))

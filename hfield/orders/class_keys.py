@@ -77,8 +77,11 @@ class ClassKeys:
         whole, den = (rows * matrix * fmpq(self.order.den, scale)).numer_denom()
         d, entries = int(den), whole.hnf().entries()
         size = self.ambient.size
-        kept = [k for k in range(size) if entries[k * (size + 1)] != d]
-        return (d, *(int(c) for k in kept for c in entries[k * size : (k + 1) * size]))
+        kept: list[fmpz] = []
+        for k, pivot in enumerate(entries[:: size + 1]):
+            if pivot != d:
+                kept += entries[k * size : (k + 1) * size]
+        return (d, *map(int, kept))
 
     def divided(self, rows: fmpz_mat, x: ShortElement) -> tuple[fmpz_mat, int]:
         """Return a basis of x⁻¹·I, rows over a denominator, for a basis of I."""
@@ -109,7 +112,7 @@ class ShortElement:
         ambient = self._ambient
         # x⁻¹ = conj(x)/N(x)
         number, below = ambient.inverse_number(self.scaled_norm)
-        bar = fmpz_mat([self.row]) * ambient.conjugation * ambient.scalar_matrix(number)
+        bar = ambient.times_scalar(fmpz_mat([self.row]) * ambient.conjugation, number)
         factor = fmpq(2 * ambient.scale * self.den, ambient.conjugate_scale * below)
         found, den = (bar * factor).numer_denom()
         return found.entries(), int(den)
@@ -163,6 +166,11 @@ class SublatticeKeys:
         gram, change = gram.lll(transform=True, rep="gram")
         found = change * coordinates
         return Reduced(gram, found, found * self.rows)
+
+    def with_coordinates(self, coordinates: fmpz_mat) -> Reduced:
+        """Return a basis of a sublattice that :meth:`reduced` has returned, from its coordinates."""
+        gram = coordinates * self._forms[0] * coordinates.transpose()
+        return Reduced(gram, coordinates, coordinates * self.rows)
 
     def element(self, coordinates: Sequence[int | fmpz]) -> ShortElement:
         """Return the element with some coordinates."""

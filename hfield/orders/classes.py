@@ -6,23 +6,28 @@ class is missing, and as all are different none comes twice (M. Kirschmer and J.
 2010; J. Voight, *Quaternion Algebras*, main theorem 26.1.5). Where local units do not have all norms, or
 where there are several narrow classes, neighbours at one prime reach a part of the classes.
 
-Rows of Brandt matrices are kept by primes, and continued from where the enumeration stopped.
+In large sets the class of I·J, J a two-sided prime ideal, is found with that of I, and its rows of neighbours
+are those of I with the classes exchanged: half as many neighbours are looked up, and fewer are waited for at
+the end. Rows of Brandt matrices are kept by primes, and continued from where the enumeration stopped.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from fractions import Fraction
 from functools import cached_property, partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from flint import fmpz_mat
-
+from hfield.core.executors import InProcess
+from hfield.core.packed_integers import pack
 from hfield.core.progress import report, track
+from hfield.core.sparse_rows import SparseRows
 from hfield.errors import TooLargeError, shorten
-from hfield.orders.class_keys import ClassKeys, Key, Norm, Representative, SublatticeKeys
+from hfield.orders.class_keys import Norm, Reduced, SublatticeKeys
 from hfield.orders.class_number import mass
+from hfield.orders.class_store import ClassStore, Norms, PackedClass
 from hfield.orders.conjugators import conjugator
 from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.invariants import good_primes, is_eichler
@@ -34,18 +39,38 @@ from hfield.orders.lattice_values import (
     product,
     times_ideal,
 )
+from hfield.orders.neighbour_blocks import (
+    BlockSearch,
+    class_keys,
+    found_class,
+    neighbours_inside,
+    partner_inside,
+)
 from hfield.orders.neighbours import Neighbours, generator_above, neighbours_at
 
-MAX_CLASSES = 200_000
-"""Sets of more classes than this are not enumerated."""
+if TYPE_CHECKING:
+    from hfield.orders.class_file import ClassFile
+
+MAX_CLASSES = 1_000_000
+"""Sets of more classes than this are not enumerated; over ℚ they take five minutes and half a gigabyte."""
+MIN_EXCHANGED_MASS = 1_000
+"""From this mass on a class is followed by the one that a two-sided prime ideal makes of it."""
 MAX_NEIGHBOURS = 500_000
-"""The largest number of ideals of prime norm that are listed."""
+"""The largest number of ideals of prime norm that are listed in one."""
+MAX_LISTED_NEIGHBOURS = 20_000_000
+"""The largest number of ideals of prime norm that are listed in all classes together, in about an hour."""
 
 
 class Classes:
-    """The classes as values: lattices, norms, units of left orders, and neighbours."""
+    """The classes as values: lattices, norms, units of left orders, and neighbours.
 
-    def __init__(self, order: LatticeValue) -> None:
+    Neighbours are computed here, or by an executor. A file keeps what was found for a run that is
+    interrupted.
+    """
+
+    def __init__(
+        self, order: LatticeValue, executor: Executor | None = None, file: ClassFile | None = None
+    ) -> None:
         self.order, self.ambient = order, order.ambient
         self.mass = mass(order)
         if self.mass > MAX_CLASSES:
@@ -53,36 +78,59 @@ class Classes:
                 f"the mass is {shorten(self.mass)}, so there are more than {MAX_CLASSES} classes: too many "
                 "to enumerate; over QQ A.class_number(N) counts those of Eichler orders by Eichler's formula"
             )
-        self.keys = ClassKeys(order)
-        self.units: list[int] = []
-        """[O_L(I)ˣ : Rˣ], class by class; R are the integers of the base."""
-        self.norms: list[Norm] = []
-        self._bases: list[tuple[fmpz_mat, int]] = []
-        """A reduced basis of the lattice of each class, rows over a denominator."""
-        self._numbers: dict[Key, int] = {}
-        self._rows: dict[Any, list[Counter[int]]] = {}
+        self.keys = class_keys(order)
+        self.store = ClassStore(self.ambient)
+        self._rows: dict[Any, SparseRows] = {}
         self._exchanged: dict[Any, list[int]] = {}
         self._left = self.mass
-        self._enumerate()
-
-    def _enumerate(self) -> None:
+        self.exchange_prime = self._find_exchange_prime()
+        """A prime whose two-sided ideal gives each class another one, in large sets; else None."""
+        if self.exchange_prime is not None:
+            self._exchanged[self.exchange_prime] = []
+        self._file = file
+        self._new: list[PackedClass] = []
+        """The last classes, which are not in the file yet."""
+        self._saved: dict[Any, int] = {}
+        """How many rows of a prime are in the file."""
         self.class_of(self.order)
+        if file is not None:
+            file.read(self)
+            self._new.clear()
+        self._enumerate(executor)
+
+    def _enumerate(self, executor: Executor | None) -> None:
         for prime in good_primes(self.order):
             if not self._left:
                 return
             self._expect_few_neighbours(1, prime)
-            rows = self._rows.setdefault(prime, [])
-            while len(rows) < len(self) and self._left:
-                rows.append(self.neighbours_of(len(rows), prime))
+            for _ in self._more_rows(prime, executor, lambda: bool(self._left)):
                 report(self.mass - self._left, self.mass, "the classes")
 
+    def _find_exchange_prime(self) -> Any:
+        """Return a prime with a two-sided ideal of that norm, for an exchange that is an involution."""
+        base = self.ambient.base
+        if self.mass < MIN_EXCHANGED_MASS or base.class_generators:
+            return None
+        factors = base.factorisation(discriminant(self.order))
+        return next((P for P, e in factors if e == 1), None)
+
     def __len__(self) -> int:
-        return len(self.units)
+        return len(self.store)
+
+    @property
+    def units(self) -> Sequence[int]:
+        """[O_L(I)ˣ : Rˣ], class by class; R are the integers of the base."""
+        return self.store.units
+
+    @property
+    def norms(self) -> Sequence[Norm]:
+        """The norms of the lattices that represent the classes."""
+        return Norms(self.store)
 
     def lattice(self, n: int) -> LatticeValue:
         """Return the lattice that represents class n; it contains the order."""
-        rows, den = self._bases[n]
-        return hermite_form(self.ambient, den, rows)
+        record = self.store[n]
+        return hermite_form(self.ambient, record.den, record.rows)
 
     # --- looking up --------------------------------------------------------------------------------
 
@@ -92,62 +140,150 @@ class Classes:
 
     def _class_of(self, lattice: LatticeValue, norm: Norm) -> int:
         around = SublatticeKeys(self.keys, lattice.matrix, lattice.den, norm)
-        return self._look_up(around, self.ambient.identity)
+        return self._look_up(around, around.reduced(self.ambient.identity))
 
-    def _look_up(self, around: SublatticeKeys, coordinates: fmpz_mat) -> int:
+    def _look_up(self, around: SublatticeKeys, basis: Reduced) -> int:
         """Return the number of the class of a sublattice, which may be new."""
-        basis = around.reduced(coordinates)
-        key = around.key(basis)
-        found = self._numbers.get(key)
-        if found is None:
-            found = self._numbers[key] = self._add(around.representative(basis))
-        return found
+        return self.number_of(
+            pack(around.key(basis)),
+            lambda _: found_class(self.keys, around, basis, self.exchange_prime),
+        )
 
-    def _add(self, found: Representative) -> int:
-        """Return the number of a class, of which all keys are known if one is."""
-        known = self._numbers.get(found.keys[0])
-        if known is not None:
-            return known
-        number = len(self)
-        for key in found.keys:
-            self._numbers[key] = number
-        self._bases.append((found.rows, found.den))
-        self.units.append(found.units)
-        self.norms.append(found.norm)
+    def number_of(self, key: bytes, found: Callable[[bytes], Iterable[PackedClass]]) -> int:
+        """Return the number of the class of a key, of a class that may be new.
+
+        What is found for a key is its class, then the one that is exchanged with it, where there is a prime.
+        """
+        number = self.store.number(key)
+        if number is None:
+            several = iter(found(key))
+            first = next(several)
+            number = self.store.number(first.keys[0])  # if one key of a class is known, all are
+            if number is None:
+                number = self._add(first)
+                for other in several:
+                    known = self.store.number(other.keys[0])
+                    self._set_exchanged(number, self._add(other) if known is None else known)
+            self.store.add_key(key, number)
+        return number
+
+    def _add(self, found: PackedClass) -> int:
+        """Add a new class, and return its number."""
         self._left -= Fraction(1, found.units)
         if self._left < 0:
             raise AssertionError("the classes found exceed the mass")
-        return number
+        if self._file is not None:
+            self._new.append(found)
+        return self.store.add(found)
+
+    def _set_exchanged(self, n: int, m: int) -> None:
+        """Note that two classes are exchanged."""
+        moved = self._exchanged[self.exchange_prime]
+        moved += [-1] * (len(self) - len(moved))
+        moved[n], moved[m] = m, n
 
     # --- neighbours --------------------------------------------------------------------------------
 
     def _expect_few_neighbours(self, rows: int, prime: Any) -> None:
         """Raise :class:`TooLargeError` before a list of neighbours that is too long is begun."""
         base = self.ambient.base
-        count = rows * (base.absolute_norm(base.prime_ideal(prime)) + 1)
-        if count > MAX_NEIGHBOURS:
-            raise TooLargeError(
-                f"{count} ideals of relative norm {prime} would be listed, and at most {MAX_NEIGHBOURS} are; "
-                "expected a smaller prime"
-            )
+        one = base.absolute_norm(base.prime_ideal(prime)) + 1
+        for count, most in ((one, MAX_NEIGHBOURS), (rows * one, MAX_LISTED_NEIGHBOURS)):
+            if count > most:
+                raise TooLargeError(
+                    f"{count} ideals of relative norm {prime} would be listed, and at most {most} are; "
+                    "expected a smaller prime"
+                )
 
-    def neighbours(self, prime: Any) -> list[Counter[int]]:
+    def _more_rows(
+        self, prime: Any, executor: Executor | None, wanted: Callable[[], bool]
+    ) -> Iterator[int]:
+        """Add rows of neighbours while they are wanted and not all known; yield how many are known.
+
+        A loop that is interrupted is continued.
+        """
+        rows = self._rows.setdefault(prime, SparseRows())
+        if executor is None and self._file is None:
+            while wanted() and len(rows) < len(self):
+                n = len(rows)
+                rows.append(self.exchanged_row(n, prime) or self.neighbours_of(n, prime))
+                yield len(rows)
+            return
+        for done in BlockSearch(self, prime, executor or InProcess(), rows).blocks(wanted):
+            if self._file is not None:
+                self._save(self._file, prime)
+            yield done
+
+    def _save(self, file: ClassFile, prime: Any) -> None:
+        """Write the rows of a prime, and the classes, that are not in the file yet."""
+        rows, first = self._rows[prime], self._saved.get(prime, 0)
+        numbers = range(len(self) - len(self._new), len(self))
+        new = list(zip(numbers, map(self._exchange_of, numbers), self._new, strict=True))
+        file.append(self.ambient.base, prime, first, rows[first:], new)
+        self._new.clear()
+        self._saved[prime] = len(rows)
+
+    def _exchange_of(self, n: int) -> int | None:
+        """Return the class that is exchanged with class n, where there is a prime for that."""
+        return None if self.exchange_prime is None else self._exchanged[self.exchange_prime][n]
+
+    def has_own_row(self, n: int, prime: Any) -> bool:
+        """Tell whether the row of class n is computed, and not read off the row of a class before."""
+        other = self._exchange_of(n)
+        return other is None or other >= n or prime == self.exchange_prime
+
+    def exchanged_row(self, n: int, prime: Any) -> Counter[int] | None:
+        """Return the row of class n from that of the class exchanged with it, or None if it is not before n.
+
+        Off its prime the exchange commutes with the Brandt matrix.
+        """
+        if self.has_own_row(n, prime):
+            return None
+        moved = self._exchanged[self.exchange_prime]
+        return Counter({moved[j]: times for j, times in self._rows[prime][moved[n]].items()})
+
+    def restore_class(self, number: int, exchanged: int | None, found: PackedClass) -> None:
+        """Add a class that a file has, if it is not known yet. Raises ValueError where it does not follow."""
+        if number < len(self):  # it was written twice, about an interrupt
+            return
+        if number > len(self) or self.store.number(found.keys[0]) is not None:
+            raise ValueError(f"class {number} does not follow")
+        if exchanged not in (
+            (None,) if self.exchange_prime is None else range(number - 1, number + 2)
+        ):
+            raise ValueError(f"class {number} is not exchanged with class {exchanged}")
+        self._add(found)
+        if exchanged is not None and exchanged <= number:
+            self._set_exchanged(number, exchanged)
+
+    def restore_rows(self, prime: Any, first: int, rows: Sequence[Mapping[int, int]]) -> None:
+        """Add the rows that follow those known. Raises ValueError where they are no rows of neighbours."""
+        found, count = self._rows.setdefault(prime, SparseRows()), len(self.at_prime(prime))
+        if first > len(found):
+            raise ValueError(f"row {first} of the prime {prime} follows row {len(found)}")
+        if len(self._exchanged.get(self.exchange_prime, self.units)) != len(self):
+            raise ValueError("an exchanged class is missing")
+        for row in rows[len(found) - first :]:
+            if sum(row.values()) != count or max(row) >= len(self):
+                raise ValueError(f"row {len(found)} of the prime {prime} is no row of neighbours")
+            found.append(row)
+        self._saved[prime] = len(found)
+
+    def neighbours(self, prime: Any, executor: Executor | None = None) -> SparseRows:
         """Return for each class how many right ideals of relative norm P in it belong to which class.
 
         Raises :class:`TooLargeError` where there are too many.
         """
-        rows = self._rows.get(prime, [])
+        rows = self._rows.get(prime, SparseRows())
         if len(rows) < len(self):
             self._expect_few_neighbours(len(self) - len(rows), prime)
-            # a loop that is interrupted is continued
-            self._rows[prime] = rows
-            for n in track(range(len(rows), len(self)), len(self) - len(rows), "rows"):
-                rows.append(self.neighbours_of(n, prime))
-        return rows
+            for done in self._more_rows(prime, executor, lambda: True):
+                report(done, len(self), "rows")
+        return self._rows[prime]
 
     def has_rows(self, prime: Any) -> bool:
         """Tell whether all neighbours at a prime are known."""
-        return len(self._rows.get(prime, [])) == len(self)
+        return len(self._rows.get(prime, ())) == len(self)
 
     def neighbours_of(self, n: int, prime: Any) -> Counter[int]:
         """Return how many ideals of relative norm P in class n belong to which class."""
@@ -156,18 +292,16 @@ class Classes:
 
     def classes_inside(self, n: int, prime: Any) -> list[int]:
         """Return the classes of the ideals of relative norm P in class n, ordered as in :meth:`at_prime`."""
-        around, inside = self.sublattices(n, prime)
-        return [self._look_up(around, J) for J in inside]
+        return [self._look_up(around, basis) for around, basis in self.sublattices(n, prime)]
 
-    def sublattices(self, n: int, prime: Any) -> tuple[SublatticeKeys, Iterator[fmpz_mat]]:
-        """Return the keys of the ideals of relative norm P in class n, and bases in its coordinates."""
-        norm, ideal = self.norms[n], self.ambient.base.prime_ideal(prime)
-        around = SublatticeKeys(self.keys, *self._bases[n], self.keys.multiplied(norm, ideal))
-        return around, self.at_prime(prime).inside(around, norm)
+    def sublattices(self, n: int, prime: Any) -> Iterator[tuple[SublatticeKeys, Reduced]]:
+        """Yield the ideals of relative norm P in class n, by reduced bases."""
+        return neighbours_inside(self.keys, self.store[n], prime)
 
     def class_keys(self, n: int) -> SublatticeKeys:
         """Return the keys of sublattices of class n of its norm: of the lattice itself."""
-        return SublatticeKeys(self.keys, *self._bases[n], self.norms[n])
+        record = self.store[n]
+        return SublatticeKeys(self.keys, record.rows, record.den, record.norm)
 
     def at_prime(self, prime: Any) -> Neighbours:
         """Return the right ideals of norm P."""
@@ -206,12 +340,17 @@ class Classes:
         """
         if prime not in self._exchanged:
             ideal = two_sided_prime(self.order, prime)
+            is_short = ideal.norm == self.ambient.base.prime_ideal(prime)
             involution, found = not self.ambient.base.class_generators, [-1] * len(self)
             for n in track(range(len(self)), len(self), "types"):
                 if found[n] < 0:
-                    found[n] = self._moved(n, lambda lattice: product(lattice, ideal), ideal.norm)
+                    if is_short:
+                        moved = self._look_up(*partner_inside(self.keys, self.store[n], prime))
+                    else:
+                        moved = self._moved(n, lambda x: product(x, ideal), ideal.norm)
+                    found[n] = moved
                     if involution:  # the square of the ideal is generated by a number
-                        found[found[n]] = n
+                        found[moved] = n
             self._exchanged[prime] = found
         return self._exchanged[prime]
 

@@ -9,14 +9,17 @@ from __future__ import annotations
 import random
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, overload
 
 from flint import fmpq
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.sparse_rows import SparseRows
 from hfield.errors import (
     IndefiniteError,
     LatticeError,
@@ -54,6 +57,7 @@ from hfield.orders import (
     units,
 )
 from hfield.orders.basis import basis_of
+from hfield.orders.class_file import ClassFile
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Module, WithForms
@@ -74,6 +78,7 @@ from hfield.sympy_printing import PrintedBySympy
 if TYPE_CHECKING:
     from hfield.orders.indefinite_classes import IndefiniteClassSet
     from hfield.orders.pseudo_bases import PseudoBasis
+    from hfield.orders.rational_newforms import RationalNewform
 
 OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
@@ -875,10 +880,16 @@ class Order(WithStableClasses, Certified, Lattice):
 
     # --- classes -----------------------------------------------------------------------------------
 
-    def class_set(self) -> ClassSet:
+    def class_set(
+        self, *, executor: Executor | None = None, file: str | Path | None = None
+    ) -> ClassSet:
         """Return the invertible right ideal classes, complete by the mass formula.
 
-        Raises :class:`IndefiniteError` unless the algebra is totally definite; see :meth:`classes_by_norm`.
+        An executor, such as a ``ProcessPoolExecutor``, computes neighbours in parallel; the order of the
+        classes does not depend on it. With a file classes and rows of :meth:`ClassSet.neighbour_counts` are
+        appended to it as they are found, and those that are in it are read: a run that was interrupted goes
+        on. Raises :class:`IndefiniteError` unless the algebra is totally definite; see
+        :meth:`classes_by_norm`.
         """
         if not self.is_definite():
             ambient = self.value.ambient
@@ -890,7 +901,7 @@ class Order(WithStableClasses, Certified, Lattice):
                 "norm, and classes_by_norm() has representatives; class_set() enumerates in totally definite "
                 "algebras"
             )
-        return ClassSet(self)
+        return ClassSet(self, executor, None if file is None else ClassFile(file))
 
     def classes_by_norm(self) -> IndefiniteClassSet:
         """Return the right ideal classes where the algebra splits at an infinite place, with representatives.
@@ -1229,8 +1240,10 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     foreign_names = CLASSES
     order: Order
 
-    def __init__(self, order: Order) -> None:
-        self.order, self._classes = order, Classes(order.value)
+    def __init__(
+        self, order: Order, executor: Executor | None = None, file: ClassFile | None = None
+    ) -> None:
+        self.order, self._classes = order, Classes(order.value, executor, file)
         self._base = order.value.ambient.base
 
     def __len__(self) -> int:
@@ -1360,15 +1373,28 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     # --- Brandt matrices -----------------------------------------------------------------------------
 
-    def neighbours(self, prime: object) -> list[Counter[int]]:
-        """Return for each class how many right ideals of relative norm P in it belong to which class.
+    def neighbour_counts(self, prime: object, *, executor: Executor | None = None) -> SparseRows:
+        """Return the Brandt matrix of a prime row by row, as dicts {class: count}.
 
-        Raises :class:`LatticeError` for what is no prime, :class:`TooLargeError` where there are too many.
+        Row i counts the right ideals of relative norm P in I_i by their classes, where there are any. The
+        memory is linear in the number of classes: the rows are a sequence with the method ``times(values)``,
+        and ``arrays`` for scipy. An executor, such as a ``ProcessPoolExecutor``, computes rows in parallel;
+        they do not depend on it. Raises :class:`LatticeError` for what is no prime, :class:`TooLargeError`
+        where there are too many.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> C = QuaternionAlgebra(37).maximal_order().class_set()
+        >>> list(C.neighbour_counts(2)), C.brandt_matrix(2)
+        ([{0: 1, 1: 1, 2: 1}, {0: 1, 2: 2}, {0: 1, 1: 2}], [[1, 1, 1], [1, 0, 2], [1, 2, 0]])
         """
-        return self._classes.neighbours(self._base.prime(prime))
+        return self._classes.neighbours(self._base.prime(prime), executor)
+
+    def neighbours(self, prime: object) -> list[Counter[int]]:
+        """Return the rows of :meth:`neighbour_counts` as counters, all in a list."""
+        return list(map(Counter, self.neighbour_counts(prime)))
 
     def neighbours_of(self, n: int, prime: object) -> Counter[int]:
-        """Return the same for class n alone.
+        """Return the row of class n alone, as a counter.
 
         >>> from hfield import QuaternionAlgebra
         >>> QuaternionAlgebra(11).maximal_order().class_set().neighbours_of(0, 2)
@@ -1379,23 +1405,25 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
     def power_neighbours(self, prime: object, e: int) -> list[Counter[int]]:
         """Return for each class how many right ideals of relative norm Pᵉ in it belong to which class."""
         P = self._base.prime(prime)
-        return brandt.counters(brandt.prime_power(self._classes, P, natural(e, "the exponent is")))
+        matrix = brandt.prime_power(self._classes, P, natural(e, "the exponent is"))
+        return list(map(Counter, brandt.sparse(matrix)))
 
     def brandt_matrix(self, norm: object) -> list[list[int]]:
         """Return the Brandt matrix of a norm: entry (i, j) counts the ideals of class j of that norm in I_i.
 
         They are the invertible ideals of that relative norm, an ideal of the base or a number that generates
         it. Over ℤ entry (i, j) times the units of j is entry (j, i) times those of i (Pizer, 1980; Gross,
-        1987). Raises :class:`LatticeError` for what is no integral ideal.
+        1987). Raises :class:`LatticeError` for what is no integral ideal, and :class:`TooLargeError` for some
+        ten thousand classes, see :meth:`neighbour_counts`.
         """
-        matrix = brandt.brandt_matrix(self._classes, self._base.integral_ideal(norm))
-        return [[int(x) for x in row] for row in matrix.tolist()]
+        return brandt.dense(brandt.brandt_matrix(self._classes, self._base.integral_ideal(norm)))
 
     def hecke_polynomial(self, norm: object, weight: int = 2) -> list[int]:
         """Return the characteristic polynomial of the Brandt matrix, low degree first.
 
         With an even weight k > 2 it is that of the Hecke operator on all forms of weight k, of any unramified
-        character. Raises :class:`LatticeError` for other weights, and there for orders that are not Eichler.
+        character. Raises :class:`LatticeError` for other weights, and there for orders that are not Eichler;
+        :class:`TooLargeError` as :meth:`brandt_matrix` does.
 
         >>> from hfield import QuaternionAlgebra
         >>> C = QuaternionAlgebra(3).maximal_order().class_set()
@@ -1421,8 +1449,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         """
         if len(values) != len(self):
             raise LatticeError(f"{len(values)} values were given for {len(self)} classes")
-        rows = brandt.brandt_rows(self._classes, self._base.integral_ideal(norm))
-        return [sum(values[j] * times for j, times in row.items()) for row in rows]
+        return brandt.brandt_rows(self._classes, self._base.integral_ideal(norm)).times(values)
 
     def theta_series(self, i: int, j: int, n: int) -> Any:
         """Return the theta series of the lattice I_i·I_j⁻¹, as :meth:`Lattice.theta_series` does.
@@ -1441,9 +1468,10 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
     def edges(self, prime: object) -> Iterator[tuple[int, int, dict[str, Any]]]:
         """Yield the edges of :meth:`graph`."""
-        for i, row in enumerate(self.neighbours(prime)):
-            for j in sorted(row):
-                yield i, j, {"weight": row[j], "mass": Fraction(row[j], self.units[i])}
+        units = self.units
+        for i, row in enumerate(self.neighbour_counts(prime)):
+            for j, times in row.items():
+                yield i, j, {"weight": times, "mass": Fraction(times, units[i])}
 
     def graph(self, prime: object) -> list[tuple[int, int, dict[str, Any]]]:
         """Return the edges of the graph of P-neighbours as a list that ``networkx.DiGraph`` reads.
@@ -1452,7 +1480,7 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         so that the weighted adjacency matrix is the Brandt matrix. ``mass`` is the multiplicity divided by
         the units of class i, and the same in both directions. For a maximal order of prime discriminant over
         ℤ it is the supersingular isogeny graph, up to Galois conjugation of the vertices (Deuring). Raises
-        as :meth:`neighbours` does.
+        as :meth:`neighbour_counts` does.
 
         >>> from hfield import QuaternionAlgebra
         >>> for edge in QuaternionAlgebra(11).maximal_order().class_set().graph(2): print(*edge)
@@ -1535,6 +1563,24 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
             return Classes(algebra.eichler_order(level).value)
 
         return classes
+
+    def rational_newforms(self, *, executor: Executor | None = None) -> list[RationalNewform]:
+        """Return the newforms of weight 2 with rational eigenvalues, all that there are, at large level.
+
+        Each is a function on the classes, ``f.values``, with ``f.signs`` of Atkin and Lehner; ``f[P]`` takes
+        N(P) + 1 look-ups. Time is quadratic in the number of classes and memory linear: 8 000 classes take
+        two seconds. Only sparse rows of neighbours are read, which the executor computes. Raises
+        :class:`LatticeError` unless the level is squarefree, and :class:`UndecidedError` where it is not
+        proved that there are no more; see :meth:`newforms` for other levels.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> f, = QuaternionAlgebra(389).maximal_order().class_set().rational_newforms()
+        >>> f, f.signs, f[101], sorted(set(f.values))
+        (<newform a_2 = -2, a_3 = -2, a_5 = -3, a_7 = -5, a_11 = -4, …>, {389: -1}, -4, [-2, -1, 0, 1, 2])
+        """
+        from hfield.orders.rational_newforms import rational_newforms  # imports numpy
+
+        return rational_newforms(self._classes, self._classes_of_level, executor)
 
     def latex(self) -> str:
         """Write the number of classes and the mass in LaTeX."""

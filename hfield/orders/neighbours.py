@@ -13,7 +13,7 @@ in the ideal of a line if and only if z·e and z·g lie on the line.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from itertools import chain, combinations
@@ -23,7 +23,7 @@ from flint import fmpq, fmpq_mat, fmpz_mat, nmod_mat
 
 from hfield.core.factorisation import remove
 from hfield.errors import LatticeError
-from hfield.orders.ideals_of_norm import subideals
+from hfield.orders.ideals_of_norm import subideals, two_sided_prime
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.orders_at_primes import OrderAtPrime
 
@@ -38,10 +38,13 @@ TRIALS = 1_000
 class Neighbours:
     """The right ideals of relative norm P in right ideals of one order.
 
-    Raises :class:`TooLargeError` where they are too many at a prime of the discriminant.
+    Those of some ideals of norm P, ``only`` them, or of all. Raises :class:`TooLargeError` where they are too
+    many at a prime of the discriminant.
     """
 
-    def __init__(self, order: LatticeValue, prime: Any) -> None:
+    def __init__(
+        self, order: LatticeValue, prime: Any, only: Sequence[LatticeValue] | None = None
+    ) -> None:
         base = order.ambient.base
         self.order, self.prime = order, prime
         norm = base.absolute_norm(base.prime_ideal(prime))
@@ -49,8 +52,8 @@ class Neighbours:
         self.degree = remove(norm, self.p)[0]
         self.ideals: list[LatticeValue] = []
         """Those in the order, where P divides the discriminant."""
-        if base.valuation(discriminant(order), prime):
-            self.ideals = subideals(order, order, prime)
+        if only is not None or base.valuation(discriminant(order), prime):
+            self.ideals = subideals(order, order, prime) if only is None else list(only)
             self._forms = nmod_mat(order.ambient.identity, self.p)
             self._lines = list(map(self._zeros, self.ideals))
         else:
@@ -105,6 +108,12 @@ class Neighbours:
 def neighbours_at(order: LatticeValue, prime: Any) -> Neighbours:
     """Return the right ideals of norm P in an order, and with them those in its right ideals."""
     return Neighbours(order, prime)
+
+
+@lru_cache(maxsize=64)
+def two_sided_at(order: LatticeValue, prime: Any) -> Neighbours:
+    """Return the two-sided ideal of norm P in an order, and with it that in its right ideals."""
+    return Neighbours(order, prime, [two_sided_prime(order, prime)])
 
 
 def generator_above(around: SublatticeKeys, p: int, norm: Norm) -> ShortElement | None:

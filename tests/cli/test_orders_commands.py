@@ -7,9 +7,10 @@ from fractions import Fraction
 import pytest
 
 from hfield import QuaternionAlgebra, census
-from hfield.cli import orders
+from hfield.cli import main, orders
 from hfield.cli.commands.brandt import polynomial
 from hfield.cli.commands.survey import numbers
+from hfield.orders.class_file import ClassFile
 from tests.cli.running import page, run
 
 
@@ -140,7 +141,7 @@ def test_an_order_says_the_same_in_every_format(capsys, words):
         (["brandt", "37", "0"], "positive integer"),
         (
             ["brandt", "1000003"],
-            "83334 classes, by Eichler's formula, so the matrix has 6944555556 entries",
+            "the Brandt matrix of 83334 classes has 6944555556 entries and would take about 111.1 GB",
         ),
         (
             ["brandt", "1000003", "--prime", "4", "--format", "edges"],
@@ -413,3 +414,30 @@ def test_documents_have_one_form_over_every_base(capsys, name):
         assert (first["units"], first["type"]) == (second["units"], second["type"])
     assert first.keys() | {"pseudo_basis"} == larger["classes"][0].keys()
     assert indefinite[0].keys() == indefinite[1].keys()
+
+
+def test_classes_and_neighbours_are_kept_in_a_file(tmp_path, capsys):
+    path = tmp_path / "classes.jsonl"
+    words = ["brandt", "389", "--prime", "3", "--format", "edges"]
+    assert main(words) == 0
+    edges = capsys.readouterr().out
+    for _ in range(2):  # found, and read
+        assert main([*words, "--resume", str(path)]) == 0
+        assert capsys.readouterr().out == edges
+    assert main(["classes", "37", "--resume", str(path)]) == 2
+    assert "another order" in capsys.readouterr().err
+    assert main(["classes", "389", "--resume", str(tmp_path / "no" / "file")]) == 2
+    assert "No such file" in capsys.readouterr().err
+
+
+def test_an_interrupted_search_names_its_file(tmp_path, capsys, monkeypatch):
+    path = tmp_path / "classes.jsonl"
+
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(ClassFile, "append", interrupted)
+    assert main(["classes", "37", "--resume", str(path)]) == 130
+    assert f"the same command goes on from {path}" in " ".join(capsys.readouterr().err.split())
+    monkeypatch.undo()
+    assert main(["classes", "37", "--resume", str(path)]) == 0

@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from hfield.cli.orders import (
     SECONDS_A_CLASS,
+    add_class_search,
     algebra_of,
     announce,
+    class_search,
     ideal_json,
     level_of,
     unit_numbers,
@@ -24,6 +26,8 @@ from hfield.core.files import whole_file
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from hfield.cli.commands.brandt_graph import BrandtGraph
     from hfield.ledger.matrix import Style
     from hfield.orders.lattice import ClassSet
@@ -40,8 +44,6 @@ EXAMPLES = (
     "hfield brandt '(-1,-1|QQ(sqrt(5)))' '6 + sqrt(5)' --prime 'sqrt(5)'",
 )
 MAX_DRAWN_CLASSES = 600
-MAX_ROWS = 10_000
-"""Matrices of more rows are not computed: they take six gigabytes, and their polynomials days."""
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -56,6 +58,7 @@ def configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--plot", metavar="FILE", help="draw the graph to FILE (.svg, .png, .pdf)")
     parser.add_argument("--dark", action="store_true", help="draw the graph on a dark page")
+    add_class_search(parser)
     add_factors(parser)
     add_format(parser, "plain", "json", "latex", "edges")
     add_output(parser)
@@ -63,11 +66,11 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(args: Namespace) -> int:
     """Compute the matrix, and print it."""
-    with given_factors(args):
-        return answer_one(args, partial(_answer, args))
+    with given_factors(args), class_search(args) as executor:
+        return answer_one(args, partial(_answer, args, executor))
 
 
-def _answer(args: Namespace) -> OutputDocument:
+def _answer(args: Namespace, executor: Executor | None) -> OutputDocument:
     from hfield.orders.class_number import by_formula
 
     replace = bool(args.plot) and try_picture(args.plot)
@@ -80,13 +83,14 @@ def _answer(args: Namespace) -> OutputDocument:
     number = by_formula(O.value) if O.is_definite() else None
     if number is not None:
         _announce(number, sparse, args.format in ("plain", "json"))
-    C = O.class_set()
+    C = O.class_set(executor=executor, file=args.resume)
     if args.plot and len(C) > MAX_DRAWN_CLASSES:
         raise UsageError(
             f"there are {len(C)} classes, and a graph of at most {MAX_DRAWN_CLASSES} vertices is drawn: "
             "--format edges lists its edges"
         )
-    Waiting.at("computing the matrix")
+    Waiting.at("computing neighbours" if sparse else "computing the matrix")
+    rows = C.neighbour_counts(n, executor=executor) if sparse else []
     matrix = [] if sparse else C.brandt_matrix(n)
     if args.plot:
         _plot(_graph(C, matrix, n), args, replace)
@@ -114,8 +118,8 @@ def _answer(args: Namespace) -> OutputDocument:
         return f"\\begin{{pmatrix}}\n{rows}\n\\end{{pmatrix}}"
 
     def edges() -> str:
-        rows = C.neighbours(n) if sparse else [dict(enumerate(row)) for row in matrix]
-        return "\n".join(_edges(rows))
+        found = rows if sparse else [dict(enumerate(row)) for row in matrix]
+        return "\n".join(_edges(found))
 
     def page(style: Style) -> str:
         return "\n".join(_plain(C, matrix, n, characteristic(), style.width))
@@ -124,15 +128,13 @@ def _answer(args: Namespace) -> OutputDocument:
 
 
 def _announce(number: int, sparse: bool, polynomial: bool) -> None:
-    """Say how long it will take, where that is long. Raises :class:`UsageError` if memory is too small."""
+    """Say how long it will take, where that is long. Raises :class:`TooLargeError` if memory is too small."""
+    from hfield.orders.brandt import expect_matrix_fits
+
     instead = "--format edges, with a prime, writes only the entries that are not 0"
     seconds = number * SECONDS_A_CLASS
     if not sparse:
-        if number > MAX_ROWS:
-            raise UsageError(
-                f"there are {number} classes, by Eichler's formula, so the matrix has {number**2} entries; "
-                f"at most {MAX_ROWS} rows are computed: {instead}"
-            )
+        expect_matrix_fits(number)
         seconds += number**2 * 4e-7 + (number**4 * 2e-11 if polynomial else 0)
     announce(number, seconds, "hfield classes --formula counts them" if sparse else instead)
 

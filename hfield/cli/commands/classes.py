@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
+from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from hfield.cli.orders import (
     SECONDS_A_CLASS,
     add_answers,
+    add_class_search,
     add_where,
     algebra_of,
     announce,
     answer_certified,
     class_data,
+    class_search,
     ideal_json,
     level_of,
     unit_groups,
@@ -25,6 +28,8 @@ from hfield.cli.parser import UsageError
 from hfield.cli.status import Waiting
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from hfield.evidence import Claim
     from hfield.orders.lattice import ClassSet, Order
     from hfield.orders.newforms import Newform
@@ -60,6 +65,7 @@ def configure(parser: ArgumentParser) -> None:
         action="store_true",
         help="add the newforms of weight 2 with rational eigenvalues; hfield newforms has all",
     )
+    add_class_search(parser)
     add_answers(parser)
 
 
@@ -71,10 +77,13 @@ def run(args: Namespace) -> int:
         raise UsageError(
             "--certificate asks for the classes, and --formula enumerates none: leave one of them out"
         )
-    return answer_certified(args, _answer)
+    with class_search(args) as executor:
+        return answer_certified(args, partial(_answer, executor=executor))
 
 
-def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
+def _answer(
+    args: Namespace, executor: Executor | None
+) -> tuple[OutputDocument, Callable[[], Claim]]:
     from hfield.orders.class_number import by_formula
 
     A = algebra_of(args.algebra)
@@ -85,7 +94,7 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
     if not args.formula:
         if number is not None:
             announce(number, number * SECONDS_A_CLASS, "--formula enumerates none")
-        return _enumerated(args, O.class_set(), number)
+        return _enumerated(args, O.class_set(executor=executor, file=args.resume), number)
     if number is None:
         raise UsageError(
             "--formula is for algebras over QQ; over other fields the classes are enumerated, up to the mass"

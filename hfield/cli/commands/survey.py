@@ -74,6 +74,7 @@ def run(args: Namespace) -> int:
     """Compute what is missing, and write it."""
     from hfield import census
     from hfield.core.executors import open_executor
+    from hfield.core.journal import Journal
 
     survey, pairs = _asked(args)
     (most,) = numbers(args.most or str(AREA if args.groups else DEFAULT_CLASSES), "--most")[:1]
@@ -93,7 +94,7 @@ def run(args: Namespace) -> int:
         )
     if parquet:
         _pyarrow()
-    journal = census.Journal(path.with_name(path.name + ".jsonl") if parquet else path)
+    journal = Journal(path.with_name(path.name + ".jsonl") if parquet else path)
     number = 0
     try:
         done = _done(journal, survey.names)

@@ -1,0 +1,36 @@
+"""A file of JSON lines to which long computations append what they have found, and go on after a kill."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+Row = dict[str, Any]
+
+
+class Journal:
+    """A file of JSON lines that survives a kill: rows are appended, and read back whole."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def read(self) -> list[Row]:
+        """Return the rows, after cutting off a line that was torn."""
+        if not self.path.exists():
+            return []
+        data = self.path.read_bytes()
+        whole = data.rfind(b"\n") + 1
+        if whole < len(data):
+            with self.path.open("r+b") as file:
+                file.truncate(whole)
+        return [json.loads(line) for line in data[:whole].splitlines()]
+
+    def append(self, found: list[Row]) -> None:
+        """Append rows in one write, and have them on the disk."""
+        text = "".join(json.dumps(item) + "\n" for item in found)
+        with self.path.open("ab") as file:
+            file.write(text.encode())
+            file.flush()
+            os.fsync(file.fileno())

@@ -1,0 +1,106 @@
+"""A file of classes and rows of neighbours: a run that is interrupted goes on from what is in it.
+
+It has JSON lines: first the order, then one line a block of rows, with the classes that are new in it. The
+file is trusted, except that its classes cannot exceed the mass and that its rows have the right sums; a
+certificate of the class set proves the classes anew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from hfield.core.journal import Journal, Row
+from hfield.core.packed_integers import pack, unpack
+from hfield.errors import LatticeError, shorten
+from hfield.orders.class_store import PackedClass
+from hfield.orders.lattice_values import rows_json
+
+if TYPE_CHECKING:
+    from hfield.orders.base import Base
+    from hfield.orders.classes import Classes
+
+SCHEMA = "hfield-class-rows/1"
+
+
+class ClassFile:
+    """A file that keeps classes and rows of neighbours of one order as they are found."""
+
+    def __init__(self, path: str | Path) -> None:
+        self._journal = Journal(Path(path))
+
+    def read(self, classes: Classes) -> None:
+        """Add the classes and rows of the file, or begin a new file.
+
+        Raises :class:`LatticeError` for a file of another order, or another kind.
+        """
+        try:
+            lines = self._journal.read()
+            if lines and lines[0]["schema"] != SCHEMA:
+                raise ValueError(f"its schema is not {SCHEMA}")
+        except (ValueError, KeyError, TypeError):
+            raise self._unreadable() from None
+        head = _head(classes)
+        if not lines:
+            self._journal.append([head])
+        elif lines[0] != head:
+            raise LatticeError(
+                f"{shorten(self._journal.path)} has the classes of another order: name another file"
+            )
+        try:
+            for line in lines[1:]:
+                _restore(classes, line)
+        except (ValueError, KeyError, TypeError, OverflowError):
+            raise self._unreadable() from None
+
+    def _unreadable(self) -> LatticeError:
+        return LatticeError(
+            f"{shorten(self._journal.path)} is no file of classes that could go on: move it away, or name "
+            "another file"
+        )
+
+    def append(
+        self,
+        base: Base,
+        prime: Any,
+        first: int,
+        rows: Sequence[Mapping[int, int]],
+        new: Sequence[tuple[int, int | None, PackedClass]],
+    ) -> None:
+        """Add the rows of a prime from a first one on, and new classes.
+
+        These are given with their numbers, and the numbers of the classes exchanged with them.
+        """
+        line = {
+            "prime": base.ideal_text(base.prime_ideal(prime)),
+            "first": first,
+            "rows": [[x for pair in sorted(row.items()) for x in pair] for row in rows],
+            "classes": [
+                {
+                    "number": number,
+                    "exchanged": exchanged,
+                    "record": unpack(found.record),
+                    "units": found.units,
+                    "keys": list(map(unpack, found.keys)),
+                }
+                for number, exchanged, found in new
+            ],
+        }
+        self._journal.append([line])
+
+
+def _head(classes: Classes) -> Row:
+    order = classes.order
+    return {"schema": SCHEMA, "algebra": str(order.algebra), "order": rows_json(order)}
+
+
+def _restore(classes: Classes, line: Row) -> None:
+    """Add the classes and rows of a line."""
+    base = classes.ambient.base
+    for found in line["classes"]:
+        keys = tuple(map(pack, found["keys"]))
+        packed = PackedClass(pack(found["record"]), int(found["units"]), keys)
+        classes.restore_class(found["number"], found["exchanged"], packed)
+    rows = [dict(zip(row[::2], row[1::2], strict=True)) for row in line["rows"]]
+    classes.restore_rows(base.prime(line["prime"]), line["first"], rows)

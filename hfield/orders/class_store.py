@@ -1,0 +1,108 @@
+"""The representatives of ideal classes, a packed row of integers each, and their numbers by keys.
+
+A class takes some 300 bytes over ℚ: 10⁶ classes fit into memory. Matrices and norms are made when they are
+read.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple, overload
+
+from flint import fmpq, fmpz_mat
+
+from hfield.core.packed_integers import pack, unpack
+from hfield.orders.class_keys import Norm, Representative
+
+if TYPE_CHECKING:
+    from hfield.orders.basis import AlgebraBasis
+
+
+class Record(NamedTuple):
+    """The lattice that represents a class: a reduced basis, rows over a denominator, and its norm."""
+
+    rows: fmpz_mat
+    den: int
+    norm: Norm
+
+
+class PackedClass(NamedTuple):
+    """A class as bytes and integers, as it is stored and sent between processes."""
+
+    record: bytes
+    units: int
+    """[O_L(I)ˣ : Rˣ]; R are the integers of the base."""
+    keys: tuple[bytes, ...]
+    """Those of the shortest elements."""
+
+
+class ClassStore:
+    """Records of classes by their numbers, units of left orders, and the number of each key."""
+
+    def __init__(self, ambient: AlgebraBasis) -> None:
+        self._ambient = ambient
+        self.packed: list[bytes] = []
+        self.units = array("I")
+        self._numbers: dict[bytes, int] = {}
+
+    def __len__(self) -> int:
+        return len(self.packed)
+
+    def __getitem__(self, n: int) -> Record:
+        return unpack_record(self._ambient, self.packed[n])
+
+    def number(self, key: bytes) -> int | None:
+        """Return the number of the class with a key, or None."""
+        return self._numbers.get(key)
+
+    def add(self, found: PackedClass) -> int:
+        """Add a class, and return its number."""
+        number = len(self)
+        self.packed.append(found.record)
+        self.units.append(found.units)
+        for key in found.keys:
+            self._numbers[key] = number
+        return number
+
+    def add_key(self, key: bytes, number: int) -> None:
+        """Add one more key of a class."""
+        self._numbers[key] = number
+
+
+class Norms(Sequence[Norm]):
+    """The norms of the representatives, read from a store."""
+
+    def __init__(self, store: ClassStore) -> None:
+        self._store = store
+
+    def __len__(self) -> int:
+        return len(self._store)
+
+    @overload
+    def __getitem__(self, n: int) -> Norm: ...
+    @overload
+    def __getitem__(self, n: slice) -> list[Norm]: ...
+    def __getitem__(self, n: int | slice) -> Norm | list[Norm]:
+        if isinstance(n, slice):
+            return [self[k] for k in range(*n.indices(len(self)))]
+        return self._store[n].norm
+
+    def __iter__(self) -> Iterator[Norm]:
+        return (self._store[n].norm for n in range(len(self)))
+
+
+def pack_class(ambient: AlgebraBasis, found: Representative) -> PackedClass:
+    """Return a representative with what it has as bytes and integers."""
+    number, below = ambient.base.coordinate_rows([found.norm.element]).numer_denom()
+    head = [found.norm.number, int(below), *map(int, number.entries()), found.den]
+    record = pack([*head, *map(int, found.rows.entries())])
+    return PackedClass(record, found.units, tuple(map(pack, found.keys)))
+
+
+def unpack_record(ambient: AlgebraBasis, data: bytes) -> Record:
+    """Return the lattice of a class that :func:`pack_class` was given."""
+    numbers, n, size = unpack(data), ambient.degree, ambient.size
+    element = ambient.base.element_of([fmpq(c, numbers[1]) for c in numbers[2 : n + 2]])
+    rows = fmpz_mat(size, size, numbers[n + 3 :])
+    return Record(rows, numbers[n + 2], Norm(numbers[0], element))
