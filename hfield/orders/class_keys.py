@@ -75,10 +75,11 @@ class ClassKeys:
         scale = den * x.den * self.ambient.scale * self._den
         domain = self.ambient.domain
         whole, den = (rows * matrix * domain.fraction(self.order.den, scale)).numer_denom()
-        d, entries = domain.integer(den), whole.hnf().entries()
+        integer = domain.integer
+        d, entries = integer(den), whole.hnf().entries()
         size = self.ambient.size
         kept = [k for k in range(size) if entries[k * (size + 1)] != d]
-        return (d, *(domain.integer(c) for k in kept for c in entries[k * size : (k + 1) * size]))
+        return (d, *(integer(c) for k in kept for c in entries[k * size : (k + 1) * size]))
 
     def divided(self, rows: fmpz_mat, x: ShortElement) -> tuple[fmpz_mat, int]:
         """Return a basis of x⁻¹·I, rows over a denominator, for a basis of I."""

@@ -160,9 +160,9 @@ def _solutions(domain: Domain, forms: Any, p: Any) -> Any:
     for k, pivot in enumerate(pivots):
         entries[pivot * (size + 1)] = p
         for m in range(pivot + 1, size):
-            c = domain.small_residue(reduced[k, m], p)
+            c = reduced[k, m]
             if c and m not in pivots:
-                entries[m * size + pivot] = -c
+                entries[m * size + pivot] = -domain.small_residue(c, p)
     return domain.matrix(size, size, entries)
 
 
