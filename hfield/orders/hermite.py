@@ -39,7 +39,10 @@ def hermite(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat] | None:
 
 def reduced(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
     """Return an integer matrix over ``den`` as one over the least denominator."""
-    return (den, matrix) if den == 1 else rational(matrix * domain_of(matrix).fraction(1, den))
+    domain = domain_of(matrix)
+    if den == 1:
+        return domain.integer(den), matrix
+    return rational(matrix * domain.fraction(1, den))
 
 
 def first_rows(matrix: fmpz_mat, number: int) -> fmpz_mat:

@@ -1,5 +1,6 @@
 """Orders over 𝔽_q[t]: class sets against Gekeler's class numbers, Brandt matrices, and brute force."""
 
+import pickle
 from fractions import Fraction
 from itertools import product
 from typing import Any
@@ -50,6 +51,10 @@ def test_classes_are_those_over_every_base() -> None:
     assert type(O.class_set()) is type(P.class_set()) is ClassSet
     assert type(I) is type(J) is Ideal
     assert type(I * 2 + O) is type(J * 2 + P) is Lattice
+    for L in (O, I, O.class_set()[0], O.algebra.lattice(["1/t", "i", "j", "k"])):
+        again = pickle.loads(pickle.dumps(L))
+        assert (again, hash(again), again.hnf) == (L, hash(L), L.hnf)
+    assert len({O, O * O, I * I.inverse(), O + I}) == 1
 
 
 COMPOSITE = [
