@@ -130,10 +130,10 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     def from_ramification(
         cls, ring: RingName, primes: Iterable[object], infinite: bool | None = None
     ) -> QuaternionAlgebra:
-        """Return an algebra over ℚ or a number field that ramifies exactly at these places.
+        """Return an algebra over ℚ, a number field or GF(q)(t) that ramifies exactly at these places.
 
         Over ℚ they are primes and ``"inf"``, which may be left out or said by ``infinite``, as places ramify
-        in even number; over a number field they are its places or their texts. Raises :class:`RingError` for
+        in even number; over other fields they are places or their texts. Raises :class:`RingError` for
         what is no such place or comes twice, for an odd number of places, and for another field, and
         :class:`UndecidedError` where no constants were found.
 
@@ -142,6 +142,8 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         >>> A = QuaternionAlgebra.from_ramification("QQ[s]/(s^3-2)", ["(2, s)", "inf0"])
         >>> A.ramified_places()
         ((2, s), inf0)
+        >>> QuaternionAlgebra.from_ramification("GF(2)(t)", ["t^2+t+1", "inf"])
+        [t,t^2+t+1|GF(2)(t))
         """
         F = read_ring(ring)
         field = global_field(F)
@@ -1334,14 +1336,14 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
     def class_number(self, level: object = 1) -> int:
         """Return the number of ideal classes of an Eichler order, over QQ by Eichler's formula.
 
-        Over the integers of a number field the classes are enumerated. In an indefinite algebra strong
+        Over other fields the classes are enumerated. In an indefinite algebra strong
         approximation tells it: 1 over QQ. Raises :class:`LatticeError` for a level that is not prime to the
         discriminant.
 
         >>> QuaternionAlgebra("QQ(sqrt(3))", -1, 1).class_number()
         1
         """
-        if self.is_over_number_field:
+        if self.ring != QQ:
             order: Any = self.eichler_order(level)
             return len(order.class_set() if order.is_definite() else order.classes_by_norm())
         from hfield.orders.standard_orders import class_number
@@ -1451,7 +1453,8 @@ def _constants(a: object, b: object, t: object) -> tuple[Ring, object, object, o
                 f"{shorten(a)} is not the discriminant of an algebra over QQ: expected a product of "
                 "different primes, or an algebra such as '(-1,-11|QQ)'"
             )
-        return QQ, *known_field(QQ).with_ramification(list(primes), len(primes) % 2 == 1), 0
+        first, second = known_field(QQ).with_ramification(list(primes), len(primes) % 2 == 1)
+        return QQ, first, second, 0
     raise RingError(
         f"an algebra is named by a ring and two constants, as in QuaternionAlgebra('QQ', -1, -11), by a text "
         f"such as '(-1,-11|QQ)', or by a discriminant such as 11; found {shorten(repr(a))}"

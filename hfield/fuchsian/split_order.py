@@ -190,6 +190,11 @@ class SplitOrder:
 def _expect_one_split_place(order: LatticeValue) -> None:
     """Raise :class:`IndefiniteError` unless the field is totally real and one real place splits."""
     ambient, base = order.ambient, order.ambient.base
+    if base.is_polynomial:
+        raise IndefiniteError(
+            f"units of an order in {shorten(order.algebra)} are no motions of the hyperbolic plane: "
+            "norm_one_group() is for orders over ℤ and the integers of totally real fields"
+        )
     if ambient.definite:
         raise IndefiniteError(
             f"the units of an order in {order.algebra}, which is definite, are finitely many modulo numbers: "

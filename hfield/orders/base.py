@@ -1,27 +1,30 @@
-"""The rings of integers over which orders are defined, ℤ and ℤ_K, with one interface.
+"""The rings of integers over which orders are defined, ℤ, ℤ_K and 𝔽_q[t], with one interface.
 
 Computations use elements of ``field``; results for the user are elements of ``ring``. Ideals of ℤ are
-positive rational numbers. Only this module and ``kernels`` distinguish the two kinds of base.
+positive rational numbers. Lattices are matrices over the ``domain`` of the base, ℤ or 𝔽_q[t]. The kinds of
+base are distinguished here, in ``polynomial_base`` and in ``kernels``.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
-from functools import lru_cache, partial
+from functools import partial
+from heapq import heappop, heappush
+from itertools import count as counter
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
 
 from hfield.core.factorisation import factorise, remove
+from hfield.core.primality import primes
 from hfield.core.product import Constants
 from hfield.errors import LatticeError, RingError, TooLargeError, shorten
 from hfield.fields.base.finite_places import FinitePlace
 from hfield.fields.base.residue_polynomials import coefficients, residues
-from hfield.fields.base.ring import Ring
 from hfield.fields.number_fields import ideals
 from hfield.fields.number_fields.classes.class_groups import class_group
 from hfield.fields.number_fields.classes.s_units import s_units
@@ -38,6 +41,7 @@ from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.fields.rationals.whole_numbers import fraction, square_root
 from hfield.orders import positive_generators, validation
+from hfield.orders.domains import INTEGERS, Domain
 from hfield.orders.linear_algebra_mod_p import kronecker
 
 if TYPE_CHECKING:
@@ -63,7 +67,7 @@ class QuaternionBasis(NamedTuple):
 class Counts(NamedTuple):
     """Numbers of elements by their norms, which are given by coordinates over a denominator."""
 
-    numbers: dict[tuple[int, ...], int]
+    numbers: dict[tuple[Any, ...], int]
     den: int
 
 
@@ -75,7 +79,10 @@ class ResiduePlace(FinitePlace, Protocol):
 
 
 class Base(Protocol):
-    """A ring of integers, free of rank ``degree`` over ℤ with the basis ``integral_basis``, 1 first."""
+    """A ring of integers, free of rank ``degree`` over its domain with the basis ``integral_basis``.
+
+    The first element of the basis is 1.
+    """
 
     ring: Any
     field: Any
@@ -83,8 +90,14 @@ class Base(Protocol):
     integral_basis: tuple[Any, ...]
     is_rational: bool
     """Whether the base is ℤ."""
+    is_polynomial: bool
+    """Whether the base is 𝔽_q[t]."""
     symbol: str
     """How the ring is written."""
+
+    @property
+    def domain(self) -> Domain:
+        """The domain over which lattices are matrices: ℤ, or polynomials."""
 
     def coordinate_rows(self, elements: Sequence[Any]) -> fmpq_mat:
         """Return the coordinates of elements in the integral basis, row by row."""
@@ -94,6 +107,9 @@ class Base(Protocol):
 
     def quaternion_basis(self, algebra: Any) -> QuaternionBasis:
         """Return the basis in which lattices of an algebra are kept."""
+
+    def is_definite(self, constants: Constants) -> bool:
+        """Tell whether an algebra ramifies at all infinite places."""
 
     is_totally_real: bool
     real_places: tuple[int, ...]
@@ -109,6 +125,9 @@ class Base(Protocol):
     def primes_above(self, p: int) -> list[tuple[Any, Any]]:
         """Return the primes above a prime number: as the ring has them, and as :meth:`prime` returns them."""
 
+    def primes_by_norm(self) -> Iterator[Any]:
+        """Yield all primes, ascending by their norms."""
+
     def prime_ideal(self, prime: Any) -> Any:
         """Return a prime as an ideal."""
 
@@ -119,6 +138,13 @@ class Base(Protocol):
     @property
     def mass_factor(self) -> Fraction:
         """2^(1−n)·|ζ(−1)|·h for a totally real field, h its class number: the mass of discriminant 1."""
+
+    @property
+    def number_of_units(self) -> int | None:
+        """How many units there are, None for infinitely many."""
+
+    def norm_bound(self, lattice: LatticeValue, n: object) -> Any:
+        """Return the largest value that norms may have for a bound that a user gives, over the content."""
 
     def absolute_norm(self, ideal: Any) -> int:
         """Return how many residues there are modulo an integral ideal."""
@@ -155,6 +181,9 @@ class Base(Protocol):
 
         Raises :class:`LatticeError` for what is no integral ideal.
         """
+
+    def number_data(self, x: Any) -> int | str:
+        """Return a number of the domain for JSON."""
 
     def ideal_text(self, ideal: Any) -> int | str:
         """Return an integral ideal for JSON."""
@@ -255,6 +284,9 @@ class Base(Protocol):
     def outside(self, x: Any) -> Any:
         """Convert an element of ``field`` to one of ``ring``."""
 
+    def shown_number(self, x: Any) -> Any:
+        """Return a number of the domain as a user sees it."""
+
     def shown_norm(self, lattice: LatticeValue) -> Any:
         """Return the norm of a lattice as a user sees it."""
 
@@ -278,7 +310,9 @@ class RationalIntegers:
     degree = 1
     integral_basis: tuple[fmpq, ...] = (fmpq(1),)
     symbol = "ℤ"
+    domain = INTEGERS
     is_rational = True
+    is_polynomial = False
     is_totally_real = True
     real_places: tuple[int, ...] = (0,)
     one = 1
@@ -289,8 +323,16 @@ class RationalIntegers:
     def primes_above(self, p: int) -> list[tuple[int, int]]:
         return [(p, p)]
 
+    def primes_by_norm(self) -> Iterator[int]:
+        return primes()
+
     def prime_ideal(self, prime: int) -> int:
         return prime
+
+    number_of_units = 2
+
+    def norm_bound(self, lattice: LatticeValue, n: object) -> int:
+        return _norm_bound(lattice, n)
 
     zeta_minus_one = Fraction(-1, 12)
     mass_factor = Fraction(1, 12)
@@ -404,6 +446,15 @@ class RationalIntegers:
     def is_ideal(self, x: object) -> bool:
         return False
 
+    def is_definite(self, constants: Constants) -> bool:
+        return is_totally_definite(self, constants)
+
+    def number_data(self, x: Any) -> int:
+        return int(x)
+
+    def shown_number(self, x: int) -> int:
+        return x
+
     def is_totally_positive(self, x: fmpq) -> bool:
         return bool(x > 0)
 
@@ -488,6 +539,19 @@ class OneNarrowClass:
         return 0, fmpq(ideal.numerator, ideal.denominator)
 
 
+def _norm_bound(lattice: LatticeValue, n: object) -> int:
+    """Return the largest multiple of the content that traces of norms may have: at most n."""
+    scale = lattice.ambient.scale * lattice.den**2
+    return int(fraction(n) * scale // int(lattice.content))
+
+
+def is_totally_definite(base: Base, constants: Constants) -> bool:
+    """Tell whether an algebra over a number field is totally definite."""
+    a, t, b = constants
+    positive = base.is_totally_positive
+    return base.is_totally_real and positive(-a - t * t / 4) and positive(-b)
+
+
 def degenerate(algebra: Any) -> RingError:
     """Return the error for a degenerate algebra."""
     return RingError(
@@ -513,7 +577,9 @@ class NumberFieldIntegers:
         self.real_places = tuple(range(self.field.signature[0]))
 
     symbol = "ℤ_K"
+    domain = INTEGERS
     is_rational = False
+    is_polynomial = False
 
     def inside(self, x: object) -> FieldElement:
         return self.field(x)
@@ -523,6 +589,16 @@ class NumberFieldIntegers:
 
     def primes_above(self, p: int) -> list[tuple[PrimeIdeal, PrimeIdeal]]:
         return [(P, P) for P in self.field.primes_above(p)]
+
+    def primes_by_norm(self) -> Iterator[PrimeIdeal]:
+        number, waiting = counter(), list[tuple[int, int, PrimeIdeal]]()
+        for p in primes():
+            while waiting and waiting[0][0] < p:
+                yield heappop(waiting)[2]
+            for prime in self.field.primes_above(p):
+                heappush(
+                    waiting, (self.absolute_norm(self.prime_ideal(prime)), next(number), prime)
+                )
 
     def prime_ideal(self, prime: PrimeIdeal) -> ideals.FractionalIdeal:
         return self.integers.prime(prime)
@@ -535,6 +611,13 @@ class NumberFieldIntegers:
     def mass_factor(self) -> Fraction:
         classes = self.ring.class_group().order
         return Fraction(abs(self.zeta_minus_one) * classes, 2 ** (self.degree - 1))
+
+    @property
+    def number_of_units(self) -> int | None:
+        return None if self.degree > 1 else 2
+
+    def norm_bound(self, lattice: LatticeValue, n: object) -> int:
+        return _norm_bound(lattice, n)
 
     def absolute_norm(self, ideal: ideals.FractionalIdeal) -> int:
         return int(ideal.norm())
@@ -695,6 +778,15 @@ class NumberFieldIntegers:
     def is_ideal(self, x: object) -> bool:
         return isinstance(x, ideals.FractionalIdeal)
 
+    def is_definite(self, constants: Constants) -> bool:
+        return is_totally_definite(self, constants)
+
+    def number_data(self, x: Any) -> int:
+        return int(x)
+
+    def shown_number(self, x: int) -> int:
+        return x
+
     def is_totally_positive(self, x: FieldElement) -> bool:
         signs = self.field.multiplication(x).charpoly().coeffs()
         return all(c * (-1) ** (len(signs) - 1 - k) > 0 for k, c in enumerate(signs))
@@ -753,17 +845,4 @@ class NumberFieldIntegers:
         return {self.outside(norm): count for norm, count in ordered}
 
 
-INTEGERS = RationalIntegers()
-
-
-@lru_cache(maxsize=64)
-def base_of(ring: Ring) -> Base:
-    """Return the integers of a field. Raises :class:`RingError` for a field over which no orders are."""
-    if ring == QQ:
-        return INTEGERS
-    if isinstance(ring, NumberField):
-        return NumberFieldIntegers(ring)
-    raise RingError(
-        f"lattices, orders and ideals are not defined over {shorten(ring.name)}: expected an algebra over "
-        "QQ or another number field"
-    )
+RATIONAL_INTEGERS = RationalIntegers()

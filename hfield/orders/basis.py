@@ -2,7 +2,8 @@
 
 An element is a row of 4n rational numbers: the coordinates in the integral basis ω of the base, n numbers
 each, of w, x, y, z in ``w + x·I + y·J + z·IJ``. Over ℚ these are the coordinates over (1, i, j, k), for any
-constants (a, t, b), fractions too. Matrices act on rows from the right.
+constants (a, t, b), fractions too. Over GF(q)(t) polynomials take the place of integers: n is 1, and a row
+has four rational functions. Matrices act on rows from the right.
 """
 
 from __future__ import annotations
@@ -16,9 +17,14 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 
 from hfield.core.product import conjugate, multiply, norm, trace
-from hfield.errors import IndefiniteError, LatticeError
-from hfield.orders.base import Base, base_of
+from hfield.errors import IndefiniteError, LatticeError, RingError, shorten
+from hfield.fields.base.ring import Ring
+from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.number_fields.ring import NumberField
+from hfield.fields.rationals.ring import QQ
+from hfield.orders.base import RATIONAL_INTEGERS, Base, NumberFieldIntegers
 from hfield.orders.kernels import Kernels
+from hfield.orders.polynomial_base import PolynomialBase
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Parent, Quaternion
@@ -36,9 +42,10 @@ class AlgebraBasis:
 
     def __init__(self, algebra: Parent, base: Base) -> None:
         self.algebra, self.base = algebra, base
+        self.domain = domain = base.domain
         self.degree = n = base.degree
         self.size = 4 * n
-        self.kernels = Kernels(base.is_rational)
+        self.kernels = Kernels(base)
         self._quaternions = base.quaternion_basis(algebra)
         self.constants = c = self._quaternions.constants
         omega = base.integral_basis
@@ -47,31 +54,35 @@ class AlgebraBasis:
         left = [self._matrix(row) for row in products]
         bars = self._matrix([conjugate(c, u) for u in UNITS])
         pairings = [[trace(c, multiply(c, u, conjugate(c, v))) for v in UNITS] for u in UNITS]
-        traces = [[[fmpq(0)] * self.size for _ in range(self.size)] for _ in omega]
+        traces = [[[domain.fraction(0)] * self.size for _ in range(self.size)] for _ in omega]
         for u, v in ((u, v) for u in range(4) for v in range(4) if pairings[u][v] != 0):
             numbers = [x * y * pairings[u][v] for x in omega for y in omega]
             for m, row in enumerate(base.coordinate_rows(numbers).tolist()):
                 for table, x in zip(traces, row, strict=True):
                     table[u * n + m // n][v * n + m % n] = x
-        forms = list(map(fmpq_mat, traces))
-        self.scale = math.lcm(*(int(m.numer_denom()[1]) for m in (*right, *left, *forms)))
+        forms = list(map(domain.fraction_matrix, traces))
+        self.scale = domain.lcm(
+            *(domain.integer(m.numer_denom()[1]) for m in (*right, *left, *forms))
+        )
         self.scalars = [_integral(self._matrix([_scaled(u, w) for u in UNITS]), 1) for w in omega]
         self.right = [_integral(m, self.scale) * s for m in right for s in self.scalars]
         self.left = [_integral(m, self.scale) * s for m in left for s in self.scalars]
         self.traces = [_integral(m, self.scale) for m in forms]
+        self.norm_forms = domain.quadratic(self.traces, [norm(c, u) for u in UNITS])
         self.conjugation, below = bars.numer_denom()
-        self.conjugate_scale = int(below)
+        self.conjugate_scale = domain.integer(below)
 
     def _matrix(self, images: Iterable[Sequence[Any]]) -> fmpq_mat:
         """Return the matrix of a linear map over the base by its images of 1, I, J, IJ."""
         numbers = [w * x for q in images for w in self.base.integral_basis for x in q]
-        return fmpq_mat(self.size, self.size, self.base.coordinate_rows(numbers).entries())
+        entries = self.base.coordinate_rows(numbers).entries()
+        return self.domain.fraction_matrix(self.size, self.size, entries)
 
     @cached_property
     def _coordinates(self) -> list[fmpz_mat]:
         """The coordinates of a product, one after the other, as bilinear forms."""
-        size = range(self.size)
-        return [fmpz_mat([[self.right[y][x, m] for y in size] for x in size]) for m in size]
+        size, matrix = range(self.size), self.domain.matrix
+        return [matrix([[self.right[y][x, m] for y in size] for x in size]) for m in size]
 
     @cached_property
     def _norms(self) -> dict[str, list[fmpz_mat]]:
@@ -97,7 +108,7 @@ class AlgebraBasis:
 
     def element(self, row: Sequence[int | fmpz], den: int = 1) -> Quaternion:
         """Return a row over a denominator as an element of the algebra."""
-        return self.quaternion([fmpq(c, den) for c in row])
+        return self.quaternion([self.domain.fraction(c, den) for c in row])
 
     def quaternion(self, row: Sequence[fmpq]) -> Quaternion:
         """Return a row of rational numbers as an element of the algebra."""
@@ -120,7 +131,7 @@ class AlgebraBasis:
                 )
             numbers += into([inside(c) for c in q.coordinates])
         entries = self.base.coordinate_rows(numbers).entries()
-        return fmpq_mat(len(elements), self.size, entries)
+        return self.domain.fraction_matrix(len(elements), self.size, entries)
 
     @cached_property
     def one(self) -> fmpq_mat:
@@ -130,7 +141,7 @@ class AlgebraBasis:
     def integral_row(self, x: object) -> tuple[int, list[fmpz]]:
         """Return the same as integers over a denominator."""
         row, den = self.row(x).numer_denom()
-        return int(den), row.entries()
+        return self.domain.integer(den), row.entries()
 
     def is_integral(self, row: Sequence[fmpq]) -> bool:
         """Tell whether an element has an integral trace and norm."""
@@ -151,7 +162,8 @@ class AlgebraBasis:
         """Return the products of all rows with all others, one a row, ``scale`` times too large."""
         columns = others.transpose()
         found = zip(*((rows * form * columns).entries() for form in self._coordinates), strict=True)
-        return fmpz_mat(rows.nrows() * others.nrows(), self.size, [x for row in found for x in row])
+        entries = [x for row in found for x in row]
+        return self.domain.matrix(rows.nrows() * others.nrows(), self.size, entries)
 
     def norm_products(self, rows: fmpz_mat, side: str) -> fmpz_mat:
         """Return the products ``x·conj(y)`` of the pairs of a basis, ``conj(x)·y`` on the right.
@@ -161,7 +173,7 @@ class AlgebraBasis:
         columns = rows.transpose()
         found = [rows * form * columns for form in self._norms[side]]
         entries = [m[pair] for pair in self.pairs for m in found]
-        return fmpz_mat(len(self.pairs), self.size, entries)
+        return self.domain.matrix(len(self.pairs), self.size, entries)
 
     def left_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
         """Return the matrix of ``q ↦ x·q`` for an integer row x, ``scale`` times too large."""
@@ -173,14 +185,15 @@ class AlgebraBasis:
 
     def times(self, x: fmpq_mat | Sequence[fmpq], side: str = "right") -> fmpq_mat:
         """Return the matrix of ``q ↦ q·x`` for an element, one row; of ``q ↦ x·q`` for the side left."""
-        row, den = (x if isinstance(x, fmpq_mat) else fmpq_mat(1, self.size, list(x))).numer_denom()
+        whole = self.domain.fraction_matrix(1, self.size, list(x)) if isinstance(x, Sequence) else x
+        row, den = whole.numer_denom()
         matrix = (self.right_matrix if side == "right" else self.left_matrix)(row.entries())
-        return matrix * fmpq(1, int(den) * self.scale)
+        return matrix * self.domain.fraction(1, den * self.scale)
 
     def scalar(self, x: Any) -> fmpq_mat:
         """Return the matrix of the multiplication by a number of the field."""
         row, den = self.base.coordinate_rows([x]).numer_denom()
-        return self.scalar_matrix(row.entries()) * fmpq(1, int(den))
+        return self.scalar_matrix(row.entries()) * self.domain.fraction(1, den)
 
     def scalar_matrix(self, row: Sequence[int | fmpz]) -> fmpz_mat:
         """Return the same for integer coordinates of a number in the integral basis."""
@@ -196,13 +209,13 @@ class AlgebraBasis:
     def identity(self) -> fmpz_mat:
         """The lattice of 1, I, J, IJ."""
         size = range(self.size)
-        return fmpz_mat([[int(m == k) for m in size] for k in size])
+        return self.domain.matrix([[int(m == k) for m in size] for k in size])
 
     @cached_property
     def integers(self) -> fmpz_mat:
         """The integers of the base, one a row."""
         n = self.degree
-        return fmpz_mat([[int(m == k) for m in range(self.size)] for k in range(n)])
+        return self.domain.matrix([[int(m == k) for m in range(self.size)] for k in range(n)])
 
     @cached_property
     def base_multiplications(self) -> list[fmpz_mat]:
@@ -218,9 +231,9 @@ class AlgebraBasis:
     def inverse_number(self, row: Sequence[int | fmpz]) -> tuple[list[fmpz], int]:
         """Return 1/x for a number x with integer coordinates, as integers over a denominator."""
         if len(row) == 1:
-            return [fmpz(1 if row[0] > 0 else -1)], abs(int(row[0]))
+            return [self.domain.integer(1)], self.domain.integer(row[0])
         found, den = (self._one * self.number_matrix(row).inv()).numer_denom()
-        return found.entries(), int(den)
+        return found.entries(), self.domain.integer(den)
 
     @cached_property
     def _one(self) -> fmpq_mat:
@@ -229,12 +242,12 @@ class AlgebraBasis:
     def number_norm(self, x: Any) -> fmpq:
         """Return the norm of a number of the field down to ℚ."""
         row, den = self.base.coordinate_rows([x]).numer_denom()
-        return fmpq(self.number_matrix(row.entries()).det(), den**self.degree)
+        return self.domain.fraction(self.number_matrix(row.entries()).det(), den**self.degree)
 
     @cached_property
     def base_traces(self) -> list[int]:
         """The traces of the integral basis."""
-        return [int(self.base.trace(w).p) for w in self.base.integral_basis]
+        return [self.domain.numerator(self.base.trace(w)) for w in self.base.integral_basis]
 
     # --- norms -------------------------------------------------------------------------------------
 
@@ -243,6 +256,14 @@ class AlgebraBasis:
         columns = rows.transpose()
         return [rows * form * columns for form in self.traces]
 
+    def forms(self, rows: fmpz_mat) -> list[fmpz_mat]:
+        """Return matrices F of the coordinates of norms: ``x·F·x`` is ``form_factor·scale`` times too large.
+
+        Over ℤ they are :meth:`grams`. In characteristic 2 those do not determine norms.
+        """
+        columns = rows.transpose()
+        return [rows * form * columns for form in self.norm_forms]
+
     def form(self, c: Any) -> fmpq_mat:
         """Return the matrix of the form ``Tr(c·tr(x·conj(y)))``, twice Tr(c·N(x)) for x = y."""
         base = self.base
@@ -250,7 +271,7 @@ class AlgebraBasis:
             form * base.trace(c * w)
             for w, form in zip(base.integral_basis, self.traces, strict=True)
         ]
-        return sum(terms[1:], terms[0]) * fmpq(1, self.scale)
+        return sum(terms[1:], terms[0]) * self.domain.fraction(1, self.scale)
 
     def norm_trace(self, row: Sequence[int | fmpz]) -> fmpz:
         """Return Tr(N(x)) for an integer row, ``scale`` times too large: over ℤ the norm."""
@@ -271,10 +292,8 @@ class AlgebraBasis:
 
     @cached_property
     def definite(self) -> bool:
-        """Whether the algebra is totally definite."""
-        a, t, b = self.constants
-        positive = self.base.is_totally_positive
-        return self.base.is_totally_real and positive(-a - t * t / 4) and positive(-b)
+        """Whether the algebra is totally definite: whether it ramifies at all infinite places."""
+        return self.base.is_definite(self.constants)
 
     @cached_property
     def majorant(self) -> fmpz_mat:
@@ -284,7 +303,7 @@ class AlgebraBasis:
         """
         if self.definite:
             return self.trace_form
-        if self.degree > 1:
+        if self.degree > 1 or not self.base.real_places:
             raise IndefiniteError(
                 f"{self.algebra} is not totally definite: over a field other than QQ bases are reduced in "
                 "totally definite algebras"
@@ -318,6 +337,8 @@ class AlgebraBasis:
     @cached_property
     def split_places(self) -> tuple[int, ...]:
         """The numbers of the real places at which the algebra splits."""
+        if not self.base.real_places:
+            return ()
         a, t, b = self.constants
         square, sign = a + t * t / 4, self.base.sign
         return tuple(v for v in self.base.real_places if max(sign(square, v), sign(b, v)) > 0)
@@ -366,3 +387,18 @@ def basis_of(algebra: Parent) -> AlgebraBasis:
         known: Any = algebra
         found = vars(algebra)["_basis"] = _basis_of(known)
     return found
+
+
+@lru_cache(maxsize=64)
+def base_of(ring: Ring) -> Base:
+    """Return the integers of a field. Raises :class:`RingError` for a field over which no orders are."""
+    if ring == QQ:
+        return RATIONAL_INTEGERS
+    if isinstance(ring, NumberField):
+        return NumberFieldIntegers(ring)
+    if isinstance(ring, FunctionField) and ring.base.order is not None:
+        return PolynomialBase(ring)
+    raise RingError(
+        f"lattices, orders and ideals are not defined over {shorten(ring.name)}: expected an algebra over "
+        "QQ, another number field or GF(q)(t)"
+    )

@@ -256,6 +256,11 @@ class _Words(Protocol):
 
 
 def _words(ambient: AlgebraBasis) -> _Words:
+    if ambient.base.is_polynomial:
+        raise LatticeError(
+            f"there are certificates about orders over ℤ and the integers of number fields, not over "
+            f"{ambient.base.symbol}: the checker has no lattices of polynomials"
+        )
     if ambient.base.is_rational:
         return _Rational(ambient)
     return _OverField(ambient)

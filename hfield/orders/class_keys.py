@@ -19,10 +19,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
+from flint import fmpz, fmpz_mat
 
 from hfield.orders.basis import combined
-from hfield.orders.enumeration import least_vectors
 from hfield.orders.hermite import divided, inverse, tuples
 from hfield.orders.lattice_values import LatticeValue
 
@@ -74,22 +73,25 @@ class ClassKeys:
         row, den = x.inverse
         matrix = combined(self._left, row)
         scale = den * x.den * self.ambient.scale * self._den
-        whole, den = (rows * matrix * fmpq(self.order.den, scale)).numer_denom()
-        d, entries = int(den), whole.hnf().entries()
+        domain = self.ambient.domain
+        whole, den = (rows * matrix * domain.fraction(self.order.den, scale)).numer_denom()
+        integer = domain.integer
+        d, entries = integer(den), whole.hnf().entries()
         size = self.ambient.size
         kept: list[fmpz] = []
         for k, pivot in enumerate(entries[:: size + 1]):
             if pivot != d:
                 kept += entries[k * size : (k + 1) * size]
-        return (d, *map(int, kept))
+        return (d, *map(integer, kept))
 
     def divided(self, rows: fmpz_mat, x: ShortElement) -> tuple[fmpz_mat, int]:
         """Return a basis of x⁻¹·I, rows over a denominator, for a basis of I."""
         ambient = self.ambient
         row, den = x.inverse
         below = den * x.den * ambient.scale
-        found, den = (rows * ambient.left_matrix(row) * fmpq(1, below)).numer_denom()
-        return found, int(den)
+        fraction = ambient.domain.fraction(1, below)
+        found, den = (rows * ambient.left_matrix(row) * fraction).numer_denom()
+        return found, ambient.domain.integer(den)
 
 
 class ShortElement:
@@ -98,13 +100,14 @@ class ShortElement:
     def __init__(self, ambient: AlgebraBasis, row: list[fmpz], den: int, norm: list[fmpz]) -> None:
         self._ambient, self.row, self.den = ambient, row, den
         self.scaled_norm = norm
-        """2·scale·den² times too large."""
+        """form_factor·scale·den² times too large."""
 
     @property
     def norm(self) -> Any:
         """The reduced norm, a number of the field."""
-        below = 2 * self._ambient.scale * self.den**2
-        return self._ambient.base.element_of([fmpq(c, below) for c in self.scaled_norm])
+        domain = self._ambient.domain
+        below = self._ambient.scale * self.den**2 * domain.form_factor
+        return self._ambient.base.element_of([domain.fraction(c, below) for c in self.scaled_norm])
 
     @cached_property
     def inverse(self) -> tuple[list[fmpz], int]:
@@ -112,10 +115,11 @@ class ShortElement:
         ambient = self._ambient
         # x⁻¹ = conj(x)/N(x)
         number, below = ambient.inverse_number(self.scaled_norm)
-        bar = ambient.times_scalar(fmpz_mat([self.row]) * ambient.conjugation, number)
-        factor = fmpq(2 * ambient.scale * self.den, ambient.conjugate_scale * below)
-        found, den = (bar * factor).numer_denom()
-        return found.entries(), int(den)
+        domain = ambient.domain
+        bar = ambient.times_scalar(domain.matrix([self.row]) * ambient.conjugation, number)
+        over = ambient.scale * self.den * domain.form_factor
+        found, den = (bar * domain.fraction(over, ambient.conjugate_scale * below)).numer_denom()
+        return found.entries(), domain.integer(den)
 
 
 class Reduced(NamedTuple):
@@ -143,27 +147,33 @@ class SublatticeKeys:
 
     def __init__(self, keys: ClassKeys, rows: fmpz_mat, den: int, norm: Norm) -> None:
         self.keys, self.rows, self.den, self.norm = keys, rows, den, norm
-        ambient, base = keys.ambient, keys.ambient.base
-        self._ambient = ambient
-        self._grams = ambient.grams(rows)
+        self._ambient = ambient = keys.ambient
+        self._grams = ambient.forms(rows)
+        self._forms = self._class_forms()
+        """Multiples of Tr(u·N(x)/ν), one for each unit u modulo squares, by one factor."""
+
+    def _class_forms(self) -> list[fmpz_mat]:
+        keys, norm, ambient = self.keys, self.norm, self._ambient
+        base, domain = ambient.base, ambient.domain
+        if base.is_polynomial:  # only degrees are compared: units and norms make no difference
+            return self._grams
         traces = [
             [base.trace(u * w / norm.element) for w in base.integral_basis] for u in keys.units
         ]
-        whole = fmpq_mat(traces).numer_denom()[0].tolist()
+        whole = domain.fraction_matrix(traces).numer_denom()[0].tolist()
         forms = []
         for line in whole:
             form = self._grams[0] * line[0]
             for gram, c in zip(self._grams[1:], line[1:], strict=True):
                 form += gram * c
             forms.append(form)
-        content = fmpz_poly([c for form in forms for c in form.entries()]).content()
-        self._forms = [divided(form, content) for form in forms]
-        """Multiples of Tr(u·N(x)/ν), one for each unit u modulo squares, by one factor."""
+        content = domain.content([c for form in forms for c in form.entries()])
+        return [divided(form, content) for form in forms]
 
     def reduced(self, coordinates: fmpz_mat, number: int = 0) -> Reduced:
         """Return a basis of a sublattice that is reduced for one of the forms."""
         gram = coordinates * self._forms[number] * coordinates.transpose()
-        gram, change = gram.lll(transform=True, rep="gram")
+        gram, change = self._ambient.domain.reduced(gram)
         found = change * coordinates
         return Reduced(gram, found, found * self.rows)
 
@@ -174,15 +184,15 @@ class SublatticeKeys:
 
     def element(self, coordinates: Sequence[int | fmpz]) -> ShortElement:
         """Return the element with some coordinates."""
-        row = fmpz_mat([list(coordinates)])
+        row = self._ambient.domain.matrix([list(coordinates)])
         column = row.transpose()
         norm = [(row * gram * column)[0, 0] for gram in self._grams]
         return ShortElement(self._ambient, (row * self.rows).entries(), self.den, norm)
 
     @property
-    def norm_scale(self) -> int:
+    def norm_scale(self) -> Any:
         """The factor by which coordinates of norms are too large."""
-        return int(2 * self._ambient.scale * self.den**2)
+        return self._ambient.scale * self.den**2 * self._ambient.domain.form_factor
 
     def norm_of_sum(self, numbers: Sequence[int]) -> list[fmpz]:
         """Return the scaled coordinates of the norm of a sum of basis elements."""
@@ -195,7 +205,8 @@ class SublatticeKeys:
     def shortest_of(self, basis: Reduced) -> ShortElement:
         """Return a shortest element of a reduced basis."""
         gram, size = basis.gram, basis.gram.nrows()
-        k = min(range(size), key=lambda k: gram[k, k])
+        length = self._ambient.domain.length
+        k = min(range(size), key=lambda k: length(gram[k, k]))
         return self.element([basis.coordinates[k, m] for m in range(size)])
 
     def representative(self, basis: Reduced) -> Representative:
@@ -205,7 +216,7 @@ class SublatticeKeys:
         for x in elements:
             key = self.keys.quotient(basis.rows, x)
             quotients[key] = x, quotients[key][1] + 1 if key in quotients else 1
-        x, units = quotients[min(quotients)]
+        x, units = quotients[min(quotients, key=self._ambient.domain.sort_key)]
         rest = Norm(self.norm.number, self.norm.element / x.norm)
         return Representative(*self.keys.divided(basis.rows, x), rest, units, list(quotients))
 
@@ -215,14 +226,14 @@ class SublatticeKeys:
 
     def _all_shortest(self, basis: Reduced) -> list[tuple[int, list[int]]]:
         """Return the same as coordinates, with the number of the form for which they are short."""
-        least, found = -1, list[tuple[int, list[int]]]()
-        for number, _ in enumerate(self.keys.units):
+        least, found, domain = -1, list[tuple[int, list[int]]](), self._ambient.domain
+        for number, _ in enumerate(self._forms):
             some = self.reduced(basis.coordinates, number) if number else basis
-            value, vectors = least_vectors(tuples(some.gram))
+            value, vectors = domain.vectors.least_vectors(tuples(some.gram))
             if least < 0 or value < least:
                 least, found = value, []
             if value == least:
-                rows = fmpz_mat([list(v) for v in vectors]) * some.coordinates
+                rows = domain.matrix([list(v) for v in vectors]) * some.coordinates
                 found += [(number, list(row)) for row in tuples(rows)]
         return found
 
@@ -243,7 +254,7 @@ class SublatticeKeys:
             least = min(values)
             kept = [k for k, value in enumerate(values) if value == least]
             elements, found = [elements[k] for k in kept], [found[k] for k in kept]
-        if len(found) <= MAX_QUOTIENTS:
+        if len(found) <= MAX_QUOTIENTS or base.is_polynomial:
             return elements
         products: list[list[fmpz]] = []
         for number, form in enumerate(self._forms):

@@ -10,10 +10,10 @@ from array import array
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple, overload
 
-from flint import fmpq, fmpz_mat
+from flint import fmpz_mat
 
 from hfield.core.packed_integers import pack, unpack
-from hfield.orders.class_keys import Norm, Representative
+from hfield.orders.class_keys import Key, Norm, Representative
 
 if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
@@ -95,14 +95,21 @@ class Norms(Sequence[Norm]):
 def pack_class(ambient: AlgebraBasis, found: Representative) -> PackedClass:
     """Return a representative with what it has as bytes and integers."""
     number, below = ambient.base.coordinate_rows([found.norm.element]).numer_denom()
-    head = [found.norm.number, int(below), *map(int, number.entries()), found.den]
-    record = pack([*head, *map(int, found.rows.entries())])
-    return PackedClass(record, found.units, tuple(map(pack, found.keys)))
+    numbers = [below, *number.entries(), found.den, *found.rows.entries()]
+    record = pack([found.norm.number, *map(ambient.domain.code, numbers)])
+    return PackedClass(record, found.units, tuple(pack_key(ambient, key) for key in found.keys))
+
+
+def pack_key(ambient: AlgebraBasis, key: Key) -> bytes:
+    """Return a key of a class as bytes."""
+    return pack(list(map(ambient.domain.code, key)))
 
 
 def unpack_record(ambient: AlgebraBasis, data: bytes) -> Record:
     """Return the lattice of a class that :func:`pack_class` was given."""
-    numbers, n, size = unpack(data), ambient.degree, ambient.size
-    element = ambient.base.element_of([fmpq(c, numbers[1]) for c in numbers[2 : n + 2]])
-    rows = fmpz_mat(size, size, numbers[n + 3 :])
-    return Record(rows, numbers[n + 2], Norm(numbers[0], element))
+    domain, n, size = ambient.domain, ambient.degree, ambient.size
+    number, *codes = unpack(data)
+    below, *numbers = map(domain.decode, codes)
+    element = ambient.base.element_of([domain.fraction(c, below) for c in numbers[:n]])
+    rows = domain.matrix(size, size, numbers[n + 1 :])
+    return Record(rows, numbers[n], Norm(number, element))

@@ -21,13 +21,12 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 from hfield.core.executors import InProcess
-from hfield.core.packed_integers import pack
 from hfield.core.progress import report, track
 from hfield.core.sparse_rows import SparseRows
 from hfield.errors import TooLargeError, shorten
 from hfield.orders.class_keys import Norm, Reduced, SublatticeKeys
 from hfield.orders.class_number import mass
-from hfield.orders.class_store import ClassStore, Norms, PackedClass
+from hfield.orders.class_store import ClassStore, Norms, PackedClass, pack_key
 from hfield.orders.conjugators import conjugator
 from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.invariants import good_primes, is_eichler
@@ -145,7 +144,7 @@ class Classes:
     def _look_up(self, around: SublatticeKeys, basis: Reduced) -> int:
         """Return the number of the class of a sublattice, which may be new."""
         return self.number_of(
-            pack(around.key(basis)),
+            pack_key(self.ambient, around.key(basis)),
             lambda _: found_class(self.keys, around, basis, self.exchange_prime),
         )
 

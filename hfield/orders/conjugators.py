@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import flint
 
 from hfield.orders.base_values import Scalar
+from hfield.orders.connected_orders import conjugator as by_connecting_ideals
 from hfield.orders.enumeration import short_vectors, vectors_of_length
 from hfield.orders.isomorphic_orders import conjugator as by_reduced_bases
 from hfield.orders.lattice_values import LatticeValue
@@ -29,6 +30,8 @@ def conjugator(first: LatticeValue, second: LatticeValue) -> tuple[Quaternion | 
     Raises :class:`IndefiniteError` unless the algebra is totally definite.
     """
     expect_definite(first.ambient, "isomorphism()")
+    if first.ambient.base.is_polynomial:
+        return by_connecting_ideals(first, second)
     if first.ambient.kernels.reduces_ternary_forms:
         return by_reduced_bases(first, second)
     return by_two_images(first, second)

@@ -32,7 +32,7 @@ from hfield.orders.lattice_values import (
     is_locally_principal,
     times_ideal,
 )
-from hfield.orders.short_elements import first_of_norm, multiple_of_content
+from hfield.orders.short_elements import element_of_norms, multiple_of_content
 
 TRIED = 4_000
 """Short vectors tried for an element of given norm in an indefinite algebra, before others."""
@@ -95,7 +95,7 @@ def element_generating(
         return EquivalenceResult(False, f"the norm would be a {kind} of {norm}, which has none")
     found = None
     if ambient.definite:
-        found = _shortest(lattice, norms)
+        found = element_of_norms(lattice, norms)
     elif ambient.is_fuchsian:
         found = _among_short(lattice, norms) or _in_the_plane(lattice, norms, order)
     if found is not None:
@@ -115,15 +115,6 @@ def element_generating(
 def _norms_text(base: Base, norms: Sequence[Scalar]) -> str:
     shown = ", ".join(base.ring.text(base.outside(x)) for x in norms)
     return f"norm {shown}" if len(norms) == 1 else f"a norm among {shown}, up to squares of units,"
-
-
-def _shortest(lattice: LatticeValue, norms: Sequence[Scalar]) -> Quaternion | None:
-    """Return an element of one of these norms in a definite algebra, or None where there is none."""
-    for x in norms:
-        row = first_of_norm(lattice, x)
-        if row is not None:
-            return lattice.element(hermite.tuples(row)[0])
-    return None
 
 
 def _among_short(lattice: LatticeValue, norms: Sequence[Scalar]) -> Quaternion | None:

@@ -1,4 +1,6 @@
-"""Lattices of full rank in ℚᵐ as integer matrices over a denominator: the Hermite form, and what follows.
+"""Lattices of full rank as matrices over a denominator: the Hermite form, and what follows.
+
+Entries are integers, or polynomials over a finite field (:mod:`hfield.orders.domains`).
 
 A lattice is ``(den, rows)``: the rows of a row Hermite normal form over the least denominator. It is
 unique, so two lattices are equal exactly when these are (Cohen, *A Course in Computational Algebraic
@@ -12,7 +14,9 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import lru_cache
 
-from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
+from flint import fmpq_mat, fmpz, fmpz_mat
+
+from hfield.orders.domains import domain_of
 
 Rows = tuple[tuple[int, ...], ...]
 MAX_MULTIPLIED_ROWS = 128
@@ -35,13 +39,21 @@ def hermite(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat] | None:
 
 def reduced(den: int, matrix: fmpz_mat) -> tuple[int, fmpz_mat]:
     """Return an integer matrix over ``den`` as one over the least denominator."""
-    return (den, matrix) if den == 1 else rational(matrix * fmpq(1, den))
+    domain = domain_of(matrix)
+    if den == 1:
+        return domain.integer(den), matrix
+    return rational(matrix * domain.fraction(1, den))
 
 
 def first_rows(matrix: fmpz_mat, number: int) -> fmpz_mat:
     """Return the first rows of a matrix."""
     rows = matrix.nrows()
-    return matrix if rows == number else _injection(rows, 0, number).transpose() * matrix
+    if rows == number:
+        return matrix
+    if isinstance(matrix, fmpz_mat):
+        return _injection(rows, 0, number).transpose() * matrix
+    size = matrix.ncols()
+    return domain_of(matrix).matrix(number, size, matrix.entries()[: number * size])
 
 
 @lru_cache(maxsize=256)
@@ -60,7 +72,7 @@ def integral(vectors: Iterable[Sequence[Fraction]]) -> tuple[int, list[list[int]
 def rational(rows: fmpq_mat) -> tuple[int, fmpz_mat]:
     """Return a rational matrix as an integer matrix over a denominator."""
     whole, den = rows.numer_denom()
-    return int(den), whole
+    return domain_of(whole).integer(den), whole
 
 
 def volume(matrix: fmpz_mat) -> fmpz:
@@ -79,19 +91,18 @@ def determinant(matrix: fmpz_mat) -> int:
 def inverse(matrix: fmpz_mat) -> tuple[fmpz_mat, int]:
     """Return ``(m, d)`` with m/d the inverse of an integer matrix."""
     m, d = matrix.inv().numer_denom()
-    return m, int(d)
+    return m, domain_of(matrix).integer(d)
 
 
 def combination(x: Sequence[int], rows: fmpz_mat) -> tuple[int, ...]:
     """Return a combination of the rows of a matrix."""
-    return tuple(int(c) for c in (fmpz_mat([list(x)]) * rows).entries())
+    domain = domain_of(rows)
+    return tuple(map(domain.integer, (domain.matrix([list(x)]) * rows).entries()))
 
 
 def divided(rows: fmpz_mat, n: int) -> fmpz_mat:
-    """Return an integer matrix divided by an integer that divides all entries."""
-    if n == 1:
-        return rows
-    return (rows * fmpq(1, n)).numer_denom()[0]
+    """Return a matrix divided by a number that divides all entries."""
+    return domain_of(rows).divided(rows, n)
 
 
 def in_coordinates(matrix: fmpz_mat, other: fmpz_mat) -> tuple[fmpz_mat, int]:
@@ -104,7 +115,7 @@ def contains(den: int, matrix: fmpz_mat, row_den: int, row: Sequence[int]) -> bo
     """Tell whether ``row/row_den`` is an integer combination of the rows of ``matrix/den``."""
     rest = []
     for x in row:
-        q, r = divmod(x * den, row_den) if x else (0, 0)
+        q, r = divmod(x * den, row_den) if x else (x, x)
         if r:
             return False
         rest.append(q)
@@ -122,17 +133,17 @@ def contains(den: int, matrix: fmpz_mat, row_den: int, row: Sequence[int]) -> bo
 
 
 def tuples(matrix: fmpz_mat) -> Rows:
-    """Return the rows of a matrix as tuples of ints."""
-    numbers = map(int, matrix.entries())
+    """Return the rows of a matrix as tuples of ints, or of polynomials."""
+    numbers = map(domain_of(matrix).integer, matrix.entries())
     return tuple(zip(*[numbers] * matrix.ncols(), strict=True))
 
 
 def stacked(*matrices: fmpz_mat) -> fmpz_mat:
     """Return the rows of several matrices, one below the other."""
     rows = sum(m.nrows() for m in matrices)
-    if rows > MAX_MULTIPLIED_ROWS:
+    if rows > MAX_MULTIPLIED_ROWS or not isinstance(matrices[0], fmpz_mat):
         entries = [x for m in matrices for x in m.entries()]
-        return fmpz_mat(rows, matrices[0].ncols(), entries)
+        return domain_of(matrices[0]).matrix(rows, matrices[0].ncols(), entries)
     # quicker than to copy the entries, which are objects of Python
     found, start = _injection(rows, 0, matrices[0].nrows()) * matrices[0], matrices[0].nrows()
     for m in matrices[1:]:
@@ -143,7 +154,7 @@ def stacked(*matrices: fmpz_mat) -> fmpz_mat:
 
 def joined(d: int, m: fmpz_mat, e: int, n: fmpz_mat) -> tuple[int, fmpz_mat]:
     """Return the rows of two matrices over a common denominator."""
-    den = math.lcm(d, e)
+    den = domain_of(m).lcm(d, e)
     if d != e:
         m, n = m * (den // d), n * (den // e)
     return den, stacked(m, n)

@@ -29,7 +29,7 @@ def modulo_norm(
 ) -> LatticeValue | None:
     """Return the same product by linear algebra, or None where this way does not do."""
     r = first.ambient
-    if r.degree > 1:  # the rank is not 4
+    if not r.base.is_rational:
         return None
     n = _index_root(second, order)
     # with 1 in n⁻¹·J the index tells that J is O wherever n is a unit, and O·α elsewhere

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from heapq import heappop, heappush
-from itertools import count
 
-from hfield.core.primality import primes
 from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.lattice_values import LatticeValue, discriminant, dual
 
@@ -84,12 +81,5 @@ def is_bass(order: LatticeValue, larger_at: Callable[[LatticeValue, Prime], Latt
 
 def good_primes(order: LatticeValue) -> Iterator[Prime]:
     """Yield the primes that do not divide the discriminant of an order, ascending by their norms."""
-    number, base, whole = count(), order.ambient.base, discriminant(order)
-    waiting: list[tuple[int, int, Prime]] = []
-    for p in primes():
-        while waiting and waiting[0][0] < p:
-            yield heappop(waiting)[2]
-        for _, prime in base.primes_above(p):
-            if not base.valuation(whole, prime):
-                norm = base.absolute_norm(base.prime_ideal(prime))
-                heappush(waiting, (norm, next(number), prime))
+    base, whole = order.ambient.base, discriminant(order)
+    return (prime for prime in base.primes_by_norm() if not base.valuation(whole, prime))

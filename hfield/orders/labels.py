@@ -27,6 +27,8 @@ _EXPECTED = "a label is a ternary form such as 'x²+y²+3·z²+y·z', or D.N suc
 
 def reduced_form(order: LatticeValue) -> TernaryForm:
     """Return the reduced ternary form of a definite order over ℤ."""
+    if order.ambient.base.is_polynomial:
+        raise _no_label(f"of orders over {order.ambient.base.symbol}")
     form = form_of_order(order)
     if order.ambient.base.is_rational:
         return form
@@ -37,7 +39,7 @@ def reduced_form(order: LatticeValue) -> TernaryForm:
 def label(order: LatticeValue) -> str:
     """Return the label. Raises :class:`UndecidedError` for an order that has none yet."""
     ambient = order.ambient
-    if ambient.degree > 1:
+    if ambient.degree > 1 or ambient.base.is_polynomial:
         raise _no_label(f"of orders over {ambient.base.symbol}")
     if ambient.definite:
         return str(reduced_form(order))

@@ -16,8 +16,6 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, overload
 
-from flint import fmpq
-
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.core.sparse_rows import SparseRows
 from hfield.errors import (
@@ -28,7 +26,6 @@ from hfield.errors import (
     shorten,
 )
 from hfield.evidence import Certified, Claim
-from hfield.fields.rationals.whole_numbers import fraction
 from hfield.fuchsian.group import NormOneGroup
 from hfield.fuchsian.search import split_order
 from hfield.hints import CLASSES, IDEAL, LATTICE, ORDER, Hinted
@@ -84,10 +81,10 @@ OTHER = {"left": "right", "right": "left", "two-sided": "two-sided"}
 
 
 class Lattice(Hinted, PrintedBySympy):
-    """A module of rank 4 over ℤ, or over the integers ℤ_K of a number field, in an algebra over ℚ or K.
+    """A module of rank 4 over ℤ, the integers ℤ_K of a number field, or 𝔽_q[t].
 
-    It is kept in Hermite normal form over ℤ, so equal lattices are equal, and hash alike, however they were
-    given. ``x in L`` asks for membership, ``M <= L`` for containment.
+    It is kept in Hermite normal form over ℤ, or 𝔽_q[t], so equal lattices are equal, and hash alike, however
+    they were given. ``x in L`` asks for membership, ``M <= L`` for containment.
 
     >>> from hfield import H, QuaternionAlgebra
     >>> A = H("QQ")
@@ -136,9 +133,12 @@ class Lattice(Hinted, PrintedBySympy):
 
         Over ℚ they are coordinates over 1, i, j, k; over K coordinates in the integral basis times
         1, I, J, IJ. I and J anticommute and have integral squares; they are i and j for t = 0 and integral
-        a and b.
+        a and b. Over GF(q)(t) they are polynomials, with I = r·i and J = s·j for the least r and s that make
+        traces and norms integral.
         """
-        return self.value.hnf
+        shown = self.value.ambient.base.shown_number
+        den, rows = self.value.hnf
+        return shown(den), tuple(tuple(map(shown, row)) for row in rows)
 
     @cached_property
     def basis(self) -> tuple[Quaternion, ...]:
@@ -175,13 +175,16 @@ class Lattice(Hinted, PrintedBySympy):
         return lattice_values.includes(self.value, self._same(other, "compare").value)
 
     def __repr__(self) -> str:
-        return f"ℤ⟨{', '.join(map(str, self.basis))}⟩ in {self.algebra}"
+        symbol = self.value.ambient.domain.symbol
+        return f"{symbol}⟨{', '.join(map(str, self.basis))}⟩ in {self.algebra}"
 
     def latex(self) -> str:
         """Write the lattice by its basis over ℤ, or as a sum of ideals times elements, in LaTeX."""
-        if self.value.ambient.base.is_rational:
+        ambient = self.value.ambient
+        if ambient.base.is_rational or ambient.base.is_polynomial:
             basis = ", ".join(q.text("latex") for q in self.basis)
-            return rf"\mathbb{{Z}}\left\langle {basis} \right\rangle \subset {self.algebra.latex()}"
+            symbol = ambient.domain.latex
+            return rf"{symbol}\left\langle {basis} \right\rangle \subset {self.algebra.latex()}"
         K: Any = self.algebra.ring
         pairs = []
         for ideal, q in self.pseudo_basis():
@@ -326,10 +329,10 @@ class Lattice(Hinted, PrintedBySympy):
         """Return ``tr(x·conj(y))`` for x, y in :attr:`basis`: twice the norms are on the diagonal."""
         base, grams = self.value.ambient.base, self.value.grams
         below = self.value.ambient.scale * self.value.den**2
-        size = range(len(self.basis))
+        size, fraction_of = range(len(self.basis)), self.value.ambient.domain.fraction
 
         def entry(m: int, n: int) -> Any:
-            return base.outside(base.element_of([fmpq(g[m, n], below) for g in grams]))
+            return base.outside(base.element_of([fraction_of(g[m, n], below) for g in grams]))
 
         return tuple(tuple(entry(m, n) for n in size) for m in size)
 
@@ -343,7 +346,8 @@ class Lattice(Hinted, PrintedBySympy):
         found = self.value.elements(rows)
         if not self.value.ambient.definite:
             return found
-        return tuple(found[n] for n in sorted(range(len(found)), key=lambda n: gram[n][n]))
+        length = self.value.ambient.domain.length
+        return tuple(found[n] for n in sorted(range(len(found)), key=lambda n: length(gram[n][n])))
 
     def shortest(self) -> tuple[Quaternion, ...]:
         """Return the nonzero elements x of least Tr(N(x)), over ℤ of least norm, of a definite algebra.
@@ -369,16 +373,17 @@ class Lattice(Hinted, PrintedBySympy):
     def elements_of_norm_at_most(self, n: object) -> tuple[Quaternion, ...]:
         """Return all elements with Tr(N(x)) at most n, over ℤ of norm at most n, 0 too, ascending.
 
+        Over 𝔽_q[t] n is a bound for the degree of the norm.
         Raises as :meth:`elements_of_norm` does.
         """
         expect_definite(self.value.ambient, "elements_of_norm_at_most()")
-        return short_elements.of_norm_at_most(self.value, fraction(n))
+        return short_elements.of_norm_at_most(self.value, n)
 
     def theta_series(self, n: int) -> Any:
         """Return [r(0), …, r(n)], where r(m) elements have the norm ``m·norm()``, in a definite algebra.
 
-        Over ℤ_K return {ν: r(ν)} for the norms ν of trace at most n, ascending by traces. Raises
-        :class:`IndefiniteError`, and :class:`TooLargeError`.
+        Over ℤ_K return {ν: r(ν)} for the norms ν of trace at most n, ascending by traces, and over 𝔽_q[t] for
+        those of degree at most n. Raises :class:`IndefiniteError`, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
         >>> QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order().theta_series(3)
@@ -661,7 +666,7 @@ class Order(WithStableClasses, Certified, Lattice):
     # --- units -------------------------------------------------------------------------------------
 
     def units(self) -> tuple[Quaternion, ...]:
-        """Return all units over ℤ; over ℤ_K one of each coset of ℤ_Kˣ.
+        """Return all units over ℤ; over ℤ_K and 𝔽_q[t] one of each coset of the units of the base.
 
         :meth:`units_modulo_scalars` is the same over both. Raises :class:`IndefiniteError` where they are
         infinitely many, as in an indefinite algebra.
@@ -695,12 +700,13 @@ class Order(WithStableClasses, Certified, Lattice):
 
         Over a field other than ℚ they are infinitely many, and :class:`NotFiniteError` is raised.
         """
-        if self.value.ambient.degree > 1:
+        number = self.value.ambient.base.number_of_units
+        if number is None:
             raise NotFiniteError(
                 f"the order has infinitely many units, as {self.algebra.ring.name} has: unit_index() counts "
                 "them modulo those of the field"
             )
-        return 2 * self.unit_index()
+        return number * self.unit_index()
 
     def unit_group(self) -> str:
         """Return the name of the group of units: ``C2 C4 C6 Q8 Dic3`` or ``SL(2,3)``.
@@ -1213,8 +1219,8 @@ class Ideal(Certified, Lattice):
         """Raise :class:`LatticeError` where the base is not ℤ."""
         if not self.value.ambient.base.is_rational:
             raise LatticeError(
-                f"{what} is for ideals of orders over ZZ, and this algebra is over {self.algebra.ring.name}: "
-                "there norms are ideals, which need not be principal"
+                f"{what} is for ideals of orders over ZZ, where norms are numbers, and this algebra is over "
+                f"{self.algebra.ring.name}"
             )
 
 
@@ -1304,12 +1310,13 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         >>> C = QuaternionAlgebra(11).maximal_order().class_set(); C.unit_counts, C.units
         ([4, 6], [2, 3])
         """
-        if self._base.degree > 1:
+        number = self._base.number_of_units
+        if number is None:
             raise NotFiniteError(
                 f"orders over {self.order.algebra.ring.name} have infinitely many units; units has their "
                 "numbers modulo those of the field"
             )
-        return [2 * count for count in self._classes.units]
+        return [number * count for count in self._classes.units]
 
     @property
     def types(self) -> list[int]:

@@ -1,13 +1,13 @@
 """Lattices of an algebra as values: a Hermite form over its least denominator, and their arithmetic.
 
-A lattice is a module over the integers of the base field, of rank 4; it is kept as one over ℤ, of rank 4n,
-in the coordinates of :mod:`hfield.orders.basis`. Class numbers of the base play no part. That two lattices
-lie in one algebra is not checked here (Voight, *Quaternion Algebras*, chapters 9, 10, 15 and 16).
+A lattice is a module over the integers of the base field, of rank 4; it is kept as one over the domain of the
+base, over ℤ of rank 4n, in the coordinates of :mod:`hfield.orders.basis`. Class numbers of the base play no
+part. That two lattices lie in one algebra is not checked here (Voight, *Quaternion Algebras*, chapters 9, 10,
+15 and 16).
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
@@ -53,7 +53,9 @@ class LatticeValue:
         return hash(self.hnf)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _restore, (type(self), self.algebra, *self.hnf)
+        pickled = self.ambient.domain.pickled
+        rows = tuple(tuple(map(pickled, row)) for row in self.hnf[1])
+        return _restore, (type(self), self.algebra, pickled(self.den), rows)
 
     @cached_property
     def hnf(self) -> tuple[int, hermite.Rows]:
@@ -76,7 +78,7 @@ class LatticeValue:
     @cached_property
     def rows(self) -> fmpq_mat:
         """The basis as rows of rational numbers."""
-        return self.matrix * fmpq(1, self.den)
+        return self.matrix * self.ambient.domain.fraction(1, self.den)
 
     @cached_property
     def inverse_rows(self) -> fmpq_mat:
@@ -91,19 +93,29 @@ class LatticeValue:
         return self.ambient.grams(self.matrix)
 
     @cached_property
+    def forms(self) -> list[fmpz_mat]:
+        """The matrices of the coordinates of norms on the basis (:meth:`AlgebraBasis.forms`), scaled."""
+        return self.ambient.forms(self.matrix)
+
+    @cached_property
     def integral_grams(self) -> list[fmpz_mat]:
         """The same, of an order, not scaled: traces and norms of elements of an order are integral."""
         return [hermite.divided(g, self.ambient.scale * self.den**2) for g in self.grams]
 
     @cached_property
+    def integral_forms(self) -> list[fmpz_mat]:
+        """The matrices of the coordinates of norms on the basis of an order, not scaled."""
+        return [hermite.divided(form, self.ambient.scale * self.den**2) for form in self.forms]
+
+    @cached_property
     def norm(self) -> Any:
         """The ideal that the reduced norms of the elements generate; over ℤ their gcd."""
-        return self.ambient.kernels.norm(self.ambient, self.grams, self.content, self.den)
+        return self.ambient.kernels.norm(self.ambient, self.forms, self.content, self.den)
 
     @property
     def _gram(self) -> fmpz_mat:
-        """The matrix of ``Tr(tr(x·conj(y)))`` on the basis, scaled."""
-        grams = self.grams
+        """The matrix of a form that is a multiple of ``Tr(N(x))``, that of traces over ℤ, scaled."""
+        grams = self.forms
         if len(grams) == 1:
             return grams[0]
         traces = self.ambient.base_traces
@@ -133,7 +145,7 @@ class LatticeValue:
         """
         ambient, gram = self.ambient, self.even
         if ambient.definite:
-            reduced, steps = gram.lll(transform=True, rep="gram")
+            reduced, steps = ambient.domain.reduced(gram)
         else:
             rows = self.matrix
             _, steps = (rows * ambient.majorant * rows.transpose()).lll(transform=True, rep="gram")
@@ -148,6 +160,11 @@ class LatticeValue:
         is integral for an order.
         """
         ambient, n = self.ambient, self.ambient.degree
+        if ambient.base.is_polynomial:
+            raise LatticeError(
+                f"ternary forms are made of orders over ℤ and the integers of number fields, not over "
+                f"{ambient.base.symbol}, where 2 may be 0"
+            )
         rank = 3 * n
         vectors = fmpz_mat([row[n:] for row in self.matrix.tolist()]).hnf().tolist()[:rank]
         without_scalars = fmpz_mat([[0] * n + row for row in vectors])
@@ -211,11 +228,11 @@ def spanning_rows(ambient: AlgebraBasis, elements: Iterable[object]) -> tuple[in
             (base.ideal(x[0]), x[1]) if isinstance(x, tuple) and len(x) == 2 else (base.one, x)
         )
         den, row = ambient.integral_row(q)
-        below, rows = ideal_multiples(ambient, fmpz_mat([row]), ideal)
+        below, rows = ideal_multiples(ambient, ambient.domain.matrix([row]), ideal)
         found.append((den * below, rows))
     if not found:
-        return 1, fmpz_mat(1, ambient.size)
-    den = math.lcm(*(d for d, _ in found))
+        return 1, ambient.domain.matrix(1, ambient.size)
+    den = ambient.domain.lcm(*(d for d, _ in found))
     return den, hermite.stacked(*(rows * (den // d) for d, rows in found))
 
 
@@ -223,7 +240,8 @@ def _restore(
     kind: type[LatticeValue], algebra: Parent, den: int, rows: hermite.Rows
 ) -> LatticeValue:
     """Rebuild a pickled lattice."""
-    return kind(basis_of(algebra), den, fmpz_mat([list(row) for row in rows]))
+    ambient = basis_of(algebra)
+    return kind(ambient, ambient.domain.integer(den), ambient.domain.matrix(rows))
 
 
 def contains(lattice: LatticeValue, x: object) -> bool:
@@ -233,7 +251,8 @@ def contains(lattice: LatticeValue, x: object) -> bool:
 
 def coordinates(lattice: LatticeValue, x: object) -> tuple[fmpq, ...]:
     """Return the rational coordinates of an element with respect to the basis."""
-    return tuple((lattice.ambient.row(x) * lattice.inverse_rows).entries())
+    found = lattice.ambient.row(x) * lattice.inverse_rows
+    return tuple(map(lattice.ambient.base.outside, found.entries()))
 
 
 def includes(lattice: LatticeValue, other: LatticeValue) -> bool:
@@ -344,8 +363,8 @@ def generated_ideal(order: LatticeValue, generators: list[object], side: str) ->
         raise LatticeError("an ideal has at least one generator, and none was given")
     ambient = order.ambient
     found = [ambient.integral_row(x) for x in generators]
-    den = math.lcm(*(d for d, _ in found))
-    rows = fmpz_mat([[x * (den // d) for x in row] for d, row in found])
+    den = ambient.domain.lcm(*(d for d, _ in found))
+    rows = ambient.domain.matrix([[x * (den // d) for x in row] for d, row in found])
     pair = (order.matrix, rows) if side != "right" else (rows, order.matrix)
     products, scale = ambient.products(*pair), ambient.scale * order.den * den
     if side == "two-sided":
@@ -405,7 +424,7 @@ def scalars_into(lattice: LatticeValue, other: LatticeValue) -> Any:
     """Return the ideal of the x of the field with x·L in the other lattice."""
     ambient = lattice.ambient
     images = [(lattice.rows * m * other.inverse_rows).entries() for m in ambient.scalars]
-    den, columns = hermite.rational(fmpq_mat(images).transpose())
+    den, columns = hermite.rational(ambient.domain.fraction_matrix(images).transpose())
     below, rows = _dot_dual(den, _independent(columns))
     return ambient.base.ideal_spanned(rows.entries(), below)
 
@@ -417,4 +436,5 @@ def discriminant(order: LatticeValue) -> Any:
 
 def rows_json(lattice: LatticeValue) -> dict[str, object]:
     """Return a lattice as JSON: its denominator and Hermite rows."""
-    return {"den": lattice.den, "rows": [list(row) for row in lattice.hnf[1]]}
+    data = lattice.ambient.base.number_data
+    return {"den": data(lattice.den), "rows": [list(map(data, row)) for row in lattice.hnf[1]]}

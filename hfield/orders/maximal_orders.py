@@ -70,12 +70,12 @@ def _ideal_rows(
     places = [(order_at_prime(order, prime), e) for prime, e in factors]
     powers = [at.ideal**e for at, e in places]
     norm = math.prod(powers, start=base.one)
-    x = fmpz_mat(1, ambient.size)
+    x = ambient.domain.matrix(1, ambient.size)
     for n, (at, e) in enumerate(places):
         others = math.prod((*powers[:n], *powers[n + 1 :]), start=base.one)
         _, numbers = base.ideal_rows(others)
         prime_to_p = next(c for c in numbers if at.residue(c) != 0)
-        x += ambient.times_scalar(element(at, e), prime_to_p)
+        x = x + ambient.times_scalar(element(at, e), prime_to_p)
     products = order.matrix * ambient.right_matrix(x.entries())
     rows = hermite.divided(products, order.den * ambient.scale)
     below, multiples = ideal_multiples(ambient, order.matrix, norm)

@@ -14,12 +14,10 @@ from concurrent.futures import Executor, Future
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from flint import fmpz_mat
-
 from hfield.core.packed_integers import pack, unpack
 from hfield.core.sparse_rows import SparseRows
 from hfield.orders.class_keys import ClassKeys, Reduced, SublatticeKeys
-from hfield.orders.class_store import PackedClass, Record, pack_class, unpack_record
+from hfield.orders.class_store import PackedClass, Record, pack_class, pack_key, unpack_record
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.neighbours import neighbours_at, two_sided_at
 
@@ -80,7 +78,10 @@ def keys_of_rows(task: Rows) -> list[tuple[int, list[Neighbour]]]:
     for n, data in records:
         record = unpack_record(keys.ambient, data)
         row = [
-            Neighbour(pack(whole.key(basis)), pack(list(map(int, basis.coordinates.entries()))))
+            Neighbour(
+                pack_key(keys.ambient, whole.key(basis)),
+                pack(list(map(keys.ambient.domain.code, basis.coordinates.entries()))),
+            )
             for whole, basis in neighbours_inside(keys, record, prime)
         ]
         out.append((n, row))
@@ -113,7 +114,8 @@ def representatives(task: Unknown) -> list[list[PackedClass]]:
     size = keys.ambient.size
     for data, coordinates in pairs:
         whole = around(keys, unpack_record(keys.ambient, data), prime)
-        basis = whole.with_coordinates(fmpz_mat(size, size, unpack(coordinates)))
+        entries = list(map(keys.ambient.domain.decode, unpack(coordinates)))
+        basis = whole.with_coordinates(keys.ambient.domain.matrix(size, size, entries))
         out.append(list(found_class(keys, whole, basis, exchange)))
     return out
 

@@ -1,5 +1,7 @@
 """Right ideals of prime norm in right ideals, in coordinates of a basis, by linear algebra modulo p.
 
+Over polynomials p is P itself.
+
 Let P be a prime of the base above p, K a right ideal of norm P in an order O, and I a right ideal with
 ``I = y·O`` at all primes above p. Then ``J = y·K + P·I`` is a right ideal of relative norm P in I, and all of
 them come so. K contains p·O, and is the set of zeros of linear forms on O/p·O; J consists of the z in I for
@@ -14,15 +16,15 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 from functools import lru_cache
 from itertools import chain, combinations
 from typing import TYPE_CHECKING, Any
 
-from flint import fmpq, fmpq_mat, fmpz_mat, nmod_mat
+from flint import fmpq_mat, fmpz_mat, nmod, nmod_mat
 
 from hfield.core.factorisation import remove
 from hfield.errors import LatticeError
+from hfield.orders.domains import Domain
 from hfield.orders.ideals_of_norm import subideals, two_sided_prime
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.orders_at_primes import OrderAtPrime
@@ -47,17 +49,17 @@ class Neighbours:
     ) -> None:
         base = order.ambient.base
         self.order, self.prime = order, prime
-        norm = base.absolute_norm(base.prime_ideal(prime))
-        self.p = base.place(prime).below
-        self.degree = remove(norm, self.p)[0]
+        place = base.place(prime)
+        self.p, self.modular = place.below, order.ambient.domain.modular
+        self.degree = len(base.digits(prime, place.one))
         self.ideals: list[LatticeValue] = []
         """Those in the order, where P divides the discriminant."""
         if only is not None or base.valuation(discriminant(order), prime):
             self.ideals = subideals(order, order, prime) if only is None else list(only)
-            self._forms = nmod_mat(order.ambient.identity, self.p)
+            self._forms = self.modular(order.ambient.identity, self.p)
             self._lines = list(map(self._zeros, self.ideals))
         else:
-            self._forms = nmod_mat(_plane(self), self.p)
+            self._forms = self.modular(_plane(self), self.p)
             self._lines = list(self._lines_of_the_plane())
 
     def __len__(self) -> int:
@@ -66,7 +68,8 @@ class Neighbours:
     def _zeros(self, ideal: LatticeValue) -> nmod_mat:
         """Return linear forms on the order, in rows, of which a right ideal of norm P is the set of zeros."""
         whole = (ideal.rows * self.order.inverse_rows).numer_denom()[0]
-        return _kernel(nmod_mat(whole, self.p))
+        domain = self.order.ambient.domain
+        return self.modular(domain.kernel(whole, self.p), self.p)
 
     def _lines_of_the_plane(self) -> Iterator[nmod_mat]:
         """Yield, for each line, the combinations of the forms of the plane that are 0 on it.
@@ -85,7 +88,8 @@ class Neighbours:
 
     def _twice(self, rows: Matrix) -> nmod_mat:
         zero = [0] * (2 * self.degree)
-        return nmod_mat([*(row + zero for row in rows), *(zero + row for row in rows)], self.p)
+        doubled = [*(row + zero for row in rows), *(zero + row for row in rows)]
+        return self.modular(doubled, self.p)
 
     def inside(self, around: SublatticeKeys, norm: Norm) -> Iterator[fmpz_mat]:
         """Yield bases of the right ideals of relative norm P in one, in coordinates of its basis.
@@ -98,10 +102,12 @@ class Neighbours:
         if y is not None:
             row, below = y.inverse
             rows, den = rows * ambient.left_matrix(row), den * below * ambient.scale
-        moved, below = (rows * order.inverse_rows * fmpq(1, den)).numer_denom()
-        forms = self._forms * nmod_mat(moved.transpose(), p) * pow(int(below), -1, p)
+        domain = ambient.domain
+        moved, below = (rows * order.inverse_rows * domain.fraction(1, den)).numer_denom()
+        inverse = domain.inverse_modulo(below, p)
+        forms = self._forms * self.modular(moved.transpose(), p) * inverse
         for line in self._lines:
-            yield _solutions(line * forms, p)
+            yield _solutions(domain, line * forms, p)
 
 
 @lru_cache(maxsize=64)
@@ -124,54 +130,49 @@ def generator_above(around: SublatticeKeys, p: int, norm: Norm) -> ShortElement 
     """
     ambient = around.keys.ambient
     ideal = ambient.base.narrow_classes.ideals[norm.number]
-    wanted = _valuation(ambient.number_norm(norm.element), p)
-    wanted += _valuation(Fraction(ambient.base.absolute_norm(ideal)), p)
+    domain = ambient.domain
+    wanted = _valuation(domain, ambient.number_norm(norm.element), p)
+    if norm.number:
+        wanted += remove(ambient.base.absolute_norm(ideal), p)[0]
     if not wanted:
         return None
     size, n = ambient.size, ambient.degree
-    wanted += n * remove(around.norm_scale, p)[0]
+    wanted += n * domain.remove(around.norm_scale, p)[0]
     for some in chain(combinations(range(size), 1), combinations(range(size), 2)):
         found = ambient.number_matrix(around.norm_of_sum(some)).det()
-        if found and remove(int(found), p)[0] == wanted:
+        if found and domain.remove(found, p)[0] == wanted:
             return around.element([int(k in some) for k in range(size)])
     rng = random.Random(1)
     for _ in range(TRIALS):  # where there are several primes above p
-        x = around.element([rng.randrange(p) for _ in range(size)])
+        x = around.element([domain.random(rng, p) for _ in range(size)])
         found = ambient.number_matrix(x.scaled_norm).det()
-        if found and remove(int(found), p)[0] == wanted:
+        if found and domain.remove(found, p)[0] == wanted:
             return x
     raise LatticeError(f"no element generates the ideal at the primes above {p}")
 
 
-def _valuation(x: fmpq | Fraction, p: int) -> int:
-    return remove(int(x.numerator), p)[0] - remove(int(x.denominator), p)[0]
+def _valuation(domain: Domain, x: Any, p: Any) -> int:
+    return domain.remove(domain.numerator(x), p)[0] - domain.remove(domain.denominator(x), p)[0]
 
 
-def _solutions(forms: nmod_mat, p: int) -> fmpz_mat:
+def _solutions(domain: Domain, forms: Any, p: Any) -> Any:
     """Return a basis of the integer vectors at which linear forms are 0 modulo p, with small entries."""
     reduced, rank = forms.rref()
-    size, half = forms.ncols(), p // 2
+    size = forms.ncols()
     pivots: list[int] = []
     for k in range(rank):
         start = pivots[-1] + 1 if pivots else 0
         pivots.append(next(m for m in range(start, size) if reduced[k, m]))
-    entries = [0] * (size * size)
+    entries: list[Any] = [0] * (size * size)
     for m in range(size):
         entries[m * (size + 1)] = 1
     for k, pivot in enumerate(pivots):
         entries[pivot * (size + 1)] = p
         for m in range(pivot + 1, size):
-            c = int(reduced[k, m])
+            c = reduced[k, m]
             if c and m not in pivots:
-                entries[m * size + pivot] = -c if c <= half else p - c
-    return fmpz_mat(size, size, entries)
-
-
-def _kernel(rows: nmod_mat) -> nmod_mat:
-    """Return a basis of the vectors v with row·v = 0 for every row, as rows."""
-    found, rank = rows.nullspace()
-    table = found.transpose().tolist()[: int(rank)]
-    return nmod_mat([[int(x) for x in row] for row in table], int(rows.modulus()))
+                entries[m * size + pivot] = -domain.small_residue(c, p)
+    return domain.matrix(size, size, entries)
 
 
 # --- the plane of an order that is M₂ at P ---------------------------------------------------------
@@ -181,13 +182,14 @@ def _plane(neighbours: Neighbours) -> Matrix:
     """Return 4f linear forms on the order modulo p: coordinates of z·e, and of z·g, in bases of lines."""
     order, prime, p, f = neighbours.order, neighbours.prime, neighbours.p, neighbours.degree
     ambient, base = order.ambient, order.ambient.base
+    modular = neighbours.modular
     at = OrderAtPrime(order, prime)
     e = at.idempotent(1)
     embed = _modulo(order, ambient.scalar(_embedding(base, prime, p)), p)
     by_e = _modulo(order, ambient.times(e), p)
     image = _lists(by_e * embed)
     joined = [x + y for x, y in zip(image, _lists(by_e), strict=True)]
-    reduced = _lists(nmod_mat(joined, p).rref()[0])[: 2 * f]
+    reduced = _lists(modular(joined, p).rref()[0])[: 2 * f]
     size = ambient.size
     pivots = [next(k for k, c in enumerate(row) if c) for row in reduced]
     start = next(k for row in image for k, c in enumerate(row) if c)
@@ -201,12 +203,12 @@ def _plane(neighbours: Neighbours) -> Matrix:
 
     def line(row: list[int]) -> Matrix:
         """Return the coordinates, at the pivots, of the multiples of an element by residues."""
-        y = nmod_mat([row[size:]], p)
-        return [[int((y * m * embed)[0, k]) for k in pivots] for m in multiply]
+        y = modular([row[size:]], p)
+        return [[_whole((y * m * embed)[0, k]) for k in pivots] for m in multiply]
 
     first = line(reduced[0])
     lines = (first + line(row) for row in reduced[1:])
-    basis = next(m for rows in lines if (m := nmod_mat(rows, p)).rank() == 2 * f)
+    basis = next(m for rows in lines if (m := modular(rows, p)).rank() == 2 * f)
     back = basis.inv()
     for g in at.corners(e)[1].tolist():
         by_g = _modulo(order, ambient.times(g), p) * embed
@@ -216,28 +218,35 @@ def _plane(neighbours: Neighbours) -> Matrix:
         raise AssertionError("(1 − e)·O·e is not 0 modulo P")
     forms: Matrix = []
     for matrix in (by_e * embed, by_g):
-        coordinates = nmod_mat([[row[k] for k in pivots] for row in _lists(matrix)], p) * back
+        coordinates = modular([[row[k] for k in pivots] for row in _lists(matrix)], p) * back
         forms += map(list, zip(*_lists(coordinates), strict=True))
     return forms
 
 
+def _whole(x: Any) -> Any:
+    """Return an element of a matrix modulo a prime as an integer of the domain."""
+    return int(x) if isinstance(x, nmod) else x
+
+
 def _lists(matrix: nmod_mat) -> Matrix:
     """Return the rows of a matrix modulo p."""
-    return [[int(x) for x in row] for row in matrix.tolist()]
+    return [list(map(_whole, row)) for row in matrix.tolist()]
 
 
 def _modulo(order: LatticeValue, matrix: fmpq_mat, p: int) -> nmod_mat:
     """Return a linear map that takes the order into itself, modulo p, in coordinates of the order."""
-    return nmod_mat((order.rows * matrix * order.inverse_rows).numer_denom()[0], p)
+    moved = (order.rows * matrix * order.inverse_rows).numer_denom()[0]
+    return order.ambient.domain.modular(moved, p)
 
 
 def _embedding(base: Any, prime: Any, p: int) -> Any:
     """Return an integer t of the field, so that t·x is divisible by p exactly where x is in P."""
+    domain = base.domain
     den, rows = base.ideal_rows(base.inverse(base.prime_ideal(prime)))
     for row in rows:
-        number = [fmpq(c * p, den) for c in row]
-        if any(int(c.p) % p for c in number):
-            return base.element_of(number)
+        coordinates = [domain.fraction(c * p, den) for c in row]
+        if any(domain.numerator(c) % p for c in coordinates):
+            return base.element_of(coordinates)
     raise AssertionError("p·P⁻¹ is not contained in p·ℤ_K")
 
 

@@ -12,12 +12,14 @@ import random
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property, lru_cache
 from itertools import count, islice, product
+from typing import Any
 
-from flint import fmpq, fmpq_mat, fmpz_mat
+from flint import fmpq_mat, fmpz_mat
 
 from hfield.errors import LatticeError
 from hfield.orders import hermite
 from hfield.orders.base_values import BaseIdeal, Prime, Residue, Scalar
+from hfield.orders.domains import Domain
 from hfield.orders.kernels.general import ideal_multiples
 from hfield.orders.lattice_values import (
     LatticeValue,
@@ -27,7 +29,6 @@ from hfield.orders.lattice_values import (
     times_ideal,
 )
 from hfield.orders.lattice_values import product as lattice_product
-from hfield.orders.linear_algebra_mod_p import kernel
 
 Vector = Sequence[int]
 Line = tuple[int, Vector]
@@ -48,7 +49,8 @@ class OrderAtPrime:
         self.p = self.place.below
         self.ideal = base.prime_ideal(prime)
         self.norm = base.absolute_norm(self.ideal)
-        self.traces = order.integral_grams
+        self.domain = order.ambient.domain
+        self.traces, self.forms = order.integral_grams, order.integral_forms
         self._zero_divisors: dict[int, fmpz_mat] = {}
 
     # --- traces, norms and residues --------------------------------------------------------------
@@ -61,14 +63,14 @@ class OrderAtPrime:
 
     def trace(self, v: Vector) -> list[int]:
         """Return the coordinates of the trace of an element."""
-        row = fmpz_mat([list(v)])
-        return [int((row * form * self._one)[0, 0]) for form in self.traces]
+        row = self.domain.matrix([list(v)])
+        return [(row * form * self._one)[0, 0] for form in self.traces]
 
     def norm_of(self, v: Vector) -> list[int]:
         """Return the coordinates of the norm of an element."""
-        row = fmpz_mat([list(v)])
-        column = row.transpose()
-        return [int((row * form * column)[0, 0]) // 2 for form in self.traces]
+        row = self.domain.matrix([list(v)])
+        column, factor = row.transpose(), self.domain.form_factor
+        return [(row * form * column)[0, 0] // factor for form in self.forms]
 
     @cached_property
     def _basis_residues(self) -> list[Residue]:
@@ -78,13 +80,17 @@ class OrderAtPrime:
     def residue(self, coordinates: Iterable[int]) -> Residue:
         """Return the residue of an integer of the base with these coordinates."""
         pairs = zip(coordinates, self._basis_residues, strict=True)
-        total = sum((w * (c % self.p) for c, w in pairs), self.place.zero)
+        integer = self.domain.integer
+        total = sum((w * integer(c % self.p) for c, w in pairs), self.place.zero)
         found: Residue = total % self.place.modulus
         return found
 
     def digits(self, residue: Residue) -> list[int]:
         """Return the coordinates of a residue over the prime field."""
         return self.base.digits(self.prime, residue)
+
+    def _sort_key(self, residue: Residue) -> tuple[Any, ...]:
+        return tuple(self.domain.sort_key(self.digits(residue)))
 
     def lift(self, residue: Residue) -> Scalar:
         """Return an integer of the field with a given residue."""
@@ -98,7 +104,8 @@ class OrderAtPrime:
 
     def power_of_p(self, k: int) -> int:
         """Return the least power of p that lies in Pᵏ."""
-        return int(self.p ** -(-k // self.place.index))
+        power: int = self.p ** -(-k // self.place.index)
+        return power
 
     # --- larger orders ---------------------------------------------------------------------------
 
@@ -108,14 +115,15 @@ class OrderAtPrime:
         digits = zip(*map(self.digits, self._basis_residues), strict=True)
         # tr(x·conj(O)) is the same, as conj(O) = O
         forms = [self._combined(c) for c in digits]
-        vectors = kernel(hermite.stacked(*forms), self.p)
-        if self.p == 2 and vectors:  # N is additive on these, and so is the root of its residue
+        vectors = self.domain.kernel(hermite.stacked(*forms), self.p)
+        if self.place.even and vectors:  # N is additive on these, and so is the root of its residue
             roots = (self.place.sqrt(self.residue(self.norm_of(v))) for v in vectors)
             columns = list(zip(*map(self.digits, roots), strict=True))
-            chosen = kernel(fmpz_mat(columns), 2)
-            vectors = (fmpz_mat(chosen) * fmpz_mat(vectors)).tolist() if chosen else []
+            matrix = self.domain.matrix
+            chosen = self.domain.kernel(matrix(columns), self.p)
+            vectors = (matrix(chosen) * matrix(vectors)).tolist() if chosen else []
         own = self.order.matrix
-        rows = [fmpz_mat(vectors) * own] if vectors else []
+        rows = [self.domain.matrix(vectors) * own] if vectors else []
         return hermite_form(self.ambient, self.order.den, hermite.stacked(*rows, own * self.p))
 
     def _combined(self, factors: Sequence[int]) -> fmpz_mat:
@@ -139,8 +147,9 @@ class OrderAtPrime:
         The order is M₂(ℤ_P) or has the Eichler symbol 1 at P, else :class:`LatticeError` is raised.
         """
         rng, size = random.Random(1), self.ambient.size
-        small = islice(product(range(min(self.p, 3)), repeat=size), TRIALS)
-        others = ([rng.randrange(self.p) for _ in range(size)] for _ in range(TRIALS))
+        some, draw = self.domain.few_residues(self.p), self.domain.random
+        small = islice(product(some, repeat=size), TRIALS)
+        others = ([draw(rng, self.p) for _ in range(size)] for _ in range(TRIALS))
         for vectors in (small, others):
             for v in vectors:
                 roots = self._roots(v)
@@ -154,7 +163,8 @@ class OrderAtPrime:
 
     def order_row(self, v: Vector) -> fmpq_mat:
         """Return the element with these coordinates, a row of rational numbers."""
-        return (fmpz_mat([list(v)]) * self.order.matrix) * fmpq(1, self.order.den)
+        domain = self.domain
+        return domain.matrix([list(v)]) * self.order.matrix * domain.fraction(1, self.order.den)
 
     def _roots(self, v: Vector) -> tuple[Residue, Residue] | None:
         """Return the two roots modulo P of x² − tr(x)·x + N(x), or None where there are not two."""
@@ -166,7 +176,7 @@ class OrderAtPrime:
         other = (trace - root) % place.modulus
         if (other - root) % place.modulus == 0:
             return None
-        first, second = sorted((root, other), key=self.digits)
+        first, second = sorted((root, other), key=self._sort_key)
         return first, second
 
     def idempotent(self, k: int) -> fmpq_mat:
@@ -193,7 +203,7 @@ class OrderAtPrime:
     def _small(self, x: fmpq_mat, modulus: int) -> fmpq_mat:
         """Return an element of the order with coordinates reduced modulo a number."""
         coordinates = (x * self.order.inverse_rows).entries()
-        return self.order_row([int(c.p) % modulus for c in coordinates])
+        return self.order_row([self.domain.numerator(c) % modulus for c in coordinates])
 
     def corners(self, e: fmpq_mat) -> tuple[fmpq_mat, fmpq_mat]:
         """Return e·b·(1 − e) and (1 − e)·b·e for the basis b of the order."""
@@ -230,18 +240,18 @@ class OrderAtPrime:
         There the norm is a quadratic polynomial. An element at a simple root modulo P does not lie in P·O.
         """
         size = self.ambient.size
-        squares = [[int(form[n, n]) // 2 for form in self.traces] for n in range(size)]
-        for n, v in small_lines(size):
-            row = fmpz_mat(1, size, list(v))
+        factor, matrix = self.domain.form_factor, self.domain.matrix
+        squares = [[form[n, n] // factor for form in self.forms] for n in range(size)]
+        for n, v in small_lines(self.domain, size):
+            row = matrix(1, size, list(v))
             column = row.transpose()
-            images = [form * column for form in self.traces]
-            norm = [int((row * image)[0, 0]) // 2 for image in images]
-            polynomial = squares[n], [int(image[n, 0]) for image in images], norm
+            slopes = [(form * column)[n, 0] for form in self.traces]
+            polynomial = squares[n], slopes, self.norm_of(v)
             root = self._simple_root(*map(self.residue, polynomial))
             if root is not None:
                 x = self._lifted(polynomial, self.lift(root), e)
                 factor, _ = self.base.coordinate_rows([x]).numer_denom()
-                own = fmpz_mat(1, size, [int(m == n) for m in range(size)]) * self.order.matrix
+                own = matrix(1, size, [int(m == n) for m in range(size)]) * self.order.matrix
                 return self.ambient.times_scalar(own, factor.entries()) + row * self.order.matrix
         raise AssertionError(
             "the norm form modulo P is that of 2 × 2 matrices, which has such zeros"
@@ -251,9 +261,9 @@ class OrderAtPrime:
         """Return a unit of O/Pᵉ, a row over the denominator: each is equally likely."""
         size, modulus = self.ambient.size, self.power_of_p(e)
         while True:
-            v = [rng.randrange(modulus) for _ in range(size)]
+            v = [self.domain.random(rng, modulus) for _ in range(size)]
             if self.residue(self.norm_of(v)) != 0:
-                return fmpz_mat([v]) * self.order.matrix
+                return self.domain.matrix([v]) * self.order.matrix
 
     def times(self, rows: fmpz_mat, x: fmpz_mat) -> fmpz_mat:
         """Return rows times an element x, all of the order, over its denominator."""
@@ -272,13 +282,14 @@ class OrderAtPrime:
             return None
         root = place.multiply(found[0], place.inverse(found[1]))
         other = (place.zero - place.multiply(b, place.inverse(a)) - root) % place.modulus
-        return min(root, other, key=self.digits) if root != other else None
+        return min(root, other, key=self._sort_key) if root != other else None
 
     def _lifted(self, polynomial: Sequence[list[int]], root: Scalar, e: int) -> Scalar:
         """Return the root of a·x² + b·x + c modulo Pᵉ above a simple root modulo P (Hensel)."""
         if e == 1:
             return root
-        a, b, c = (self.base.element_of([fmpq(x) for x in number]) for number in polynomial)
+        fraction = self.domain.fraction
+        a, b, c = (self.base.element_of([fraction(x) for x in number]) for number in polynomial)
         near, modulus = self.base.integer_near, self.power_of_p(e)
         slope = self.place.reduce(a * root * 2 + b)
         inverse, known = self.lift(self.place.inverse(slope)), 1
@@ -325,18 +336,19 @@ def independent(larger: fmpq_mat, below: LatticeValue) -> list[fmpq_mat]:
     """Return some rows that are a basis of what rows span modulo a lattice, over the residues of a prime."""
     found = []
     for row in larger.tolist():
-        x = fmpq_mat([row])
+        x = below.ambient.domain.fraction_matrix([row])
         if (x * below.inverse_rows).numer_denom()[1] != 1:
             found.append(x)
             below = add_elements(below, x)
     return found
 
 
-def small_lines(size: int) -> Iterator[Line]:
+def small_lines(domain: Domain, size: int) -> Iterator[Line]:
     """Yield a coordinate with small values for the others; the values grow without end."""
     for largest in count(1):
-        for rest in product(range(-largest, largest + 1), repeat=size - 1):
-            if max(map(abs, rest)) == largest:
+        smaller = set(domain.small(largest - 1))
+        for rest in product(list(domain.small(largest)), repeat=size - 1):
+            if not smaller.issuperset(rest):
                 for n in range(size):
                     yield n, [*rest[:n], 0, *rest[n:]]
 

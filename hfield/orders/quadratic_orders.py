@@ -210,13 +210,13 @@ def represent_integer(order: LatticeValue, n: object, seed: int | None = None) -
     expect_definite(ambient, "represent_integer()")
     norm = base.inside(n)
     if not norm:
-        return ambient.quaternion([fmpq(0)] * ambient.size)
+        return ambient.quaternion([ambient.domain.fraction(0)] * ambient.size)
     integral = base.coordinate_rows([norm]).numer_denom()[1] == 1
     form = form_of_norm(order, norm) if integral and base.is_totally_positive(norm) else None
     if form is None:
         return None
     gram, _, length = form
-    if enumeration.volume(gram, length, len(gram) - 1) < MAX_ENUMERATED:
+    if ambient.domain.vectors.volume(gram, length, len(gram) - 1) < MAX_ENUMERATED:
         return _first_of_norm(order, norm)
     if not is_eichler(order) and any(
         is_obstructed(order, P, norm) for P, e in base.factorisation(discriminant(order)) if e > 1

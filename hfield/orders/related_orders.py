@@ -83,18 +83,19 @@ def _maximal_suborders(order: LatticeValue, prime: Prime) -> Iterator[tuple[int,
     ambient, digits = order.ambient, _digits(order, prime, 3)
     below = times_ideal(order, ambient.base.prime_ideal(prime))
     one = ambient.one.entries()
-    basis = independent(fmpq_mat([one, *order.rows.tolist()]), below)[1:]
+    matrix = ambient.domain.fraction_matrix
+    basis = independent(matrix([one, *order.rows.tolist()]), below)[1:]
     b, c, d = basis
     planes = [(b + d * x, c + d * y) for x in digits for y in digits]
     planes += [*((b + c * x, d) for x in digits), (c, d)]
     for pair in planes:
-        found = add_elements(below, fmpq_mat([one, *(x.entries() for x in pair)]))
+        found = add_elements(below, matrix([one, *(x.entries() for x in pair)]))
         products = (x * ambient.times(y) * found.inverse_rows for x in pair for y in pair)
         if all(z.numer_denom()[1] == 1 for z in products):
             yield 1, found
     lines = [b + c * x + d * y for x in digits for y in digits]
     for x in (*lines, *(c + d * y for y in digits), d):
-        yield 2, add_elements(below, fmpq_mat([one, x.entries()]))
+        yield 2, add_elements(below, matrix([one, x.entries()]))
 
 
 def _minimal_overorders(order: LatticeValue, prime: Prime) -> Iterator[tuple[int, LatticeValue]]:

@@ -23,7 +23,11 @@ def checked_ring(lattice: LatticeValue) -> LatticeValue:
         if products.numer_denom()[1] == 1:
             continue
         entries = products.tolist()
-        q = next(q for q, x in zip(lattice.basis, entries, strict=True) if any(c.q != 1 for c in x))
+        q = next(
+            q
+            for q, x in zip(lattice.basis, entries, strict=True)
+            if any(lattice.ambient.domain.denominator(c) != 1 for c in x)
+        )
         raise LatticeError(
             f"this lattice is no order: the product of {shorten(p)} and {shorten(q)} is not in "
             "it; A.order(elements) returns the ring that they generate"
@@ -59,12 +63,15 @@ def _check_integral(ambient: AlgebraBasis, den: int, rows: fmpz_mat) -> None:
     """Raise :class:`LatticeError` unless all combinations of rows have integral trace and norm."""
     one = ambient.one.numer_denom()[0].entries()
     last = rows.nrows()
-    grams = ambient.grams(
-        hermite.stacked(rows, fmpz_mat([one]) * den)
-    )  # traces are those of x·conj(1)
+    # traces are those of x·conj(1)
+    whole = hermite.stacked(rows, ambient.domain.matrix([one]) * den)
+    forms = ambient.forms(whole)
+    grams = list(map(ambient.domain.polar, forms))
     scale = ambient.scale * den * den
+    twice = ambient.domain.form_factor * scale
     for n in range(last):
-        if any(g[n, last] % scale or g[n, n] % (2 * scale) for g in grams):
+        norms = (f[n, n] % twice for f in forms)
+        if any(norms) or any(g[n, last] % scale for g in grams):
             q = ambient.element(rows.tolist()[n], den)
             raise LatticeError(
                 f"these elements generate no order: {shorten(q)} has trace {q.trace()} and norm "

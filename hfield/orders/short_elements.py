@@ -9,8 +9,7 @@ J. Voight, *SIAM J. Comput.* 39, 2010). All is integral.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
@@ -18,7 +17,7 @@ from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import IndefiniteError, TooLargeError, shorten
 from hfield.fields.base.flint_types import Rational
-from hfield.orders import enumeration, hermite
+from hfield.orders import hermite
 from hfield.orders.base_values import Scalar, ThetaSeries
 from hfield.orders.basis import AlgebraBasis
 from hfield.orders.lattice_values import LatticeValue
@@ -34,6 +33,11 @@ def expect_definite(ambient: AlgebraBasis, what: str) -> None:
     if ambient.definite:
         return
     algebra = shorten(ambient.algebra)
+    if ambient.base.is_polynomial:
+        raise IndefiniteError(
+            f"{algebra} splits at infinity, so infinitely many elements may have one norm: {what} needs an "
+            "algebra that ramifies there"
+        )
     if not ambient.base.is_totally_real:
         why = f"{shorten(algebra)} is indefinite, as its field is not totally real"
     else:
@@ -54,30 +58,30 @@ def up_to(lattice: LatticeValue, bound: int) -> Iterator[tuple[Row, int]]:
     """
     rows, gram = lattice.reduced
     columns = list(zip(*hermite.tuples(rows), strict=True))
-    combination = lattice.ambient.kernels.combination
-    for x, value in enumeration.short_vectors(gram, 2 * bound):
-        yield combination(x, columns), value // 2
+    combination, domain = lattice.ambient.kernels.combination, lattice.ambient.domain
+    for x, value in domain.vectors.short_vectors(gram, domain.form_factor * bound):
+        yield combination(x, columns), value // domain.form_factor
 
 
 def least_norm(lattice: LatticeValue) -> int:
     """Return the least Tr(N(x)) for x ≠ 0, as a multiple of the content: over ℤ of the norm."""
-    return enumeration.least_vectors(lattice.reduced[1])[0] // 2
+    domain = lattice.ambient.domain
+    least: int = domain.vectors.least_vectors(lattice.reduced[1])[0] // domain.form_factor
+    return least
 
 
 def shortest(lattice: LatticeValue) -> tuple[Quaternion, ...]:
     """Return the x ≠ 0 with the least Tr(N(x)), x and −x."""
     rows, gram = lattice.reduced
-    return _signed(
-        lattice, (hermite.combination(x, rows) for x in enumeration.least_vectors(gram)[1])
-    )
+    vectors = lattice.ambient.domain.vectors
+    found = (hermite.combination(x, rows) for x in vectors.least_vectors(gram)[1])
+    return _signed(lattice, found)
 
 
 def multiple_of_content(lattice: LatticeValue, n: Rational) -> fmpq:
     """Return a rational number as a multiple of the content of Tr(N(x))."""
-    ambient = lattice.ambient
-    return (
-        fmpq(n.numerator, n.denominator) * (ambient.scale * lattice.den**2) / fmpq(lattice.content)
-    )
+    ambient, domain = lattice.ambient, lattice.ambient.domain
+    return domain.as_fraction(n) * domain.fraction(ambient.scale * lattice.den**2, lattice.content)
 
 
 def of_norm(lattice: LatticeValue, norm: Scalar) -> tuple[Quaternion, ...]:
@@ -91,7 +95,7 @@ def of_norm(lattice: LatticeValue, norm: Scalar) -> tuple[Quaternion, ...]:
     if form is None:
         return ()
     found = _rows(lattice, norm, form, "elements of norm at most")
-    return _signed(lattice, (tuple(map(int, row.entries())) for row in found))
+    return _signed(lattice, (hermite.tuples(row)[0] for row in found))
 
 
 Form = tuple[list[list[int]], fmpz_mat, int]
@@ -106,8 +110,9 @@ def form_of_norm(lattice: LatticeValue, norm: Scalar) -> Form | None:
     rational = ambient.base.as_rational(norm)
     if rational is not None:  # the form is a multiple of Tr(N(x))
         rows, gram = lattice.reduced
-        length = 2 * ambient.degree * multiple_of_content(lattice, rational)
-        return (gram, rows, int(length.p)) if length.q == 1 else None
+        domain = ambient.domain
+        length = multiple_of_content(lattice, rational) * (domain.form_factor * ambient.degree)
+        return (gram, rows, domain.numerator(length)) if domain.denominator(length) == 1 else None
     gram, basis, den = reduced(ambient, lattice.rows, 1 / norm)
     return gram, (basis * lattice.den).numer_denom()[0], 2 * ambient.degree * den
 
@@ -116,9 +121,10 @@ def _rows(
     lattice: LatticeValue, norm: Scalar, form: Form, expected: str | None = None
 ) -> Iterator[fmpz_mat]:
     gram, basis, length = form
-    ambient, below = lattice.ambient, fmpq(1, lattice.den)
-    for x in enumeration.vectors_of_length(gram, length, expected):
-        row = fmpz_mat(1, len(x), x) * basis
+    ambient, domain = lattice.ambient, lattice.ambient.domain
+    below = domain.fraction(1, lattice.den)
+    for x in domain.vectors.vectors_of_length(gram, length, expected):
+        row = domain.matrix(1, len(x), x) * basis
         # over ℤ the form is the norm
         if ambient.degree == 1 or ambient.norm((row * below).entries()) == norm:
             yield row
@@ -130,50 +136,65 @@ def first_of_norm(lattice: LatticeValue, norm: Scalar) -> fmpz_mat | None:
     if form is None:
         return None
     gram, basis, length = form
-    ambient, below = lattice.ambient, fmpq(1, lattice.den)
+    ambient, domain = lattice.ambient, lattice.ambient.domain
+    below = domain.fraction(1, lattice.den)
     for n in range(len(gram)):  # in a reduced basis a vector of least length is usually there
         if gram[n][n] == length:
-            row = fmpz_mat([basis.tolist()[n]])
+            row = domain.matrix([basis.tolist()[n]])
             if ambient.degree == 1 or ambient.norm((row * below).entries()) == norm:
                 return row
     return next(_rows(lattice, norm, form), None)
+
+
+def element_of_norms(lattice: LatticeValue, norms: Sequence[Scalar]) -> Quaternion | None:
+    """Return an element of one of these norms in a definite algebra, or None where there is none."""
+    for x in norms:
+        row = first_of_norm(lattice, x)
+        if row is not None:
+            return lattice.element(hermite.tuples(row)[0])
+    return None
 
 
 def rows_of_norm(lattice: LatticeValue, norm: Scalar) -> Iterator[fmpq_mat]:
     """Yield one of ±x for each x with a norm, totally positive."""
     form = form_of_norm(lattice, norm)
     if form is not None:
-        yield from (row * fmpq(1, lattice.den) for row in _rows(lattice, norm, form))
+        below = lattice.ambient.domain.fraction(1, lattice.den)
+        yield from (row * below for row in _rows(lattice, norm, form))
 
 
-def of_norm_at_most(lattice: LatticeValue, n: Rational) -> tuple[Quaternion, ...]:
-    """Return all x with Tr(N(x)) at most a rational number, 0 too, ascending. Raises likewise."""
-    bound = math.floor(multiple_of_content(lattice, n))
+def of_norm_at_most(lattice: LatticeValue, n: object) -> tuple[Quaternion, ...]:
+    """Return all x with Tr(N(x)) at most a rational number, 0 too, ascending. Raises likewise.
+
+    Over polynomials the number bounds the degree of N(x).
+    """
+    base, domain = lattice.ambient.base, lattice.ambient.domain
+    bound = base.norm_bound(lattice, n)
     if bound < 0:
         return ()
-    base = lattice.ambient.base
     found = _signed(lattice, (row for row, _ in up_to(lattice, bound)))
     zero = lattice.element([0] * lattice.ambient.size)
-    return (zero, *sorted(found, key=lambda q: base.trace(base.inside(q.norm()))))
+    return (zero, *sorted(found, key=lambda q: domain.length(base.trace(base.inside(q.norm())))))
 
 
 def _signed(lattice: LatticeValue, rows: Iterable[Row]) -> tuple[Quaternion, ...]:
     """Return the elements of some rows and their negatives, in a fixed order."""
     both: list[Row] = []
     for row in rows:
-        both += (row, tuple(-x for x in row))
+        both += dict.fromkeys((row, tuple(-x for x in row)))
         if len(both) > MAX_LISTED:
             raise TooLargeError(
                 f"more than {MAX_LISTED} elements have so small a norm; theta_series(n) counts them"
             )
-    return tuple(lattice.element(row) for row in sorted(both, reverse=True))
+    key = lattice.ambient.domain.sort_key
+    return tuple(lattice.element(row) for row in sorted(both, key=key, reverse=True))
 
 
 def theta_series(lattice: LatticeValue, n: object) -> ThetaSeries:
     """Return how many elements have which norm. Raises :class:`TooLargeError`.
 
     Over ℤ it is the list [r(0), …, r(n)], r(m) for the norm ``m·norm``; else {ν: r(ν)} for the norms of trace
-    at most n, ascending by traces.
+    at most n, ascending by traces; over polynomials for those of degree at most n, ascending by degrees.
     """
     bound, ambient = natural(n, "a theta series goes up to"), lattice.ambient
     step, (rows, gram) = ambient.base.theta_step(lattice), lattice.reduced

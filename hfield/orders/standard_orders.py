@@ -78,7 +78,13 @@ def lipschitz_order(algebra: Parent) -> LatticeValue:
 
     Raises :class:`CoercionError` unless a, t and b are integers.
     """
-    constants = Constants(*map(fraction, basis_of(algebra).constants))
+    ambient = basis_of(algebra)
+    if ambient.degree > 1 or not ambient.base.real_places:
+        raise CoercionError(
+            f"the Lipschitz order is ℤ⟨e, i, j, k⟩, over QQ, not over {shorten(algebra.ring.name)}: "
+            'A.order(["i", "j"]) is the ring that i and j generate'
+        )
+    constants = Constants(*map(fraction, ambient.constants))
     if any(x.denominator != 1 for x in constants):
         raise CoercionError(
             "e, i, j, k span an order over the integers only if a, t and b are integers"
@@ -129,7 +135,7 @@ def extremal_order(algebra: Parent) -> LatticeValue:
     Raises :class:`LatticeError` for another algebra.
     """
     r = basis_of(algebra)
-    if not r.definite or len(r.ramified) != 1:
+    if not (r.base.is_rational and r.definite) or len(r.ramified) != 1:
         raise LatticeError(
             f"{algebra} has no p-extremal order: expected a definite algebra of prime discriminant"
         )

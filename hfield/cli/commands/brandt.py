@@ -28,6 +28,7 @@ from hfield.errors import shorten
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
+    from hfield.algebra.quaternion_algebra import QuaternionAlgebra
     from hfield.cli.commands.brandt_graph import BrandtGraph
     from hfield.ledger.matrix import Style
     from hfield.orders.lattice import ClassSet
@@ -53,8 +54,8 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--prime",
         metavar="N",
-        default="2",
-        help="index of the matrix: a prime or any N ≥ 1; over a number field, an ideal (default: 2)",
+        help="index of the matrix: a prime or any N ≥ 1; over a number field, an ideal (default: 2, "
+        "over GF(q)(t) the variable)",
     )
     parser.add_argument("--plot", metavar="FILE", help="draw the graph to FILE (.svg, .png, .pdf)")
     parser.add_argument("--dark", action="store_true", help="draw the graph on a dark page")
@@ -70,12 +71,17 @@ def run(args: Namespace) -> int:
         return answer_one(args, partial(_answer, args, executor))
 
 
+def _default_prime(A: QuaternionAlgebra) -> str:
+    """Return 2, or the variable of a field of functions."""
+    return A.ring.gen_name or "2" if A.ring.characteristic else "2"
+
+
 def _answer(args: Namespace, executor: Executor | None) -> OutputDocument:
     from hfield.orders.class_number import by_formula
 
     replace = bool(args.plot) and try_picture(args.plot)
     A = algebra_of(args.algebra)
-    n = level_of(args.prime, A, "index")
+    n = level_of(args.prime or _default_prime(A), A, "index")
     O = A.eichler_order(level_of(args.level, A))
     factors = O.value.ambient.base.factorisation(n)
     is_prime = [e for _, e in factors] == [1]

@@ -45,6 +45,7 @@ DOING = "enumerating classes"
 EXAMPLES = (
     "hfield classes '(-1,-11|QQ)' --level 3",
     "hfield classes '(-1,-1|QQ(sqrt(5)))' --level '6 + sqrt(5)' --newforms",
+    "hfield classes '(-1,t^3+2*t+1|GF(3)(t))'",
 )
 SHOWN = 40
 FORMULA_AND_ENUMERATION = "by Eichler's formula and by enumeration"

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from hfield.presenting import Part
 
 HELP = (
-    "Describe an order over ZZ, or over the integers of a number field: basis, "
+    "Describe an order over ZZ, the integers of a number field, or GF(q)[t]: basis, "
     "discriminant, units, conductor, class number. The default is a maximal order."
 )
 DOING = "computing the order"
@@ -36,6 +36,7 @@ EXAMPLES = (
     "hfield order 2 --units",
     "hfield order 11 --label 'x^2+y^2+3*z^2+y*z'",
     "hfield order '(-1,-1|QQ(sqrt(5)))' --level '11, 4 + sqrt(5)'",
+    "hfield order '(-1,t^3+2*t+1|GF(3)(t))' --level t",
 )
 
 
@@ -74,7 +75,7 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
     O = _made(args)
     data: Callable[[Any], dict[str, Any]] = to_json
     page: Callable[[Any], list[Part]] = parts
-    if O.algebra.is_over_number_field:
+    if not O.value.ambient.base.is_rational:
         data, page = data_over_number_field, parts_over_number_field
     if not args.units:
         return of_parts(lambda: data(O), lambda: page(O)), lambda: O.claim
@@ -97,7 +98,7 @@ def _listed_units(O: Any) -> Part:
     """Return the units for people; over a number field one of each coset of those of the field."""
     from hfield.presenting import Facts
 
-    name = "unit" if not O.algebra.is_over_number_field else "coset of unit"
+    name = "unit" if O.value.ambient.base.is_rational else "coset of unit"
     return Facts([(name, str(q)) for q in O.units()], 22)
 
 

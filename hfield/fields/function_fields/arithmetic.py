@@ -22,6 +22,7 @@ from hfield.fields.function_fields.artin_schreier import (
 )
 from hfield.fields.function_fields.common_slots import common_slot_functions, searched_slot
 from hfield.fields.function_fields.conics import RamifiedError, solve_conic_functions
+from hfield.fields.function_fields.given_symbols import from_ramification_functions
 from hfield.fields.function_fields.places import FunctionPlace, place_of_functions, prime_divisors
 from hfield.fields.function_fields.residues import ResidueField, residues_at
 from hfield.fields.function_fields.ring import FunctionField
@@ -97,6 +98,14 @@ class FunctionArithmetic(GlobalField):
     def discriminant(self, ramified: tuple[FunctionPlace, ...]) -> Quotient:
         """Return the product of the polynomials."""
         return self.ring.product_of(v.poly for v in ramified)
+
+    def with_ramification(
+        self, places: Sequence[Any], infinite: bool | None = None
+    ) -> tuple[Scalar, ...]:
+        """Return (a, b, t) over a finite field of constants, t = 1 in characteristic 2."""
+        if infinite is not None or self.ring.base.order is None:
+            return super().with_ramification(places, infinite)
+        return from_ramification_functions(self.ring, places)
 
     def unramified_zero(self, c: Constants, form: NormalForm) -> ZeroNorm:
         """Return a point of the conic, found by minimising it at all places."""

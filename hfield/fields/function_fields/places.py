@@ -44,6 +44,13 @@ class FunctionPlace:
             return {"kind": "infinity"}
         return {"kind": "prime polynomial", "coefficients": [_json(c) for c in self.poly.coeffs()]}
 
+    def norm(self) -> int:
+        """Return the number of residues. Raises :class:`UndecidedError` where they are infinitely many."""
+        q = self.field.base.order
+        if q is None:
+            raise UndecidedError(f"the residue field at {self} is infinite")
+        return int(q**self.degree)
+
     @property
     def degree(self) -> int:
         """The degree of the residue field over k."""

@@ -77,6 +77,9 @@ class Quotient(Element):
         num, den = (polynomial_power(one, x, abs(n)) for x in (base.num, base.den))
         return Quotient(self.field, num, den)
 
+    def __bool__(self) -> bool:
+        return bool(self.num != 0)
+
     def same(self, other: Quotient) -> bool:
         """Tell whether both are the same function."""
         return bool(self.num == other.num and self.den == other.den)

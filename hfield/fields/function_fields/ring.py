@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     import sympy
 
     from hfield.fields.base.flint_types import Coefficient, Polynomial
+    from hfield.fields.function_fields.ideals import PolynomialIdeal
 
 
 __all__ = ["FunctionField", "Quotient"]
@@ -227,6 +228,21 @@ class FunctionField(FractionField):
         """Store elements as four polynomials over one."""
 
         return FunctionStorage(self, constants)
+
+    def ideal(self, x: object) -> PolynomialIdeal:
+        """Return an ideal of GF(q)[t], given by a polynomial, a fraction, a prime, or several of them.
+
+        Raises :class:`CoercionError` for anything else, and where the constants are no finite field.
+
+        >>> from hfield import ring
+        >>> F = ring("GF(3)(t)"); F.ideal("t^2-1") + F.ideal("t+1"), F.ideal(["t^2", "2*t"]).norm()
+        (ideal(t+1), 3)
+        """
+        from hfield.fields.function_fields.ideals import polynomial_integers
+
+        if self.base.order is None:
+            raise CoercionError(f"ideals are those of GF(q)[t], q finite, not of {self.name}")
+        return polynomial_integers(self).ideal(x)
 
     def places(self) -> Iterator[Hashable]:
         """Run through the places over a finite field: infinity, then polynomials by degree."""

@@ -134,8 +134,8 @@ class GlobalField(ABC):
 
     def with_ramification(
         self, places: Sequence[Any], infinite: bool | None = None
-    ) -> tuple[Scalar, Scalar]:
-        """Return constants (a, b) of an algebra that ramifies exactly at the places.
+    ) -> tuple[Scalar, ...]:
+        """Return constants (a, b), or (a, b, t), of an algebra that ramifies exactly at the places.
 
         ``infinite`` may say over ℚ whether ∞ is one. Raises :class:`RingError` where the field does not know
         how, or where there is none.
@@ -143,7 +143,7 @@ class GlobalField(ABC):
         if infinite is not None:
             raise no_flag(self.ring)
         raise RingError(
-            f"algebras are made from their ramification over number fields, not over {self.ring}"
+            f"algebras are made from their ramification over number fields and GF(q)(t), not over {self.ring}"
         )
 
     def ramified_at_small_places(self, form: NormalForm) -> tuple[Hashable, ...]:

@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpz, fmpz_mat
 
 from hfield.orders.base_values import BaseIdeal, ThetaSeries
-from hfield.orders.kernels import general, rank4
+from hfield.orders.kernels import general, polynomials, rank4
 
 if TYPE_CHECKING:
+    from hfield.orders.base import Base
     from hfield.orders.basis import AlgebraBasis
     from hfield.orders.enumeration import Gram
     from hfield.orders.lattice_values import LatticeValue
@@ -25,7 +26,7 @@ Rows = tuple[int, fmpz_mat]
 
 
 class Kernels:
-    """The functions for lattices over a base: ℤ, or another one."""
+    """The functions for lattices over a base: ℤ, polynomials, or another one."""
 
     first_order: Callable[[AlgebraBasis], Rows]
     norm: Callable[[AlgebraBasis, Sequence[fmpz_mat], fmpz, int], BaseIdeal]
@@ -38,9 +39,11 @@ class Kernels:
     reduces_ternary_forms: bool
     """Whether lattices of rank 3 have few reduced bases, which are listed at once: over ℤ."""
 
-    def __init__(self, rational: bool) -> None:
+    def __init__(self, base: Base) -> None:
+        own = rank4 if base.is_rational else polynomials if base.is_polynomial else general
+
         def choose(name: str) -> Any:
-            return getattr(rank4 if rational else general, name, getattr(general, name))
+            return getattr(own, name, getattr(general, name))
 
         self.first_order = choose("first_order")
         self.norm = choose("norm")
@@ -50,4 +53,4 @@ class Kernels:
         self.is_locally_principal = choose("is_locally_principal")
         self.combination = choose("combination")
         self.theta_series = choose("theta_series")
-        self.reduces_ternary_forms = rational
+        self.reduces_ternary_forms = base.is_rational

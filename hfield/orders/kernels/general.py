@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
 from operator import mul
 from typing import TYPE_CHECKING
 
-from flint import fmpz, fmpz_mat, fmpz_poly
+from flint import fmpz, fmpz_mat
 
 from hfield.errors import TooLargeError
 from hfield.orders import enumeration
 from hfield.orders.base import Counts
 from hfield.orders.base_values import BaseIdeal, ThetaSeries
+from hfield.orders.domains import domain_of
 from hfield.orders.hermite import hermite, stacked, tuples
 
 if TYPE_CHECKING:
@@ -31,16 +31,19 @@ def first_order(ambient: AlgebraBasis) -> tuple[int, fmpz_mat]:
     They are 1, r·I, s·J and rs·IJ, with numbers r and s that make constants integral.
     """
     a, t, b = ambient.constants
-    r, s = (int(ambient.base.coordinate_rows(x).numer_denom()[1]) for x in ([a, t], [b]))
+    integer = ambient.domain.integer
+    r, s = (integer(ambient.base.coordinate_rows(x).numer_denom()[1]) for x in ([a, t], [b]))
     scales = [c for c in (1, r, s, r * s) for _ in range(ambient.degree)]
     size = range(ambient.size)
-    return 1, fmpz_mat([[c * int(m == k) for m in size] for k, c in enumerate(scales)])
+    rows = [[c * int(m == k) for m in size] for k, c in enumerate(scales)]
+    return 1, ambient.domain.matrix(rows)
 
 
-def norm(ambient: AlgebraBasis, grams: Sequence[fmpz_mat], content: fmpz, den: int) -> BaseIdeal:
-    """Return the ideal that norms generate, by the coordinates of ``tr(x·conj(y))`` on a basis."""
-    size = range(ambient.size)
-    squares = fmpz_mat([[g[k, k] // 2 for g in grams] for k in size])
+def norm(ambient: AlgebraBasis, forms: Sequence[fmpz_mat], content: fmpz, den: int) -> BaseIdeal:
+    """Return the ideal that norms generate, by the forms of their coordinates on a basis."""
+    size, domain = range(ambient.size), ambient.domain
+    squares = domain.matrix([[f[k, k] // domain.form_factor for f in forms] for k in size])
+    grams = list(map(domain.polar, forms))
     entries = squares.entries()
     for table in ambient.base_multiplications[1:]:
         entries += (squares * table).entries()
@@ -51,10 +54,11 @@ def norm(ambient: AlgebraBasis, grams: Sequence[fmpz_mat], content: fmpz, den: i
 
 
 def content(gram: fmpz_mat) -> fmpz:
-    """Return the gcd of half the diagonal of a matrix and its other entries: of the values of its form."""
-    size = range(gram.ncols())
-    values = [gram[k, k] // 2 for k in size] + [gram[m, n] for n in size for m in range(n)]
-    return fmpz_poly(values).content()  # the gcd of a list, as flint has it
+    """Return the gcd of the values of the form of a matrix, over ℤ of half the diagonal and the rest."""
+    size, domain = range(gram.ncols()), domain_of(gram)
+    values = [gram[k, k] // domain.form_factor for k in size]
+    pairs = domain.polar(gram)
+    return domain.content(values + [pairs[m, n] for n in size for m in range(n)])
 
 
 def volume(ambient: AlgebraBasis, matrix: fmpz_mat, den: int) -> BaseIdeal:
@@ -88,8 +92,8 @@ def order_rows(lattice: LatticeValue, pairs: fmpz_mat) -> tuple[int, fmpz_mat]:
     ambient, norm = lattice.ambient, lattice.norm
     below, table = ambient.base.ideal_rows(norm)
     whole = ambient.scale * ambient.conjugate_scale * lattice.den * lattice.den
-    common = math.lcm(below, whole)
-    numbers = fmpz_mat(table) * ambient.integers
+    common = ambient.domain.lcm(below, whole)
+    numbers = ambient.domain.matrix(table) * ambient.integers
     rows = stacked(pairs * (common // whole), numbers * (common // below))
     found = hermite(common, rows)
     assert found is not None, "the products with one conjugate have full rank"

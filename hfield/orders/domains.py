@@ -1,0 +1,441 @@
+"""The principal ideal domains over which lattices are matrices: ℤ, and polynomials over a finite field.
+
+A lattice over ℤ or ℤ_K is a matrix over ℤ, one over 𝔽_q[t] a matrix over 𝔽_q[t]. What differs between the two
+is here: matrices, fractions, linear algebra modulo a prime, and short vectors.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, Protocol
+
+from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_mat
+
+from hfield.core.factorisation import remove
+from hfield.orders import enumeration
+from hfield.orders.linear_algebra_mod_p import kernel
+from hfield.orders.polynomial_matrices import FractionMatrix, PolynomialMatrix, fractions
+from hfield.orders.polynomial_vectors import PolynomialVectors
+from hfield.orders.residue_matrices import ResidueMatrix
+
+if TYPE_CHECKING:
+    from flint import fq_default_poly
+
+    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.fields.function_fields.ring import FunctionField
+
+
+class Domain(Protocol):
+    """A principal ideal domain, with matrices over it that have the methods of flint's."""
+
+    symbol: str
+    """How the ring is written."""
+    latex: str
+    """How it is written in LaTeX."""
+    form_factor: int
+    """By which factor values of forms are larger than norms: 2 over ℤ, where forms are matrices of traces."""
+
+    def matrix(self, *shape: Any) -> Any:
+        """Return a matrix of rows, or of a shape and entries, as ``fmpz_mat`` does."""
+
+    def fraction_matrix(self, *shape: Any) -> Any:
+        """Return a matrix of fractions, as ``fmpq_mat`` does."""
+
+    def fraction(self, x: Any, den: Any = ..., /) -> Any:
+        """Return a fraction of a numerator and a denominator, as ``fmpq`` does."""
+
+    def integer(self, x: Any, /) -> Any:
+        """Return a number in the form that denominators have: an int over ℤ."""
+
+    def modular(self, rows: Any, p: Any, /) -> Any:
+        """Return a matrix modulo a prime, as ``nmod_mat`` does."""
+
+    @property
+    def vectors(self) -> Any:
+        """Functions on vectors of bounded length in a form, as in :mod:`hfield.orders.enumeration`."""
+
+    def as_fraction(self, x: Any) -> Any:
+        """Return a rational number, or an element of the field, as a fraction."""
+
+    def lcm(self, *numbers: Any) -> Any:
+        """Return the least common multiple."""
+
+    def content(self, numbers: Sequence[Any]) -> Any:
+        """Return the greatest common divisor of a list."""
+
+    def quadratic(self, traces: list[Any], norms: list[Any]) -> list[Any]:
+        """Return matrices F with ``x·F·x`` = form_factor·N(x), by matrices of tr(x·conj(y)) and norms."""
+
+    def common_divisor(self, x: Any, numbers: Sequence[Any]) -> Any:
+        """Return the greatest common divisor of a number and a list."""
+
+    def polar(self, form: Any) -> Any:
+        """Return the matrix of the symmetric bilinear form of a quadratic form that a matrix gives."""
+
+    def divided(self, matrix: Any, n: Any) -> Any:
+        """Return a matrix divided by a number that divides all entries."""
+
+    def length(self, value: Any) -> int:
+        """Return by what values of a definite form are compared."""
+
+    def reduced(self, form: Any) -> tuple[Any, Any]:
+        """Return a definite form on a reduced basis, and the basis, one vector a row."""
+
+    def denominator(self, x: Any) -> Any:
+        """Return the denominator of a fraction."""
+
+    def numerator(self, x: Any) -> Any:
+        """Return the numerator of a fraction."""
+
+    def kernel(self, matrix: Any, p: Any) -> list[list[Any]]:
+        """Return a basis of the vectors v with row·v = 0 modulo a prime for every row."""
+
+    def inverse_modulo(self, x: Any, p: Any) -> Any:
+        """Return the inverse modulo p of a number prime to p."""
+
+    def small_residue(self, x: Any, p: Any) -> Any:
+        """Return the least representative of a class modulo p."""
+
+    def remove(self, x: Any, p: Any) -> tuple[int, Any]:
+        """Return the exponent of a prime in a number that is not 0, and the number without it."""
+
+    def random(self, rng: random.Random, modulus: Any) -> Any:
+        """Return a random residue."""
+
+    def few_residues(self, p: Any) -> Iterable[Any]:
+        """Return up to three residues modulo p, 0 and 1 first."""
+
+    def small(self, size: int) -> Iterator[Any]:
+        """Yield numbers of a size, the sizes 0, 1, 2, … exhaust all."""
+
+    def sort_key(self, numbers: Sequence[Any]) -> Any:
+        """Return what numbers of a tuple are sorted by."""
+
+    def pickled(self, x: Any) -> Any:
+        """Return a number as plain data, which :attr:`integer` reads."""
+
+    def code(self, x: Any, /) -> int:
+        """Return an integer that stands for a number, for packed storage."""
+
+    def decode(self, n: int, /) -> Any:
+        """Return the number that an integer stands for."""
+
+
+class IntegerDomain:
+    """The integers ℤ, with flint's matrices."""
+
+    symbol = "ℤ"
+    latex = r"\mathbb{Z}"
+    matrix = fmpz_mat
+    fraction_matrix = fmpq_mat
+    fraction = fmpq
+    integer = int
+    code = int
+    decode = int
+    modular = nmod_mat
+    form_factor = 2
+    vectors = enumeration
+    kernel = staticmethod(kernel)
+    lcm = staticmethod(math.lcm)
+
+    def as_fraction(self, x: Any) -> fmpq:
+        """Return a rational number as flint's."""
+        return fmpq(x.numerator, x.denominator)
+
+    def content(self, numbers: Sequence[Any]) -> Any:
+        """Return the gcd of a list, as flint has it."""
+        return fmpz_poly(numbers).content()
+
+    def common_divisor(self, x: int, numbers: Sequence[Any]) -> Any:
+        """Return the gcd, which is soon 1."""
+        found = fmpz(x)
+        for n in numbers:
+            if found == 1:
+                break
+            if n:
+                found = found.gcd(n)
+        return found
+
+    def quadratic(self, traces: list[fmpz_mat], norms: list[Any]) -> list[fmpz_mat]:
+        """Return the matrices of traces."""
+        return traces
+
+    def polar(self, form: fmpz_mat) -> fmpz_mat:
+        """Return the matrix itself."""
+        return form
+
+    def divided(self, matrix: fmpz_mat, n: Any) -> fmpz_mat:
+        """Return an integer matrix divided by an integer that divides all entries."""
+        if n == 1:
+            return matrix
+        return (matrix * fmpq(1, n)).numer_denom()[0]
+
+    def denominator(self, x: fmpq) -> int:
+        """Return the denominator."""
+        return int(x.q)
+
+    def numerator(self, x: fmpq) -> int:
+        """Return the numerator."""
+        return int(x.p)
+
+    def inverse_modulo(self, x: Any, p: int) -> int:
+        """Return the inverse modulo p."""
+        return pow(int(x), -1, p)
+
+    def small_residue(self, x: Any, p: int) -> int:
+        """Return a representative between −p/2 and p/2."""
+        c = int(x) % p
+        return c if 2 * c < p else c - p
+
+    def remove(self, x: Any, p: int) -> tuple[int, int]:
+        """Return the exponent of p, and the rest."""
+        return remove(int(x), p)
+
+    def length(self, value: Any) -> Any:
+        """Return the value."""
+        return value
+
+    def reduced(self, form: fmpz_mat) -> tuple[fmpz_mat, fmpz_mat]:
+        """Return a definite form on a basis reduced by LLL, and the basis, one vector a row."""
+        found: tuple[fmpz_mat, fmpz_mat] = form.lll(transform=True, rep="gram")
+        return found
+
+    def random(self, rng: random.Random, modulus: int) -> int:
+        """Return a random residue."""
+        return rng.randrange(modulus)
+
+    def few_residues(self, p: int) -> Iterable[int]:
+        """Return 0, 1 and, for odd p, 2."""
+        return range(min(p, 3))
+
+    def small(self, size: int) -> Iterator[int]:
+        """Yield the numbers from −size to size."""
+        return iter(range(-size, size + 1))
+
+    def sort_key(self, numbers: Sequence[Any]) -> Any:
+        """Return the numbers."""
+        return numbers
+
+    def pickled(self, x: Any) -> int:
+        """Return an int."""
+        return int(x)
+
+
+INTEGERS = IntegerDomain()
+
+
+class PolynomialDomain:
+    """The polynomials over GF(q); ``field`` has their fractions, of flint's ``fq_default_poly``."""
+
+    form_factor = 1
+
+    def __init__(self, field: FunctionField) -> None:
+        constants: Any = field.base  # an extension field of degree 1 or more
+        self.field, self.constants = field, constants
+        self.zero, self.one = field.zero.num, field.one.num
+        self.symbol = f"{constants.name}[{field.gen_name}]"
+        self.latex = rf"\mathbb{{F}}_{{{constants.order}}}[{field.gen_name}]"
+        self.vectors = PolynomialVectors(self)
+
+    def integer(self, x: Any) -> fq_default_poly:
+        """Return an int, a tuple as :meth:`pickled` makes it, or a polynomial as a polynomial."""
+        if isinstance(x, int):
+            return self.one * x
+        if isinstance(x, tuple):
+            return self._polynomial(x)
+        return x
+
+    def _polynomial(self, labels: Sequence[int]) -> fq_default_poly:
+        t, found = self.field.gen.num, self.zero
+        for label in reversed(labels):
+            found = found * t + self.constant(self.constants.from_label(label))
+        return found
+
+    def constant(self, c: Any) -> fq_default_poly:
+        """Return an element of GF(q) as a polynomial."""
+        return self.field.constant(c).num
+
+    def pickled(self, x: fq_default_poly) -> tuple[int, ...]:
+        """Return the labels of the coefficients, low degree first."""
+        return tuple(self.constants.label(c) for c in x.coeffs())
+
+    def matrix(self, *shape: Any) -> PolynomialMatrix:
+        """Return a matrix given by rows, or by a shape and entries, as ``fmpz_mat`` takes them."""
+        if len(shape) == 1:
+            (given,) = shape
+            if isinstance(given, PolynomialMatrix):
+                return given
+            rows = [list(row) for row in given]
+            columns = len(rows[0]) if rows else 0
+            return PolynomialMatrix(
+                self, len(rows), columns, [self.integer(x) for row in rows for x in row]
+            )
+        m, n, *entries = shape
+        listed = [self.integer(x) for x in entries[0]] if entries else [self.zero] * (m * n)
+        return PolynomialMatrix(self, m, n, listed)
+
+    def fraction_matrix(self, *shape: Any) -> FractionMatrix:
+        """Return a matrix of fractions, given in the same ways."""
+        if len(shape) == 1:
+            (given,) = shape
+            if isinstance(given, PolynomialMatrix):
+                return FractionMatrix(given, self.one)
+            return fractions(self, given)
+        _, n, entries = shape
+        return fractions(self, [entries[k : k + n] for k in range(0, len(entries), n)])
+
+    def fraction(self, x: Any, den: Any = None) -> Quotient:
+        """Return x/den as an element of the field."""
+        num = self.as_fraction(x)
+        return num if den is None else num / self.as_fraction(den)
+
+    def as_fraction(self, x: Any) -> Quotient:
+        """Return a number, a polynomial or an element of the field as one of the field."""
+        if isinstance(x, int):
+            return self.field(x)
+        if hasattr(x, "num"):
+            return x  # type: ignore[no-any-return]
+        return self.field.quotient(x, self.one)
+
+    def modular(self, rows: Any, p: fq_default_poly) -> ResidueMatrix:
+        """Return a matrix modulo a prime."""
+        table = rows.tolist() if isinstance(rows, PolynomialMatrix) else rows
+        return ResidueMatrix(self, [[self.integer(x) % p for x in row] for row in table], p)
+
+    def kernel(self, matrix: Any, p: fq_default_poly) -> list[list[Any]]:
+        """Return a basis of the vectors v with row·v = 0 modulo a prime for every row."""
+        return self.modular(matrix, p).kernel()
+
+    def lcm(self, *numbers: Any) -> fq_default_poly:
+        """Return the monic least common multiple."""
+        found = self.one
+        for x in map(self.integer, numbers):
+            found = found * (x // found.gcd(x))
+        return self.monic(found)
+
+    def monic(self, x: fq_default_poly) -> fq_default_poly:
+        """Return x over its leading coefficient."""
+        return x.monic() if x else x
+
+    def content(self, numbers: Iterable[Any]) -> fq_default_poly:
+        """Return the monic gcd of a list."""
+        found = self.zero
+        for x in numbers:
+            found = found.gcd(x)
+            if found == self.one:
+                break
+        return found
+
+    def common_divisor(self, x: Any, numbers: Sequence[Any]) -> fq_default_poly:
+        """Return the monic gcd."""
+        return self.content([x, *numbers])
+
+    def quadratic(
+        self, traces: list[PolynomialMatrix], norms: list[Quotient]
+    ) -> list[PolynomialMatrix]:
+        """Return a matrix with the norms on the diagonal, and traces above it; constants are integral."""
+        (table,), size = traces, len(norms)
+        entries = [
+            self.as_fraction(norms[m]).num if m == n else table[m, n] if m < n else self.zero
+            for m in range(size)
+            for n in range(size)
+        ]
+        return [PolynomialMatrix(self, size, size, entries)]
+
+    def polar(self, form: PolynomialMatrix) -> PolynomialMatrix:
+        """Return the sum of a matrix and its transpose."""
+        return form + form.transpose()
+
+    def divided(self, matrix: PolynomialMatrix, n: Any) -> PolynomialMatrix:
+        """Return a matrix divided by a polynomial that divides all entries."""
+        if n == self.one:
+            return matrix
+        return PolynomialMatrix(
+            self, matrix.nrows(), matrix.ncols(), [x // n for x in matrix.entries()]
+        )
+
+    def length(self, value: Any) -> int:
+        """Return the degree of a polynomial or a fraction."""
+        x = self.as_fraction(value)
+        return int(x.num.degree() - x.den.degree())
+
+    def reduced(self, form: PolynomialMatrix) -> tuple[PolynomialMatrix, PolynomialMatrix]:
+        """Return a form that is anisotropic at infinity on a reduced basis, and the basis."""
+        return self.vectors.reduced(form)
+
+    def denominator(self, x: Quotient) -> fq_default_poly:
+        """Return the denominator."""
+        return x.den
+
+    def numerator(self, x: Quotient) -> fq_default_poly:
+        """Return the numerator."""
+        return x.num
+
+    def inverse_modulo(self, x: Any, p: fq_default_poly) -> fq_default_poly:
+        """Return the inverse modulo p."""
+        return self.integer(x).inverse_mod(p)
+
+    def small_residue(self, x: Any, p: fq_default_poly) -> fq_default_poly:
+        """Return the rest modulo p."""
+        return x % p
+
+    def remove(self, x: Any, p: fq_default_poly) -> tuple[int, fq_default_poly]:
+        """Return the exponent of p, and the rest."""
+        n, x = 0, self.integer(x)
+        while True:
+            quotient, rest = divmod(x, p)
+            if rest:
+                return n, x
+            n, x = n + 1, quotient
+
+    def random(self, rng: random.Random, modulus: fq_default_poly) -> fq_default_poly:
+        """Return a random residue."""
+        q = int(self.constants.order)
+        return self._polynomial([rng.randrange(q) for _ in range(modulus.degree())])
+
+    def few_residues(self, p: fq_default_poly) -> list[fq_default_poly]:
+        """Return 0, 1 and one more, where there are so many."""
+        some = [self.zero, self.one]
+        if p.degree() > 1:
+            return [*some, self.field.gen.num]
+        return [
+            self.constant(self.constants.from_label(n)) for n in range(min(3, self.constants.order))
+        ]
+
+    def small(self, size: int) -> Iterator[fq_default_poly]:
+        """Yield 2·size + 1 polynomials, the first ones by degrees and labels of coefficients."""
+        return map(self.decode, range(2 * size + 1))
+
+    def of_degree_below(self, bound: int) -> Iterator[fq_default_poly]:
+        """Yield the polynomials of a degree below a bound."""
+        return map(self.decode, range(self.constants.order**bound))
+
+    def code(self, x: fq_default_poly) -> int:
+        """Return the number whose digits are the labels of the coefficients."""
+        found = 0
+        for label in reversed(self.pickled(x)):
+            found = found * self.constants.order + label
+        return int(found)
+
+    def decode(self, n: int) -> fq_default_poly:
+        """Return the polynomial with labels of coefficients that are the digits of a number."""
+        labels = []
+        while n:
+            n, c = divmod(n, self.constants.order)
+            labels.append(c)
+        return self._polynomial(labels)
+
+    def sort_key(self, numbers: Sequence[Any]) -> tuple[Any, ...]:
+        """Return degrees and coefficients."""
+        return tuple((x.degree(), self.pickled(x)[::-1]) for x in numbers)
+
+
+INTEGRAL = (fmpz_mat, fmpq_mat)
+
+
+def domain_of(matrix: Any) -> Domain:
+    """Return the domain of a matrix."""
+    found: Domain = INTEGERS if isinstance(matrix, INTEGRAL) else matrix.domain
+    return found

@@ -1,0 +1,332 @@
+"""The polynomials 𝔽_q[t] as a base of orders, third after ℤ and ℤ_K.
+
+Lattices are matrices over 𝔽_q[t], of rank 4. Its ideals are principal, its units are the constants, and the
+one infinite place is that of 1/t. An algebra is definite where it ramifies at infinity. Instead of totally
+positive units modulo squares there are the constants modulo squares.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from hfield.core.product import Constants
+from hfield.errors import HFieldError, LatticeError, shorten
+from hfield.fields.function_fields.ideals import (
+    PolynomialIdeal,
+    PrimePolynomial,
+    polynomial_integers,
+    prime_ideal,
+    residue_field,
+)
+from hfield.fields.function_fields.places import FunctionPlace
+from hfield.fields.function_fields.ring import FunctionField
+from hfield.fields.function_fields.symbols import ramified_places_functions, symbol
+from hfield.fields.quadratic_forms.normal_forms import discriminant, normal_form
+from hfield.orders.domains import PolynomialDomain
+from hfield.orders.polynomial_matrices import FractionMatrix
+from hfield.orders.validation import natural
+
+if TYPE_CHECKING:
+    from hfield.fields.function_fields.quotients import Quotient
+    from hfield.orders.basis import AlgebraBasis
+
+
+class OneClass:
+    """The group of the ideal classes of 𝔽_q[t], which is trivial."""
+
+    order = 1
+    invariants: tuple[int, ...] = ()
+
+    def class_of(self, ideal: object) -> tuple[int, ...]:
+        """Return the one class."""
+        return ()
+
+
+class OneNarrowClass:
+    """The ideals of 𝔽_q[t] modulo their generators."""
+
+    order = 1
+    group = OneClass()
+
+    def __init__(self, one: PolynomialIdeal) -> None:
+        self.ideals = (one,)
+
+    def split(self, ideal: PolynomialIdeal) -> tuple[int, Quotient]:
+        """Return 0, and the generator."""
+        return 0, ideal.x
+
+
+class PolynomialBase:
+    """The ring 𝔽_q[t]; the coordinates of quaternions are those over 1, I, J, IJ with integral constants."""
+
+    degree = 1
+    is_rational = False
+    is_polynomial = True
+    is_totally_real = False
+    real_places: tuple[int, ...] = ()
+    class_generators: tuple[PolynomialIdeal, ...] = ()
+
+    def __init__(self, ring: FunctionField) -> None:
+        self.ring, self.integers = ring, polynomial_integers(ring)
+        self.field = self.integers.field
+        self.order = self.integers.order
+        self.domain = PolynomialDomain(self.field)
+        self.integral_basis = (self.field.one,)
+        self.symbol = self.integers.text
+        self.one = self.integers.principal(self.field.one)
+        self.narrow_classes = OneNarrowClass(self.one)
+
+    # --- elements ------------------------------------------------------------------------------------
+
+    def inside(self, x: Any) -> Quotient:
+        return self.integers.inside(x)
+
+    def outside(self, x: Quotient) -> Quotient:
+        return self.integers.outside(x)
+
+    def coordinate_rows(self, elements: Sequence[Any]) -> FractionMatrix:
+        return self.domain.fraction_matrix([[x] for x in elements])
+
+    def element_of(self, row: Sequence[Quotient]) -> Quotient:
+        return row[0]
+
+    def as_rational(self, x: Quotient) -> Quotient:
+        return x
+
+    def trace(self, x: Any) -> Quotient:
+        return self.domain.as_fraction(x)
+
+    def number_data(self, x: Any) -> str:
+        return self.ring.text(self.shown_number(x))
+
+    def shown_number(self, x: Any) -> Quotient:
+        return self.outside(self.domain.as_fraction(x))
+
+    def square_root(self, x: Quotient) -> Quotient | None:
+        found = self.field.sqrt(x)
+        return None if found is None else self.outside(found)
+
+    def is_totally_positive(self, x: Any) -> bool:
+        return True
+
+    # --- algebras ------------------------------------------------------------------------------------
+
+    def quaternion_basis(self, algebra: Any) -> Any:
+        from hfield.orders.base import QuaternionBasis, degenerate
+
+        constants = Constants(*map(self.inside, algebra.constants))
+        if self.field.is_zero(discriminant(self.field, constants)):
+            raise degenerate(algebra)
+        a, t, b = constants
+        # I = r·i and J = s·j have integral traces and norms
+        r, s = (
+            self.domain.as_fraction(self.domain.lcm(*(x.den for x in some)))
+            for some in ((a, t), (b,))
+        )
+
+        def into(coordinates: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
+            w, x, y, z = coordinates
+            return w, x / r, y / s, z / (r * s)
+
+        def back(coordinates: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
+            w, x, y, z = coordinates
+            return w, x * r, y * s, z * (r * s)
+
+        return QuaternionBasis(Constants(a * r * r, t * r, b * s * s), into, back)
+
+    def is_definite(self, constants: Constants) -> bool:
+        form = normal_form(self.field, constants)
+        return symbol(self.field, form, FunctionPlace(self.field)) < 0
+
+    def ramified_primes(self, constants: Constants) -> tuple[PolynomialIdeal, ...]:
+        found = ramified_places_functions(self.field, normal_form(self.field, constants))
+        return tuple(self._prime(v.poly) for v in found if v.poly is not None)
+
+    # --- ideals and primes ---------------------------------------------------------------------------
+
+    def _prime(self, polynomial: Any) -> PolynomialIdeal:
+        return self.principal(self.domain.as_fraction(polynomial))
+
+    def principal(self, x: Any) -> PolynomialIdeal:
+        return self.integers.principal(self.domain.as_fraction(x))
+
+    def ideal(self, x: object) -> PolynomialIdeal:
+        return self.integers.ideal(x)
+
+    def is_ideal(self, x: object) -> bool:
+        return isinstance(x, PolynomialIdeal | FunctionPlace)
+
+    def norm_bound(self, lattice: Any, n: object) -> int:
+        scale = self.domain.integer(lattice.ambient.scale * lattice.den**2)
+        shift: int = scale.degree() - lattice.content.degree()
+        return natural(n, "norms are listed up to a degree,") + shift
+
+    def integral_ideal(self, x: object, what: str = "norm") -> PolynomialIdeal:
+        try:
+            found = self.ideal(x)
+        except HFieldError as error:
+            raise LatticeError(
+                f"expected an ideal of {self.symbol} as the {what}, such as {self.ring.gen_name}+1, not "
+                f"{shorten(x)}: {error}"
+            ) from None
+        if not found.is_integral():
+            raise LatticeError(f"expected an ideal of {self.symbol} as the {what}, not {found}")
+        return found
+
+    def ideal_text(self, ideal: PolynomialIdeal) -> str:
+        return str(ideal)
+
+    def ideal_spanned(self, entries: Sequence[Any], den: Any) -> PolynomialIdeal:
+        domain = self.domain
+        return self.principal(domain.fraction(domain.content(entries), den))
+
+    def ideal_rows(self, ideal: PolynomialIdeal) -> tuple[Any, list[list[Any]]]:
+        return ideal.x.den, [[ideal.x.num]]
+
+    def inverse(self, ideal: PolynomialIdeal) -> PolynomialIdeal:
+        return ideal.inverse()
+
+    def is_integral(self, ideal: PolynomialIdeal) -> bool:
+        return ideal.is_integral()
+
+    def are_coprime(self, first: PolynomialIdeal, second: PolynomialIdeal) -> bool:
+        return bool(first + second == self.one)
+
+    @property
+    def number_of_units(self) -> int:
+        return self.order - 1
+
+    def absolute_norm(self, ideal: PolynomialIdeal) -> int:
+        return int(ideal.norm())
+
+    def valuation(self, ideal: PolynomialIdeal, prime: PolynomialIdeal) -> int:
+        return ideal.valuation(prime)
+
+    def factorisation(self, ideal: PolynomialIdeal) -> list[tuple[PolynomialIdeal, int]]:
+        return list(ideal.factorisation())
+
+    def prime(self, x: object) -> PolynomialIdeal:
+        try:
+            return prime_ideal(self.integers, x)
+        except HFieldError:
+            raise LatticeError(
+                f"{shorten(x)} is no prime of {self.symbol}: expected an irreducible polynomial, such as "
+                f"{self.ring.gen_name}"
+            ) from None
+
+    def prime_ideal(self, prime: PolynomialIdeal) -> PolynomialIdeal:
+        return prime
+
+    def primes_by_norm(self) -> Iterator[PolynomialIdeal]:
+        from hfield.fields.function_fields.places import all_places
+
+        return (self._prime(v.poly) for v in all_places(self.field) if v.poly is not None)
+
+    def primes_above(self, p: Any) -> list[tuple[Any, Any]]:
+        prime = self.prime(self.outside(self.domain.as_fraction(p)))
+        return [(prime, prime)]
+
+    def generators(self, ideal: PolynomialIdeal, places: tuple[int, ...]) -> list[Quotient]:
+        return [ideal.x * u for u in self.positive_units]
+
+    @property
+    def positive_units(self) -> tuple[Quotient, ...]:
+        k = self.field.base
+        one = self.field.one
+        if k.characteristic == 2:
+            return (one,)
+        return one, self.field.constant(next(c for c in k.elements() if k.sqrt(c) is None))
+
+    def classes_modulo_signs(self, ambient: AlgebraBasis) -> OneClass:
+        return OneClass()
+
+    def principal_multiple(self, ideal: PolynomialIdeal) -> PolynomialIdeal:
+        return ideal
+
+    def short_elements(self, ideal: PolynomialIdeal, count: int) -> list[Quotient]:
+        return [ideal.x]
+
+    def ideal_classes(self, most: int) -> list[PolynomialIdeal]:
+        return [self.one]
+
+    # --- residues ------------------------------------------------------------------------------------
+
+    def place(self, prime: PolynomialIdeal) -> PrimePolynomial:
+        return residue_field(prime)
+
+    def residues(self, prime: PolynomialIdeal) -> list[Quotient]:
+        domain = self.domain
+        return [domain.as_fraction(x) for x in domain.of_degree_below(prime.degree)]
+
+    def digits(self, prime: PolynomialIdeal, residue: Any) -> list[Any]:
+        return [residue]
+
+    def residue(self, prime: PolynomialIdeal, digits: Sequence[Any]) -> Any:
+        return self.domain.integer(digits[0])
+
+    def lift(self, prime: PolynomialIdeal, residue: Any) -> Quotient:
+        return self.domain.as_fraction(residue)
+
+    def integer_near(self, x: Quotient, modulus: Any) -> Quotient:
+        inverse = self.domain.inverse_modulo(x.den % modulus, modulus)
+        return self.domain.as_fraction(x.num * inverse % modulus)
+
+    def quadratic_symbol(self, trace: Any, norm: Any, prime: PolynomialIdeal) -> int:
+        place = self.place(prime)
+        t, n = (place.reduce(self.domain.as_fraction(x)) for x in (trace, norm))
+        if (t if place.even else (t * t - n * 4) % place.modulus) == 0:
+            return 0
+        return -1 if place.quadratic_root(place.one, place.zero - t, n) is None else 1
+
+    def square_classes(self, prime: PolynomialIdeal) -> tuple[int, Callable[[Any], int]]:
+        raise LatticeError(f"stable classes over {self.symbol} are those of Eichler orders, one")
+
+    # --- masses --------------------------------------------------------------------------------------
+
+    @property
+    def mass_factor(self) -> Fraction:
+        """1/(q² − 1), the value −ζ(−1) of the zeta function of 𝔽_q[t]."""
+        return Fraction(1, self.order**2 - 1)
+
+    @property
+    def zeta_minus_one(self) -> Fraction:
+        return -self.mass_factor
+
+    # --- what only number fields have ----------------------------------------------------------------
+
+    def _no_number_field(self, what: str) -> LatticeError:
+        return LatticeError(
+            f"{what} over ℤ and the integers of number fields, not over {self.symbol}"
+        )
+
+    def sign(self, x: Any, place: int) -> int:
+        raise self._no_number_field("there are signs at real places")
+
+    def real(self, x: Any, place: int) -> float:
+        raise self._no_number_field("there are real embeddings")
+
+    def ball(self, x: Any, place: int) -> Any:
+        raise self._no_number_field("there are real embeddings")
+
+    def root_modulo_4(self, d: Any) -> Any:
+        raise self._no_number_field("quadratic orders are given by discriminants")
+
+    # --- what a user sees ----------------------------------------------------------------------------
+
+    def shown_norm(self, lattice: Any) -> PolynomialIdeal:
+        found: PolynomialIdeal = lattice.norm
+        return found
+
+    def shown_index(self, ideal: PolynomialIdeal) -> PolynomialIdeal:
+        return ideal
+
+    def theta_step(self, lattice: Any) -> Fraction:
+        return Fraction(1)
+
+    def shown_counts(self, counts: Any, step: Fraction, bound: int) -> dict[Quotient, int]:
+        """Return a dict, ordered by degrees."""
+        key = self.domain.sort_key
+        norms = sorted(counts.numbers, key=lambda norm: key((norm[0].num,)))
+        return {self.outside(norm[0]): counts.numbers[norm] for norm in norms}
