@@ -126,6 +126,16 @@ class Domain(Certified):
         return fixed_point(self.group.order, self.center_element)
 
     @property
+    def stabiliser(self) -> Quaternion:
+        """The unit that generates, with −1, those of norm 1 that fix the centre: 1, or a least rotation.
+
+        It turns counterclockwise, by 2π divided by its order modulo ±1, and maps the first side of the sector
+        to the last.
+        """
+        last, one = self.polygon.units[-1], self.group.order.algebra(1)
+        return last if self.polygon.images[-1] == self.polygon.plane.image(one) else one
+
+    @property
     def area(self) -> Fraction:
         """The area by Gauss and Bonnet from the exact angles, in units of 2π."""
         from hfield.fuchsian import dirichlet
@@ -219,20 +229,23 @@ class NormOneGroup(Certified, Hinted):
 
         ``center`` is a complex number of the upper half plane, on which i and j act as real matrices: the
         one of them whose square is positive as a diagonal one. A nearby point takes its place,
-        ``D.center``, fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point that
-        no other unit fixes is the centre itself. Raises :class:`LatticeError`.
+        ``D.center``, fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point is the
+        centre itself. Where its stabiliser has order m > 1 modulo ±1, the domain is a sector of angle 2π/m of
+        the Dirichlet polygon: ``D.stabiliser`` maps one of the two sides at the centre to the other. Raises
+        :class:`LatticeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
+        >>> D = G.domain(G.cm_points(-3)[0])
+        >>> len(D.sides), D.stabiliser**3, D.area == G.area
+        (4, 1, True)
         """
         from hfield.fuchsian.cm_points import CMPoint
 
         if center is None:
             return self._domain
         if isinstance(center, CMPoint):
-            if center.stabiliser not in (1, -1):
-                raise LatticeError(
-                    f"{center} is fixed by {center.stabiliser}, and the centre of a domain must be fixed by "
-                    "no unit but 1 and -1: take another point, or complex(point) for one beside it"
-                )
-            return self._around(center.root)
+            return self._around(center.root, center.stabiliser)
         try:
             z = complex(center)
         except (TypeError, ValueError, OverflowError):
@@ -272,10 +285,14 @@ class NormOneGroup(Certified, Hinted):
             None if self._above is None else dirichlet.generators_by_cosets(self.order, self._above)
         )
 
-    def _around(self, c: Quaternion) -> Domain:
+    def _around(self, c: Quaternion, stabiliser: Quaternion | None = None) -> Domain:
         from hfield.fuchsian import dirichlet
 
-        found, partners, cycles = dirichlet.domain(self.order, c, self.area, self._known)
+        if stabiliser in (1, -1):
+            stabiliser = None
+        found, partners, cycles = dirichlet.domain(
+            self.order, c, self.area, self._known, stabiliser
+        )
         return Domain(self, found, tuple(partners), tuple(cycles))
 
     def _nearby(self, z: complex) -> Quaternion:
