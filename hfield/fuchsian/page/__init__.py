@@ -1,7 +1,8 @@
 """One page of HTML in which the centre of a domain is dragged: offline, with scripts of its own.
 
 The group comes along as the matrices of the units that pair the sides, in floats; the script finds the
-domain around any other point of the disc by reducing them by one another. What the page computes is
+domain around any other point of the disc by reducing them by one another. Where the centre is a point
+that units fix, they are those of another domain. What the page computes is
 not proved, and it says so.
 """
 
@@ -53,10 +54,21 @@ def page(domain: Domain, dark: bool = False) -> str:
 
 
 def _data(domain: Domain) -> dict[str, Any]:
-    """Return the units of the sides as pairs of complex numbers, where the centre is, and the area."""
-    sight = Sight(domain.polygon.plane)
-    a, b = sight.motions(sight.plane.order.rows(domain.polygon.units))
+    """Return the units of sides as pairs of complex numbers, where the centre is, and the area.
+
+    They pair the sides of a domain around the point ``first`` of the disc, which no unit fixes. ``corner`` is
+    the direction of the first side of a sector.
+    """
+    plane = domain.polygon.plane
+    sight, given = Sight(plane), domain if domain.stabiliser == 1 else domain.group.domain()
+    a, b = sight.motions(plane.order.rows(given.polygon.units))
+    first = plane.vector(given.center_element)
+    if plane.order.sign(first[0]) < 0:
+        first = (-first[0], -first[1], -first[2])
+    there, corner = plane.disc(first), domain.vertices[1]
     return {
+        "first": [there.real, there.imag],
+        "corner": [corner.real, corner.imag],
         "units": [[x.real, x.imag, y.real, y.imag] for x, y in zip(a, b, strict=True)],
         "area": float(domain.group.area),
         "center": [domain.center.real, domain.center.imag],
