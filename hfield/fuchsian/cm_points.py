@@ -226,6 +226,24 @@ def _points(group: NormOneGroup, x: Any, t: Any) -> tuple[CMPoint, ...]:
     return tuple(sorted(found, key=lambda p: (round(places[p].real, 9), places[p].imag)))
 
 
+def reduced(domain: Domain, point: CMPoint) -> CMPoint:
+    """Return the image of a CM point, under a unit of norm 1, that lies in a domain."""
+    polygon = domain.polygon
+    _, path = polygon.reduced(_on_sheet(polygon, point.root)[1])
+    unit: Quaternion = domain.group.order.algebra(1)
+    for n in path:
+        unit = polygon.units[n].conjugate() * unit
+    back = unit.conjugate()
+    return CMPoint(
+        point.group, point.discriminant, unit * point.element * back, unit * point.stabiliser * back
+    )
+
+
+def place(domain: Domain, point: CMPoint) -> complex:
+    """Return about where a CM point lies in Poincaré's disc around the centre of a domain."""
+    return domain.polygon.plane.disc(_on_sheet(domain.polygon, point.root)[1])
+
+
 def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str]:
     """Return the image of (t + √d)/2 under an optimal embedding, t² ≡ d modulo 4; or None, and a reason.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -142,28 +142,44 @@ class Domain(Certified):
 
         return dirichlet.area_of(list(self.partners), list(self.cycles))
 
+    def reduce(self, point: CMPoint) -> CMPoint:
+        """Return the image of a CM point, under a unit of norm 1, that lies in the domain.
+
+        Different images in the domain lie on its boundary.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
+        >>> D = G.domain(0.3 + 2j); D.reduce(G.cm_points(-24)[1])
+        CM point 0.276557 + 0.319335i of discriminant -24
+        """
+        from hfield.fuchsian import cm_points
+
+        return cm_points.reduced(self, point)
+
     def draw(
         self,
         path: object,
         *,
+        points: Iterable[CMPoint] = (),
         dark: bool = False,
         depth: int | None = None,
         replace: bool | None = None,
     ) -> None:
         """Draw the domain and its images, those under words of up to ``depth`` sides, to .svg, .png or .pdf.
 
-        Sides of a pair have one colour and one letter; elliptic points and the centre are marked. To a file
-        .html, a page on which the centre is dragged. ``replace`` says whether a file of that name may be
-        replaced; None: if it is there before the drawing begins. Raises
-        :class:`hfield.errors.LatticeError` where the file cannot be written.
+        Sides of a pair have one colour and one letter; elliptic points and the centre are marked. CM points
+        are moved into the domain, and have one colour for each discriminant. To a file .html, a page on which
+        the centre is dragged. ``replace`` says whether a file of that name may be replaced; None: if it is
+        there before the drawing begins. Raises :class:`hfield.errors.LatticeError` where the file cannot be
+        written.
         """
         if str(path).endswith(".html"):
             from hfield.fuchsian.page import write
 
-            return write(self, path, dark, replace)
+            return write(self, path, dark, replace, points)
         from hfield.fuchsian.picture import draw
 
-        draw(self, path, dark=dark, depth=depth, replace=replace)
+        draw(self, path, dark=dark, depth=depth, replace=replace, points=points)
 
     def _repr_svg_(self) -> str:
         """What a notebook shows."""

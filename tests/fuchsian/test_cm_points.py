@@ -1,7 +1,9 @@
 """Embeddings in indefinite orders and CM points, against formulas, genera and local obstructions."""
 
+import json
 from collections import Counter
 from math import gcd, isqrt
+from pathlib import Path
 from random import Random
 
 import pytest
@@ -110,6 +112,36 @@ def test_embeddings_are_elements_of_the_order() -> None:
             else:
                 assert E.reason
                 assert not E.representatives
+
+
+def test_points_are_moved_into_domains() -> None:
+    G = order(6).norm_one_group()
+    for D in (G.domain(0.7 + 0.4j), G.domain(G.cm_points(-3)[0])):
+        for point in (*G.cm_points(-24), *G.cm_points(-4)):
+            there = D.reduce(point)
+            v = D.polygon.plane.vector(there.root)
+            assert D.polygon.beyond(v if v[0] > 0 else tuple(-c for c in v)) is None
+            u = G.conjugator(point.element, there.element)
+            assert u is not None
+            assert u * point.element == there.element * u
+            assert there.stabiliser * there.root == there.root * there.stabiliser
+            assert D.reduce(there) == there
+
+
+def test_points_are_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("points.svg", "points.png", "points.html"):
+        file = str(tmp_path / name)
+        assert main(["domain", "6", "--cm", "-24", "--cm", "-19", "-o", file]) == 0
+    assert "12 - j + k of -24, at " in capsys.readouterr().out
+    text = (tmp_path / "points.svg").read_text(encoding="utf-8")
+    assert text.count("<circle cx=") == 2 + 4 + 2  # with the legend
+    assert "CM points of discriminant −24" in text
+    page = (tmp_path / "points.html").read_text(encoding="utf-8")
+    assert '{"name": "\\u221224", "color": "#ffc400", "places": [[' in page
+    assert main(["domain", "6", "--cm", "-19", "--format", "json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert [point["discriminant"] for point in data["cm_points"]] == ["-19"] * 4
+    assert main(["domain", "6", "--cm", "5"]) == 2
 
 
 def test_what_is_refused() -> None:

@@ -125,7 +125,7 @@ def test_a_point_that_a_rotation_fixes_has_a_sector(page: Browser) -> None:
 def test_a_page_begins_with_a_sector(browser: Browser, tmp_path: Path) -> None:
     group = first().group
     sector = group.domain(group.cm_points(-4)[0])
-    sector.draw(tmp_path / "sector.html")
+    sector.draw(tmp_path / "sector.html", points=group.cm_points(-24))
     browser.open(tmp_path / "sector.html")
     assert "rotation of order 2" in reading(browser)
     assert browser.evaluate("shape.partners") == list(sector.partners)
@@ -133,6 +133,8 @@ def test_a_page_begins_with_a_sector(browser: Browser, tmp_path: Path) -> None:
     assert seen == pytest.approx(list(sector.vertices), abs=1e-6)
     z = drag(browser, 0.2 + 0.3j)
     need_same(browser, group._around(sector.polygon.plane.nearby(z, 30)))
+    inside = "beyond(shape, klein(act(inverse(shape.there), moved(z)))) < 0"
+    assert browser.evaluate(f"GROUP.points[0].places.map((z) => {inside})") == [True, True]
     browser.evaluate("document.getElementById('home').click()")
     settle(browser)
     assert "rotation of order 2" in reading(browser)

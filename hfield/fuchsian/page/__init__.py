@@ -9,6 +9,7 @@ not proved, and it says so.
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from html import escape
 from importlib.resources import files
 from pathlib import Path
@@ -25,13 +26,15 @@ from hfield.fuchsian.pair_colors import (
     NEAREST_SHARE,
     NEXT_SHARE,
 )
+from hfield.fuchsian.picture import cm_points_in
 from hfield.fuchsian.search import Sight
 
 if TYPE_CHECKING:
+    from hfield.fuchsian.cm_points import CMPoint
     from hfield.fuchsian.group import Domain
 
 
-def page(domain: Domain, dark: bool = False) -> str:
+def page(domain: Domain, dark: bool = False, points: Iterable[CMPoint] = ()) -> str:
     """Return the page; a dark one begins dark, another as the reader's system is."""
     here = files(__name__)
     group, order = domain.group, domain.group.order
@@ -50,10 +53,10 @@ def page(domain: Domain, dark: bool = False) -> str:
     for name, file in parts.items():
         text = text.replace(f"{{{{{name}}}}}", (here / file).read_text(encoding="utf-8"))
     text = text.replace("{{look}}", "dark" if dark else "system")
-    return text.replace("{{group}}", json.dumps(_data(domain)))
+    return text.replace("{{group}}", json.dumps(_data(domain, points)))
 
 
-def _data(domain: Domain) -> dict[str, Any]:
+def _data(domain: Domain, points: Iterable[CMPoint]) -> dict[str, Any]:
     """Return the units of sides as pairs of complex numbers, where the centre is, and the area.
 
     They pair the sides of a domain around the point ``first`` of the disc, which no unit fixes. ``corner`` is
@@ -72,6 +75,10 @@ def _data(domain: Domain) -> dict[str, Any]:
         "units": [[x.real, x.imag, y.real, y.imag] for x, y in zip(a, b, strict=True)],
         "area": float(domain.group.area),
         "center": [domain.center.real, domain.center.imag],
+        "points": [
+            {"name": d, "color": color, "places": [[z.real, z.imag] for z in places]}
+            for d, color, places in cm_points_in(domain, points)
+        ],
         "colors": {
             "light": {**LIGHT, "pairs": LIGHT_PAIRS},
             "dark": {**DARK, "pairs": DARK_PAIRS},
@@ -80,10 +87,16 @@ def _data(domain: Domain) -> dict[str, Any]:
     }
 
 
-def write(domain: Domain, path: object, dark: bool = False, replace: bool | None = None) -> None:
+def write(
+    domain: Domain,
+    path: object,
+    dark: bool = False,
+    replace: bool | None = None,
+    points: Iterable[CMPoint] = (),
+) -> None:
     """Write the page. Raises :class:`LatticeError` where the file cannot be written."""
     try:
         with whole_file(Path(str(path)), replace) as part:
-            part.write_text(page(domain, dark), encoding="utf-8")
+            part.write_text(page(domain, dark, points), encoding="utf-8")
     except OSError as error:
         raise LatticeError(f"cannot write {shorten(path)!r}: {error}") from error

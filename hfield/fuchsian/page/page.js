@@ -56,7 +56,7 @@ function polygon(units) {
 function beyond(shape, k) {  // the side beyond which a point of Klein's model lies
   let best = 1e-7, found = -1;
   shape.dual.forEach((w, n) => {
-    const value = 2 * abs2(shape.units[n][1]) * (w[0] * k[0] + w[1] * k[1] - 1);
+    const value = w ? 2 * abs2(shape.units[n][1]) * (w[0] * k[0] + w[1] * k[1] - 1) : beside(shape, n, k);
     if (value > best) { best = value; found = n; }
   });
   return found;
@@ -68,6 +68,11 @@ function rotations(units) {
   const least = Math.min(2 * Math.PI, ...units.filter(([, b]) => abs2(b) < FIXED).map(angle).filter((t) => t > 0.01 && t < 6.27));
   const order = Math.round(2 * Math.PI / least);
   return Array.from({ length: order }, (_, n) => [[Math.cos(Math.PI * n / order), Math.sin(Math.PI * n / order)], [0, 0]]);
+}
+
+function beside(shape, n, k) {  // how far to the outer side of a line from 0, the first or the last side of a sector
+  const p = shape.corners.at(n ? -1 : 1), cross = (p[0] * k[1] - p[1] * k[0]) / Math.sqrt(abs2(p));
+  return n ? cross : -cross;
 }
 
 function domain(units) {  // after Voight: reduce what bounds nothing, cut off what is not paired
@@ -417,6 +422,7 @@ function draw() {
     pen.fill();
     pen.stroke();
   }
+  markPoints(ratio);
   document.getElementById("reading").textContent = shape.right
     ? `${count} sides · area 2π·${shape.area.toFixed(6)}` + (shape.order > 1 ? ` · the centre is fixed by a rotation of order ${shape.order}` : "")
     : "a rotation of the group fixes a point that is too near: the page does not find the domain";
@@ -428,6 +434,26 @@ function name(n, ratio) {  // a letter inside the domain, beside the middle of a
   const away = 0.95 * size / long;  // the corners go round the domain, and y goes down
   pen.font = `${size}px "DejaVu Sans", Verdana, sans-serif`;
   pen.fillText(shape.letters[n], middle[0] + way[1] * away, middle[1] - way[0] * away);
+}
+function moved(z) {  // the image of a point in the domain
+  let w = act(inverse(shape.there), z);
+  for (let step = 0; step < 300; step++) {
+    const n = beyond(shape, klein(w));
+    if (n < 0) break;
+    w = act(inverse(shape.units[n]), w);
+  }
+  return act(shape.there, w);
+}
+function markPoints(ratio) {  // CM points
+  pen.lineWidth = 1.4 * ratio;
+  pen.strokeStyle = look().ink;
+  for (const { color, places } of GROUP.points) for (const z of places) {
+    pen.fillStyle = color;
+    pen.beginPath();
+    pen.arc(...project(moved(z)), 5 * ratio, 0, 7);
+    pen.fill();
+    pen.stroke();
+  }
 }
 function mark(z, order, ratio) {
   const [x, y] = project(z), r = 5.5 * ratio, corners = order === 2 ? 4 : order < 8 ? order : 24;
@@ -488,5 +514,16 @@ addEventListener("resize", refresh);
 if (location.hash.includes("dark")) dark = true;  // #dark and #half say how the page begins
 showLook();
 if (location.hash.includes("half")) document.getElementById("model").click();
+if (GROUP.points.length) {
+  const legend = document.getElementById("points");
+  legend.hidden = false;
+  legend.append("CM points of discriminant");
+  for (const { name, color } of GROUP.points) {
+    const dot = document.createElement("span");
+    dot.className = "dot";
+    dot.style.background = color;
+    legend.append(" ", dot, ` ${name}`);
+  }
+}
 recompute();
 draw();
