@@ -35,18 +35,21 @@ from hfield.fuchsian.geodesics import orbit
 from hfield.fuchsian.plane import Plane, Vector, dot
 from hfield.fuchsian.search import free_centers
 from hfield.fuchsian.upper_half_plane import fixed_point
-from hfield.orders import enumeration
+from hfield.orders import certificates, enumeration
 from hfield.orders.invariants import is_eichler, level
+from hfield.orders.local_squares import is_maximal_at, is_square_modulo
 from hfield.orders.quadratic_orders import is_primitive, multiplications
 from hfield.orders.short_elements import ternary_rows
+from hfield.orders.ternary_values import vectors_of_value
 
 if TYPE_CHECKING:
+    from hfield.evidence import Claim
     from hfield.fuchsian.group import Domain, NormOneGroup
     from hfield.fuchsian.polygon import Polygon
     from hfield.fuchsian.split_order import SplitOrder
 
-RADIUS = 0.9
-"""Balls that cover a domain have at most this radius."""
+RADIUS, RADIUS_OVER_FIELDS = 1.7, 0.9
+"""Balls that cover a domain have at most this radius, over ℚ and over other fields."""
 MAX_BALLS = 20_000
 """At most so many balls cover a domain."""
 MAX_VECTORS = 10**7
@@ -107,6 +110,12 @@ class TraceZeroLattice:
     def basis(self) -> list[Quaternion]:
         """A basis over ℤ."""
         return [self.ambient.quaternion(row) for row in self.rows.tolist()]
+
+    @cached_property
+    def norms(self) -> fmpz_mat:
+        """The matrix of tr(x·conj(y)) on the rows, over ℤ."""
+        one = self.base.element_of([fmpq(1)])
+        return (self.rows * self.ambient.form(one) * self.rows.transpose()).numer_denom()[0]
 
     @cached_property
     def multiplications(self) -> list[fmpz_mat]:
@@ -244,22 +253,24 @@ def place(domain: Domain, point: CMPoint) -> complex:
     return domain.polygon.plane.disc(_on_sheet(domain.polygon, point.root)[1])
 
 
-def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str]:
-    """Return the image of (t + √d)/2 under an optimal embedding, t² ≡ d modulo 4; or None, and a reason.
+def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str, Any]:
+    """Return the image of (t + √d)/2 under an optimal embedding, t² ≡ d modulo 4.
 
-    It is sought near some points first, and then in the whole domain. Raises :class:`LatticeError` where d is
+    Or None, a reason, and a prime at which there is none, where one is known. It is sought near some points
+    first, and then in the whole domain. Raises :class:`LatticeError` where d is
     no discriminant or a square, and :class:`TooLargeError`.
     """
     order = group.order
     x, t = discriminant(order, d)
-    if (reason := _local_obstruction(order, x, t)) is not None:
-        return None, reason
+    if (obstruction := _local_obstruction(order, x, t)) is not None:
+        reason, prime = obstruction
+        return None, reason, prime
     shift = order.algebra(order.base.outside(t))
     for s in _near_some_points(order, x):
-        return (shift + s) / 2, ""
+        return (shift + s) / 2, "", None
     for s, _ in roots(group.domain(), x):
-        return (shift + s) / 2, ""
-    return None, "no element of the order with this discriminant is optimal"
+        return (shift + s) / 2, "", None
+    return None, "no element of the order with this discriminant is optimal", None
 
 
 def of_orbits(group: NormOneGroup, d: object) -> tuple[Quaternion, ...]:
@@ -275,6 +286,18 @@ def of_orbits(group: NormOneGroup, d: object) -> tuple[Quaternion, ...]:
         )
     elements = [point.element for point in cm_points(group, d)]
     return (*elements, *(q.conjugate() for q in elements))
+
+
+def claim_of_orbits(group: NormOneGroup, d: object) -> Claim:
+    """Return how many orbits of embeddings there are, with all of them, as a statement with its evidence.
+
+    Raises :class:`LatticeError` over other bases than ℤ, and as :func:`cm_points` does.
+    """
+    elements = [point.element for point in cm_points(group, d)]
+    polygon = group.domain().polygon
+    return certificates.of_embedding_orbits(
+        group.order.order, d, elements, polygon.plane.center, polygon.units
+    )
 
 
 def _near_some_points(order: SplitOrder, d: Any) -> Iterator[Quaternion]:
@@ -293,33 +316,52 @@ def _of_norm(
 
     Raises :class:`TooLargeError`.
     """
+    for vector in _vectors_of_norm(lattice, gram, steps, bound, d):
+        if is_primitive(vector, lattice.multiplications):
+            yield lattice.ambient.quaternion((vector * lattice.rows).entries())
+
+
+def _vectors_of_norm(
+    lattice: TraceZeroLattice, gram: fmpz_mat, steps: fmpz_mat, bound: int, d: Any
+) -> Iterator[fmpz_mat]:
+    """Yield one of ±s, in coordinates, for each s with s² = d at which a form is at most the bound."""
     rows = [list(map(int, row)) for row in gram.tolist()]
+    if lattice.base.degree == 1:
+        norms = (steps * lattice.norms * steps.transpose()).tolist()
+        form = [list(map(int, row)) for row in norms]
+        if any(form[n][n] for n in range(3)):
+            for found in vectors_of_value(form, -2 * int(d), rows, bound):
+                yield fmpz_mat([list(found)]) * steps
+            return
     if enumeration.volume(rows, bound, len(rows)) > MAX_VECTORS:
         raise TooLargeError(f"too many elements of norm {-d} would be enumerated")
     for x, _ in enumeration.short_vectors(rows, bound):
         vector = fmpz_mat([list(x)]) * steps
-        row = (vector * lattice.rows).entries()
-        if lattice.ambient.norm(row) == -d and is_primitive(vector, lattice.multiplications):
-            yield lattice.ambient.quaternion(row)
+        if lattice.ambient.norm((vector * lattice.rows).entries()) == -d:
+            yield vector
 
 
-def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> str | None:
-    """Return why a prime rules an embedding out, or None where none of these reasons applies.
+def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> tuple[str, Any] | None:
+    """Return why a place rules an embedding out, with the prime that it is; None where no reason applies.
 
-    Where the algebra ramifies at P the quadratic field must not split; where P divides the level of an
-    Eichler order once, it must not be inert.
+    Where the algebra ramifies at P the quadratic field must not split, and an Eichler order has no
+    embedding of an order that is not maximal at P. Where Pᵉ divides the level, d is the square of a
+    difference modulo 4·Pᵉ, which is decided for e = 1 and over ℤ.
     """
     base, value = order.base, order.order
     if any(base.sign(d, v) > 0 for v in value.ambient.ramified_real_places):
-        return "the algebra ramifies at a real place at which the discriminant is positive"
-    norm = (t * t - d) / 4
+        return "the algebra ramifies at a real place at which the discriminant is positive", None
+    norm, eichler = (t * t - d) / 4, is_eichler(value)
     for P in value.ambient.ramified:
         if base.quadratic_symbol(t, norm, P) == 1:
-            return f"{P} splits in the quadratic field, and the algebra ramifies at {P}"
-    if is_eichler(value):
-        for P, e in base.factorisation(level(value)):
-            if e == 1 and base.quadratic_symbol(t, norm, P) == -1:
-                return f"{P} is inert in the quadratic field, and divides the level"
+            return f"{P} splits in the quadratic field, and the algebra ramifies at {P}", P
+        if eichler and base.is_rational and not is_maximal_at(int(d), P):
+            return f"{P} divides the conductor, and the algebra ramifies at {P}", P
+    for P, e in base.factorisation(level(value)) if eichler else ():
+        if e == 1 and base.quadratic_symbol(t, norm, P) == -1:
+            return f"{P} is inert in the quadratic field, and divides the level", P
+        if base.is_rational and not is_square_modulo(int(d), P, e + 2 * (P == 2)):
+            return f"{d} is no square modulo {'4·' * (P == 2)}{P}^{e}, which divides the level", P
     return None
 
 
@@ -378,6 +420,7 @@ def balls(
     of norm ``size``.
     """
     plane = domain.polygon.plane
+    most = RADIUS if lattice.base.degree == 1 else RADIUS_OVER_FIELDS
     corners = [_corner(domain, lattice, size, n) for n in range(len(domain.polygon.starts))]
     triangles: list[tuple[Point, Point, Point]] = []
     for n, (p, cut) in enumerate(corners):
@@ -395,7 +438,7 @@ def balls(
         triangle = triangles.pop()
         center = (sum(p[0] for p in triangle) / 3, sum(p[1] for p in triangle) / 3)
         radius = max(_distance(center, p) for p in triangle)
-        if radius > RADIUS:
+        if radius > most:
             triangles += _halves(triangle)
             continue
         count += 1

@@ -715,6 +715,10 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> G = A.maximal_order().norm_one_group(); G.area, G.signature
         (Fraction(1, 42), Signature(genus=0, orders=(2, 3, 7), cusps=0))
         """
+        return self._norm_one_group
+
+    @cached_property
+    def _norm_one_group(self) -> NormOneGroup:
         return NormOneGroup(split_order(self.value))
 
     # --- ideals ------------------------------------------------------------------------------------
@@ -860,12 +864,15 @@ class Order(WithStableClasses, Certified, Lattice):
             from hfield.fuchsian import cm_points
 
             group = self.norm_one_group()
-            element, reason = cm_points.embedding(group, discriminant)
+            element, reason, prime = cm_points.embedding(group, discriminant)
 
             def of_orbits() -> tuple[Quaternion, ...]:
                 return cm_points.of_orbits(group, discriminant)
 
-            return Embeddings(self, discriminant, element, None, of_orbits, reason)
+            def claim() -> Claim:
+                return cm_points.claim_of_orbits(group, discriminant)
+
+            return Embeddings(self, discriminant, element, None, of_orbits, reason, prime, claim)
         every, chosen = quadratic_orders.embeddings(self.value, discriminant)
         reason = "" if every else "no element of the order has this discriminant and is optimal"
         first = every[0] if every else None

@@ -68,6 +68,10 @@ class Embeddings(Certified):
     of_orbits: Callable[[], tuple[Quaternion, ...]]
     """Returns one of each orbit. Raises :class:`LatticeError` where they are not known."""
     reason: str = ""
+    prime: Any = None
+    """A prime at which there is no embedding, or None."""
+    of_orbits_claim: Callable[[], Claim] | None = None
+    """Returns the claim of :meth:`claim_of_orbits`; None in a definite algebra."""
 
     def __bool__(self) -> bool:
         """Tell whether there is an optimal embedding."""
@@ -102,15 +106,31 @@ class Embeddings(Certified):
 
     @cached_property
     def claim(self) -> Claim:
-        """The answer as a statement with its evidence.
+        """Whether there is an embedding, as a statement with its evidence.
 
-        Raises :class:`LatticeError` over ℤ_K, and where an indefinite order has no such embedding.
+        Raises :class:`LatticeError` over ℤ_K, and where an indefinite order has none, and no prime is known
+        at which it has none.
         """
-        if self.listed is None and self.element is None:
-            raise LatticeError(
-                "that no embedding in an order of an indefinite algebra exists has no certificate yet"
-            )
-        return certificates.of_embedding(self.order.value, self.discriminant, self.element)
+        return certificates.of_embedding(
+            self.order.value, self.discriminant, self.element, self.prime
+        )
+
+    def claim_of_orbits(self) -> Claim:
+        """Return how many orbits there are, with all of them, as a statement with its evidence.
+
+        Its ``certificate`` is that of Eichler orders over ℤ and d < 0; without embeddings it is that of
+        :attr:`claim`. Raises :class:`LatticeError` in a definite algebra and over ℤ_K.
+
+        >>> from hfield import QuaternionAlgebra, check
+        >>> E = QuaternionAlgebra(6).eichler_order(5).embeddings(-24)
+        >>> E.orbits, check(E.claim_of_orbits().certificate).verdict
+        (8, 'proved')
+        """
+        if not self:
+            return self.claim
+        if self.of_orbits_claim is None:
+            raise LatticeError("the orbits of embeddings are certified in indefinite algebras only")
+        return self.of_orbits_claim()
 
 
 def embeddings(

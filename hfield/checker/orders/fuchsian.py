@@ -112,11 +112,15 @@ class Domain:
 
     # --- the polygon ---------------------------------------------------------------------------------
 
-    def _line(self, g: Element) -> Vector:
-        """Return the form that is ≥ 0 where c is at least as near as g·c: the pairing with g·c − c."""
+    def _far(self, g: Element) -> Row:
+        """Return g·c − c, up to a positive factor; pairings with it are ≥ 0 where c is as near as g·c."""
         size = g.den * g.den * self.algebra.scale**3
         c = self._axes[0]
-        far = tuple(x - size * y for x, y in zip(self._moved(g.row, c), c, strict=True))
+        return tuple(x - size * y for x, y in zip(self._moved(g.row, c), c, strict=True))
+
+    def _line(self, g: Element) -> Vector:
+        """Return the form that is ≥ 0 where c is at least as near as g·c: the pairing with g·c − c."""
+        far = self._far(g)
         a, b, d = (self.algebra.pairing(far, v) for v in self._axes)
         return (a, b, d)
 
@@ -220,6 +224,41 @@ class Domain:
                 return m
             power = self.algebra.product(power, g)
         reject("what goes around a corner moves it")
+
+    # --- points in it --------------------------------------------------------------------------------
+
+    def orbit(self, s: Element) -> set[Row]:
+        """Return the images in the domain of an element of trace 0, by units; over ℚ.
+
+        Reject unless it stands for a point of the domain, which is none of a sector. Tiles around a point
+        are reached across sides on which it lies.
+        """
+        if self._is_sector:
+            reject("points are compared in a domain, and this is a sector")
+        if self.algebra.pairing(s.row, self._axes[0]) <= 0:
+            reject("a point is not on the sheet of the centre")
+        own = self.algebra.element(s.den, s.row)
+        found, waiting = {(own.den, *own.row)}, [own]
+        while waiting:
+            x = waiting.pop()
+            spend(50 * len(self.units))
+            for g, far in zip(self.units, self._bounds, strict=True):
+                side = self.algebra.pairing(far, x.row)
+                if side < 0:
+                    reject("a point is not in the domain")
+                if side == 0:
+                    back = self._inverse(g)
+                    row = self._moved(back.row, x.row)
+                    size = back.den * back.den * self.algebra.scale**3
+                    image = self.algebra.primitive(x.den * size, row)
+                    if (key := (image.den, *image.row)) not in found:
+                        found.add(key)
+                        waiting.append(image)
+        return found
+
+    @cached_property
+    def _bounds(self) -> list[Row]:
+        return [self._far(g) for g in self.units]
 
     # --- the group -----------------------------------------------------------------------------------
 
