@@ -133,35 +133,78 @@ class TraceZeroLattice:
         digits = np.linalg.solve(self._real.T, np.array(values))
         return self.base.element_of([fmpq(round(float(x) * PRECISION), PRECISION) for x in digits])
 
-    def form(self, center: Quaternion, norm: Any, radius: float) -> tuple[fmpz_mat, fmpz_mat, int]:
-        """Return the Gram matrix of a definite form in a reduced basis, the change of basis, and a bound.
 
-        The form is at most the bound at all elements of norm ``norm`` whose point or axis meets the ball.
-        """
-        order, base = self.order, self.base
-        m = order.scalar(center.norm())
+class Ball:
+    """A ball around the point of an element, with a definite form that is small at what meets the ball.
+
+    ``gram`` is the matrix of the form in a reduced basis of the lattice, ``steps`` the change to this basis.
+    """
+
+    def __init__(self, lattice: TraceZeroLattice, center: Quaternion, radius: float) -> None:
+        self.lattice, self.radius = lattice, radius
+        order, base = lattice.order, lattice.base
+        self._norm = m = order.scalar(center.norm())
         if base.degree == 1:
-            gamma, beta = base.element_of([fmpq(-1)]), 2 / m
+            self._gamma, self._beta = base.element_of([fmpq(-1)]), 2 / m
         else:
             here = [v == order.place for v in base.real_places]
-            gamma = self.number([-1.0 if x else 1.0 for x in here])
+            self._gamma = lattice.number([-1.0 if x else 1.0 for x in here])
             size = max(1, round(order.real(m)))
-            beta = self.number([2 * size / order.real(m) if x else 0.0 for x in here]) / size
-        linear = self.products(center)
-        values = base.coordinate_rows(linear)
+            share = lattice.number([2 * size / order.real(m) if x else 0.0 for x in here])
+            self._beta = share / size
+        values = base.coordinate_rows(lattice.products(center))
         traces = fmpq_mat(
-            [[base.trace(beta * u * w) for u in base.integral_basis] for w in base.integral_basis]
+            [
+                [base.trace(self._beta * u * w) for u in base.integral_basis]
+                for w in base.integral_basis
+            ]
         )
-        form = self.rows * self.ambient.form(gamma) * self.rows.transpose() * fmpq(1, 2)
-        whole, below = (form + values * traces * values.transpose()).numer_denom()
-        bound = 0.0
+        form = lattice.rows * lattice.ambient.form(self._gamma) * lattice.rows.transpose()
+        whole, below = (form * fmpq(1, 2) + values * traces * values.transpose()).numer_denom()
+        reduced, self.steps = whole.lll(transform=True, rep="gram")
+        self.gram, self._below = _integers(reduced), int(below)
+        self._norms = None
+        if base.degree == 1:
+            norms = _integers(self.steps * lattice.norms * self.steps.transpose())
+            self._norms = norms if any(norms[n][n] for n in range(3)) else None
+
+    def bound(self, norm: Any) -> int:
+        """Return what the form is at most at elements of a norm whose point or axis meets the ball."""
+        order, base, bound = self.lattice.order, self.lattice.base, 0.0
         for v in base.real_places:
-            n, weight, share = (base.real(x, v) for x in (norm, gamma, beta))
-            reach = math.cosh(radius) if n > 0 else math.sinh(radius)
-            square = abs(n) * base.real(m, v) * (reach**2 if v == order.place else 1.0)
+            n, weight, share = (base.real(x, v) for x in (norm, self._gamma, self._beta))
+            reach = math.cosh(self.radius) if n > 0 else math.sinh(self.radius)
+            square = abs(n) * base.real(self._norm, v) * (reach**2 if v == order.place else 1.0)
             bound += weight * n + max(share, 0.0) * abs(square)
-        reduced, steps = whole.lll(transform=True, rep="gram")
-        return reduced, steps, math.floor(bound * (1 + MARGIN) * int(below) + MARGIN)
+        return math.floor(bound * (1 + MARGIN) * self._below + MARGIN)
+
+    def roots(self, d: Any) -> Iterator[Quaternion]:
+        """Yield one of ±s for each primitive s with s² = d whose point or axis meets the ball, and others.
+
+        Raises :class:`TooLargeError`.
+        """
+        lattice = self.lattice
+        for vector in self._vectors(d):
+            if is_primitive(vector, lattice.multiplications):
+                yield lattice.ambient.quaternion((vector * lattice.rows).entries())
+
+    def _vectors(self, d: Any) -> Iterator[fmpz_mat]:
+        """Yield one of ±s, in coordinates, for each s with s² = d at which the form is at most the bound."""
+        bound, lattice = self.bound(-d), self.lattice
+        if self._norms is not None:
+            for found in vectors_of_value(self._norms, -2 * int(d), self.gram, bound):
+                yield fmpz_mat([list(found)]) * self.steps
+            return
+        if enumeration.volume(self.gram, bound, len(self.gram)) > MAX_VECTORS:
+            raise TooLargeError(f"too many elements of norm {-d} would be enumerated")
+        for x, _ in enumeration.short_vectors(self.gram, bound):
+            vector = fmpz_mat([list(x)]) * self.steps
+            if lattice.ambient.norm((vector * lattice.rows).entries()) == -d:
+                yield vector
+
+
+def _integers(matrix: fmpz_mat) -> list[list[int]]:
+    return [list(map(int, row)) for row in matrix.tolist()]
 
 
 def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
@@ -171,10 +214,10 @@ def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
     yielded. Where s fixes a point, it is the one whose vector lies on the sheet of the centre. ``d`` is a
     number of the field of the base. Raises :class:`TooLargeError`.
     """
-    lattice, seen = TraceZeroLattice(domain.group.order), set()
-    size = abs(domain.group.order.real(d))
-    for center, radius in balls(domain, lattice, size):
-        for s in _of_norm(lattice, *lattice.form(center, -d, radius), d):
+    seen = set()
+    # a covering for a larger discriminant is one for d
+    for ball in covering(domain, math.ceil(math.log2(abs(domain.group.order.real(d))))):
+        for s in ball.roots(d):
             on_sheet, v = _on_sheet(domain.polygon, s)
             if v not in seen:
                 seen.add(v)
@@ -306,39 +349,7 @@ def _near_some_points(order: SplitOrder, d: Any) -> Iterator[Quaternion]:
     plane = Plane(order, next(free_centers(order)))
     for _ in range(TRIALS):
         disc = math.tanh(rng.uniform(0, 2)) * cmath.exp(2j * math.pi * rng.random())
-        yield from _of_norm(lattice, *lattice.form(plane.nearby(disc, 20), -d, 1.0), d)
-
-
-def _of_norm(
-    lattice: TraceZeroLattice, gram: fmpz_mat, steps: fmpz_mat, bound: int, d: Any
-) -> Iterator[Quaternion]:
-    """Yield one of ±s for each primitive element s with s² = d at which a form is at most the bound.
-
-    Raises :class:`TooLargeError`.
-    """
-    for vector in _vectors_of_norm(lattice, gram, steps, bound, d):
-        if is_primitive(vector, lattice.multiplications):
-            yield lattice.ambient.quaternion((vector * lattice.rows).entries())
-
-
-def _vectors_of_norm(
-    lattice: TraceZeroLattice, gram: fmpz_mat, steps: fmpz_mat, bound: int, d: Any
-) -> Iterator[fmpz_mat]:
-    """Yield one of ±s, in coordinates, for each s with s² = d at which a form is at most the bound."""
-    rows = [list(map(int, row)) for row in gram.tolist()]
-    if lattice.base.degree == 1:
-        norms = (steps * lattice.norms * steps.transpose()).tolist()
-        form = [list(map(int, row)) for row in norms]
-        if any(form[n][n] for n in range(3)):
-            for found in vectors_of_value(form, -2 * int(d), rows, bound):
-                yield fmpz_mat([list(found)]) * steps
-            return
-    if enumeration.volume(rows, bound, len(rows)) > MAX_VECTORS:
-        raise TooLargeError(f"too many elements of norm {-d} would be enumerated")
-    for x, _ in enumeration.short_vectors(rows, bound):
-        vector = fmpz_mat([list(x)]) * steps
-        if lattice.ambient.norm((vector * lattice.rows).entries()) == -d:
-            yield vector
+        yield from Ball(lattice, plane.nearby(disc, 20), 1.0).roots(d)
 
 
 def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> tuple[str, Any] | None:
@@ -411,14 +422,19 @@ def _on_sheet(polygon: Polygon, s: Quaternion) -> tuple[Quaternion, Vector]:
 # --- balls that cover a domain -----------------------------------------------------------------------
 
 
-def balls(
-    domain: Domain, lattice: TraceZeroLattice, size: float
-) -> Iterator[tuple[Quaternion, float]]:
-    """Yield balls that cover a domain, each as an element that fixes its centre, and its radius.
+def covering(domain: Domain, exponent: int) -> list[Ball]:
+    """Return balls that cover a domain.
 
     A neighbourhood of each cusp is left out. It contains no fixed point of a primitive element of the lattice
-    of norm ``size``.
+    of norm up to 2 to the exponent. Raises :class:`TooLargeError`.
     """
+    has_cusps = any(cycle.order == 0 for cycle in domain.cycles)
+    return _covering(domain, exponent if has_cusps else 0)
+
+
+@lru_cache(maxsize=16)
+def _covering(domain: Domain, exponent: int) -> list[Ball]:
+    lattice, size = TraceZeroLattice(domain.group.order), 2.0**exponent
     plane = domain.polygon.plane
     most = RADIUS if lattice.base.degree == 1 else RADIUS_OVER_FIELDS
     corners = [_corner(domain, lattice, size, n) for n in range(len(domain.polygon.starts))]
@@ -433,7 +449,7 @@ def balls(
         else:
             path.append(q)
         triangles += [((0.0, 0.0), path[k], path[k + 1]) for k in range(len(path) - 1)]
-    count = 0
+    found: list[Ball] = []
     while triangles:
         triangle = triangles.pop()
         center = (sum(p[0] for p in triangle) / 3, sum(p[1] for p in triangle) / 3)
@@ -441,8 +457,7 @@ def balls(
         if radius > most:
             triangles += _halves(triangle)
             continue
-        count += 1
-        if count > MAX_BALLS:
+        if len(found) == MAX_BALLS:
             raise TooLargeError(
                 f"the domain is so large that more than {MAX_BALLS} balls would cover it"
             )
@@ -450,7 +465,9 @@ def balls(
         c = plane.nearby(disc, 20)
         x, y, z = plane.floats(plane.vector(c))
         moved = (y / x, z / x)
-        yield c, max(_distance(moved, p) for p in triangle) * (1 + MARGIN) + MARGIN
+        distance = max(_distance(moved, p) for p in triangle)
+        found.append(Ball(lattice, c, distance * (1 + MARGIN) + MARGIN))
+    return found
 
 
 def _corner(
