@@ -56,6 +56,8 @@ MAX_VECTORS = 10**7
 """At most about so many elements are enumerated for one ball."""
 MARGIN = 1e-6
 """Bounds that floats give are enlarged by this share."""
+FARTHEST, ROUNDING = 1e-12, 1e-15
+"""Points of the unit disc are so far from the circle at least, and floats are wrong by so much at most."""
 TRIALS = 40
 """So many balls are searched for one embedding before the whole domain is."""
 PRECISION = 2**20
@@ -462,7 +464,8 @@ def _covering(domain: Domain, exponent: int) -> list[Ball]:
                 f"the domain is so large that more than {MAX_BALLS} balls would cover it"
             )
         disc = complex(*center) / (1 + math.sqrt(1 - abs(complex(*center)) ** 2))
-        c = plane.nearby(disc, 20)
+        # with bits enough to come nearer to the point than that is to the circle
+        c = plane.nearby(disc, 20 - math.floor(math.log2(1 - abs(complex(*center)) ** 2)))
         x, y, z = plane.floats(plane.vector(c))
         moved = (y / x, z / x)
         distance = max(_distance(moved, p) for p in triangle)
@@ -517,7 +520,12 @@ def _middle(p: Point, q: Point) -> Point:
 
 
 def _distance(p: Point, q: Point) -> float:
-    """Return the distance of two points of Klein's disc."""
+    """Return at least the distance of two points of Klein's disc, and not much more.
+
+    Raises :class:`TooLargeError` for points so far out that floats do not tell where they are.
+    """
     product = 1 - p[0] * q[0] - p[1] * q[1]
-    norms = (1 - p[0] ** 2 - p[1] ** 2) * (1 - q[0] ** 2 - q[1] ** 2)
-    return math.acosh(max(1.0, product / math.sqrt(norms)))
+    a, b = 1 - p[0] ** 2 - p[1] ** 2, 1 - q[0] ** 2 - q[1] ** 2
+    if min(a, b) < FARTHEST:
+        raise TooLargeError("the domain reaches too far from its centre to be covered by balls")
+    return math.acosh(max(1.0, product / math.sqrt(a * b)) * (1 + ROUNDING / a + ROUNDING / b))
