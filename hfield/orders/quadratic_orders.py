@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from itertools import count, product
 from random import Random
@@ -20,6 +21,10 @@ from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
 from hfield.evidence import Certified, Claim
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.ideals import Ideal as NumberFieldIdeal
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+from hfield.fields.rationals.whole_numbers import square_root
 from hfield.orders import certificates, enumeration, hermite, quadratic_frames
 from hfield.orders.base_values import Prime, Scalar
 from hfield.orders.ideals_of_norm import of_prime_norm, random_ideal
@@ -34,11 +39,12 @@ from hfield.orders.short_elements import (
     ternary_rows,
 )
 from hfield.orders.units import units_modulo_scalars
+from hfield.orders.validation import checked_side
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
-    from hfield.orders.lattice import Order
+    from hfield.orders.lattice import Ideal, Order
 
 MAX_ENUMERATED = 2 * 10**5
 """Norms are decided by enumeration where about so many steps do it."""
@@ -103,6 +109,72 @@ class Embeddings(Certified):
     def orbits(self) -> int:
         """The number of orbits. Raises as :attr:`representatives` does."""
         return len(self.representatives)
+
+    def image(self, x: object) -> Quaternion:
+        """Return the image of an element of the quadratic field F(√d) under the embedding of :attr:`element`.
+
+        ``x`` is a pair (u, v) of numbers of F, for u + v·(t + √d)/2; a number of F; or over ℚ an element of
+        a quadratic number field of hfield, with √d the positive multiple of the difference of the generator
+        and its conjugate. Raises :class:`LatticeError` for others, and where there is no embedding.
+
+        >>> from hfield import QuaternionAlgebra, ring
+        >>> E = QuaternionAlgebra(6).maximal_order().embeddings(-24)
+        >>> E.image(ring("QQ(sqrt(-6))").gen) ** 2, E.image((12, 1)) ** 2
+        (−6, −6)
+        """
+        if self.element is None:
+            raise LatticeError(f"there is no embedding: {self.reason}")
+        algebra = self.order.algebra
+        u: Any = x
+        v: Any = 0
+        if isinstance(x, FieldElement) and x.field != algebra.ring:
+            u, v = self._coordinates(x, Fraction(str(self.element.trace())))
+        elif isinstance(x, tuple):
+            u, v = x
+        found: Quaternion = algebra(u) + algebra(v) * self.element
+        return found
+
+    def _coordinates(self, x: FieldElement, t: Fraction) -> tuple[Fraction, Fraction]:
+        """Return u and v with x = u + v·(t + √d)/2, for an element of a quadratic number field."""
+        field, d = x.field, self.discriminant
+        ratio = None
+        if field.degree == 2 and self.order.value.ambient.base.is_rational:
+            trace, norm = Fraction(str(field.gen.trace())), Fraction(str(field.gen.norm()))
+            ratio = square_root(Fraction(str(d)) / (trace * trace - 4 * norm))
+        if ratio is None:
+            raise LatticeError(
+                f"{shorten(x)} lies in {shorten(field.name)}, and not in the field of √({shorten(d)})"
+            )
+        # the generator is (trace + √d/ratio)/2
+        u, v = (Fraction(str(c)) for c in field.coordinates(x))
+        return u + v * (trace - t / ratio) / 2, v / ratio
+
+    def ideal(self, a: object, side: str = "left") -> Ideal:
+        """Return the left ideal ``O·φ(a)`` for an ideal a of the quadratic order, φ being the embedding.
+
+        ``a`` is an ideal or a prime ideal of a quadratic number field, or a list of elements as
+        :meth:`image` reads them, which generate it. With ``side="right"`` it is ``φ(a)·O``. Where a is
+        invertible, so is the result; its norm is that of a, and ``O·φ(a)·φ(b)`` is ``O·φ(ab)``. Raises
+        :class:`LatticeError`, as :meth:`image` does.
+
+        >>> from hfield import QuaternionAlgebra, ring
+        >>> E = QuaternionAlgebra(6).maximal_order().embeddings(-24)
+        >>> P = ring("QQ(sqrt(-6))").primes_above(5)[0]
+        >>> E.ideal(P).norm(), E.ideal([5, (1, 1)]).norm()
+        (5, 1)
+        """
+        elements: Any = a
+        if isinstance(a, NumberFieldIdeal):
+            elements = a.basis
+        elif isinstance(a, PrimeIdeal):
+            elements = a.generators
+        images = [self.image(x) for x in elements]
+        found: Ideal = (
+            self.order.left_ideal(images)
+            if checked_side(side) == "left"
+            else self.order.right_ideal(images)
+        )
+        return found
 
     @cached_property
     def claim(self) -> Claim:
