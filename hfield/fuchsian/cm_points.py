@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from hfield.fuchsian.polygon import Polygon
     from hfield.fuchsian.split_order import SplitOrder
 
-RADIUS, RADIUS_OVER_FIELDS = 1.7, 0.9
+RADIUS, RADIUS_OVER_FIELDS = 2.2, 0.9
 """Balls that cover a domain have at most this radius, over ℚ and over other fields."""
 MAX_BALLS = 20_000
 """At most so many balls cover a domain."""
@@ -56,6 +56,8 @@ MAX_VECTORS = 10**7
 """At most about so many elements are enumerated for one ball."""
 MARGIN = 1e-6
 """Bounds that floats give are enlarged by this share."""
+SLACK = 1e-3
+"""The centre of a ball may be moved by this share of the radius."""
 FARTHEST, ROUNDING = 1e-12, 1e-15
 """Points of the unit disc are so far from the circle at least, and floats are wrong by so much at most."""
 TRIALS = 40
@@ -452,11 +454,14 @@ def _covering(domain: Domain, exponent: int) -> list[Ball]:
             path.append(q)
         triangles += [((0.0, 0.0), path[k], path[k + 1]) for k in range(len(path) - 1)]
     found: list[Ball] = []
+    middles: list[Point] = []
     while triangles:
         triangle = triangles.pop()
+        # a ball is convex
+        if any(all(_distance(p, q) < most for q in triangle) for p in reversed(middles)):
+            continue
         center = (sum(p[0] for p in triangle) / 3, sum(p[1] for p in triangle) / 3)
-        radius = max(_distance(center, p) for p in triangle)
-        if radius > most:
+        if max(_distance(center, p) for p in triangle) > (1 - SLACK) * most:
             triangles += _halves(triangle)
             continue
         if len(found) == MAX_BALLS:
@@ -467,9 +472,10 @@ def _covering(domain: Domain, exponent: int) -> list[Ball]:
         # with bits enough to come nearer to the point than that is to the circle
         c = plane.nearby(disc, 20 - math.floor(math.log2(1 - abs(complex(*center)) ** 2)))
         x, y, z = plane.floats(plane.vector(c))
-        moved = (y / x, z / x)
-        distance = max(_distance(moved, p) for p in triangle)
-        found.append(Ball(lattice, c, distance * (1 + MARGIN) + MARGIN))
+        middles.append((y / x, z / x))
+        if max(_distance(middles[-1], p) for p in triangle) > most:
+            raise ArithmeticError("a ball does not contain its triangle")
+        found.append(Ball(lattice, c, most * (1 + MARGIN) + MARGIN))
     return found
 
 

@@ -16,6 +16,8 @@ from hfield.errors import TooLargeError
 Matrix = list[list[int]]
 MAX_PAIRS = 10**8
 """At most about so many pairs of coordinates are enumerated."""
+MAX_ARRAY = 2**18
+"""So many pairs are in one array."""
 MAX_INT64 = 2**61
 
 
@@ -40,25 +42,33 @@ def vectors_of_value(
         raise TooLargeError(f"more than {MAX_PAIRS} elements would be enumerated")
     most = (isqrt(limit * r // minor) + 1, isqrt(limit * p // minor) + 1)
     kind = np.int64 if _fits(form, value, most, (i, j, k)) else object
-    for y in range(most[1] + 1):
-        square = p * limit - minor * y * y
-        if square < 0:
-            break
-        root = isqrt(square)
-        x = np.arange(0 if y == 0 else -((root + q * y) // p), (root - q * y) // p + 1, dtype=kind)
-        for found in _solved(form, value, x, y, (i, j, k)):
+    step = max(1, MAX_ARRAY // (2 * most[0] + 3))
+    for first in range(0, most[1] + 1, step):
+        heights = np.arange(first, min(first + step, most[1] + 1))
+        # in floats, and so a little more than there is
+        half = np.sqrt(
+            np.maximum(0.0, float(p * limit) - float(minor) * heights.astype(float) ** 2)
+        )
+        middle = -float(q) * heights / float(p)
+        half = half / float(p) + 1e-9 * (1 + abs(middle))
+        low = np.where(heights == 0, 0, np.ceil(middle - half)).astype(np.int64)
+        number = np.maximum(0, np.floor(middle + half).astype(np.int64) - low + 1)
+        starts = np.cumsum(number) - number
+        x = np.arange(int(number.sum())) + np.repeat(low - starts, number)
+        y = np.repeat(heights, number)
+        for found in _solved(form, value, x.astype(kind), y.astype(kind), (i, j, k)):
             size = sum(definite[m][n] * found[m] * found[n] for m in range(3) for n in range(3))
-            if size <= bound and (y or found[i] or found[k] > 0):
+            if size <= bound and (found[j] or found[i] or found[k] > 0):
                 yield found
 
 
 def _solved(
-    form: Matrix, value: int, x: Any, y: int, places: tuple[int, int, int]
+    form: Matrix, value: int, x: Any, y: Any, places: tuple[int, int, int]
 ) -> Iterator[tuple[int, int, int]]:
-    """Yield the vectors with coordinates x and y at places i and j, and a root at k."""
+    """Yield the vectors with coordinates x and y at places i and j, arrays, and a root at k."""
     i, j, k = places
     a, b = form[k][k], form[k][i] * x + form[k][j] * y
-    c = form[i][i] * x * x + 2 * form[i][j] * y * x + (form[j][j] * y * y - value)
+    c = form[i][i] * x * x + 2 * form[i][j] * x * y + form[j][j] * y * y - value
     square = b * b - a * c
     if square.dtype == object:
         roots = np.array([isqrt(s) if s >= 0 else -1 for s in square], dtype=object)
@@ -69,7 +79,7 @@ def _solved(
             z, rest = divmod(root - int(b[n]), a)
             if not rest:
                 found = [0, 0, 0]
-                found[i], found[j], found[k] = int(x[n]), y, z
+                found[i], found[j], found[k] = int(x[n]), int(y[n]), z
                 yield (found[0], found[1], found[2])
 
 
