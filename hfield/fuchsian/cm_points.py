@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from hfield.fuchsian.polygon import Polygon
     from hfield.fuchsian.split_order import SplitOrder
 
-RADIUS, RADIUS_OVER_FIELDS = 2.2, 0.9
+RADIUS, RADIUS_OVER_FIELDS = 2.2, 0.6
 """Balls that cover a domain have at most this radius, over ℚ and over other fields."""
 MAX_BALLS = 20_000
 """At most so many balls cover a domain."""
