@@ -28,7 +28,6 @@ from typing import Any
 from hfield import QuaternionAlgebra
 from hfield.core.factorisation import factorise
 from hfield.errors import TooLargeError
-from hfield.fuchsian.cm_points import fixed_points
 
 DISCRIMINANTS = [d for d in range(-300, 0) if d % 4 < 2]
 
@@ -113,7 +112,7 @@ def quotients(D: int, N: int) -> dict[str, Any]:
 
 @cache
 def number_of_fixed_points(D: int, N: int, m: int) -> int:
-    return len(fixed_points(order(D, N).norm_one_group(), m))
+    return len(order(D, N).norm_one_group().fixed_points(m))
 
 
 def genus_by_fixed_points(D: int, N: int, group: tuple[int, ...]) -> int | None:

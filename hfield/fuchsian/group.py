@@ -149,8 +149,10 @@ class Domain(Certified):
 
         >>> from hfield import QuaternionAlgebra
         >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
-        >>> D = G.domain(0.3 + 2j); D.reduce(G.cm_points(-24)[1])
-        CM point 0.276557 + 0.319335i of discriminant -24
+        >>> point = G.cm_points(-24)[1]; point
+        CM point 1.10819 + 1.27963i of discriminant -24
+        >>> G.domain(3 + 1j).reduce(point)
+        CM point 2.73316 + 1.05199i of discriminant -24
         """
         from hfield.fuchsian import cm_points
 
@@ -431,6 +433,38 @@ class NormOneGroup(Certified, Hinted):
         from hfield.fuchsian import cm_points
 
         return cm_points.cm_points(self, d)
+
+    def involution(self, m: int, point: CMPoint) -> CMPoint:
+        """Return the image of a CM point under an Atkin–Lehner involution, among those of :meth:`cm_points`.
+
+        ``m`` is an exact divisor of the discriminant of an Eichler order over ℤ. Raises
+        :class:`LatticeError` for others.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
+        >>> first, second = G.cm_points(-24)
+        >>> G.involution(2, first) == second, G.involution(6, first) == first
+        (True, True)
+        """
+        from hfield.fuchsian import cm_points
+
+        return cm_points.involution(self, m, point)
+
+    def fixed_points(self, m: int) -> tuple[CMPoint, ...]:
+        """Return the CM points that an Atkin–Lehner involution with m > 1 fixes (A. Ogg, 1983).
+
+        Their discriminants are −4m, −m, and −4 where m is 2. Where there are no cusps, these are all fixed
+        points of the involution, and tell the genus of the quotient by it. Raises :class:`LatticeError` as
+        :meth:`involution` does.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra(26).maximal_order().norm_one_group()
+        >>> [len(G.fixed_points(m)) for m in (2, 13, 26)]
+        [2, 2, 6]
+        """
+        from hfield.fuchsian import cm_points
+
+        return cm_points.fixed_points(self, m)
 
     # --- larger groups -----------------------------------------------------------------------------
 

@@ -11,7 +11,6 @@ import pytest
 from hfield import H, IndefiniteError, LatticeError, Order, QuaternionAlgebra, check, ring
 from hfield.cli import main
 from hfield.core.factorisation import factorise
-from hfield.fuchsian.cm_points import fixed_points, involution
 from tests.subcases import subcases
 
 DISCRIMINANTS = [d for d in range(-3, -40, -1) if d % 4 < 2]
@@ -81,16 +80,16 @@ def test_fixed_points_give_the_genera_of_quotients(D: int, N: int) -> None:
     G = order(D, N).norm_one_group()
     whole = D * N
     for m in (m for m in range(2, whole + 1) if whole % m == 0 and gcd(m, whole // m) == 1):
-        genus, rest = divmod(2 * G.signature.genus + 2 - len(fixed_points(G, m)), 4)
+        genus, rest = divmod(2 * G.signature.genus + 2 - len(G.fixed_points(m)), 4)
         assert (rest, genus) == (0, G.quotient(m).signature.genus), m
 
 
 def test_involutions_permute_the_points() -> None:
     G = order(6).norm_one_group()
     points = G.cm_points(-19)
-    images = [involution(G, 2, point) for point in points]
+    images = [G.involution(2, point) for point in points]
     assert Counter(images) == Counter(points)
-    assert [involution(G, 2, image) for image in images] == list(points)
+    assert [G.involution(2, image) for image in images] == list(points)
 
 
 def test_embeddings_are_elements_of_the_order() -> None:
