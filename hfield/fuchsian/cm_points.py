@@ -30,8 +30,7 @@ from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.fuchsian.dirichlet import rotation_order
-from hfield.fuchsian.geodesics import orbit
+from hfield.fuchsian.geodesics import generator_of_rotations, orbit
 from hfield.fuchsian.plane import Plane, Vector, dot
 from hfield.fuchsian.search import free_centers
 from hfield.fuchsian.upper_half_plane import fixed_point
@@ -274,9 +273,7 @@ def _points(group: NormOneGroup, x: Any, t: Any) -> tuple[CMPoint, ...]:
         ):  # images on the boundary are no other points
             images = orbit(polygon, s)
             seen.update(images.units)
-            stabiliser = max(
-                images.around, key=lambda u: rotation_order(order, u), default=stabiliser
-            )
+            stabiliser = generator_of_rotations(polygon, images)
         found.append(CMPoint(group, order.base.outside(x), (shift + s) / 2, stabiliser))
     places = {point: complex(point) for point in found}
     return tuple(sorted(found, key=lambda p: (round(places[p].real, 9), places[p].imag)))

@@ -19,6 +19,7 @@ import numpy as np
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.fuchsian.dirichlet import rotation_order
 from hfield.fuchsian.plane import Vector, apply, dot
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, distinct
@@ -88,6 +89,17 @@ def orbit(polygon: Polygon, x: Quaternion) -> Orbit:
                 f"more than {MAX_CONJUGATES} conjugates of {shorten(x)} meet the domain"
             )
     return Orbit(units, [u for u in around if u != u.conjugate()])
+
+
+def stabiliser(polygon: Polygon, x: Quaternion) -> Quaternion:
+    """Return a unit that generates, with −1, the units of norm 1 that fix the point that x fixes."""
+    return generator_of_rotations(polygon, orbit(polygon, x))
+
+
+def generator_of_rotations(polygon: Polygon, images: Orbit) -> Quaternion:
+    """Return the unit of the greatest order among those that fix a point, or 1."""
+    order = polygon.plane.order
+    return max(images.around, key=lambda u: rotation_order(order, u), default=order.algebra(1))
 
 
 def _point(polygon: Polygon, v: Vector, sign: int) -> Vector:

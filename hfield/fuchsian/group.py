@@ -263,7 +263,9 @@ class NormOneGroup(Certified, Hinted):
         if center is None:
             return self._domain
         if isinstance(center, CMPoint):
-            return self._around(center.root, center.stabiliser)
+            c = center.root
+            stabiliser = center.stabiliser if center.group is self else self._stabiliser(c)
+            return self._around(c, stabiliser)
         try:
             z = complex(center)
         except (TypeError, ValueError, OverflowError):
@@ -312,6 +314,12 @@ class NormOneGroup(Certified, Hinted):
             self.order, c, self.area, self._known, stabiliser
         )
         return Domain(self, found, tuple(partners), tuple(cycles))
+
+    def _stabiliser(self, c: Quaternion) -> Quaternion:
+        """Return a unit that generates, with −1, those of norm 1 that fix the point of an element."""
+        from hfield.fuchsian import geodesics
+
+        return geodesics.stabiliser(self._domain.polygon, c)
 
     def _nearby(self, z: complex) -> Quaternion:
         from hfield.fuchsian import search

@@ -84,6 +84,17 @@ def test_a_free_point_has_no_stabiliser() -> None:
     assert G.domain().stabiliser == 1
 
 
+def test_a_point_of_another_group_has_the_stabiliser_of_this_one() -> None:
+    """An elliptic point of the maximal order is none of its suborder of level 5, and the other way around."""
+    O = QuaternionAlgebra(6).maximal_order()
+    G, smaller = O.norm_one_group(), O.algebra.order([2 * q for q in O.basis]).norm_one_group()
+    point = G.cm_points(-4)[0]
+    assert G.domain(smaller.cm_points(-16)[0]).stabiliser ** 2 in (-1, 1)
+    D = smaller.domain(point)
+    assert D.stabiliser == 1
+    assert D.area == smaller.area
+
+
 def test_false_sectors_are_refused() -> None:
     G = group(6)
     D = G.domain(G.cm_points(-3)[0])

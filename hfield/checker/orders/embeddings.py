@@ -4,7 +4,8 @@ Let pᵉ be the power of p that divides the discriminant of O exactly, and S the
 d, ℤ[x]/(x² − tx + n). With the Eichler symbol −1 and e = 1 the algebra ramifies at p and O is maximal there:
 S has 1 − (S/p) local embeddings, none where p divides its conductor. With the symbol 1 O is an Eichler order
 of level pᵉ there: S has as many as the polynomial has roots modulo pᵉ; where p divides d, the roots modulo pᵉ
-that come from roots modulo pᵉ⁺¹ are counted twice. This is up to conjugation by local units (docs/trust.md).
+that come from roots modulo pᵉ⁺¹ are counted twice. This is up to conjugation by local units
+(docs/explanation/trust.md).
 """
 
 from math import gcd, isqrt, prod
