@@ -8,7 +8,13 @@ import pytest
 
 from hfield import LatticeError, Order, QuaternionAlgebra, ring
 from hfield.checker.check import Rejected
-from hfield.checker.orders.embeddings import _class_number, _is_square, _lifted, _roots
+from hfield.checker.orders.embeddings import (
+    _class_number,
+    _is_square,
+    _lifted,
+    _local_number,
+    _roots,
+)
 from hfield.core.factorisation import factorise
 from hfield.orders.local_squares import is_square_modulo
 from tests.checker.cases import Certificate
@@ -150,6 +156,9 @@ def test_numbers_of_the_checker_against_lists() -> None:
             assert sorted(_lifted(d, p, e, _roots(d, p, e))) == sorted(_roots(d, p, e + 1))
             squares = {x * x % p**e for x in range(p**e)}
             assert is_square_modulo(d, p, e) == (d % p**e in squares)
+    # where the algebra ramifies: split, ramified, inert, and with a conductor
+    assert [_local_number(d, 2, 1, -1) for d in (-7, -8, -3, -12, -28)] == [0, 1, 2, 0, 0]
+    assert [_local_number(d, 3, 1, -1) for d in (-8, -3, -4, -27, -36)] == [0, 1, 2, 0, 0]
     # h(−163) = 1, h(−23) = 3, h(−47) = 5, h(−84) = 4, h(−12) = h(−27) = h(−28) = 1, h(−63) = 4
     known = {-3: 1, -4: 1, -12: 1, -27: 1, -28: 1, -23: 3, -47: 5, -84: 4, -163: 1, -63: 4}
     assert {d: _class_number(d) for d in known} == known
