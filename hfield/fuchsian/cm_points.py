@@ -30,7 +30,7 @@ from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.fuchsian.geodesics import generator_of_rotations, orbit
+from hfield.fuchsian.geodesics import axis_meets, generator_of_rotations, orbit
 from hfield.fuchsian.plane import Plane, Vector, dot
 from hfield.fuchsian.search import free_centers
 from hfield.fuchsian.upper_half_plane import fixed_point
@@ -252,7 +252,7 @@ def cm_points(group: NormOneGroup, d: object) -> tuple[CMPoint, ...]:
     if not order.base.is_totally_positive(-x):
         raise LatticeError(
             f"{shorten(d)} is not totally negative, and CM points belong to such discriminants: "
-            "embeddings() finds one embedding for others"
+            "embeddings() has the embeddings of others"
         )
     return _points(group, x, t)
 
@@ -318,18 +318,34 @@ def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str, A
 
 
 def of_orbits(group: NormOneGroup, d: object) -> tuple[Quaternion, ...]:
-    """Return one embedding of each orbit under the units of norm 1, for a totally negative d.
+    """Return one embedding of each orbit under the units of norm 1.
 
-    Raises :class:`LatticeError` for other d, and :class:`TooLargeError`.
+    Raises :class:`LatticeError` where d is no discriminant or a square, and :class:`TooLargeError`.
     """
-    x, _ = discriminant(group.order, d)
-    if not group.order.base.is_totally_positive(-x):
-        raise LatticeError(
-            "the orbits of embeddings are listed for totally negative discriminants, and "
-            f"{shorten(d)} is none"
-        )
-    elements = [point.element for point in cm_points(group, d)]
-    return (*elements, *(q.conjugate() for q in elements))
+    order = group.order
+    x, t = discriminant(order, d)
+    if order.base.is_totally_positive(-x):
+        elements = [point.element for point in _points(group, x, t)]
+        return (*elements, *(q.conjugate() for q in elements))
+    shift = order.algebra(order.base.outside(t))
+    return tuple((shift + s) / 2 for s in _directed_axes(group, x))
+
+
+def _directed_axes(group: NormOneGroup, x: Any) -> Iterator[Quaternion]:
+    """Yield an image of √d for each orbit, of a discriminant d that is positive at the place that splits.
+
+    Of two opposite elements, which have one axis, each is in an orbit, perhaps in the same.
+    """
+    domain = group.domain()
+    seen: set[Vector] = set()
+    for s, v in roots(domain, x):
+        if v in seen or not axis_meets(domain.polygon, v):
+            continue
+        opposite = (-v[0], -v[1], -v[2])
+        for root, vector in ((s, v), (-s, opposite)):
+            if vector not in seen:
+                seen.update(orbit(domain.polygon, root).units)
+                yield root
 
 
 def claim_of_orbits(group: NormOneGroup, d: object) -> Claim:

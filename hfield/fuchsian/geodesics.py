@@ -123,6 +123,11 @@ def _met(polygon: Polygon, v: Vector, sign: int) -> Iterator[int]:
     yield from (n for n, s in enumerate(signs) if s * signs[(n + 1) % len(signs)] <= 0)
 
 
+def axis_meets(polygon: Polygon, v: Vector) -> bool:
+    """Tell whether the axis of an element of trace 0 meets the polygon."""
+    return any(True for _ in _met(polygon, v, -1))
+
+
 def conjugator(polygon: Polygon, x: Quaternion, y: Quaternion) -> Quaternion | None:
     """Return a unit u of norm 1 with ``u·x·u⁻¹ == y``, or None where there is none."""
     if x == y:
@@ -177,7 +182,7 @@ def closed(domain: Domain, most: float) -> tuple[Geodesic, ...]:
     seen: set[Vector] = set()
     for g in _hyperbolic(domain, most):
         v = polygon.plane.vector(g - g.conjugate())
-        if _axis(v) in seen or not any(True for _ in _met(polygon, v, -1)):
+        if _axis(v) in seen or not axis_meets(polygon, v):
             continue
         # of those with this axis, g is the first, and so moves least
         seen.update(map(_axis, orbit(polygon, g).units))

@@ -846,8 +846,8 @@ class Order(WithStableClasses, Certified, Lattice):
         """Return the optimal embeddings of the quadratic order of a discriminant d.
 
         In a definite algebra d is totally negative. In one that splits at exactly one real place d is any
-        discriminant that is no square; for a totally negative d there is one embedding of each orbit under
-        the units of norm 1, for others it is decided whether there is one. Raises :class:`LatticeError` for
+        discriminant that is no square; ``representatives`` has one embedding of each orbit under the units of
+        norm 1. Raises :class:`LatticeError` for
         what is no such discriminant, :class:`IndefiniteError` for other algebras, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra

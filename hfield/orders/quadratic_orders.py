@@ -72,7 +72,7 @@ class Embeddings(Certified):
     listed: tuple[Quaternion, ...] | None
     """All images; None where they are infinitely many."""
     of_orbits: Callable[[], tuple[Quaternion, ...]]
-    """Returns one of each orbit. Raises :class:`LatticeError` where they are not known."""
+    """Returns one of each orbit."""
     reason: str = ""
     prime: Any = None
     """A prime at which there is no embedding, or None."""
@@ -100,8 +100,7 @@ class Embeddings(Certified):
     def representatives(self) -> tuple[Quaternion, ...]:
         """One image of each orbit under conjugation by the units, in indefinite algebras by those of norm 1.
 
-        In an indefinite algebra they are known for a totally negative d; for others this raises
-        :class:`LatticeError`.
+        Raises :class:`TooLargeError` for a very large d.
         """
         return self.of_orbits() if self else ()
 

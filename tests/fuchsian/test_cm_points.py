@@ -84,6 +84,53 @@ def test_fixed_points_give_the_genera_of_quotients(D: int, N: int) -> None:
         assert (rest, genus) == (0, G.quotient(m).signature.genus), m
 
 
+def narrow_class_number(d: int) -> int:
+    """Count the cycles of primitive reduced forms of discriminant d > 0, no square."""
+    root = isqrt(d)
+    forms = {
+        (a, b, (b * b - d) // (4 * a))
+        for b in range(1, root + 1)
+        for a in (s * n for n in range(1, root + b + 1) for s in (1, -1))
+        if (b * b - d) % (4 * a) == 0 and root - b < 2 * abs(a) <= root + b
+    }
+    left = {f for f in forms if gcd(*f) == 1}
+    cycles = 0
+    while left:
+        f = left.pop()
+        cycles += 1
+        while True:  # the next form of the cycle
+            _, b, c = f
+            r = -b % (2 * abs(c))
+            r += (root - r) // (2 * abs(c)) * 2 * abs(c)
+            f = (c, r, (r * r - d) // (4 * c))
+            if f not in left:
+                break
+            left.discard(f)
+    return cycles
+
+
+@subcases("D, N", [(6, 1), (10, 3), (1, 1), (1, 6)])
+def test_the_orbits_of_real_quadratic_orders_are_narrow_classes(D: int, N: int) -> None:
+    O, found = order(D, N), 0
+    G = O.norm_one_group()
+    for d in (5, 8, 12, 13, 20, 24, 29, 45, 60, 136, 145):
+        count = narrow_class_number(d)
+        for p in factorise(D) if D > 1 else ():
+            count *= 1 - eichler_symbol(d, p)
+        for p in factorise(N) if N > 1 else ():
+            count *= 1 + eichler_symbol(d, p)
+        E = O.embeddings(d)
+        assert E.orbits == count, d
+        for x in E.representatives:
+            assert x in O
+            assert x.trace() ** 2 - 4 * x.norm() == d
+        if 1 < count <= 4:
+            first, *others = E.representatives
+            assert not any(G.conjugator(first, x) for x in others)
+        found += count
+    assert found
+
+
 def test_involutions_permute_the_points() -> None:
     G = order(6).norm_one_group()
     points = G.cm_points(-19)
@@ -153,8 +200,8 @@ def test_what_is_refused() -> None:
             O.embeddings(wrong)
     with pytest.raises(LatticeError, match="totally negative"):
         O.norm_one_group().cm_points(5)
-    with pytest.raises(LatticeError, match="totally negative discriminants, and 5 is none"):
-        _ = O.embeddings(5).representatives
+    with pytest.raises(LatticeError, match="totally negative"):
+        O.embeddings(5).claim_of_orbits()
     with pytest.raises(IndefiniteError, match="infinitely many"):
         len(O.embeddings(-24))
 

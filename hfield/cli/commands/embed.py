@@ -39,7 +39,7 @@ def configure(parser: ArgumentParser) -> None:
         "--all",
         dest="every",
         action="store_true",
-        help="print one embedding of each orbit, for a totally negative D",
+        help="print one embedding of each orbit",
     )
     add_answers(parser)
 
