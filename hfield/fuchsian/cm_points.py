@@ -351,9 +351,11 @@ def _directed_axes(group: NormOneGroup, x: Any) -> Iterator[Quaternion]:
 def claim_of_orbits(group: NormOneGroup, d: object) -> Claim:
     """Return how many orbits of embeddings there are, with all of them, as a statement with its evidence.
 
-    Raises :class:`LatticeError` over other bases than ℤ, and as :func:`cm_points` does.
+    Raises :class:`LatticeError` over other bases than ℤ, and as :func:`of_orbits` does.
     """
-    elements = [point.element for point in cm_points(group, d)]
+    elements = of_orbits(group, d)
+    if group.order.base.is_totally_positive(-discriminant(group.order, d)[0]):
+        elements = elements[: len(elements) // 2]  # without the conjugates
     polygon = group.domain().polygon
     return certificates.of_embedding_orbits(
         group.order.order, d, elements, polygon.plane.center, polygon.units

@@ -192,10 +192,11 @@ def of_embedding_orbits(
     center: Quaternion,
     units: Sequence[Quaternion],
 ) -> Claim:
-    """Return how many orbits of embeddings there are under units of norm 1: twice as many as the elements.
+    """Return how many orbits of embeddings there are under units of norm 1: those of elements and conjugates.
 
-    Their points lie in the domain around a centre that the units bound. Raises :class:`LatticeError` over
-    another base than ℤ.
+    Their points lie in the domain around a centre that the units bound, for d < 0. For d > 0, where the
+    elements are one of each orbit, the checker is not asked. Raises :class:`LatticeError` over another base
+    than ℤ.
     """
     _expect_rational_base(order)
     written = _words(order.ambient).element
@@ -205,9 +206,17 @@ def of_embedding_orbits(
         "units": list(map(written, units)),
         "elements": list(map(written, elements)),
     }
-    statement = f"embedding-orbits{{{text(order)}; {d}; {2 * len(elements)}}}"
-    cited = (SHIMIZU, EMBEDDING_NUMBERS)
-    return Claim(order.algebra, statement, shown, BY_CLASS_NUMBER, assumes=cited)
+    negative = order.ambient.base.is_totally_positive(-order.ambient.base.inside(d))
+    number = (2 if negative else 1) * len(elements)
+    statement = f"embedding-orbits{{{text(order)}; {d}; {number}}}"
+    return Claim(
+        order.algebra,
+        statement,
+        shown,
+        BY_CLASS_NUMBER,
+        assumes=(SHIMIZU, EMBEDDING_NUMBERS),
+        refusal=None if negative else "the checker counts orbits of negative discriminants only",
+    )
 
 
 def _expect_rational_base(order: LatticeValue) -> None:

@@ -189,7 +189,7 @@ class Embeddings(Certified):
     def claim_of_orbits(self) -> Claim:
         """Return how many orbits there are, with all of them, as a statement with its evidence.
 
-        Its ``certificate`` is that of Eichler orders over ℤ and d < 0; without embeddings it is that of
+        It has a ``certificate`` for Eichler orders over ℤ and d < 0; without embeddings it is
         :attr:`claim`. Raises :class:`LatticeError` in a definite algebra and over ℤ_K.
 
         >>> from hfield import QuaternionAlgebra, check

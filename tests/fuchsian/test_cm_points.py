@@ -200,8 +200,9 @@ def test_what_is_refused() -> None:
             O.embeddings(wrong)
     with pytest.raises(LatticeError, match="totally negative"):
         O.norm_one_group().cm_points(5)
-    with pytest.raises(LatticeError, match="totally negative"):
-        O.embeddings(5).claim_of_orbits()
+    claim = O.embeddings(5).claim_of_orbits()
+    assert claim.certificate is None
+    assert "negative discriminants only" in str(claim.why_no_certificate)
     with pytest.raises(IndefiniteError, match="infinitely many"):
         len(O.embeddings(-24))
 

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 HELP = (
     "Embed the quadratic order of discriminant D optimally in a maximal or an Eichler order: "
     "print the image of (t + √D)/2, where t² ≡ D modulo 4 (over ZZ, t is D), or why there is none. "
-    "With --all, print one image of each orbit under conjugation by units; in an indefinite algebra over QQ "
-    "the certificate then shows that these are all."
+    "With --all, print one image of each orbit under conjugation by units; for D < 0 in an indefinite "
+    "algebra over QQ the certificate then shows that these are all."
 )
 DOING = "searching embeddings"
 EXAMPLES = (
