@@ -11,8 +11,9 @@ by balls. Around the point of c, an element of trace 0 and norm m > 0, and with 
 
 is positive definite at the place that splits; its value is |d|·cosh(2·δ), where δ is the distance of the
 point or axis of s from the point of c. At the other places N(s) = −d is definite. A rational form near the
-sum of all these is bounded on the ball, so the elements are enumerated, and those that meet the domain are
-compared exactly. At a cusp the domain is cut: no CM point lies so near to it.
+sum of all these is bounded on the ball, so the elements are enumerated, over ℤ by solving for one coordinate,
+and those that meet the domain are compared exactly. At a cusp the domain is cut: no such point or axis comes
+so near to it.
 """
 
 from __future__ import annotations
