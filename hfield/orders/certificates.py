@@ -160,7 +160,7 @@ def of_class_set(classes: Classes) -> Claim:
 
 
 def of_embedding(
-    order: LatticeValue, d: object, element: Quaternion | None, prime: int | None = None
+    order: LatticeValue, d: object, element: Quaternion | None, prime: object = None
 ) -> Claim:
     """Return that a quadratic order is, or is not, optimally embedded in an order over ℤ.
 

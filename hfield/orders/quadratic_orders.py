@@ -9,7 +9,7 @@ lattice. They are embedded optimally where no number outside of R takes the vect
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -39,7 +39,7 @@ from hfield.orders.short_elements import (
     ternary_rows,
 )
 from hfield.orders.units import units_modulo_scalars
-from hfield.orders.validation import checked_side
+from hfield.orders.validation import checked_side, listed
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
@@ -74,7 +74,7 @@ class Embeddings(Certified):
     of_orbits: Callable[[], tuple[Quaternion, ...]]
     """Returns one of each orbit."""
     reason: str = ""
-    prime: Any = None
+    prime: object = None
     """A prime at which there is no embedding, or None."""
     of_orbits_claim: Callable[[], Claim] | None = None
     """Returns the claim of :meth:`claim_of_orbits`; None in a definite algebra."""
@@ -124,8 +124,8 @@ class Embeddings(Certified):
         if self.element is None:
             raise LatticeError(f"there is no embedding: {self.reason}")
         algebra = self.order.algebra
-        u: Any = x
-        v: Any = 0
+        u: object = x
+        v: object = 0
         if isinstance(x, FieldElement) and x.field != algebra.ring:
             u, v = self._coordinates(x, Fraction(str(self.element.trace())))
         elif isinstance(x, tuple):
@@ -148,7 +148,9 @@ class Embeddings(Certified):
         u, v = (Fraction(str(c)) for c in field.coordinates(x))
         return u + v * (trace - t / ratio) / 2, v / ratio
 
-    def ideal(self, a: object, side: str = "left") -> Ideal:
+    def ideal(
+        self, a: NumberFieldIdeal | PrimeIdeal | Iterable[object], side: str = "left"
+    ) -> Ideal:
         """Return the left ideal ``O·φ(a)`` for an ideal a of the quadratic order, φ being the embedding.
 
         ``a`` is an ideal or a prime ideal of a quadratic number field, or a list of elements as
@@ -162,18 +164,17 @@ class Embeddings(Certified):
         >>> E.ideal(P).norm(), E.ideal([5, (1, 1)]).norm()
         (5, 1)
         """
-        elements: Any = a
+        elements: Iterable[object]
         if isinstance(a, NumberFieldIdeal):
             elements = a.basis
         elif isinstance(a, PrimeIdeal):
             elements = a.generators
+        else:
+            elements = listed(a)
         images = [self.image(x) for x in elements]
-        found: Ideal = (
-            self.order.left_ideal(images)
-            if checked_side(side) == "left"
-            else self.order.right_ideal(images)
-        )
-        return found
+        if checked_side(side) == "left":
+            return self.order.left_ideal(images)
+        return self.order.right_ideal(images)
 
     @cached_property
     def claim(self) -> Claim:
