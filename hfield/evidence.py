@@ -69,6 +69,7 @@ class Kind(StrEnum):
     DIRICHLET_DOMAIN = "dirichlet-domain"
     DIRICHLET_DOMAIN_OVER_INTEGERS = "dirichlet-domain-over-integers"
     EMBEDDING = "embedding"
+    EMBEDDING_ORBITS = "embedding-orbits"
     EQUIVALENT = "equivalent"
     IDEAL = "ideal"
     IDEAL_CLASSES = "ideal-classes"

@@ -1,4 +1,4 @@
-"""Forge certificates of class groups, units, class sets and groups of units, and see that no lie passes.
+"""Forge certificates of class groups, units, class sets, embeddings, groups of units; see that no lie passes.
 
     python scripts/forge_arithmetic.py [--seconds 60] [--seed 0]
 
@@ -37,8 +37,11 @@ def genuine() -> list[dict[str, Any]]:
         K = ring(name)
         found += [K.class_group().certificate, K.unit_group().certificate]
     for a, b, level in INDEFINITE:
-        G = QuaternionAlgebra("QQ", a, b).eichler_order(level).norm_one_group()
+        order = QuaternionAlgebra("QQ", a, b).eichler_order(level)
+        G = order.norm_one_group()
         found += [G.certificate, G.domain().certificate]
+        found += [G.domain(point).certificate for d in (-3, -4) for point in G.cm_points(d)[:1]]
+        found += [order.embeddings(d).claim_of_orbits().certificate for d in (-7, -8, -24)]
     for text in OVER_FIELDS:
         G = QuaternionAlgebra.from_text(text).maximal_order().norm_one_group()
         found += [G.certificate, G.domain().certificate]
@@ -96,7 +99,10 @@ def lies(rng: random.Random, data: dict[str, Any]) -> Iterator[str]:
         for h in (int(parts[1]) + 1, int(parts[1]) - 1, 2 * int(parts[1])):
             if h > 0:
                 yield f"{word}{{{parts[0]}; {h}}}"
-    else:
+    elif word == "embedding-orbits":
+        for n in (int(parts[2]) + 2, int(parts[2]) - 2, 2 * int(parts[2])):
+            yield f"{word}{{{parts[0]}; {parts[1]}; {n}}}"
+    elif word.startswith("dirichlet-domain"):
         units = parts[2].split(" | ")
         yield f"{word}{{{'; '.join([*parts[:2], ' | '.join(units[1:])])}}}"
 

@@ -48,6 +48,7 @@ ALL_CHOICES_OF_ROOTS = "all choices of roots"
 ORDER, IDEAL, ELEMENT, NORM = "order", "ideal", "element", "norm"
 ENUMERATION, DISCRIMINANT, BY_MASS = "enumeration", "discriminant", "mass"
 BY_S_UNITS, BY_AREA = "S-units", "area"
+BY_PRIME, BY_CLASS_NUMBER = "prime", "class number"
 
 # What a certificate may call its method; several are joined by "; ".
 METHODS = {
@@ -82,6 +83,8 @@ METHODS = {
     DISCRIMINANT: "two orders have different discriminants",
     BY_MASS: "classes that are different have the mass of all",
     BY_AREA: "a polygon that contains the Dirichlet domain has its area",
+    BY_PRIME: "a quadratic order has no embedding at a prime",
+    BY_CLASS_NUMBER: "embeddings that are different are as many as the class number formula says",
     BY_S_UNITS: "all products of prime ideals that generate the class group and are principal",
 }
 
@@ -129,6 +132,9 @@ MASS_OVER_FIELDS = (
 )
 SIEGEL = "ζ_K(−1) is a sum of sums of divisors of totally positive numbers (Siegel's formula)"
 SHIMIZU = "the units of norm 1 of an order have the area that its Eichler symbols give (Shimizu's formula)"
+EMBEDDING_NUMBERS = (
+    "the orbits of optimal embeddings are as many as class number and local numbers give (Eichler)"
+)
 POINCARE = "what pairs the sides of a domain generates its group, its corners give all relations (Poincaré)"
 COMPLEX_ROOTS = "every number is a square in CC"
 MINKOWSKI = (
@@ -161,6 +167,7 @@ THEOREMS = {
     MASS_OVER_FIELDS: "Voight, Quaternion Algebras, theorem 26.1.5, for every totally definite order",
     SIEGEL: "Siegel, Nachrichten der Akademie Göttingen (1969), 87-102",
     SHIMIZU: "Voight, Quaternion Algebras, theorem 39.1.8 and lemma 26.6.7",
+    EMBEDDING_NUMBERS: "Voight, Quaternion Algebras, theorem 30.7.3 and propositions 30.5.3 and 30.6.12",
     POINCARE: "Voight, Quaternion Algebras, theorem 37.5.3; Maskit, Adv. Math. 7 (1971), 219-230",
     MINKOWSKI: "Neukirch, Algebraic Number Theory, chapter I, section 5 and exercise 3 of section 6",
     REDUCED_FORMS: "Cassels, An Introduction to the Geometry of Numbers, chapter II, theorems II and IV",

@@ -15,6 +15,7 @@ from hfield.orders import elliptic_points as over_fields
 from hfield.orders.invariants import eichler_symbol, is_eichler, level
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.linear_algebra_mod_p import kronecker
+from hfield.orders.local_squares import is_square_modulo
 from hfield.orders.orders_at_primes import OrderAtPrime
 
 
@@ -95,6 +96,6 @@ def is_hyperbolic_trace(order: LatticeValue, t: int) -> bool:
         if kronecker(rest, p) == 1:
             return False
     return all(
-        any((x * x - t * x + 1) % p**e == 0 for x in range(p**e))
+        is_square_modulo(d, p, e + 2 * (p == 2))
         for p, e in factorise(order.ambient.base.absolute_norm(level(order))).items()
     )

@@ -11,8 +11,9 @@ by balls. Around the point of c, an element of trace 0 and norm m > 0, and with 
 
 is positive definite at the place that splits; its value is |d|·cosh(2·δ), where δ is the distance of the
 point or axis of s from the point of c. At the other places N(s) = −d is definite. A rational form near the
-sum of all these is bounded on the ball, so the elements are enumerated, and those that meet the domain are
-compared exactly. At a cusp the domain is cut: no CM point lies so near to it.
+sum of all these is bounded on the ball, so the elements are enumerated, over ℤ by solving for one coordinate,
+and those that meet the domain are compared exactly. At a cusp the domain is cut: no such point or axis comes
+so near to it.
 """
 
 from __future__ import annotations
@@ -30,29 +31,35 @@ from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
-from hfield.fuchsian.dirichlet import rotation_order
-from hfield.fuchsian.geodesics import orbit
+from hfield.fuchsian.geodesics import axis_meets, generator_of_rotations, orbit
 from hfield.fuchsian.plane import Plane, Vector, dot
 from hfield.fuchsian.search import free_centers
 from hfield.fuchsian.upper_half_plane import fixed_point
-from hfield.orders import enumeration
+from hfield.orders import certificates, enumeration
 from hfield.orders.invariants import is_eichler, level
+from hfield.orders.local_squares import is_maximal_at, is_square_modulo
 from hfield.orders.quadratic_orders import is_primitive, multiplications
 from hfield.orders.short_elements import ternary_rows
+from hfield.orders.ternary_values import vectors_of_value
 
 if TYPE_CHECKING:
+    from hfield.evidence import Claim
     from hfield.fuchsian.group import Domain, NormOneGroup
     from hfield.fuchsian.polygon import Polygon
     from hfield.fuchsian.split_order import SplitOrder
 
-RADIUS = 0.9
-"""Balls that cover a domain have at most this radius."""
+RADIUS, RADIUS_OVER_FIELDS = 2.2, 0.6
+"""Balls that cover a domain have at most this radius, over ℚ and over other fields."""
 MAX_BALLS = 20_000
 """At most so many balls cover a domain."""
 MAX_VECTORS = 10**7
 """At most about so many elements are enumerated for one ball."""
 MARGIN = 1e-6
 """Bounds that floats give are enlarged by this share."""
+SLACK = 1e-3
+"""The centre of a ball may be moved by this share of the radius."""
+FARTHEST, ROUNDING = 1e-12, 1e-15
+"""Points of the unit disc are so far from the circle at least, and floats are wrong by so much at most."""
 TRIALS = 40
 """So many balls are searched for one embedding before the whole domain is."""
 PRECISION = 2**20
@@ -109,6 +116,12 @@ class TraceZeroLattice:
         return [self.ambient.quaternion(row) for row in self.rows.tolist()]
 
     @cached_property
+    def norms(self) -> fmpz_mat:
+        """The matrix of tr(x·conj(y)) on the rows, over ℤ."""
+        one = self.base.element_of([fmpq(1)])
+        return (self.rows * self.ambient.form(one) * self.rows.transpose()).numer_denom()[0]
+
+    @cached_property
     def multiplications(self) -> list[fmpz_mat]:
         """The matrices of the integral basis of R on the rows."""
         den = self.rows.numer_denom()[1]
@@ -124,35 +137,78 @@ class TraceZeroLattice:
         digits = np.linalg.solve(self._real.T, np.array(values))
         return self.base.element_of([fmpq(round(float(x) * PRECISION), PRECISION) for x in digits])
 
-    def form(self, center: Quaternion, norm: Any, radius: float) -> tuple[fmpz_mat, fmpz_mat, int]:
-        """Return the Gram matrix of a definite form in a reduced basis, the change of basis, and a bound.
 
-        The form is at most the bound at all elements of norm ``norm`` whose point or axis meets the ball.
-        """
-        order, base = self.order, self.base
-        m = order.scalar(center.norm())
+class Ball:
+    """A ball around the point of an element, with a definite form that is small at what meets the ball.
+
+    ``gram`` is the matrix of the form in a reduced basis of the lattice, ``steps`` the change to this basis.
+    """
+
+    def __init__(self, lattice: TraceZeroLattice, center: Quaternion, radius: float) -> None:
+        self.lattice, self.radius = lattice, radius
+        order, base = lattice.order, lattice.base
+        self._norm = m = order.scalar(center.norm())
         if base.degree == 1:
-            gamma, beta = base.element_of([fmpq(-1)]), 2 / m
+            self._gamma, self._beta = base.element_of([fmpq(-1)]), 2 / m
         else:
             here = [v == order.place for v in base.real_places]
-            gamma = self.number([-1.0 if x else 1.0 for x in here])
+            self._gamma = lattice.number([-1.0 if x else 1.0 for x in here])
             size = max(1, round(order.real(m)))
-            beta = self.number([2 * size / order.real(m) if x else 0.0 for x in here]) / size
-        linear = self.products(center)
-        values = base.coordinate_rows(linear)
+            share = lattice.number([2 * size / order.real(m) if x else 0.0 for x in here])
+            self._beta = share / size
+        values = base.coordinate_rows(lattice.products(center))
         traces = fmpq_mat(
-            [[base.trace(beta * u * w) for u in base.integral_basis] for w in base.integral_basis]
+            [
+                [base.trace(self._beta * u * w) for u in base.integral_basis]
+                for w in base.integral_basis
+            ]
         )
-        form = self.rows * self.ambient.form(gamma) * self.rows.transpose() * fmpq(1, 2)
-        whole, below = (form + values * traces * values.transpose()).numer_denom()
-        bound = 0.0
+        form = lattice.rows * lattice.ambient.form(self._gamma) * lattice.rows.transpose()
+        whole, below = (form * fmpq(1, 2) + values * traces * values.transpose()).numer_denom()
+        reduced, self.steps = whole.lll(transform=True, rep="gram")
+        self.gram, self._below = _integers(reduced), int(below)
+        self._norms = None
+        if base.degree == 1:
+            norms = _integers(self.steps * lattice.norms * self.steps.transpose())
+            self._norms = norms if any(norms[n][n] for n in range(3)) else None
+
+    def bound(self, norm: Any) -> int:
+        """Return what the form is at most at elements of a norm whose point or axis meets the ball."""
+        order, base, bound = self.lattice.order, self.lattice.base, 0.0
         for v in base.real_places:
-            n, weight, share = (base.real(x, v) for x in (norm, gamma, beta))
-            reach = math.cosh(radius) if n > 0 else math.sinh(radius)
-            square = abs(n) * base.real(m, v) * (reach**2 if v == order.place else 1.0)
+            n, weight, share = (base.real(x, v) for x in (norm, self._gamma, self._beta))
+            reach = math.cosh(self.radius) if n > 0 else math.sinh(self.radius)
+            square = abs(n) * base.real(self._norm, v) * (reach**2 if v == order.place else 1.0)
             bound += weight * n + max(share, 0.0) * abs(square)
-        reduced, steps = whole.lll(transform=True, rep="gram")
-        return reduced, steps, math.floor(bound * (1 + MARGIN) * int(below) + MARGIN)
+        return math.floor(bound * (1 + MARGIN) * self._below + MARGIN)
+
+    def roots(self, d: Any) -> Iterator[Quaternion]:
+        """Yield one of ±s for each primitive s with s² = d whose point or axis meets the ball, and others.
+
+        Raises :class:`TooLargeError`.
+        """
+        lattice = self.lattice
+        for vector in self._vectors(d):
+            if is_primitive(vector, lattice.multiplications):
+                yield lattice.ambient.quaternion((vector * lattice.rows).entries())
+
+    def _vectors(self, d: Any) -> Iterator[fmpz_mat]:
+        """Yield one of ±s, in coordinates, for each s with s² = d at which the form is at most the bound."""
+        bound, lattice = self.bound(-d), self.lattice
+        if self._norms is not None:
+            for found in vectors_of_value(self._norms, -2 * int(d), self.gram, bound):
+                yield fmpz_mat([list(found)]) * self.steps
+            return
+        if enumeration.volume(self.gram, bound, len(self.gram)) > MAX_VECTORS:
+            raise TooLargeError(f"too many elements of norm {-d} would be enumerated")
+        for x, _ in enumeration.short_vectors(self.gram, bound):
+            vector = fmpz_mat([list(x)]) * self.steps
+            if lattice.ambient.norm((vector * lattice.rows).entries()) == -d:
+                yield vector
+
+
+def _integers(matrix: fmpz_mat) -> list[list[int]]:
+    return [list(map(int, row)) for row in matrix.tolist()]
 
 
 def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
@@ -162,10 +218,10 @@ def roots(domain: Domain, d: Any) -> Iterator[tuple[Quaternion, Vector]]:
     yielded. Where s fixes a point, it is the one whose vector lies on the sheet of the centre. ``d`` is a
     number of the field of the base. Raises :class:`TooLargeError`.
     """
-    lattice, seen = TraceZeroLattice(domain.group.order), set()
-    size = abs(domain.group.order.real(d))
-    for center, radius in balls(domain, lattice, size):
-        for s in _of_norm(lattice, *lattice.form(center, -d, radius), d):
+    seen = set()
+    # a covering for a larger discriminant is one for d
+    for ball in covering(domain, math.ceil(math.log2(abs(domain.group.order.real(d))))):
+        for s in ball.roots(d):
             on_sheet, v = _on_sheet(domain.polygon, s)
             if v not in seen:
                 seen.add(v)
@@ -197,7 +253,7 @@ def cm_points(group: NormOneGroup, d: object) -> tuple[CMPoint, ...]:
     if not order.base.is_totally_positive(-x):
         raise LatticeError(
             f"{shorten(d)} is not totally negative, and CM points belong to such discriminants: "
-            "embeddings() finds one embedding for others"
+            "embeddings() has the embeddings of others"
         )
     return _points(group, x, t)
 
@@ -218,45 +274,93 @@ def _points(group: NormOneGroup, x: Any, t: Any) -> tuple[CMPoint, ...]:
         ):  # images on the boundary are no other points
             images = orbit(polygon, s)
             seen.update(images.units)
-            stabiliser = max(
-                images.around, key=lambda u: rotation_order(order, u), default=stabiliser
-            )
+            stabiliser = generator_of_rotations(polygon, images)
         found.append(CMPoint(group, order.base.outside(x), (shift + s) / 2, stabiliser))
     places = {point: complex(point) for point in found}
     return tuple(sorted(found, key=lambda p: (round(places[p].real, 9), places[p].imag)))
 
 
-def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str]:
-    """Return the image of (t + √d)/2 under an optimal embedding, t² ≡ d modulo 4; or None, and a reason.
+def reduced(domain: Domain, point: CMPoint) -> CMPoint:
+    """Return the image of a CM point, under a unit of norm 1, that lies in a domain."""
+    polygon = domain.polygon
+    _, path = polygon.reduced(_on_sheet(polygon, point.root)[1])
+    unit: Quaternion = domain.group.order.algebra(1)
+    for n in path:
+        unit = polygon.units[n].conjugate() * unit
+    back = unit.conjugate()
+    return CMPoint(
+        point.group, point.discriminant, unit * point.element * back, unit * point.stabiliser * back
+    )
 
-    It is sought near some points first, and then in the whole domain. Raises :class:`LatticeError` where d is
+
+def place(domain: Domain, point: CMPoint) -> complex:
+    """Return about where a CM point lies in Poincaré's disc around the centre of a domain."""
+    return domain.polygon.plane.disc(_on_sheet(domain.polygon, point.root)[1])
+
+
+def embedding(group: NormOneGroup, d: object) -> tuple[Quaternion | None, str, Any]:
+    """Return the image of (t + √d)/2 under an optimal embedding, t² ≡ d modulo 4.
+
+    Or None, a reason, and a prime at which there is none, where one is known. It is sought near some points
+    first, and then in the whole domain. Raises :class:`LatticeError` where d is
     no discriminant or a square, and :class:`TooLargeError`.
     """
     order = group.order
     x, t = discriminant(order, d)
-    if (reason := _local_obstruction(order, x, t)) is not None:
-        return None, reason
+    if (obstruction := _local_obstruction(order, x, t)) is not None:
+        reason, prime = obstruction
+        return None, reason, prime
     shift = order.algebra(order.base.outside(t))
     for s in _near_some_points(order, x):
-        return (shift + s) / 2, ""
+        return (shift + s) / 2, "", None
     for s, _ in roots(group.domain(), x):
-        return (shift + s) / 2, ""
-    return None, "no element of the order with this discriminant is optimal"
+        return (shift + s) / 2, "", None
+    return None, "no element of the order with this discriminant is optimal", None
 
 
 def of_orbits(group: NormOneGroup, d: object) -> tuple[Quaternion, ...]:
-    """Return one embedding of each orbit under the units of norm 1, for a totally negative d.
+    """Return one embedding of each orbit under the units of norm 1.
 
-    Raises :class:`LatticeError` for other d, and :class:`TooLargeError`.
+    Raises :class:`LatticeError` where d is no discriminant or a square, and :class:`TooLargeError`.
     """
-    x, _ = discriminant(group.order, d)
-    if not group.order.base.is_totally_positive(-x):
-        raise LatticeError(
-            "the orbits of embeddings are listed for totally negative discriminants, and "
-            f"{shorten(d)} is none"
-        )
-    elements = [point.element for point in cm_points(group, d)]
-    return (*elements, *(q.conjugate() for q in elements))
+    order = group.order
+    x, t = discriminant(order, d)
+    if order.base.is_totally_positive(-x):
+        elements = [point.element for point in _points(group, x, t)]
+        return (*elements, *(q.conjugate() for q in elements))
+    shift = order.algebra(order.base.outside(t))
+    return tuple((shift + s) / 2 for s in _directed_axes(group, x))
+
+
+def _directed_axes(group: NormOneGroup, x: Any) -> Iterator[Quaternion]:
+    """Yield an image of √d for each orbit, of a discriminant d that is positive at the place that splits.
+
+    Of two opposite elements, which have one axis, each is in an orbit, perhaps in the same.
+    """
+    domain = group.domain()
+    seen: set[Vector] = set()
+    for s, v in roots(domain, x):
+        if v in seen or not axis_meets(domain.polygon, v):
+            continue
+        opposite = (-v[0], -v[1], -v[2])
+        for root, vector in ((s, v), (-s, opposite)):
+            if vector not in seen:
+                seen.update(orbit(domain.polygon, root).units)
+                yield root
+
+
+def claim_of_orbits(group: NormOneGroup, d: object) -> Claim:
+    """Return how many orbits of embeddings there are, with all of them, as a statement with its evidence.
+
+    Raises :class:`LatticeError` over other bases than ℤ, and as :func:`of_orbits` does.
+    """
+    elements = of_orbits(group, d)
+    if group.order.base.is_totally_positive(-discriminant(group.order, d)[0]):
+        elements = elements[: len(elements) // 2]  # without the conjugates
+    polygon = group.domain().polygon
+    return certificates.of_embedding_orbits(
+        group.order.order, d, elements, polygon.plane.center, polygon.units
+    )
 
 
 def _near_some_points(order: SplitOrder, d: Any) -> Iterator[Quaternion]:
@@ -265,43 +369,30 @@ def _near_some_points(order: SplitOrder, d: Any) -> Iterator[Quaternion]:
     plane = Plane(order, next(free_centers(order)))
     for _ in range(TRIALS):
         disc = math.tanh(rng.uniform(0, 2)) * cmath.exp(2j * math.pi * rng.random())
-        yield from _of_norm(lattice, *lattice.form(plane.nearby(disc, 20), -d, 1.0), d)
+        yield from Ball(lattice, plane.nearby(disc, 20), 1.0).roots(d)
 
 
-def _of_norm(
-    lattice: TraceZeroLattice, gram: fmpz_mat, steps: fmpz_mat, bound: int, d: Any
-) -> Iterator[Quaternion]:
-    """Yield one of ±s for each primitive element s with s² = d at which a form is at most the bound.
+def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> tuple[str, Any] | None:
+    """Return why a place rules an embedding out, with the prime that it is; None where no reason applies.
 
-    Raises :class:`TooLargeError`.
-    """
-    rows = [list(map(int, row)) for row in gram.tolist()]
-    if enumeration.volume(rows, bound, len(rows)) > MAX_VECTORS:
-        raise TooLargeError(f"too many elements of norm {-d} would be enumerated")
-    for x, _ in enumeration.short_vectors(rows, bound):
-        vector = fmpz_mat([list(x)]) * steps
-        row = (vector * lattice.rows).entries()
-        if lattice.ambient.norm(row) == -d and is_primitive(vector, lattice.multiplications):
-            yield lattice.ambient.quaternion(row)
-
-
-def _local_obstruction(order: SplitOrder, d: Any, t: Any) -> str | None:
-    """Return why a prime rules an embedding out, or None where none of these reasons applies.
-
-    Where the algebra ramifies at P the quadratic field must not split; where P divides the level of an
-    Eichler order once, it must not be inert.
+    Where the algebra ramifies at P the quadratic field must not split, and an Eichler order has no
+    embedding of an order that is not maximal at P. Where Pᵉ divides the level, d is the square of a
+    difference modulo 4·Pᵉ, which is decided for e = 1 and over ℤ.
     """
     base, value = order.base, order.order
     if any(base.sign(d, v) > 0 for v in value.ambient.ramified_real_places):
-        return "the algebra ramifies at a real place at which the discriminant is positive"
-    norm = (t * t - d) / 4
+        return "the algebra ramifies at a real place at which the discriminant is positive", None
+    norm, eichler = (t * t - d) / 4, is_eichler(value)
     for P in value.ambient.ramified:
         if base.quadratic_symbol(t, norm, P) == 1:
-            return f"{P} splits in the quadratic field, and the algebra ramifies at {P}"
-    if is_eichler(value):
-        for P, e in base.factorisation(level(value)):
-            if e == 1 and base.quadratic_symbol(t, norm, P) == -1:
-                return f"{P} is inert in the quadratic field, and divides the level"
+            return f"{P} splits in the quadratic field, and the algebra ramifies at {P}", P
+        if eichler and base.is_rational and not is_maximal_at(int(d), P):
+            return f"{P} divides the conductor, and the algebra ramifies at {P}", P
+    for P, e in base.factorisation(level(value)) if eichler else ():
+        if e == 1 and base.quadratic_symbol(t, norm, P) == -1:
+            return f"{P} is inert in the quadratic field, and divides the level", P
+        if base.is_rational and not is_square_modulo(int(d), P, e + 2 * (P == 2)):
+            return f"{d} is no square modulo {'4·' * (P == 2)}{P}^{e}, which divides the level", P
     return None
 
 
@@ -351,15 +442,21 @@ def _on_sheet(polygon: Polygon, s: Quaternion) -> tuple[Quaternion, Vector]:
 # --- balls that cover a domain -----------------------------------------------------------------------
 
 
-def balls(
-    domain: Domain, lattice: TraceZeroLattice, size: float
-) -> Iterator[tuple[Quaternion, float]]:
-    """Yield balls that cover a domain, each as an element that fixes its centre, and its radius.
+def covering(domain: Domain, exponent: int) -> list[Ball]:
+    """Return balls that cover a domain.
 
     A neighbourhood of each cusp is left out. It contains no fixed point of a primitive element of the lattice
-    of norm ``size``.
+    of norm up to 2 to the exponent. Raises :class:`TooLargeError`.
     """
+    has_cusps = any(cycle.order == 0 for cycle in domain.cycles)
+    return _covering(domain, exponent if has_cusps else 0)
+
+
+@lru_cache(maxsize=16)
+def _covering(domain: Domain, exponent: int) -> list[Ball]:
+    lattice, size = TraceZeroLattice(domain.group.order), 2.0**exponent
     plane = domain.polygon.plane
+    most = RADIUS if lattice.base.degree == 1 else RADIUS_OVER_FIELDS
     corners = [_corner(domain, lattice, size, n) for n in range(len(domain.polygon.starts))]
     triangles: list[tuple[Point, Point, Point]] = []
     for n, (p, cut) in enumerate(corners):
@@ -372,24 +469,30 @@ def balls(
         else:
             path.append(q)
         triangles += [((0.0, 0.0), path[k], path[k + 1]) for k in range(len(path) - 1)]
-    count = 0
+    found: list[Ball] = []
+    middles: list[Point] = []
     while triangles:
         triangle = triangles.pop()
+        # a ball is convex
+        if any(all(_distance(p, q) < most for q in triangle) for p in reversed(middles)):
+            continue
         center = (sum(p[0] for p in triangle) / 3, sum(p[1] for p in triangle) / 3)
-        radius = max(_distance(center, p) for p in triangle)
-        if radius > RADIUS:
+        if max(_distance(center, p) for p in triangle) > (1 - SLACK) * most:
             triangles += _halves(triangle)
             continue
-        count += 1
-        if count > MAX_BALLS:
+        if len(found) == MAX_BALLS:
             raise TooLargeError(
                 f"the domain is so large that more than {MAX_BALLS} balls would cover it"
             )
         disc = complex(*center) / (1 + math.sqrt(1 - abs(complex(*center)) ** 2))
-        c = plane.nearby(disc, 20)
+        # with bits enough to come nearer to the point than that is to the circle
+        c = plane.nearby(disc, 20 - math.floor(math.log2(1 - abs(complex(*center)) ** 2)))
         x, y, z = plane.floats(plane.vector(c))
-        moved = (y / x, z / x)
-        yield c, max(_distance(moved, p) for p in triangle) * (1 + MARGIN) + MARGIN
+        middles.append((y / x, z / x))
+        if max(_distance(middles[-1], p) for p in triangle) > most:
+            raise ArithmeticError("a ball does not contain its triangle")
+        found.append(Ball(lattice, c, most * (1 + MARGIN) + MARGIN))
+    return found
 
 
 def _corner(
@@ -439,7 +542,12 @@ def _middle(p: Point, q: Point) -> Point:
 
 
 def _distance(p: Point, q: Point) -> float:
-    """Return the distance of two points of Klein's disc."""
+    """Return at least the distance of two points of Klein's disc, and not much more.
+
+    Raises :class:`TooLargeError` for points so far out that floats do not tell where they are.
+    """
     product = 1 - p[0] * q[0] - p[1] * q[1]
-    norms = (1 - p[0] ** 2 - p[1] ** 2) * (1 - q[0] ** 2 - q[1] ** 2)
-    return math.acosh(max(1.0, product / math.sqrt(norms)))
+    a, b = 1 - p[0] ** 2 - p[1] ** 2, 1 - q[0] ** 2 - q[1] ** 2
+    if min(a, b) < FARTHEST:
+        raise TooLargeError("the domain reaches too far from its centre to be covered by balls")
+    return math.acosh(max(1.0, product / math.sqrt(a * b)) * (1 + ROUNDING / a + ROUNDING / b))

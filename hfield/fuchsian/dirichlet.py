@@ -22,6 +22,7 @@ from hfield.errors import TooLargeError
 from hfield.fuchsian.plane import Plane, apply, same_point
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, distinct, free_centers
+from hfield.fuchsian.sector import least_rotation, sector
 from hfield.fuchsian.side_search import Shape, enlarge_polygon
 from hfield.fuchsian.split_order import SplitOrder
 from hfield.orders import maximal_orders
@@ -57,15 +58,26 @@ Found = tuple[Polygon, list[int], list[VertexCycle]]
 """A domain, the partners of its sides, and the cycles of its vertices."""
 
 
-def domain(order: SplitOrder, center: Quaternion, area: Fraction, given: Any = None) -> Found:
-    """Return the domain around a point of trivial stabiliser, the partners of sides, cycles of vertices.
+def domain(
+    order: SplitOrder,
+    center: Quaternion,
+    area: Fraction,
+    given: Any = None,
+    stabiliser: Quaternion | None = None,
+) -> Found:
+    """Return the domain around a point, the partners of sides, cycles of vertices.
 
-    ``given`` are coordinates of units that are known from elsewhere.
+    ``given`` are coordinates of units that are known from elsewhere. Where units other than ±1 fix the point,
+    ``stabiliser`` generates them with −1, and the domain is a sector.
 
     Raises :class:`TooLargeError` where the search does not find enough units.
     """
     plane = Plane(order, center)
-    sight = Sight(plane)
+    sight, turns = Sight(plane), 1
+    if stabiliser is not None:
+        turns = rotation_order(order, stabiliser)
+        stabiliser = least_rotation(plane, stabiliser, turns)
+        sight.turn_about_center(stabiliser, turns)
     rng = np.random.default_rng(1)
     shape = enlarge_polygon(
         sight, sight.empty, sight.carrying(np.zeros(1)) if given is None else given
@@ -79,9 +91,9 @@ def domain(order: SplitOrder, center: Quaternion, area: Fraction, given: Any = N
         report(min(known / (5.5 * total + 10), 0.99), 1, "the domain")
         shape = enlarge_polygon(sight, shape.rows, sight.carrying(places(shape, float(area), rng)))
         # at cusps rounding may add a side that only touches, and its angles to the area
-        if shape.closed and (order.cusps() != 0 or abs(shape.area() - float(area)) < 0.02):
+        if shape.closed and (order.cusps() != 0 or abs(shape.area() / turns - total) < 0.02):
             sides = Polygon(plane, [order.element(row) for row in shape.rows.tolist()])
-            proved = proof(sides.without_points(), area)
+            proved = proof(sides.without_points(), area, stabiliser)
             if proved is not None and all(g.norm() == 1 for g in sides.units):
                 report(1, 1, "the domain")
                 return proved
@@ -172,10 +184,18 @@ def places(shape: Shape, area: float, rng: np.random.Generator) -> Any:
     return np.concatenate([points / (1 + np.sqrt(1 - abs(points) ** 2)), gaps])
 
 
-def proof(found: Polygon, area: Fraction) -> Found | None:
-    """Return a polygon, the partners of sides and the cycles of vertices, where it is the whole domain."""
+def proof(found: Polygon, area: Fraction, rotation: Quaternion | None = None) -> Found | None:
+    """Return a polygon, the partners of sides and the cycles of vertices, where it is the whole domain.
+
+    Where units fix the centre, it is a sector, ``rotation`` being the one about the least angle.
+    """
     if not found.is_closed():
         return None
+    if rotation is not None:
+        part = sector(found, rotation, rotation_order(found.plane.order, rotation))
+        if part is None:
+            return None
+        found = part
     partners = paired(found)
     if partners is None:
         return None
@@ -185,10 +205,9 @@ def proof(found: Polygon, area: Fraction) -> Found | None:
 
 def paired(found: Polygon) -> list[int] | None:
     """Return the partner of each side of a closed polygon, or None where a side is not mapped to a side."""
-    place = {x: n for n, x in enumerate(found.images)}
     partners = []
-    for n, unit in enumerate(found.units):
-        partner = place.get(found.plane.image(unit.conjugate()))
+    for n in range(len(found.units)):
+        partner = found.partner(n)
         if partner is None or not (
             same_point(apply(found.back(n), found.starts[n]), found.ends[partner])
             and same_point(apply(found.back(n), found.ends[n]), found.starts[partner])

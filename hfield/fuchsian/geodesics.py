@@ -19,6 +19,7 @@ import numpy as np
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, TooLargeError, shorten
+from hfield.fuchsian.dirichlet import rotation_order
 from hfield.fuchsian.plane import Vector, apply, dot
 from hfield.fuchsian.polygon import Polygon
 from hfield.fuchsian.search import Rows, Sight, distinct
@@ -90,6 +91,17 @@ def orbit(polygon: Polygon, x: Quaternion) -> Orbit:
     return Orbit(units, [u for u in around if u != u.conjugate()])
 
 
+def stabiliser(polygon: Polygon, x: Quaternion) -> Quaternion:
+    """Return a unit that generates, with −1, the units of norm 1 that fix the point that x fixes."""
+    return generator_of_rotations(polygon, orbit(polygon, x))
+
+
+def generator_of_rotations(polygon: Polygon, images: Orbit) -> Quaternion:
+    """Return the unit of the greatest order among those that fix a point, or 1."""
+    order = polygon.plane.order
+    return max(images.around, key=lambda u: rotation_order(order, u), default=order.algebra(1))
+
+
 def _point(polygon: Polygon, v: Vector, sign: int) -> Vector:
     """Return the fixed point, or the point of the axis that is nearest to the centre."""
     if sign > 0:
@@ -109,6 +121,11 @@ def _met(polygon: Polygon, v: Vector, sign: int) -> Iterator[int]:
     form = (a * v[0], b * v[1], c * v[2])
     signs = [polygon.plane.order.sign(dot(form, x)) for x in polygon.starts]
     yield from (n for n, s in enumerate(signs) if s * signs[(n + 1) % len(signs)] <= 0)
+
+
+def axis_meets(polygon: Polygon, v: Vector) -> bool:
+    """Tell whether the axis of an element of trace 0 meets the polygon."""
+    return any(True for _ in _met(polygon, v, -1))
 
 
 def conjugator(polygon: Polygon, x: Quaternion, y: Quaternion) -> Quaternion | None:
@@ -165,7 +182,7 @@ def closed(domain: Domain, most: float) -> tuple[Geodesic, ...]:
     seen: set[Vector] = set()
     for g in _hyperbolic(domain, most):
         v = polygon.plane.vector(g - g.conjugate())
-        if _axis(v) in seen or not any(True for _ in _met(polygon, v, -1)):
+        if _axis(v) in seen or not axis_meets(polygon, v):
             continue
         # of those with this axis, g is the first, and so moves least
         seen.update(map(_axis, orbit(polygon, g).units))

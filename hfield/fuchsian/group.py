@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -126,34 +126,62 @@ class Domain(Certified):
         return fixed_point(self.group.order, self.center_element)
 
     @property
+    def stabiliser(self) -> Quaternion:
+        """The unit that generates, with −1, those of norm 1 that fix the centre: 1, or a least rotation.
+
+        It turns counterclockwise, by 2π divided by its order modulo ±1, and maps the first side of the sector
+        to the last.
+        """
+        last, one = self.polygon.units[-1], self.group.order.algebra(1)
+        return last if self.polygon.images[-1] == self.polygon.plane.image(one) else one
+
+    @property
     def area(self) -> Fraction:
         """The area by Gauss and Bonnet from the exact angles, in units of 2π."""
         from hfield.fuchsian import dirichlet
 
         return dirichlet.area_of(list(self.partners), list(self.cycles))
 
+    def reduce(self, point: CMPoint) -> CMPoint:
+        """Return the image of a CM point, under a unit of norm 1, that lies in the domain.
+
+        Different images in the domain lie on its boundary.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
+        >>> point = G.cm_points(-24)[1]; point
+        CM point 1.10819 + 1.27963i of discriminant -24
+        >>> G.domain(3 + 1j).reduce(point)
+        CM point 2.73316 + 1.05199i of discriminant -24
+        """
+        from hfield.fuchsian import cm_points
+
+        return cm_points.reduced(self, point)
+
     def draw(
         self,
         path: object,
         *,
+        points: Iterable[CMPoint] = (),
         dark: bool = False,
         depth: int | None = None,
         replace: bool | None = None,
     ) -> None:
         """Draw the domain and its images, those under words of up to ``depth`` sides, to .svg, .png or .pdf.
 
-        Sides of a pair have one colour and one letter; elliptic points and the centre are marked. To a file
-        .html, a page on which the centre is dragged. ``replace`` says whether a file of that name may be
-        replaced; None: if it is there before the drawing begins. Raises
-        :class:`hfield.errors.LatticeError` where the file cannot be written.
+        Sides of a pair have one colour and one letter; elliptic points and the centre are marked. CM points
+        are moved into the domain, and have one colour for each discriminant. To a file .html, a page on which
+        the centre is dragged. ``replace`` says whether a file of that name may be replaced; None: if it is
+        there before the drawing begins. Raises :class:`hfield.errors.LatticeError` where the file cannot be
+        written.
         """
         if str(path).endswith(".html"):
             from hfield.fuchsian.page import write
 
-            return write(self, path, dark, replace)
+            return write(self, path, dark, replace, points)
         from hfield.fuchsian.picture import draw
 
-        draw(self, path, dark=dark, depth=depth, replace=replace)
+        draw(self, path, dark=dark, depth=depth, replace=replace, points=points)
 
     def _repr_svg_(self) -> str:
         """What a notebook shows."""
@@ -219,20 +247,25 @@ class NormOneGroup(Certified, Hinted):
 
         ``center`` is a complex number of the upper half plane, on which i and j act as real matrices: the
         one of them whose square is positive as a diagonal one. A nearby point takes its place,
-        ``D.center``, fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point that
-        no other unit fixes is the centre itself. Raises :class:`LatticeError`.
+        ``D.center``, fixed by an element of the algebra with trace 0 and by no unit but ±1. A CM point is the
+        centre itself. Where its stabiliser has order m > 1 modulo ±1, the domain is a sector of angle 2π/m of
+        the Dirichlet polygon: ``D.stabiliser`` maps one of the two sides at the centre to the other. Raises
+        :class:`LatticeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
+        >>> D = G.domain(G.cm_points(-3)[0])
+        >>> len(D.sides), D.stabiliser**3, D.area == G.area
+        (4, 1, True)
         """
         from hfield.fuchsian.cm_points import CMPoint
 
         if center is None:
             return self._domain
         if isinstance(center, CMPoint):
-            if center.stabiliser not in (1, -1):
-                raise LatticeError(
-                    f"{center} is fixed by {center.stabiliser}, and the centre of a domain must be fixed by "
-                    "no unit but 1 and -1: take another point, or complex(point) for one beside it"
-                )
-            return self._around(center.root)
+            c = center.root
+            stabiliser = center.stabiliser if center.group is self else self._stabiliser(c)
+            return self._around(c, stabiliser)
         try:
             z = complex(center)
         except (TypeError, ValueError, OverflowError):
@@ -272,11 +305,21 @@ class NormOneGroup(Certified, Hinted):
             None if self._above is None else dirichlet.generators_by_cosets(self.order, self._above)
         )
 
-    def _around(self, c: Quaternion) -> Domain:
+    def _around(self, c: Quaternion, stabiliser: Quaternion | None = None) -> Domain:
         from hfield.fuchsian import dirichlet
 
-        found, partners, cycles = dirichlet.domain(self.order, c, self.area, self._known)
+        if stabiliser in (1, -1):
+            stabiliser = None
+        found, partners, cycles = dirichlet.domain(
+            self.order, c, self.area, self._known, stabiliser
+        )
         return Domain(self, found, tuple(partners), tuple(cycles))
+
+    def _stabiliser(self, c: Quaternion) -> Quaternion:
+        """Return a unit that generates, with −1, those of norm 1 that fix the point of an element."""
+        from hfield.fuchsian import geodesics
+
+        return geodesics.stabiliser(self._domain.polygon, c)
 
     def _nearby(self, z: complex) -> Quaternion:
         from hfield.fuchsian import search
@@ -398,6 +441,38 @@ class NormOneGroup(Certified, Hinted):
         from hfield.fuchsian import cm_points
 
         return cm_points.cm_points(self, d)
+
+    def involution(self, m: int, point: CMPoint) -> CMPoint:
+        """Return the image of a CM point under an Atkin–Lehner involution, among those of :meth:`cm_points`.
+
+        ``m`` is an exact divisor of the discriminant of an Eichler order over ℤ. Raises
+        :class:`LatticeError` for others.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra(6).maximal_order().norm_one_group()
+        >>> first, second = G.cm_points(-24)
+        >>> G.involution(2, first) == second, G.involution(6, first) == first
+        (True, True)
+        """
+        from hfield.fuchsian import cm_points
+
+        return cm_points.involution(self, m, point)
+
+    def fixed_points(self, m: int) -> tuple[CMPoint, ...]:
+        """Return the CM points that an Atkin–Lehner involution with m > 1 fixes (A. Ogg, 1983).
+
+        Their discriminants are −4m, −m, and −4 where m is 2. Where there are no cusps, these are all fixed
+        points of the involution, and tell the genus of the quotient by it. Raises :class:`LatticeError` as
+        :meth:`involution` does.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> G = QuaternionAlgebra(26).maximal_order().norm_one_group()
+        >>> [len(G.fixed_points(m)) for m in (2, 13, 26)]
+        [2, 2, 6]
+        """
+        from hfield.fuchsian import cm_points
+
+        return cm_points.fixed_points(self, m)
 
     # --- larger groups -----------------------------------------------------------------------------
 

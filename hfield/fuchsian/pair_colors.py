@@ -32,6 +32,8 @@ DARK_PAIRS = (
 )
 """Any two differ by ΔE₀₀ ≥ 15, as trichromats, deuteranopes and protanopes see them (simulated as Machado,
 Oliveira and Fernandes did, 2009); each has a contrast of at least 3 to the domain. Found by search."""
+CM_COLORS = ("#ffc400", "#00c2a8", "#ff5fa2", "#9be22d", "#b388ff", "#ffffff")
+"""Of the marks of CM points, which have a border: one colour for each discriminant."""
 NEAREST_SHARE, NEXT_SHARE, GREATEST_SHARE = 0.5, 0.1, 0.9
 """The share of the disc's colour in images: next to the domain, its growth by length, and the greatest."""
 

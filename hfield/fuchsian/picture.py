@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from html import escape
 from itertools import groupby
 from pathlib import Path
@@ -12,11 +12,13 @@ import numpy as np
 
 from hfield.core.files import whole_file
 from hfield.errors import LatticeError, shorten
-from hfield.fuchsian.pair_colors import DARK, LIGHT, letters, pair_numbers, shade
+from hfield.fuchsian import cm_points
+from hfield.fuchsian.pair_colors import CM_COLORS, DARK, LIGHT, letters, pair_numbers, shade
 from hfield.fuchsian.tessellation import move, tessellation
 from hfield.plotting import default_settings, save_figure
 
 if TYPE_CHECKING:
+    from hfield.fuchsian.cm_points import CMPoint
     from hfield.fuchsian.group import Domain
 
 RADIUS = 320.0
@@ -33,6 +35,8 @@ LEGEND_SIZE, LEGEND_STEP, LEGEND_GAP = 12.0, 22.0, 16.0
 ADVANCE = 0.55
 """About how wide a letter is, in terms of its size."""
 MAX_LEGEND_PAIRS = 14
+CM_SIZE = 5.0
+"""The radius of the mark of a CM point, in pixels."""
 MAX_ARC_ANGLE = 0.75
 """No piece of an arc drawn as a cubic curve has a wider angle, in radians."""
 
@@ -71,13 +75,28 @@ class Drawing(NamedTuple):
     """Of the domain's own sides: their colours, and what they are called."""
     points: list[tuple[complex, int]]
     """Elliptic points and their orders."""
+    cm_points: list[CMPoints]
+
+
+class CMPoints(NamedTuple):
+    """CM points of one discriminant."""
+
+    discriminant: str
+    color: str
+    places: list[complex]
 
 
 def draw(
-    domain: Domain, path: object, *, dark: bool, depth: int | None, replace: bool | None = None
+    domain: Domain,
+    path: object,
+    *,
+    dark: bool,
+    depth: int | None,
+    replace: bool | None = None,
+    points: Iterable[CMPoint] = (),
 ) -> None:
     """Draw a domain to a file. Raises :class:`LatticeError` where it cannot be written."""
-    drawing = drawing_of(domain, dark, depth)
+    drawing = drawing_of(domain, dark, depth, points)
     try:
         with whole_file(Path(str(path)), replace) as part:
             if part.suffix.lower() == ".svg":
@@ -95,7 +114,9 @@ def svg(domain: Domain) -> str:
     return _svg(drawing_of(domain, False, None))
 
 
-def drawing_of(domain: Domain, dark: bool, depth: int | None) -> Drawing:
+def drawing_of(
+    domain: Domain, dark: bool, depth: int | None, points: Iterable[CMPoint] = ()
+) -> Drawing:
     """Return what is drawn of a domain: all that can be seen, or words of up to ``depth`` sides."""
     numbers, corners = pair_numbers(domain), np.array(domain.vertices)
     colored = sorted(tessellation(domain, depth), key=lambda t: (t.length, t.first))
@@ -112,7 +133,20 @@ def drawing_of(domain: Domain, dark: bool, depth: int | None) -> Drawing:
     colors = [shade(number, 0, dark) for number in numbers]
     theme = DARK if dark else LIGHT
     names = letters(domain.partners, numbers)
-    return Drawing(*_words(domain), theme, areas, own, colors, names, orders + halves)
+    marks, special = orders + halves, cm_points_in(domain, points)
+    return Drawing(*_words(domain), theme, areas, own, colors, names, marks, special)
+
+
+def cm_points_in(domain: Domain, points: Iterable[CMPoint]) -> list[CMPoints]:
+    """Return where CM points lie in a domain, into which they are moved, by their discriminants."""
+    places: dict[str, list[complex]] = {}
+    for point in points:
+        there = cm_points.place(domain, domain.reduce(point))
+        places.setdefault(str(point.discriminant).replace("-", "−"), []).append(there)
+    return [
+        CMPoints(d, CM_COLORS[n % len(CM_COLORS)], some)
+        for n, (d, some) in enumerate(places.items())
+    ]
 
 
 def _words(domain: Domain) -> tuple[str, str]:
@@ -158,7 +192,10 @@ def _middle(side: DrawnSide) -> complex:
 
 
 class Entry(NamedTuple):
-    """An entry of the legend from x on: a stroke of a colour, or the mark of an order, 1 being the centre."""
+    """An entry of the legend from x on: a stroke of a colour, or the mark of an order, 1 being the centre.
+
+    With both it is a CM point.
+    """
 
     x: float
     y: float
@@ -174,9 +211,12 @@ class Entry(NamedTuple):
 
 def letters_on_sides(drawing: Drawing) -> Iterator[tuple[complex, float, str]]:
     """Yield the place of the middle, the size, and the letter of each side that is long enough."""
+    # the straight sides of a sector may be near to one another
+    between = RADIUS * abs(_summit(drawing.own[0]) - _summit(drawing.own[-1]))
     for side, text in zip(drawing.own, drawing.letters, strict=True):
         chord = (side.end - side.start) * RADIUS
-        size = min(LETTER_SIZE, 0.28 * abs(chord))
+        room = min(abs(chord), between) if 0 in (side.start, side.end) else abs(chord)
+        size = min(LETTER_SIZE, 0.28 * room)
         if size >= MIN_LETTER_SIZE:
             inwards = 1j * chord / abs(chord)  # the corners are in positive order
             yield RADIUS * _summit(side) + inwards * (0.95 * size + 2), size, text
@@ -208,9 +248,21 @@ def legend(drawing: Drawing) -> list[Entry]:
         for n, order in enumerate(orders)
     ]
     rows.append([*marks, (None, 1, "centre")])
+    if drawing.cm_points:
+        rows.append(
+            [
+                (some.color, 0, f"{'' if n else 'CM points of discriminant '}{some.discriminant}")
+                for n, some in enumerate(drawing.cm_points)
+            ]
+        )
     return [
         entry for n, row in enumerate(rows) for entry in _row(row, -RADIUS - 30 - LEGEND_STEP * n)
     ]
+
+
+def _more_legend(drawing: Drawing) -> float:
+    """Return the height of a row of the legend that only drawings with CM points have."""
+    return LEGEND_STEP if drawing.cm_points else 0
 
 
 def _row(row: list[tuple[str | None, int | None, str]], y: float) -> Iterator[Entry]:
@@ -228,7 +280,7 @@ def _row(row: list[tuple[str | None, int | None, str]], y: float) -> Iterator[En
 def _svg(drawing: Drawing) -> str:
     """Write the picture: numbers are pixels from the middle of the disc, y downwards."""
     theme = drawing.theme
-    width, above, below = RADIUS + 12, RADIUS + 62, RADIUS + 92
+    width, above, below = RADIUS + 12, RADIUS + 62, RADIUS + 92 + _more_legend(drawing)
     size = min(17, 780 / len(drawing.title))
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{-width:g} {-above:g} {2 * width:g} '
@@ -258,18 +310,33 @@ def _svg(drawing: Drawing) -> str:
     for point, order in drawing.points:
         corners = " ".join(_numbers(RADIUS * point + z) for z in _mark(order))
         parts.append(f'<polygon points="{corners}"/>')
-    parts.append(f'<circle r="2.5" stroke="none"/></g><g fill="{theme["ink"]}">')
+    parts.append('<circle r="2.5" stroke="none"/></g>')
+    parts.append(f'<g stroke="{theme["ink"]}" stroke-width="1.2">')
+    for some in drawing.cm_points:
+        for point in some.places:
+            cx, cy = _numbers(RADIUS * point).split()
+            parts.append(f'<circle cx="{cx}" cy="{cy}" r="{CM_SIZE:g}" fill="{some.color}"/>')
+    parts.append(f'</g><g fill="{theme["ink"]}">')
     for place, size, text in letters_on_sides(drawing):
         x, y = place.real, -place.imag + 0.36 * size
         parts.append(f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size:.3g}">{text}</text>')
-    parts.append(f'</g><g fill="{theme["ink"]}" font-size="{LEGEND_SIZE:g}" text-anchor="start">')
+    parts.append(
+        f'</g><g fill="{theme["ink"]}" color="{theme["ink"]}" font-size="{LEGEND_SIZE:g}" '
+        'text-anchor="start">'
+    )
     parts += [part for entry in legend(drawing) for part in _svg_entry(entry)]
     parts.append("</g></svg>")
     return "\n".join(parts) + "\n"
 
 
 def _svg_entry(entry: Entry) -> Iterator[str]:
-    if entry.color is not None:
+    if entry.color is not None and entry.order is not None:
+        x, y = entry.x + 12, -entry.y
+        yield (
+            f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{CM_SIZE:g}" fill="{entry.color}" '
+            'stroke="currentColor" stroke-width="1.2"/>'
+        )
+    elif entry.color is not None:
         yield f'<path stroke="{entry.color}" stroke-width="3" d="M{entry.x:.1f} {-entry.y:.1f}h16"/>'
     elif entry.order is not None:
         corners = " ".join(_numbers(complex(entry.x + 8, entry.y) + z) for z in _mark(entry.order))
@@ -328,10 +395,12 @@ def _save(drawing: Drawing, path: Path) -> None:
         from matplotlib.patches import Circle, PathPatch, Polygon
 
         theme = drawing.theme
-        figure = Figure(figsize=(7, 8.55), facecolor=theme["page"])
+        more = _more_legend(drawing) / RADIUS
+        height = 7 * (2.54 + more) / 2.08
+        figure = Figure(figsize=(7, height), facecolor=theme["page"])
         FigureCanvasAgg(figure)
         axes: Any = figure.add_axes((0, 0, 1, 1))
-        axes.set(aspect="equal", xlim=(-1.04, 1.04), ylim=(-1.305, 1.235))
+        axes.set(aspect="equal", xlim=(-1.04, 1.04), ylim=(-1.305 - more, 1.235))
         axes.axis("off")
         axes.add_patch(Circle((0, 0), 1, facecolor=theme["disc"], edgecolor="none"))
         for color, images in drawing.areas:
@@ -358,13 +427,18 @@ def _save(drawing: Drawing, path: Path) -> None:
                 )
             )
         axes.add_patch(Circle((0, 0), 2.5 / RADIUS, facecolor=theme["ink"], edgecolor="none"))
+        for some in drawing.cm_points:
+            for point in some.places:
+                axes.add_patch(_cm_mark(point, some.color, theme["ink"]))
         points = 72 * 7 / (2.08 * RADIUS)  # of type, in a pixel
         for place, size, text in letters_on_sides(drawing):
             axes.text(place.real / RADIUS, place.imag / RADIUS, text, ha="center", va="center_baseline",
                       color=theme["ink"], fontsize=size * points)  # fmt: skip
         for entry in legend(drawing):
             x, y = entry.x / RADIUS, entry.y / RADIUS
-            if entry.color is not None:
+            if entry.color is not None and entry.order is not None:
+                axes.add_patch(_cm_mark(complex(x + 12 / RADIUS, y), entry.color, theme["ink"]))
+            elif entry.color is not None:
                 axes.plot([x, x + 16 / RADIUS], [y, y], color=entry.color, linewidth=2.2)
             elif entry.order is not None:
                 ends = [(entry.x + 8 + z.real, entry.y + z.imag) for z in _mark(entry.order)]
@@ -373,11 +447,19 @@ def _save(drawing: Drawing, path: Path) -> None:
                       fontsize=LEGEND_SIZE * points)  # fmt: skip
         for patch in axes.patches:
             patch.set_zorder(1)  # in this order
-        figure.text(0.5, 0.97, drawing.title, ha="center", va="center", color=theme["ink"],
+        figure.text(0.5, 1 - 0.2565 / height, drawing.title, ha="center", va="center", color=theme["ink"],
                     fontsize=min(14, 700 / len(drawing.title)))  # fmt: skip
-        figure.text(0.5, 0.94, drawing.facts, ha="center", va="center", color=theme["ink"],
+        figure.text(0.5, 1 - 0.513 / height, drawing.facts, ha="center", va="center", color=theme["ink"],
                     fontsize=10, alpha=0.75)  # fmt: skip
         save_figure(figure, path)
+
+
+def _cm_mark(point: complex, color: str, ink: str) -> Any:
+    """Return matplotlib's mark of a CM point."""
+    from matplotlib.patches import Circle
+
+    center = (point.real, point.imag)
+    return Circle(center, CM_SIZE / RADIUS, facecolor=color, edgecolor=ink, lw=1)
 
 
 def _curve(sides: list[DrawnSide]) -> Any:

@@ -29,6 +29,14 @@ class Polygon:
         self.ends = [*self.starts[1:], *self.starts[:1]]
         self._motions: dict[int, Motion] = {}
 
+    @cached_property
+    def _places(self) -> dict[Vector, int]:
+        return {x: n for n, x in enumerate(self.images)}
+
+    def partner(self, n: int) -> int | None:
+        """Return the side that has the image of the centre under the inverse of a unit; None without one."""
+        return self._places.get(self.plane.image(self.units[n].conjugate()))
+
     def without_points(self) -> Polygon:
         """Return the polygon without the sides that only touch it, where the neighbours meet."""
         count = len(self.forms)

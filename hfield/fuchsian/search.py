@@ -76,6 +76,7 @@ class Sight:
         ball = math.pi ** (2 * size) / math.gamma(2 * size + 1) * size ** (2 * size)
         self.cosh = max(2.0, math.sqrt(VECTORS_PER_POINT * covolume / ball))
         """Units within this distance of a point are found, by the hyperbolic cosine."""
+        self._turns: Any = None
 
     @cached_property
     def products(self) -> Any:
@@ -92,6 +93,26 @@ class Sight:
         # one thread: BLAS would wake as many as there are, which takes longer than the products
         a, b = (np.einsum("ni,i->n", rows, x) for x in (self.a, self.b))
         return a, b
+
+    def turn_about_center(self, rotation: Quaternion, order: int) -> None:
+        """Let a rotation around the centre, of an order, be what :meth:`turned` multiplies units by."""
+        powers = np.array(self.plane.order.rows([rotation**n for n in range(order)]))
+        # x ↦ gⁿ·x, and x ↦ x·gⁿ
+        self._turns = self.left(powers), np.einsum("nj,ijk->nik", powers, self.products)
+
+    def turned(self, rows: Rows) -> Rows:
+        """Return units with their products with rotations around the centre on the left.
+
+        Rotations are left out, and of the units that move the centre to one point one is chosen.
+        """
+        if self._turns is None:
+            return distinct(rows)
+        left, right = self._turns
+        rows = rows[abs(self.motions(rows)[1]) > EQUAL_WITHIN]
+        images = np.einsum("ni,mij->nmj", rows, left).reshape(-1, self.rank)
+        same = positive(np.einsum("ni,mij->nmj", images, right).reshape(-1, self.rank))
+        groups = same.reshape(-1, len(right), self.rank).tolist()
+        return distinct(np.array([min(group) for group in groups] or self.empty))
 
     def left(self, rows: Rows) -> Any:
         """Return the matrices by which these elements multiply rows from the left."""
@@ -223,11 +244,15 @@ def reduction(vectors: Any) -> Any:
     return np.array([int(x) for x in steps.entries()]).reshape(len(whole), -1)
 
 
+def positive(rows: Rows) -> Rows:
+    """Return rows or their negatives, those whose first entry that is not 0 is positive."""
+    first = rows[np.arange(len(rows)), (rows != 0).argmax(axis=1)]
+    return rows * np.where(first < 0, -1, 1)[:, None]
+
+
 def distinct(rows: Rows) -> Rows:
     """Return rows that differ by more than the sign."""
-    first = rows[np.arange(len(rows)), (rows != 0).argmax(axis=1)]
-    positive = rows * np.where(first < 0, -1, 1)[:, None]
-    found = list(dict.fromkeys(map(tuple, positive.tolist())))
+    found = list(dict.fromkeys(map(tuple, positive(rows).tolist())))
     return np.array(found, dtype=np.int64).reshape(len(found), rows.shape[1])
 
 

@@ -151,7 +151,7 @@ def enlarge_polygon(sight: Sight, rows: Rows, new: Rows) -> Shape:
     """
     tried: set[tuple[int, ...]] = set()  # rounding may ask for the same unit for ever
     while True:
-        rows = distinct(np.concatenate([rows, new, new @ sight.bar]))
+        rows = sight.turned(np.concatenate([rows, new, new @ sight.bar]))
         shape = Shape(sight, rows)
         new = distinct(sight.units(shape.reduced(rows[~shape.bounds])))
         rows = shape.rows

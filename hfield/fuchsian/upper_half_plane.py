@@ -26,7 +26,7 @@ def fixed_point(order: SplitOrder, c: Quaternion) -> complex:
     else:  # j is diagonal, u = [0 α; 1 0]
         s = sqrt(b)
         p, q, r = s * y, alpha * (x - s * z), x + s * z
-    return complex(p / r, sqrt(max(0.0, -p * p - q * r)) / abs(r))
+    return complex(p / r + 0.0, sqrt(max(0.0, -p * p - q * r)) / abs(r))
 
 
 def fixing(order: SplitOrder, z: complex, scale: int) -> Quaternion | None:

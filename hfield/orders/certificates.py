@@ -7,6 +7,7 @@ docs/reference/certificates.md lists. ``_Rational`` and ``_OverField`` are these
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
@@ -14,9 +15,12 @@ import flint
 
 from hfield.checker.glossary import (
     BY_AREA,
+    BY_CLASS_NUMBER,
     BY_MASS,
+    BY_PRIME,
     DISCRIMINANT,
     ELEMENT,
+    EMBEDDING_NUMBERS,
     ENUMERATION,
     IDEAL,
     MASS,
@@ -155,23 +159,71 @@ def of_class_set(classes: Classes) -> Claim:
     return _words(classes.ambient).class_set(classes)
 
 
-def of_embedding(order: LatticeValue, d: object, element: Quaternion | None) -> Claim:
+def of_embedding(
+    order: LatticeValue, d: object, element: Quaternion | None, prime: object = None
+) -> Claim:
     """Return that a quadratic order is, or is not, optimally embedded in an order over ℤ.
 
-    Raises :class:`LatticeError` over another base.
+    That it is not is shown by a prime at which there is no embedding, or in a definite algebra by a list.
+    Raises :class:`LatticeError` over another base, and without a prime in an indefinite algebra.
     """
+    _expect_rational_base(order)
+    words = _words(order.ambient)
+    statement = f"embedding{{{text(order)}; {d}}}"
+    shown: dict[str, object] = {"kind": "embedding"}
+    if element is not None:
+        shown["element"] = words.element(element)
+        return Claim(order.algebra, statement, shown, ELEMENT)
+    if prime is not None:
+        shown["prime"] = prime
+        return Claim(order.algebra, statement, shown, BY_PRIME, "refuted")
+    if not order.ambient.definite:
+        raise LatticeError(
+            "that no embedding exists has a certificate where a prime rules it out, and here none is known to"
+        )
+    shown["basis"] = _basis(order, order.ambient.base.field.one)
+    return Claim(order.algebra, statement, shown, ENUMERATION, "refuted")
+
+
+def of_embedding_orbits(
+    order: LatticeValue,
+    d: object,
+    elements: Sequence[Quaternion],
+    center: Quaternion,
+    units: Sequence[Quaternion],
+) -> Claim:
+    """Return how many orbits of embeddings there are under units of norm 1: those of elements and conjugates.
+
+    Their points lie in the domain around a centre that the units bound, for d < 0. For d > 0, where the
+    elements are one of each orbit, the checker is not asked. Raises :class:`LatticeError` over another base
+    than ℤ.
+    """
+    _expect_rational_base(order)
+    written = _words(order.ambient).element
+    shown = {
+        "kind": "embedding-orbits",
+        "center": written(center),
+        "units": list(map(written, units)),
+        "elements": list(map(written, elements)),
+    }
+    negative = order.ambient.base.is_totally_positive(-order.ambient.base.inside(d))
+    number = (2 if negative else 1) * len(elements)
+    statement = f"embedding-orbits{{{text(order)}; {d}; {number}}}"
+    return Claim(
+        order.algebra,
+        statement,
+        shown,
+        BY_CLASS_NUMBER,
+        assumes=(SHIMIZU, EMBEDDING_NUMBERS),
+        refusal=None if negative else "the checker counts orbits of negative discriminants only",
+    )
+
+
+def _expect_rational_base(order: LatticeValue) -> None:
     if not order.ambient.base.is_rational:
         raise LatticeError(
             "embeddings are certified over ℤ only, where statements about them exist"
         )
-    words = _words(order.ambient)
-    statement = f"embedding{{{text(order)}; {d}}}"
-    shown: dict[str, object] = {"kind": "embedding"}
-    if element is None:
-        shown["basis"] = _basis(order, order.ambient.base.field.one)
-        return Claim(order.algebra, statement, shown, ENUMERATION, "refuted")
-    shown["element"] = words.element(element)
-    return Claim(order.algebra, statement, shown, ELEMENT)
 
 
 # --- how values are written ------------------------------------------------------------------------

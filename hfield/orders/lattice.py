@@ -728,6 +728,10 @@ class Order(WithStableClasses, Certified, Lattice):
         >>> G = A.maximal_order().norm_one_group(); G.area, G.signature
         (Fraction(1, 42), Signature(genus=0, orders=(2, 3, 7), cusps=0))
         """
+        return self._norm_one_group
+
+    @cached_property
+    def _norm_one_group(self) -> NormOneGroup:
         return NormOneGroup(split_order(self.value))
 
     # --- ideals ------------------------------------------------------------------------------------
@@ -855,8 +859,8 @@ class Order(WithStableClasses, Certified, Lattice):
         """Return the optimal embeddings of the quadratic order of a discriminant d.
 
         In a definite algebra d is totally negative. In one that splits at exactly one real place d is any
-        discriminant that is no square; for a totally negative d there is one embedding of each orbit under
-        the units of norm 1, for others it is decided whether there is one. Raises :class:`LatticeError` for
+        discriminant that is no square; ``representatives`` has one embedding of each orbit under the units of
+        norm 1. Raises :class:`LatticeError` for
         what is no such discriminant, :class:`IndefiniteError` for other algebras, and :class:`TooLargeError`.
 
         >>> from hfield import QuaternionAlgebra
@@ -873,12 +877,15 @@ class Order(WithStableClasses, Certified, Lattice):
             from hfield.fuchsian import cm_points
 
             group = self.norm_one_group()
-            element, reason = cm_points.embedding(group, discriminant)
+            element, reason, prime = cm_points.embedding(group, discriminant)
 
             def of_orbits() -> tuple[Quaternion, ...]:
                 return cm_points.of_orbits(group, discriminant)
 
-            return Embeddings(self, discriminant, element, None, of_orbits, reason)
+            def claim() -> Claim:
+                return cm_points.claim_of_orbits(group, discriminant)
+
+            return Embeddings(self, discriminant, element, None, of_orbits, reason, prime, claim)
         every, chosen = quadratic_orders.embeddings(self.value, discriminant)
         reason = "" if every else "no element of the order has this discriminant and is optimal"
         first = every[0] if every else None

@@ -9,8 +9,9 @@ lattice. They are embedded optimally where no number outside of R takes the vect
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from itertools import count, product
 from random import Random
@@ -20,6 +21,10 @@ from flint import fmpq, fmpq_mat, fmpz_mat
 
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
 from hfield.evidence import Certified, Claim
+from hfield.fields.number_fields.elements import FieldElement
+from hfield.fields.number_fields.ideals import Ideal as NumberFieldIdeal
+from hfield.fields.number_fields.prime_ideals import PrimeIdeal
+from hfield.fields.rationals.whole_numbers import square_root
 from hfield.orders import certificates, enumeration, hermite, quadratic_frames
 from hfield.orders.base_values import Prime, Scalar
 from hfield.orders.ideals_of_norm import of_prime_norm, random_ideal
@@ -34,11 +39,12 @@ from hfield.orders.short_elements import (
     ternary_rows,
 )
 from hfield.orders.units import units_modulo_scalars
+from hfield.orders.validation import checked_side, listed
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
     from hfield.orders.basis import AlgebraBasis
-    from hfield.orders.lattice import Order
+    from hfield.orders.lattice import Ideal, Order
 
 MAX_ENUMERATED = 2 * 10**5
 """Norms are decided by enumeration where about so many steps do it."""
@@ -66,8 +72,12 @@ class Embeddings(Certified):
     listed: tuple[Quaternion, ...] | None
     """All images; None where they are infinitely many."""
     of_orbits: Callable[[], tuple[Quaternion, ...]]
-    """Returns one of each orbit. Raises :class:`LatticeError` where they are not known."""
+    """Returns one of each orbit."""
     reason: str = ""
+    prime: object = None
+    """A prime at which there is no embedding, or None."""
+    of_orbits_claim: Callable[[], Claim] | None = None
+    """Returns the claim of :meth:`claim_of_orbits`; None in a definite algebra."""
 
     def __bool__(self) -> bool:
         """Tell whether there is an optimal embedding."""
@@ -90,8 +100,7 @@ class Embeddings(Certified):
     def representatives(self) -> tuple[Quaternion, ...]:
         """One image of each orbit under conjugation by the units, in indefinite algebras by those of norm 1.
 
-        In an indefinite algebra they are known for a totally negative d; for others this raises
-        :class:`LatticeError`.
+        Raises :class:`TooLargeError` for a very large d.
         """
         return self.of_orbits() if self else ()
 
@@ -100,17 +109,100 @@ class Embeddings(Certified):
         """The number of orbits. Raises as :attr:`representatives` does."""
         return len(self.representatives)
 
+    def image(self, x: object) -> Quaternion:
+        """Return the image of an element of the quadratic field F(√d) under the embedding of :attr:`element`.
+
+        ``x`` is a pair (u, v) of numbers of F, for u + v·(t + √d)/2; a number of F; or over ℚ an element of
+        a quadratic number field of hfield, with √d the positive multiple of the difference of the generator
+        and its conjugate. Raises :class:`LatticeError` for others, and where there is no embedding.
+
+        >>> from hfield import QuaternionAlgebra, ring
+        >>> E = QuaternionAlgebra(6).maximal_order().embeddings(-24)
+        >>> E.image(ring("QQ(sqrt(-6))").gen) ** 2 == -6, E.image((12, 1)) == 12 + E.element
+        (True, True)
+        """
+        if self.element is None:
+            raise LatticeError(f"there is no embedding: {self.reason}")
+        algebra = self.order.algebra
+        u: object = x
+        v: object = 0
+        if isinstance(x, FieldElement) and x.field != algebra.ring:
+            u, v = self._coordinates(x, Fraction(str(self.element.trace())))
+        elif isinstance(x, tuple):
+            u, v = x
+        found: Quaternion = algebra(u) + algebra(v) * self.element
+        return found
+
+    def _coordinates(self, x: FieldElement, t: Fraction) -> tuple[Fraction, Fraction]:
+        """Return u and v with x = u + v·(t + √d)/2, for an element of a quadratic number field."""
+        field, d = x.field, self.discriminant
+        ratio = None
+        if field.degree == 2 and self.order.value.ambient.base.is_rational:
+            trace, norm = Fraction(str(field.gen.trace())), Fraction(str(field.gen.norm()))
+            ratio = square_root(Fraction(str(d)) / (trace * trace - 4 * norm))
+        if ratio is None:
+            raise LatticeError(
+                f"{shorten(x)} lies in {shorten(field.name)}, and not in the field of √({shorten(d)})"
+            )
+        # the generator is (trace + √d/ratio)/2
+        u, v = (Fraction(str(c)) for c in field.coordinates(x))
+        return u + v * (trace - t / ratio) / 2, v / ratio
+
+    def ideal(
+        self, a: NumberFieldIdeal | PrimeIdeal | Iterable[object], side: str = "left"
+    ) -> Ideal:
+        """Return the left ideal ``O·φ(a)`` for an ideal a of the quadratic order, φ being the embedding.
+
+        ``a`` is an ideal or a prime ideal of a quadratic number field, or a list of elements as
+        :meth:`image` reads them, which generate it. With ``side="right"`` it is ``φ(a)·O``. Where a is
+        invertible, so is the result; its norm is that of a, and ``O·φ(a)·φ(b)`` is ``O·φ(ab)``. Raises
+        :class:`LatticeError`, as :meth:`image` does.
+
+        >>> from hfield import QuaternionAlgebra, ring
+        >>> E = QuaternionAlgebra(6).maximal_order().embeddings(-24)
+        >>> P = ring("QQ(sqrt(-6))").primes_above(5)[0]
+        >>> E.ideal(P).norm(), E.ideal([5, (1, 1)]).norm()
+        (5, 1)
+        """
+        elements: Iterable[object]
+        if isinstance(a, NumberFieldIdeal):
+            elements = a.basis
+        elif isinstance(a, PrimeIdeal):
+            elements = a.generators
+        else:
+            elements = listed(a)
+        images = [self.image(x) for x in elements]
+        if checked_side(side) == "left":
+            return self.order.left_ideal(images)
+        return self.order.right_ideal(images)
+
     @cached_property
     def claim(self) -> Claim:
-        """The answer as a statement with its evidence.
+        """Whether there is an embedding, as a statement with its evidence.
 
-        Raises :class:`LatticeError` over ℤ_K, and where an indefinite order has no such embedding.
+        Raises :class:`LatticeError` over ℤ_K, and where an indefinite order has none, and no prime is known
+        at which it has none.
         """
-        if self.listed is None and self.element is None:
-            raise LatticeError(
-                "that no embedding in an order of an indefinite algebra exists has no certificate yet"
-            )
-        return certificates.of_embedding(self.order.value, self.discriminant, self.element)
+        return certificates.of_embedding(
+            self.order.value, self.discriminant, self.element, self.prime
+        )
+
+    def claim_of_orbits(self) -> Claim:
+        """Return how many orbits there are, with all of them, as a statement with its evidence.
+
+        It has a ``certificate`` for Eichler orders over ℤ and d < 0; without embeddings it is
+        :attr:`claim`. Raises :class:`LatticeError` in a definite algebra and over ℤ_K.
+
+        >>> from hfield import QuaternionAlgebra, check
+        >>> E = QuaternionAlgebra(6).eichler_order(5).embeddings(-24)
+        >>> E.orbits, check(E.claim_of_orbits().certificate).verdict
+        (8, 'proved')
+        """
+        if not self:
+            return self.claim
+        if self.of_orbits_claim is None:
+            raise LatticeError("the orbits of embeddings are certified in indefinite algebras only")
+        return self.of_orbits_claim()
 
 
 def embeddings(

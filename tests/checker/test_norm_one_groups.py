@@ -115,7 +115,10 @@ def test_forged_domains() -> None:
         rejects(forged([*units, units[0]]))
         rejects(forged([units[1], units[0], *units[2:]]))
         rejects(forged(units[::-1]))
-        rejects(forged([["1", "0", "0", "0"], *units[1:]]), "does not move the centre")
+        one = ["1", "0", "0", "0"]
+        rejects(forged([one, *units[1:]]), "the first unit fixes the centre")
+        rejects(forged([one, *units, one]), "the first unit does not move the centre")
+        rejects(forged([*units[:1], one, *units[1:]]), "a unit does not move the centre")
         rejects(forged(units * 2))
         rejects(forged(units[:2]), "3 to")
         for center in (["1", "0", "0", "0"], ["0", "0", "0", "0"]):

@@ -1,7 +1,9 @@
 """Embeddings in indefinite orders and CM points, against formulas, genera and local obstructions."""
 
+import json
 from collections import Counter
 from math import gcd, isqrt
+from pathlib import Path
 from random import Random
 
 import pytest
@@ -9,7 +11,6 @@ import pytest
 from hfield import H, IndefiniteError, LatticeError, Order, QuaternionAlgebra, check, ring
 from hfield.cli import main
 from hfield.core.factorisation import factorise
-from hfield.fuchsian.cm_points import fixed_points, involution
 from tests.subcases import subcases
 
 DISCRIMINANTS = [d for d in range(-3, -40, -1) if d % 4 < 2]
@@ -79,16 +80,63 @@ def test_fixed_points_give_the_genera_of_quotients(D: int, N: int) -> None:
     G = order(D, N).norm_one_group()
     whole = D * N
     for m in (m for m in range(2, whole + 1) if whole % m == 0 and gcd(m, whole // m) == 1):
-        genus, rest = divmod(2 * G.signature.genus + 2 - len(fixed_points(G, m)), 4)
+        genus, rest = divmod(2 * G.signature.genus + 2 - len(G.fixed_points(m)), 4)
         assert (rest, genus) == (0, G.quotient(m).signature.genus), m
+
+
+def narrow_class_number(d: int) -> int:
+    """Count the cycles of primitive reduced forms of discriminant d > 0, no square."""
+    root = isqrt(d)
+    forms = {
+        (a, b, (b * b - d) // (4 * a))
+        for b in range(1, root + 1)
+        for a in (s * n for n in range(1, root + b + 1) for s in (1, -1))
+        if (b * b - d) % (4 * a) == 0 and root - b < 2 * abs(a) <= root + b
+    }
+    left = {f for f in forms if gcd(*f) == 1}
+    cycles = 0
+    while left:
+        f = left.pop()
+        cycles += 1
+        while True:  # the next form of the cycle
+            _, b, c = f
+            r = -b % (2 * abs(c))
+            r += (root - r) // (2 * abs(c)) * 2 * abs(c)
+            f = (c, r, (r * r - d) // (4 * c))
+            if f not in left:
+                break
+            left.discard(f)
+    return cycles
+
+
+@subcases("D, N", [(6, 1), (10, 3), (1, 1), (1, 6)])
+def test_the_orbits_of_real_quadratic_orders_are_narrow_classes(D: int, N: int) -> None:
+    O, found = order(D, N), 0
+    G = O.norm_one_group()
+    for d in (5, 8, 12, 13, 20, 24, 29, 45, 60, 136, 145):
+        count = narrow_class_number(d)
+        for p in factorise(D) if D > 1 else ():
+            count *= 1 - eichler_symbol(d, p)
+        for p in factorise(N) if N > 1 else ():
+            count *= 1 + eichler_symbol(d, p)
+        E = O.embeddings(d)
+        assert E.orbits == count, d
+        for x in E.representatives:
+            assert x in O
+            assert x.trace() ** 2 - 4 * x.norm() == d
+        if 1 < count <= 4:
+            first, *others = E.representatives
+            assert not any(G.conjugator(first, x) for x in others)
+        found += count
+    assert found
 
 
 def test_involutions_permute_the_points() -> None:
     G = order(6).norm_one_group()
     points = G.cm_points(-19)
-    images = [involution(G, 2, point) for point in points]
+    images = [G.involution(2, point) for point in points]
     assert Counter(images) == Counter(points)
-    assert [involution(G, 2, image) for image in images] == list(points)
+    assert [G.involution(2, image) for image in images] == list(points)
 
 
 def test_embeddings_are_elements_of_the_order() -> None:
@@ -112,6 +160,39 @@ def test_embeddings_are_elements_of_the_order() -> None:
                 assert not E.representatives
 
 
+def test_points_are_moved_into_domains() -> None:
+    G = order(6).norm_one_group()
+    for D in (G.domain(0.7 + 0.4j), G.domain(G.cm_points(-3)[0])):
+        for point in (*G.cm_points(-24), *G.cm_points(-4)):
+            there = D.reduce(point)
+            v = D.polygon.plane.vector(there.root)
+            assert D.polygon.beyond(v if v[0] > 0 else tuple(-c for c in v)) is None
+            u = G.conjugator(point.element, there.element)
+            assert u is not None
+            assert u * point.element == there.element * u
+            assert there.stabiliser * there.root == there.root * there.stabiliser
+            assert D.reduce(there) == there
+
+
+def test_points_are_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("points.svg", "points.html"):
+        file = str(tmp_path / name)
+        assert main(["domain", "6", "--cm", "-24", "--cm", "-19", "-o", file]) == 0
+    assert "12 - j + k of -24, at " in capsys.readouterr().out
+    text = (tmp_path / "points.svg").read_text(encoding="utf-8")
+    assert text.count("<circle cx=") == 2 + 4 + 2  # with the legend
+    assert "CM points of discriminant −24" in text
+    page = (tmp_path / "points.html").read_text(encoding="utf-8")
+    assert '{"name": "\\u221224", "color": "#ffc400", "places": [[' in page
+    assert main(["domain", "6", "--cm", "-19", "--format", "json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert [point["discriminant"] for point in data["cm_points"]] == ["-19"] * 4
+    assert main(["domain", "6", "--cm", "5"]) == 2
+    G = order(6).norm_one_group()
+    G.domain().draw(tmp_path / "points.png", points=G.cm_points(-24), depth=0)
+    assert (tmp_path / "points.png").stat().st_size > 10_000
+
+
 def test_what_is_refused() -> None:
     O = order(6)
     for wrong in (-5, 2, 9, 0, "1/2"):
@@ -119,12 +200,11 @@ def test_what_is_refused() -> None:
             O.embeddings(wrong)
     with pytest.raises(LatticeError, match="totally negative"):
         O.norm_one_group().cm_points(5)
-    with pytest.raises(LatticeError, match="totally negative discriminants, and 5 is none"):
-        _ = O.embeddings(5).representatives
+    claim = O.embeddings(5).claim_of_orbits()
+    assert claim.certificate is None
+    assert "negative discriminants only" in str(claim.why_no_certificate)
     with pytest.raises(IndefiniteError, match="infinitely many"):
         len(O.embeddings(-24))
-    with pytest.raises(LatticeError, match="no certificate"):
-        _ = O.embeddings(-7).certificate
 
 
 def test_definite_orders_have_representatives() -> None:

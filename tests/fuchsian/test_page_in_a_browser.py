@@ -111,9 +111,31 @@ def test_in_the_half_plane_and_back_by_keys_and_buttons(page: Browser) -> None:
     need_same(page, first())
 
 
-def test_a_point_that_a_rotation_fixes_has_no_domain(page: Browser) -> None:
+def test_a_point_that_a_rotation_fixes_has_a_sector(page: Browser) -> None:
     domain = first()
-    corner = next(domain.vertices[c.start] for c in domain.cycles if c.order == 3)
-    page.evaluate(f"move([{corner.real}, {corner.imag}])")
-    settle(page)
-    assert "fixes this point" in reading(page)
+    for order in (2, 3):
+        corner = next(domain.vertices[c.start] for c in domain.cycles if c.order == order)
+        page.evaluate(f"move([{corner.real}, {corner.imag}])")
+        settle(page)
+        assert f"area 2π·0.333333 · the centre is fixed by a rotation of order {order}" in reading(
+            page
+        )
+
+
+def test_a_page_begins_with_a_sector(browser: Browser, tmp_path: Path) -> None:
+    group = first().group
+    sector = group.domain(group.cm_points(-4)[0])
+    sector.draw(tmp_path / "sector.html", points=group.cm_points(-24))
+    browser.open(tmp_path / "sector.html")
+    assert "rotation of order 2" in reading(browser)
+    assert browser.evaluate("shape.partners") == list(sector.partners)
+    seen = [complex(*z) for z in browser.evaluate("shape.corners.map(poincare)")]
+    assert seen == pytest.approx(list(sector.vertices), abs=1e-6)
+    z = drag(browser, 0.2 + 0.3j)
+    need_same(browser, group._around(sector.polygon.plane.nearby(z, 30)))
+    inside = "beyond(shape, klein(act(inverse(shape.there), moved(z)))) < 0"
+    assert browser.evaluate(f"GROUP.points[0].places.map((z) => {inside})") == [True, True]
+    browser.evaluate("document.getElementById('home').click()")
+    settle(browser)
+    assert "rotation of order 2" in reading(browser)
+    assert browser.complaints == []

@@ -1,13 +1,12 @@
-"""Check statements about orders and ideals, over any base.
+"""Check statements about orders, ideals and units, over any base.
 
 Each check takes a reader, which knows the evidence, and the parts of the statement.
 """
 
 from fractions import Fraction
 from functools import cache, partial
-from math import gcd, lcm
+from math import lcm
 
-from hfield.checker.budget import spend_products
 from hfield.checker.check_result import CheckResult
 from hfield.checker.glossary import (
     BY_AREA,
@@ -131,7 +130,7 @@ def have_other_numbers(given: Given, parts: Parts) -> CheckResult:
         reject("there is one basis for each of the two orders")
     trace, norm = (an_integer(given.data[key], key) for key in ("trace", "norm"))
     numbers = [
-        len(_with_rational_trace_and_norm(given.basis(order, basis), trace, norm))
+        len(with_rational_trace_and_norm(given.basis(order, basis), trace, norm))
         for order, basis in zip((first, second), bases, strict=True)
     ]
     if numbers[0] == numbers[1]:
@@ -155,7 +154,7 @@ def have_no_images(given: Given, parts: Parts) -> CheckResult:
     # the rows of the first order are combinations of the span, over den_first·det/den
     relative = [tuple(den * c for c in row) for row in times(first.rows, back)]
     images = [
-        [Element(second.den, y) for y in with_trace_and_norm(second, *_trace_and_norm(algebra, x))]
+        [Element(second.den, y) for y in with_trace_and_norm(second, *trace_and_norm(algebra, x))]
         for x in pair
     ]
     wanted = _pairing(algebra, *pair)
@@ -182,7 +181,8 @@ def _have_other_discriminants(
     return False
 
 
-def _with_rational_trace_and_norm(order: Lattice, trace: int, norm: int) -> list[Row]:
+def with_rational_trace_and_norm(order: Lattice, trace: int, norm: int) -> list[Row]:
+    """Return the elements of an order with a trace and a norm that are integers."""
     integers = order.algebra.integers
     return with_trace_and_norm(
         order, [Fraction(trace * c) for c in integers.one], integers.field.number(norm)
@@ -195,7 +195,7 @@ def _pairing(algebra: Algebra, x: Element, y: Element) -> list[Fraction]:
     return [Fraction(c, den) for c in algebra.pairing(x.row, y.row)]
 
 
-def _trace_and_norm(algebra: Algebra, x: Element) -> tuple[list[Fraction], tuple[Fraction, ...]]:
+def trace_and_norm(algebra: Algebra, x: Element) -> tuple[list[Fraction], tuple[Fraction, ...]]:
     """Return the trace in the integral basis, and the norm as a number of the field."""
     trace = [Fraction(c, x.den * algebra.scale) for c in algebra.trace(x.row)]
     return trace, algebra.integers.number([c / 2 for c in _pairing(algebra, x, x)])
@@ -212,49 +212,6 @@ def _spanned(algebra: Algebra, a: Element, b: Element) -> tuple[int, Rows]:
         for x in every
         for by in algebra.integers.table
     )
-
-
-# --- quadratic orders inside --------------------------------------------------------------------------
-
-
-def is_embedded(given: Given, parts: Parts) -> CheckResult:
-    """Some x in O has this discriminant and generates all that is integral of its field in O; over ℚ."""
-    order, d = given.order(parts[0]), a_whole_number(parts[1], "a discriminant")
-    x = given.element(given.data["element"])
-    if not order.holds(x.den, [x.row]):
-        reject("the element is not in the order")
-    (trace,), (norm,) = _trace_and_norm(given.algebra, x)
-    if trace * trace - 4 * norm != d:
-        reject("the element has another discriminant")
-    if not _is_optimal(order, x):
-        reject("the element does not generate all integral elements of its field in the order")
-    return CheckResult(FIELD, ELEMENT)
-
-
-def is_not_embedded(given: Given, parts: Parts) -> CheckResult:
-    """Of the elements with this discriminant, and the trace 0 or 1, none is optimal; over ℚ."""
-    order, d = given.order(parts[0]), a_whole_number(parts[1], "a discriminant")
-    if d >= 0 or d % 4 > 1:
-        reject("a negative discriminant is 0 or 1 modulo 4")
-    basis, trace = given.basis(order, given.data["basis"]), d % 2
-    for row in _with_rational_trace_and_norm(basis, trace, (trace - d) // 4):
-        if _is_optimal(order, Element(basis.den, row)):
-            reject("an element of the order has this discriminant, and is optimal")
-    return CheckResult(FIELD, ENUMERATION)
-
-
-def _is_optimal(order: Lattice, x: Element) -> bool:
-    """Tell whether no (x − m)/k with k > 1 is in the order: minors of 1 and x in coordinates are coprime."""
-    back, det = inverse(order.rows)
-    both = times(
-        [order.algebra.number([x.den * c for c in order.algebra.integers.one]), x.row], back
-    )
-    # coordinates are these, times den/(det·x.den)
-    u, v = (tuple(c * order.den // (det * x.den) for c in w) for w in both)
-    spend_products(u, v)
-    minors = [u[m] * v[n] - u[n] * v[m] for m in range(len(u)) for n in range(m)]
-    spend_products(minors, minors[:1])
-    return gcd(*minors) == 1
 
 
 # --- classes, and units of norm 1 ---------------------------------------------------------------------

@@ -59,8 +59,9 @@ def _norm_index_at_two(order: Lattice) -> int:
 class FundamentalDomain:
     """The Dirichlet domain of the units of norm 1 around the fixed point of c.
 
-    Side n lies halfway between c and the image of c under unit n; units and sides go counterclockwise.
-    ``area`` is that of the plane modulo the group, over 2π.
+    Side n lies halfway between c and the image of c under unit n; units and sides go counterclockwise. Where
+    the first unit fixes c, the last is its inverse, and the domain is a sector of that polygon: the first and
+    the last side go from c to corners. ``area`` is that of the plane modulo the group, over 2π.
     """
 
     def __init__(
@@ -82,7 +83,8 @@ class FundamentalDomain:
             size = 2 * algebra.scale * g.den * g.den
             if not order.holds(own.den, [own.row]) or algebra.pairing(g.row, g.row) != size:
                 reject("an element is no unit of norm 1 of the order")
-        self._need_polygon()
+        self._is_sector = not any(self._line(self.units[0]))
+        self.corners, self._ideal = self._sector() if self._is_sector else self._polygon(self.units)
         self.partners = self._paired()
         self.cycles = list(self._cycles())
         angles = sum((Fraction(1, c.order) for c in self.cycles if c.order), Fraction(0))
@@ -110,21 +112,26 @@ class FundamentalDomain:
 
     # --- the polygon ---------------------------------------------------------------------------------
 
-    def _line(self, g: Element) -> Vector:
-        """Return the form that is ≥ 0 where c is at least as near as g·c: the pairing with g·c − c."""
+    def _far(self, g: Element) -> Row:
+        """Return g·c − c, up to a positive factor; pairings with it are ≥ 0 where c is as near as g·c."""
         size = g.den * g.den * self.algebra.scale**3
         c = self._axes[0]
-        far = tuple(x - size * y for x, y in zip(self._moved(g.row, c), c, strict=True))
+        return tuple(x - size * y for x, y in zip(self._moved(g.row, c), c, strict=True))
+
+    def _line(self, g: Element) -> Vector:
+        """Return the form that is ≥ 0 where c is at least as near as g·c: the pairing with g·c − c."""
+        far = self._far(g)
         a, b, d = (self.algebra.pairing(far, v) for v in self._axes)
         return (a, b, d)
 
-    def _need_polygon(self) -> None:
-        """Reject unless the lines bound a convex polygon, in order, with corners at most at infinity.
+    def _polygon(self, units: Sequence[Element]) -> tuple[list[Row], list[bool]]:
+        """Return where each side begins, and whether that is at infinity.
 
-        The forms f, positive at the centre, are the points (f₁/f₀, f₂/f₀) of the dual plane: corners of a
-        convex polygon around 0 if they turn left there, seen from 0 and from one another, once around.
+        Reject unless the lines bound a convex polygon, in order, with corners at most at infinity. The forms
+        f, positive at the centre, are the points (f₁/f₀, f₂/f₀) of the dual plane: corners of a convex
+        polygon around 0 if they turn left there, seen from 0 and from one another, once around.
         """
-        lines = [self._line(g) for g in self.units]
+        lines = [self._line(g) for g in units]
         if any(f[0] <= 0 for f in lines):
             reject("a unit does not move the centre")
         meetings = [_meeting(lines[n - 1], f) for n, f in enumerate(lines)]
@@ -137,8 +144,28 @@ class FundamentalDomain:
         sizes = [sum(m * a * a for m, a in zip(norms, x, strict=True)) for x in meetings]
         if any(size < 0 for size in sizes):
             reject("two sides meet beyond infinity")
-        self._ideal = [size == 0 for size in sizes]
-        self.corners = [self.algebra.primitive(0, times_axes(x, self._axes)).row for x in meetings]
+        corners = [self.algebra.primitive(0, times_axes(x, self._axes)).row for x in meetings]
+        return corners, [size == 0 for size in sizes]
+
+    def _sector(self) -> tuple[list[Row], list[bool]]:
+        """Return the same of a sector: the other units turned by powers of the last bound a polygon."""
+        rotation, sides = self.units[-1], self.units[1:-1]
+        if self._up_to_sign(self._inverse(rotation)) != self._up_to_sign(self.units[0]):
+            reject("the first unit fixes the centre, and is not the inverse of the last")
+        order = self._order(rotation)
+        if order < 2:
+            reject("the first unit does not move the centre, and is no rotation")
+        spend(len(sides) * order * 1_000)
+        whole = list(sides)
+        for _ in range(order - 1):
+            whole += [self.algebra.product(rotation, g) for g in whole[-len(sides) :]]
+        corners, ideal = self._polygon(whole)
+        corners, ideal = corners + corners[:1], ideal + ideal[:1]
+        end = len(sides) + 1
+        return [self._axes[0], *corners[:end]], [False, *ideal[:end]]
+
+    def _inverse(self, g: Element) -> Element:
+        return Element(g.den * self.algebra.scale, self.algebra.conjugate(g.row))
 
     def _paired(self) -> list[int]:
         """Return to which side each is mapped by the inverse of its unit, which is the unit there."""
@@ -147,8 +174,10 @@ class FundamentalDomain:
         count = len(self.units)
         for n, g in enumerate(self.units):
             bar = self.algebra.conjugate(g.row)
-            back = Element(g.den * self.algebra.scale, bar)
-            partner = places.get(self._up_to_sign(back))
+            if self._is_sector and n in (0, count - 1):
+                partner: int | None = count - 1 - n
+            else:
+                partner = places.get(self._up_to_sign(self._inverse(g)))
             if partner is None:
                 reject("the inverse of a unit belongs to no side")
             ends = [self.corners[n], self.corners[(n + 1) % count]]
@@ -177,8 +206,7 @@ class FundamentalDomain:
                 left.discard(n)
                 path.append(n)
                 g = self.units[n]
-                bar = Element(g.den * self.algebra.scale, self.algebra.conjugate(g.row))
-                around = self.algebra.product(bar, around)
+                around = self.algebra.product(self._inverse(g), around)
                 n = (self.partners[n] + 1) % count
             order = self._order(around)
             if (order == 0) != self._ideal[start]:
@@ -196,6 +224,41 @@ class FundamentalDomain:
                 return m
             power = self.algebra.product(power, g)
         reject("what goes around a corner moves it")
+
+    # --- points in it --------------------------------------------------------------------------------
+
+    def orbit(self, s: Element) -> set[Row]:
+        """Return the images in the domain of an element of trace 0, by units; over ℚ.
+
+        Reject unless it stands for a point of the domain, which is none of a sector. Tiles around a point
+        are reached across sides on which it lies.
+        """
+        if self._is_sector:
+            reject("points are compared in a domain, and this is a sector")
+        if self.algebra.pairing(s.row, self._axes[0]) <= 0:
+            reject("a point is not on the sheet of the centre")
+        own = self.algebra.element(s.den, s.row)
+        found, waiting = {(own.den, *own.row)}, [own]
+        while waiting:
+            x = waiting.pop()
+            spend(50 * len(self.units))
+            for g, far in zip(self.units, self._bounds, strict=True):
+                side = self.algebra.pairing(far, x.row)
+                if side < 0:
+                    reject("a point is not in the domain")
+                if side == 0:
+                    back = self._inverse(g)
+                    row = self._moved(back.row, x.row)
+                    size = back.den * back.den * self.algebra.scale**3
+                    image = self.algebra.primitive(x.den * size, row)
+                    if (key := (image.den, *image.row)) not in found:
+                        found.add(key)
+                        waiting.append(image)
+        return found
+
+    @cached_property
+    def _bounds(self) -> list[Row]:
+        return [self._far(g) for g in self.units]
 
     # --- the group -----------------------------------------------------------------------------------
 

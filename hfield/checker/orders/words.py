@@ -1,9 +1,10 @@
 """The words of certificates about orders, in two spellings, and which evidence shows or refutes them.
 
 Over ℚ: ``order{L; n}`` · ``order{L; n; maximal}`` · ``ideal{I; side; O; norm}`` ·
-``equivalent{side; I; J}`` · ``isomorphic-orders{O; P}`` · ``embedding{O; d}`` · ``class-set{O; h}`` ·
-``dirichlet-domain{O; c; g | …}`` · ``norm-one-group{O; genus; orders; cusps; g | …; words}``. A lattice is
-written as four rows of rational numbers, ``1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2``.
+``equivalent{side; I; J}`` · ``isomorphic-orders{O; P}`` · ``embedding{O; d}`` ·
+``embedding-orbits{O; d; n}`` · ``class-set{O; h}`` · ``dirichlet-domain{O; c; g | …}`` ·
+``norm-one-group{O; genus; orders; cusps; g | …; words}``. A lattice is written as four rows of rational
+numbers, ``1,0,0,0 | 0,1,0,0 | 0,0,1,0 | 1/2,1/2,1/2,1/2``.
 
 Over a number field: ``order-over-integers{O; n}`` · ``ideal-over-integers{I; side; O; n}``, n the absolute
 norm of the reduced discriminant and of the reduced norm · ``equivalent-over-integers{side; I; J}`` ·
@@ -18,7 +19,7 @@ from typing import Any
 
 from hfield.checker.check_result import CheckResult
 from hfield.checker.language import Tree
-from hfield.checker.orders import answers
+from hfield.checker.orders import answers, embeddings
 from hfield.checker.orders.reading import OverField, OverQ
 from hfield.checker.orders.texts import (
     a_rational,
@@ -42,8 +43,9 @@ OVER_Q: Evidence = {
     ("equivalent", "refuted"): (answers.are_not_equivalent, "", "between"),
     ("isomorphic-orders", "proved"): (answers.are_isomorphic, "element", ""),
     ("isomorphic-orders", "refuted"): (answers.have_other_numbers, "", "trace norm bases"),
-    ("embedding", "proved"): (answers.is_embedded, "element", ""),
-    ("embedding", "refuted"): (answers.is_not_embedded, "basis", ""),
+    ("embedding", "proved"): (embeddings.is_embedded, "element", ""),
+    ("embedding", "refuted"): (embeddings.is_not_embedded, "", "basis prime"),
+    ("embedding-orbits", "proved"): (embeddings.has_orbits, "center units elements", ""),
     ("class-set", "proved"): (answers.is_class_set, "classes", ""),
     ("dirichlet-domain", "proved"): (answers.is_domain, "", ""),
     ("norm-one-group", "proved"): (answers.is_group, "center units", ""),
@@ -80,6 +82,7 @@ PARTS: dict[str, tuple[Callable[[str], object], ...]] = {
     "equivalent": (a_side, rows_of, rows_of),
     "isomorphic-orders": (rows_of, rows_of),
     "embedding": (rows_of, a_rational),
+    "embedding-orbits": (rows_of, a_rational, a_rational),
     "class-set": (rows_of, a_rational),
     "dirichlet-domain": (rows_of, elements_of, elements_of),
     "norm-one-group": (rows_of, a_rational, numbers_of, a_rational, elements_of, words_of),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from hfield.cli.orders import add_algebra, algebra_of, answer_certified, level_of
@@ -12,6 +13,7 @@ from hfield.cli.parser import UsageError, add_factors, add_format
 from hfield.errors import shorten
 
 if TYPE_CHECKING:
+    from hfield.fuchsian.cm_points import CMPoint
     from hfield.fuchsian.group import Domain
     from hfield.presenting import Part
 
@@ -21,7 +23,7 @@ HELP = (
     "Draw its Dirichlet domain with -o."
 )
 DOING = "computing the domain"
-EXAMPLES = ("hfield domain '(3,-1|QQ)' -o domain.svg",)
+EXAMPLES = ("hfield domain '(3,-1|QQ)' -o domain.svg", "hfield domain 6 --cm -24 -o points.svg")
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -32,6 +34,14 @@ def configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--center", metavar="Z", help="a point of the upper half plane, such as 0.1+2j"
+    )
+    parser.add_argument(
+        "--cm",
+        metavar="D",
+        action="append",
+        default=[],
+        help="find the CM points of discriminant D, such as -24, and draw them in the domain; may be given "
+        "more than once",
     )
     parser.add_argument(
         "-o",
@@ -53,14 +63,19 @@ def run(args: Namespace) -> int:
     replace = args.output is not None and try_picture(args.output, ".html")
     A = algebra_of(args.algebra)
     domain = A.eichler_order(level_of(args.level, A)).norm_one_group().domain(center)
+    found = [point for d in args.cm for point in domain.group.cm_points(A.ring(d))]
+    points = [domain.reduce(point) for point in found]
     if args.output is not None:
-        domain.draw(args.output, dark=args.dark, replace=replace)
+        domain.draw(args.output, points=points, dark=args.dark, replace=replace)
     args.output = None  # what is printed goes to the terminal
     # a centre of one's own has a domain of its own, which says less than the group
     claim = domain.group if center is None else domain
     return answer_certified(
         args,
-        lambda _: (of_parts(lambda: to_json(domain), lambda: parts(domain)), lambda: claim.claim),
+        lambda _: (
+            of_parts(lambda: to_json(domain, points), lambda: parts(domain, points)),
+            lambda: claim.claim,
+        ),
     )
 
 
@@ -73,12 +88,12 @@ def _complex(text: str) -> complex:
         ) from None
 
 
-def to_json(domain: Domain) -> dict[str, Any]:
-    """Return what programs read."""
+def to_json(domain: Domain, points: Sequence[CMPoint] = ()) -> dict[str, Any]:
+    """Return what programs read, with CM points in the domain."""
     group = domain.group
     text = group.order.algebra.ring.text
     genus, orders, cusps = group.signature
-    return {
+    data: dict[str, Any] = {
         "schema": "hfield-domain/1",
         "algebra": str(group.order.algebra),
         "level": group.order.level
@@ -96,10 +111,21 @@ def to_json(domain: Domain) -> dict[str, Any]:
         "relations": [list(r) for r in group.relations],
         "abelian_invariants": list(group.abelian_invariants),
     }
+    if points:
+        data["cm_points"] = [
+            {
+                "discriminant": str(point.discriminant),
+                "element": [text(x) for x in point.element.coordinates],
+                "stabiliser": [text(x) for x in point.stabiliser.coordinates],
+                "place": [complex(point).real, complex(point).imag],
+            }
+            for point in points
+        ]
+    return data
 
 
-def parts(domain: Domain) -> list[Part]:
-    """Return what people read."""
+def parts(domain: Domain, points: Sequence[CMPoint] = ()) -> list[Part]:
+    """Return what people read, with CM points in the domain."""
     from hfield.presenting import Facts
 
     group = domain.group
@@ -116,4 +142,7 @@ def parts(domain: Domain) -> list[Part]:
         ("generators", ", ".join(map(str, group.generators))),
         ("relations", ", ".join(" ".join(map(str, r)) for r in group.relations) or "none"),
     ]
+    for n, point in enumerate(points):
+        z = f"{complex(point):.4f}"
+        facts.append(("" if n else "CM points", f"{point.element} of {point.discriminant}, at {z}"))
     return [Facts(facts, 22)]

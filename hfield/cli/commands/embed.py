@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 HELP = (
     "Embed the quadratic order of discriminant D optimally in a maximal or an Eichler order: "
     "print the image of (t + √D)/2, where t² ≡ D modulo 4 (over ZZ, t is D), or why there is none. "
-    "With --all, print one image of each orbit under conjugation by units."
+    "With --all, print one image of each orbit under conjugation by units; for D < 0 in an indefinite "
+    "algebra over QQ the certificate then shows that these are all."
 )
 DOING = "searching embeddings"
 EXAMPLES = (
@@ -38,7 +39,7 @@ def configure(parser: ArgumentParser) -> None:
         "--all",
         dest="every",
         action="store_true",
-        help="print one embedding of each orbit, for a totally negative D",
+        help="print one embedding of each orbit",
     )
     add_answers(parser)
 
@@ -52,7 +53,9 @@ def _answer(args: Namespace) -> tuple[OutputDocument, Callable[[], Claim]]:
     A = algebra_of(args.algebra)
     E = A.eichler_order(level_of(args.level, A)).embeddings(A.ring(args.discriminant))
     shown = E.representatives if args.every else None
-    return of_parts(lambda: to_json(E, shown), lambda: parts(E, shown)), lambda: E.claim
+    return of_parts(
+        lambda: to_json(E, shown), lambda: parts(E, shown)
+    ), lambda: E.claim if not args.every or E.listed is not None else E.claim_of_orbits()
 
 
 def to_json(E: Embeddings, shown: tuple[Quaternion, ...] | None) -> dict[str, object]:

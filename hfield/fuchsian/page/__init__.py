@@ -1,13 +1,15 @@
 """One page of HTML in which the centre of a domain is dragged: offline, with scripts of its own.
 
 The group comes along as the matrices of the units that pair the sides, in floats; the script finds the
-domain around any other point of the disc by reducing them by one another. What the page computes is
+domain around any other point of the disc by reducing them by one another. Where the centre is a point
+that units fix, they are those of another domain. What the page computes is
 not proved, and it says so.
 """
 
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from html import escape
 from importlib.resources import files
 from pathlib import Path
@@ -24,13 +26,15 @@ from hfield.fuchsian.pair_colors import (
     NEAREST_SHARE,
     NEXT_SHARE,
 )
+from hfield.fuchsian.picture import cm_points_in
 from hfield.fuchsian.search import Sight
 
 if TYPE_CHECKING:
+    from hfield.fuchsian.cm_points import CMPoint
     from hfield.fuchsian.group import Domain
 
 
-def page(domain: Domain, dark: bool = False) -> str:
+def page(domain: Domain, dark: bool = False, points: Iterable[CMPoint] = ()) -> str:
     """Return the page; a dark one begins dark, another as the reader's system is."""
     here = files(__name__)
     group, order = domain.group, domain.group.order
@@ -49,17 +53,32 @@ def page(domain: Domain, dark: bool = False) -> str:
     for name, file in parts.items():
         text = text.replace(f"{{{{{name}}}}}", (here / file).read_text(encoding="utf-8"))
     text = text.replace("{{look}}", "dark" if dark else "system")
-    return text.replace("{{group}}", json.dumps(_data(domain)))
+    return text.replace("{{group}}", json.dumps(_data(domain, points)))
 
 
-def _data(domain: Domain) -> dict[str, Any]:
-    """Return the units of the sides as pairs of complex numbers, where the centre is, and the area."""
-    sight = Sight(domain.polygon.plane)
-    a, b = sight.motions(sight.plane.order.rows(domain.polygon.units))
+def _data(domain: Domain, points: Iterable[CMPoint]) -> dict[str, Any]:
+    """Return the units of sides as pairs of complex numbers, where the centre is, and the area.
+
+    They pair the sides of a domain around the point ``first`` of the disc, which no unit fixes. ``corner`` is
+    the direction of the first side of a sector.
+    """
+    plane = domain.polygon.plane
+    sight, given = Sight(plane), domain if domain.stabiliser == 1 else domain.group.domain()
+    a, b = sight.motions(plane.order.rows(given.polygon.units))
+    first = plane.vector(given.center_element)
+    if plane.order.sign(first[0]) < 0:
+        first = (-first[0], -first[1], -first[2])
+    there, corner = plane.disc(first), domain.vertices[1]
     return {
+        "first": [there.real, there.imag],
+        "corner": [corner.real, corner.imag],
         "units": [[x.real, x.imag, y.real, y.imag] for x, y in zip(a, b, strict=True)],
         "area": float(domain.group.area),
         "center": [domain.center.real, domain.center.imag],
+        "points": [
+            {"name": d, "color": color, "places": [[z.real, z.imag] for z in places]}
+            for d, color, places in cm_points_in(domain, points)
+        ],
         "colors": {
             "light": {**LIGHT, "pairs": LIGHT_PAIRS},
             "dark": {**DARK, "pairs": DARK_PAIRS},
@@ -68,10 +87,16 @@ def _data(domain: Domain) -> dict[str, Any]:
     }
 
 
-def write(domain: Domain, path: object, dark: bool = False, replace: bool | None = None) -> None:
+def write(
+    domain: Domain,
+    path: object,
+    dark: bool = False,
+    replace: bool | None = None,
+    points: Iterable[CMPoint] = (),
+) -> None:
     """Write the page. Raises :class:`LatticeError` where the file cannot be written."""
     try:
         with whole_file(Path(str(path)), replace) as part:
-            part.write_text(page(domain, dark), encoding="utf-8")
+            part.write_text(page(domain, dark, points), encoding="utf-8")
     except OSError as error:
         raise LatticeError(f"cannot write {shorten(path)!r}: {error}") from error

@@ -19,6 +19,7 @@ const to = (p) => { const s = 1 / Math.sqrt(1 - abs2(p)); return [[s, 0], [p[0] 
 
 const MOST_UNITS = 600;  // where rounding errors make ever more units, the search ends
 const CUSP = 1e-7;  // so near to the circle a vertex is a cusp
+const FIXED = 1e-8;  // motions with a smaller |b|² fix the centre
 
 // --- domains: the polygon of the points nearer to 0 than to its images ---------------------------------
 
@@ -55,19 +56,35 @@ function polygon(units) {
 function beyond(shape, k) {  // the side beyond which a point of Klein's model lies
   let best = 1e-7, found = -1;
   shape.dual.forEach((w, n) => {
-    const value = 2 * abs2(shape.units[n][1]) * (w[0] * k[0] + w[1] * k[1] - 1);
+    const value = w ? 2 * abs2(shape.units[n][1]) * (w[0] * k[0] + w[1] * k[1] - 1) : beside(shape, n, k);
     if (value > best) { best = value; found = n; }
   });
   return found;
 }
 
+// The rotations about 0 among units and their products: of the order of the least, by multiples of its angle.
+function rotations(units) {
+  const angle = ([a]) => (2 * Math.atan2(a[1], a[0]) + 4 * Math.PI) % (2 * Math.PI);
+  const least = Math.min(2 * Math.PI, ...units.filter(([, b]) => abs2(b) < FIXED).map(angle).filter((t) => t > 0.01 && t < 6.27));
+  const order = Math.round(2 * Math.PI / least);
+  return Array.from({ length: order }, (_, n) => [[Math.cos(Math.PI * n / order), Math.sin(Math.PI * n / order)], [0, 0]]);
+}
+
+function beside(shape, n, k) {  // how far to the outer side of a line from 0, the first or the last side of a sector
+  const p = shape.corners.at(n ? -1 : 1), cross = (p[0] * k[1] - p[1] * k[0]) / Math.sqrt(abs2(p));
+  return n ? cross : -cross;
+}
+
 function domain(units) {  // after Voight: reduce what bounds nothing, cut off what is not paired
+  const turns = rotations(units.flatMap((g) => [g, inverse(g)]));
   const key = (g) => { const z = act(g, [0, 0]); return `${z[0].toFixed(7)},${z[1].toFixed(7)}`; };
   const tried = new Set();
   let shape;
   for (let round = 0; round < 40; round++) {
     const all = new Map();
-    for (const g of units) for (const h of [g, inverse(g)]) if (abs2(h[1]) > 1e-8) all.set(key(h), h);
+    for (const g of units) for (const h of [g, inverse(g)]) {
+      if (abs2(h[1]) > FIXED) for (const turn of turns) all.set(key(times(turn, h)), times(turn, h));
+    }
     units = [...all.values()];
     shape = polygon(units);
     const fresh = [];
@@ -78,7 +95,7 @@ function domain(units) {  // after Voight: reduce what bounds nothing, cut off w
         if (side < 0) break;
         g = times(inverse(shape.units[side]), g);
       }
-      if (abs2(g[1]) > 1e-8 && !tried.has(key(g))) { tried.add(key(g)); fresh.push(g); }
+      if (abs2(g[1]) > FIXED && !tried.has(key(g))) { tried.add(key(g)); fresh.push(g); }
     });
     if (!fresh.length) shape.units.forEach((g, n) => {
       for (const corner of [shape.corners[n], shape.corners[(n + 1) % shape.corners.length]]) {
@@ -86,7 +103,7 @@ function domain(units) {  // after Voight: reduce what bounds nothing, cut off w
         const side = beyond(shape, klein(act(inverse(g), poincare(corner))));
         if (side < 0) continue;
         const cut = times(g, shape.units[side]);
-        if (abs2(cut[1]) > 1e-8 && !tried.has(key(cut))) { tried.add(key(cut)); fresh.push(cut); }
+        if (abs2(cut[1]) > FIXED && !tried.has(key(cut))) { tried.add(key(cut)); fresh.push(cut); }
       }
     });
     units = shape.units.concat(fresh);
@@ -97,7 +114,10 @@ function domain(units) {  // after Voight: reduce what bounds nothing, cut off w
     const z = act(inverse(g), [0, 0]);
     return images.findIndex((w) => abs2([w[0] - z[0], w[1] - z[1]]) < 1e-10);
   });
+  if (turns.length > 1) shape = sector(shape, turns);
   const corners = shape.corners.map(poincare);
+  shape.inside = to(poincare(shape.corners.reduce(add).map((x) => x / corners.length)));
+  shape.order = turns.length;
   shape.angles = corners.map((z, n) => {
     if (abs2(shape.corners[n]) > 1 - CUSP) return 0;
     const back = inverse(to(z)), p = act(back, corners.at(n - 1)), q = act(back, corners[(n + 1) % corners.length]);
@@ -105,6 +125,23 @@ function domain(units) {  // after Voight: reduce what bounds nothing, cut off w
   });
   shape.area = (corners.length - 2) / 2 - shape.angles.reduce((s, x) => s + x, 0) / (2 * Math.PI);
   return shape;
+}
+
+// The sector of a polygon between two lines from 0 to corners, of which a rotation maps the first to the second.
+function sector(whole, turns) {
+  const order = turns.length, all = whole.units.length, count = all / order, start = nearestCorner(whole.corners);
+  if (!Number.isInteger(count) || whole.partners.includes(-1)) return whole;
+  const from = (list, number) => Array.from({ length: number }, (_, n) => list[(start + n) % all]);
+  const partners = from(whole.partners, count).map((p) => (p - start + all) % all);
+  const units = from(whole.units, count).map((g, n) => times(g, turns[Math.floor(partners[n] / count)]));
+  return {
+    units: [turns.at(-1), ...units, turns[1]], partners: [count + 1, ...partners.map((p) => p % count + 1), 0],
+    corners: [[0, 0], ...from(whole.corners, count + 1)], dual: [undefined, ...from(whole.dual, count), undefined],
+  };
+}
+function nearestCorner(corners) {  // the corner in the direction that is given for the first centre
+  const cosine = (p) => (p[0] * GROUP.corner[0] + p[1] * GROUP.corner[1]) / Math.sqrt(abs2(p));
+  return corners.reduce((best, p, n) => (cosine(p) > cosine(corners[best]) + 1e-9 ? n : best), 0);
 }
 
 function orders(shape) {  // the order of the rotations about each vertex
@@ -124,6 +161,7 @@ function orders(shape) {  // the order of the rotations about each vertex
 
 const BASE = GROUP.units.map(([p, q, r, s]) => [[p, q], [r, s]]), IDENTITY = [[1, 0], [0, 0]];
 const canvas = document.getElementById("plane"), pen = canvas.getContext("2d");
+const FIRST_CENTER = to(GROUP.first);  // moves 0 to the centre of the first domain, whose units are given
 let center = [0, 0], shape, halfPlane = false, dragging = false;
 let dark = document.documentElement.dataset.look === "dark" || matchMedia("(prefers-color-scheme: dark)").matches;
 const SMALL = 0.012, MOST = 5000, SMALL_DRAGGED = 0.02, MOST_DRAGGED = 6000, DRAGGED_RATIO = 1.5;
@@ -137,7 +175,7 @@ function around(z, units) {
   const right = (found) => Math.abs(found.area - GROUP.area) < 1e-4;
   let found = domain(seen);
   if (!right(found)) {
-    const products = seen.flatMap((g) => seen.map((h) => times(g, h))).filter(([, b]) => abs2(b) > 1e-8);
+    const products = seen.flatMap((g) => seen.map((h) => times(g, h))).filter(([, b]) => abs2(b) > FIXED);
     const nearest = products.sort(([, b], [, d]) => abs2(b) - abs2(d)).slice(0, MOST_PRODUCTS);
     found = domain(found.units.concat(seen, nearest));
   }
@@ -147,9 +185,9 @@ function around(z, units) {
   return found;
 }
 
-// The domain around a point of the first domain, by steps from the middle: sides change little in each.
+// The domain around a point of the first domain, by steps from its centre: sides change little in each.
 function walked(z) {
-  let found = around([0, 0], BASE), here = [0, 0];
+  let found = around(GROUP.first, BASE), here = GROUP.first;
   for (let step = 0; step < MAX_STEPS; step++) {
     const way = act(inverse(to(here)), z), size = Math.sqrt(abs2(way)), last = size <= STEP || step === MAX_STEPS - 1;
     here = last ? z : act(to(here), [way[0] * STEP / size, way[1] * STEP / size]);
@@ -161,16 +199,17 @@ function walked(z) {
 }
 
 // The unit h and the point z' of the first domain with h·z' = z.
-const FIRST = polygon(BASE);
+const FIRST = polygon(BASE.map((g) => times(inverse(FIRST_CENTER), times(g, FIRST_CENTER))));
 function reduced(z) {
   let h = IDENTITY;
+  z = act(inverse(FIRST_CENTER), z);
   for (let step = 0; step < 200; step++) {
     const n = beyond(FIRST, klein(z));
     if (n < 0) break;
     z = act(inverse(FIRST.units[n]), z);
     h = times(h, FIRST.units[n]);
   }
-  return [h, z];
+  return [times(FIRST_CENTER, times(h, inverse(FIRST_CENTER))), act(FIRST_CENTER, z)];
 }
 
 function recompute(afresh = false) {
@@ -183,7 +222,7 @@ function recompute(afresh = false) {
   found.world = found.world.map((g) => times(h, times(g, back)));
   found.there = times(h, found.there);
   found.center = center;
-  begin(found, times(inverse(found.there), times(BASE[0], found.there)));
+  if (found.order === 1) begin(found, times(inverse(found.there), times(BASE[0], found.there)));
   found.orders = orders(found);
   number(found, shape);
   shape = found;
@@ -203,7 +242,7 @@ function begin(found, first) {
 // first of a pair has the letter, the other its inverse.
 function number(found, before) {
   const here = inverse(found.there), place = (g) => act(times(here, times(g, found.there)), [0, 0]);
-  const known = before ?? numbered(BASE), places = found.units.map((g) => act(g, [0, 0]));
+  const known = before ?? (found.order > 1 ? { world: [] } : numbered(BASE)), places = found.units.map((g) => act(g, [0, 0]));
   const count = places.length, chosen = new Array(count), first = new Array(count), taken = new Set();
   const give = (n, k, isFirst) => {
     const partner = found.partners[n];
@@ -254,11 +293,11 @@ function unproject([x, y]) {
   return div([v[0], v[1] - 1], [v[0], v[1] + 1]);  // (v − i)/(v + i)
 }
 
-function side(motion, n, steps) {  // points on a side, but the last
-  const p = shape.corners[n], q = shape.corners[(n + 1) % shape.corners.length], found = [];
+function side(motion, n, steps) {  // points on a side, but the last, evenly on the screen
+  const end = (m) => klein(act(motion, poincare(shape.corners[m % shape.corners.length]))), p = end(n), q = end(n + 1), found = [];
   for (let k = 0; k < steps; k++) {
     const t = (1 - Math.cos(Math.PI * k / steps)) / 2;
-    found.push(act(motion, poincare([p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t])));
+    found.push(poincare([p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t]));
   }
   return found;
 }
@@ -279,18 +318,24 @@ function shade(number, length) {  // a pair's colour, mixed with the disc's
   return "rgb(" + [1, 3, 5].map(part).map(([a, b]) => Math.round(a + (b - a) * share)).join(" ") + ")";
 }
 
-// Where a motion moves 0, on the hyperboloid: images of 0 are nowhere nearer to one another there than at 0.
-// Steps of a thousandth tell them apart; the shift keeps simple numbers away from where rounding jumps.
+// Where a motion moves 0, on the hyperboloid: images of 0 are nowhere nearer to one another there than at 0. In a
+// sector that is fixed by rotations, and a point inside is moved to it first. Steps of a thousandth tell them apart; the shift keeps simple numbers away from where rounding jumps.
 function key([a, b]) {
   const p = mul(a, b), step = (x) => Math.floor(2000 * x + 0.37);
   return `${step(p[0])},${step(p[1])}`;
 }
 function tiles() {
-  const back = inverse(shape.there), found = [], seen = new Set([key(times(back, shape.there))]);
+  const back = inverse(shape.there), inside = shape.order > 1 ? shape.inside : IDENTITY, found = [];
+  const name = (motion) => key(times(inverse(inside), times(back, times(motion, inside))));
+  const seen = new Set([name(shape.there)]);
   const queue = [[shape.there, -1, 0]], outline = shape.corners.map(poincare);
   const most = dragging ? Math.max(300, MOST_DRAGGED / outline.length) : MOST, small = dragging ? SMALL_DRAGGED : SMALL;
   // An image lies beyond a side, where not much is seen if the ends of its line are near to one another.
-  const ends = dragging ? shape.dual.map((w) => {
+  const ends = dragging ? shape.dual.map((w, n) => {
+    if (!w) {  // a line through the centre, to the first or the last corner
+      const p = shape.corners.at(n ? -1 : 1), s = Math.sqrt(abs2(p));
+      return [[p[0] / s, p[1] / s], [-p[0] / s, -p[1] / s]];
+    }
     const size = abs2(w), t = Math.sqrt(Math.max(0, size - 1));
     return [[(w[0] - t * w[1]) / size, (w[1] + t * w[0]) / size], [(w[0] + t * w[1]) / size, (w[1] - t * w[0]) / size]];
   }) : [];
@@ -302,9 +347,9 @@ function tiles() {
         const [p, q] = ends[n].map((z) => act(motion, z));
         if (abs2([p[0] - q[0], p[1] - q[1]]) < small * small) return;
       }
-      const image = times(motion, g), name = key(times(back, image));
-      if (seen.has(name)) return;
-      seen.add(name);
+      const image = times(motion, g), place = name(image);
+      if (seen.has(place)) return;
+      seen.add(place);
       const points = outline.map((p) => act(image, p)), xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
       const size = Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
       if (size < small) return;
@@ -368,16 +413,19 @@ function draw() {
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   for (let n = 0; n < count; n++) name(n, ratio);
-  const [x, y] = project(center);
-  pen.beginPath();
-  pen.arc(x, y, 5 * ratio, 0, 7);
-  pen.fill();
   pen.strokeStyle = inside;
   pen.lineWidth = 2 * ratio;
-  pen.stroke();
+  if (shape.order > 1) mark(center, shape.order, 1.4 * ratio);
+  else {
+    pen.beginPath();
+    pen.arc(...project(center), 5 * ratio, 0, 7);
+    pen.fill();
+    pen.stroke();
+  }
+  markPoints(ratio);
   document.getElementById("reading").textContent = shape.right
-    ? `${count} sides · area 2π·${shape.area.toFixed(6)}`
-    : "a rotation of the group fixes this point, or comes too near: it has no domain";
+    ? `${count} sides · area 2π·${shape.area.toFixed(6)}` + (shape.order > 1 ? ` · the centre is fixed by a rotation of order ${shape.order}` : "")
+    : "a rotation of the group fixes a point that is too near: the page does not find the domain";
 }
 function name(n, ratio) {  // a letter inside the domain, beside the middle of a side that is long enough
   const [before, middle, after] = [0, 1, 2].map((k) => project(side(shape.there, n, 2).concat(side(shape.there, (n + 1) % shape.units.length, 1))[k]));
@@ -386,6 +434,26 @@ function name(n, ratio) {  // a letter inside the domain, beside the middle of a
   const away = 0.95 * size / long;  // the corners go round the domain, and y goes down
   pen.font = `${size}px "DejaVu Sans", Verdana, sans-serif`;
   pen.fillText(shape.letters[n], middle[0] + way[1] * away, middle[1] - way[0] * away);
+}
+function moved(z) {  // the image of a point in the domain
+  let w = act(inverse(shape.there), z);
+  for (let step = 0; step < 300; step++) {
+    const n = beyond(shape, klein(w));
+    if (n < 0) break;
+    w = act(inverse(shape.units[n]), w);
+  }
+  return act(shape.there, w);
+}
+function markPoints(ratio) {  // CM points
+  pen.lineWidth = 1.4 * ratio;
+  pen.strokeStyle = look().ink;
+  for (const { color, places } of GROUP.points) for (const z of places) {
+    pen.fillStyle = color;
+    pen.beginPath();
+    pen.arc(...project(moved(z)), 5 * ratio, 0, 7);
+    pen.fill();
+    pen.stroke();
+  }
 }
 function mark(z, order, ratio) {
   const [x, y] = project(z), r = 5.5 * ratio, corners = order === 2 ? 4 : order < 8 ? order : 24;
@@ -446,5 +514,16 @@ addEventListener("resize", refresh);
 if (location.hash.includes("dark")) dark = true;  // #dark and #half say how the page begins
 showLook();
 if (location.hash.includes("half")) document.getElementById("model").click();
+if (GROUP.points.length) {
+  const legend = document.getElementById("points");
+  legend.hidden = false;
+  legend.append("CM points of discriminant");
+  for (const { name, color } of GROUP.points) {
+    const dot = document.createElement("span");
+    dot.className = "dot";
+    dot.style.background = color;
+    legend.append(" ", dot, ` ${name}`);
+  }
+}
 recompute();
 draw();
