@@ -66,7 +66,9 @@ def by_norm(ideal: LatticeValue) -> Iterator[tuple[tuple[int, ...], int]]:
         low, high = high, 2 * high
 
 
-def longer(ideal: LatticeValue, rng: random.Random) -> Iterator[tuple[tuple[int, ...], int]]:
+def random_elements(
+    ideal: LatticeValue, rng: random.Random
+) -> Iterator[tuple[tuple[int, ...], int]]:
     """Yield random elements and their norms, as :func:`by_norm` does, of no small subspace.
 
     All that are short may lie in a plane, where the norms have a common divisor, such as that of ``O·R·n``, R
@@ -104,7 +106,7 @@ def to_power_norm(
         )
     rng = random.Random(seed)
     tried = 0
-    for row, norm in chain(by_norm(ideal), longer(ideal, rng)):
+    for row, norm in chain(by_norm(ideal), random_elements(ideal, rng)):
         if norm in (prime, p, 2) or not is_probable_prime(norm):
             continue
         x = ideal.element(row)

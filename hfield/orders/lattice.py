@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Self, overload
 from flint import fmpq
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.factorisation import Factors
 from hfield.errors import (
     IndefiniteError,
     LatticeError,
@@ -33,10 +34,10 @@ from hfield.orders import (
     brandt,
     certificates,
     class_number,
-    element_factors,
     equivalence,
     foreign_writing,
     hermite,
+    ideal_generators,
     ideal_products,
     ideals_of_norm,
     invariants,
@@ -62,6 +63,7 @@ from hfield.orders.hecke_modules import ClassFunctions
 from hfield.orders.lattice_values import LatticeValue, rows_json
 from hfield.orders.orders_at_primes import OrderAtPrime
 from hfield.orders.quadratic_orders import Embeddings
+from hfield.orders.residue_matrices import ResidueMatrices
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.stable_classes import stable_classes
 from hfield.orders.ternary_forms import TernaryForm
@@ -821,22 +823,20 @@ class Order(WithStableClasses, Certified, Lattice):
         """
         return quadratic_orders.represent_integer(self.value, n, seed)
 
-    def factor(self, x: object, primes: Iterable[object]) -> tuple[Quaternion, list[Quaternion]]:
-        """Return (u, [π₁, …, πₙ]) with x = u·π₁⋯πₙ, u a unit, and norms N(πₙ) that are the given primes.
+    def modulo(self, n: object, factors: Factors | None = None) -> ResidueMatrices:
+        """Return an isomorphism M of O/NO with M₂(ℤ/N), for N prime to the discriminant.
 
-        The primes come in any order, each as often as it divides the norm of x (Conway and Smith, *On
-        Quaternions and Octonions*, chapter 5). Over ℤ_K they are prime ideals, or numbers that generate them;
-        N(πₙ) generates the ideal, and is the number itself where that is totally positive and units of the
-        order allow it. In an indefinite algebra over ℚ it is the prime up to its sign. Raises
-        :class:`LatticeError` where norms do not match, or an ideal of prime norm is not principal, and
-        :class:`UndecidedError`.
+        M(x) is a matrix, ``M.lift`` leads back, ``M.ideal(v)`` is the left ideal of the x with M(x)·v = 0 and
+        ``M.kernel(I)`` is v. ``factors`` are the primes of N where it is too large to be factored. Raises
+        :class:`LatticeError`, also over another field than ℚ, and :class:`UnfactoredError`.
 
-        >>> from hfield import H
-        >>> O = H("QQ").hurwitz_order(); u, factors = O.factor("3 + 5*i + j", [5, 7])
-        >>> u, factors, u * factors[0] * factors[1], [q.norm() for q in factors]
-        (1/2 + 1/2*i - 1/2*j + 1/2*k, [1/2 + 1/2*i + 3/2*j + 3/2*k, -1 + i - 2*j - k], 3 + 5*i + j, [5, 7])
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); M = O.modulo(5)
+        >>> M(O.algebra("i")), M.ideal((1, 2)).norm(), M.kernel(M.ideal((1, 2)))
+        (((0, 1), (4, 0)), 5, (1, 2))
         """
-        return element_factors.factor(self.value, x, primes)
+        _expect_rational(self, "modulo()")
+        return ResidueMatrices(self, n, factors)
 
     def embeddings(self, discriminant: object) -> Embeddings:
         """Return the optimal embeddings of the quadratic order of a discriminant d.
@@ -1174,13 +1174,59 @@ class Ideal(Certified, Lattice):
         order = self.order.value
         return equivalence.equivalence(order, self.value, order, self.side)
 
+    @cached_property
+    def generators(self) -> tuple[int | Fraction, Quaternion]:
+        """Two generators, a number n and an element x: I = O·n + O·x, for a right ideal n·O + x·O.
+
+        The lattice that they generate is computed and compared with I. Raises :class:`LatticeError` for an
+        ideal that is not invertible, or over another field than ℚ.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); I = O.left_ideal([15, "1 + j"])
+        >>> n, x = I.generators; n, O.left_ideal([n, x]) == I
+        (3, True)
+        """
+        _expect_rational(self, "generators")
+        return ideal_generators.two_generators(self.value, self.order.value, self.side)
+
+    def reduced_equivalent(self) -> EquivalentIdeal:
+        """Return the integral ideal J of least norm that is equivalent to I, with ``J.element`` c.
+
+        J = I·c for a left ideal, c·I for a right one, with c = conj(x)/N(I) for a shortest x in I. Raises
+        :class:`LatticeError` for an ideal that is not invertible, or over another field than ℚ, and
+        :class:`IndefiniteError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> I = QuaternionAlgebra(419).maximal_order().random_ideal(1009, seed=1)
+        >>> J = I.reduced_equivalent(); J.norm(), I * J.element == J
+        (6, True)
+        """
+        _expect_rational(self, "reduced_equivalent()")
+        expect_definite(self.value.ambient, "reduced_equivalent()")
+        self._expect_invertible("reduced_equivalent()")
+        return self._with_conjugate(short_elements.shortest(self.value)[0])
+
+    def _with_conjugate(self, x: Quaternion) -> EquivalentIdeal:
+        """Return the equivalent ideal of norm N(x)/N(I) for an x in I."""
+        c = x.conjugate() / self.norm()
+        side = "left" if self.side == "right" else "right"
+        return EquivalentIdeal(
+            lattice_values.multiple(self.value, c, side), self.side, self.order, c
+        )
+
+    def _expect_invertible(self, what: str) -> None:
+        if not self.is_invertible():
+            raise LatticeError(
+                f"{what} is for invertible ideals, and this one is not locally principal"
+            )
+
     def equivalent_of_prime_norm(self, avoid: Iterable[int] = ()) -> tuple[Ideal, Quaternion]:
         """Return (J, c) with J equivalent to I of the least prime norm that is not in ``avoid``.
 
         J = I·c for a left ideal, c·I for a right one, with c = conj(x)/N(I) for a short x in I
         (Kohel, Lauter, Petit and Tignol, 2014). Raises :class:`LatticeError` over another field than ℚ.
         """
-        self._expect_rational("equivalent_of_prime_norm()")
+        _expect_rational(self, "equivalent_of_prime_norm()")
         c = klpt.to_prime_norm(self.value, frozenset(avoid))
         found = lattice_values.multiple(self.value, c, "left" if self.side == "right" else "right")
         return Ideal(found, self.side, self.order), c
@@ -1191,18 +1237,31 @@ class Ideal(Certified, Lattice):
         Raises :class:`LatticeError` for another order, or over another field than ℚ, and
         :class:`UndecidedError`.
         """
-        self._expect_rational("equivalent_of_power_norm()")
+        _expect_rational(self, "equivalent_of_power_norm()")
         p = checked_prime(prime)
         c, e = klpt.to_power_norm(self.value, self.order.value, self.side, p, seed)
         return Ideal.of(self * c, "left", self.order), c, e
 
-    def _expect_rational(self, what: str) -> None:
-        """Raise :class:`LatticeError` where the base is not ℤ."""
-        if not self.value.ambient.base.is_rational:
-            raise LatticeError(
-                f"{what} is for ideals of orders over ZZ, and this algebra is over {self.algebra.ring.name}: "
-                "there norms are ideals, which need not be principal"
-            )
+
+class EquivalentIdeal(Ideal):
+    """An ideal J equivalent to I: with ``element`` c, J = I·c for left ideals and c·I for right ones."""
+
+    def __init__(self, value: LatticeValue, side: str, order: Order, element: Quaternion) -> None:
+        super().__init__(value, side, order)
+        self.element = element
+
+    @property
+    def _arguments(self) -> tuple[object, ...]:
+        return *super()._arguments, self.element
+
+
+def _expect_rational(lattice: Lattice, what: str) -> None:
+    """Raise :class:`LatticeError` where the base is not ℤ."""
+    if not lattice.value.ambient.base.is_rational:
+        raise LatticeError(
+            f"{what} is for orders over ZZ and their ideals, and this algebra is over "
+            f"{lattice.algebra.ring.name}: there norms are ideals, which need not be principal"
+        )
 
 
 def _is_scalar(x: object) -> bool:
