@@ -46,6 +46,7 @@ from hfield.orders import (
     labels,
     lattice_values,
     maximal_orders,
+    norm_pairs,
     pseudo_bases,
     quadratic_orders,
     related_orders,
@@ -54,6 +55,7 @@ from hfield.orders import (
     ternary_forms,
     units,
 )
+from hfield.orders import strong_approximation as solvers
 from hfield.orders.basis import basis_of
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
 from hfield.orders.classes import Classes
@@ -67,7 +69,7 @@ from hfield.orders.residue_matrices import ResidueMatrices
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.stable_classes import stable_classes
 from hfield.orders.ternary_forms import TernaryForm
-from hfield.orders.validation import checked_side, listed, natural
+from hfield.orders.validation import checked_side, listed, natural, positive
 from hfield.orders.validation import prime as checked_prime
 from hfield.sympy_printing import PrintedBySympy
 
@@ -823,6 +825,26 @@ class Order(WithStableClasses, Certified, Lattice):
         """
         return quadratic_orders.represent_integer(self.value, n, seed)
 
+    def strong_approximation(
+        self, x: object, modulus: object, number: object, seed: int = 0
+    ) -> Quaternion:
+        """Return μ ≡ λ·x modulo N·O, for some number λ prime to N, whose norm divides a smooth number T.
+
+        The order is p-extremal, N an odd prime, and x = (C + D·s)·β as :meth:`Ideal.ideal_mod_constraint`
+        returns it (StrongApproximation of KLPT). T is to be above p·N³. Raises :class:`LatticeError` for
+        others, and :class:`UndecidedError` with the size of T that is needed; where no norm that divides T is
+        λ²·N(x) modulo N, another γ helps.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra(2**61 - 1).extremal_order(); I = O.random_ideal(1013, seed=1)
+        >>> gamma = O.represent_integer(1013 * 2**80)
+        >>> mu = O.strong_approximation(I.ideal_mod_constraint(gamma), 1013, 6**60)
+        >>> gamma * mu in I, 6**60 % mu.norm()
+        (True, 0)
+        """
+        _expect_rational(self, "strong_approximation()")
+        return solvers.of_smooth_norm(self.value, self.algebra(x), modulus, number, seed)
+
     def modulo(self, n: object, factors: Factors | None = None) -> ResidueMatrices:
         """Return an isomorphism M of O/NO with M₂(ℤ/N), for N prime to the discriminant.
 
@@ -1227,20 +1249,109 @@ class Ideal(Certified, Lattice):
         (Kohel, Lauter, Petit and Tignol, 2014). Raises :class:`LatticeError` over another field than ℚ.
         """
         _expect_rational(self, "equivalent_of_prime_norm()")
-        c = klpt.to_prime_norm(self.value, frozenset(avoid))
-        found = lattice_values.multiple(self.value, c, "left" if self.side == "right" else "right")
-        return Ideal(found, self.side, self.order), c
+        return self._with_conjugate(klpt.to_prime_norm(self.value, frozenset(avoid))).pair
 
     def equivalent_of_power_norm(self, prime: int, seed: int = 0) -> tuple[Ideal, Quaternion, int]:
-        """Return (J, c, e), J = I·c of norm primeᵉ, for a left ideal of a p-extremal order: KLPT.
+        """Return (J, c, e) with J equivalent to I of norm primeᵉ, by KLPT; c as for :meth:`equivalence`.
 
-        Raises :class:`LatticeError` for another order, or over another field than ℚ, and
-        :class:`UndecidedError`.
+        It starts from a maximal order in an algebra of prime discriminant p. From a p-extremal order the norm
+        is about p³, from others, through connecting ideals, about p⁶. Raises :class:`LatticeError` for
+        another order, or over another field than ℚ, and :class:`UndecidedError`.
         """
         _expect_rational(self, "equivalent_of_power_norm()")
-        p = checked_prime(prime)
-        c, e = klpt.to_power_norm(self.value, self.order.value, self.side, p, seed)
-        return Ideal.of(self * c, "left", self.order), c, e
+        left = self._as_left
+        x, e = klpt.to_power_norm(left, self.order.value, checked_prime(prime), seed)
+        return *self._from_left(x).pair, e
+
+    def equivalent_of_norm_dividing(
+        self, number: object, seed: int = 0
+    ) -> tuple[Ideal, Quaternion, int]:
+        """Return (J, c, n) with J equivalent to I of a norm n that divides a smooth number T: KLPT.
+
+        c is as for :meth:`equivalence`. I is an ideal of a maximal order. Norms of moderate size are tried
+        first, the least one wins. KLPT needs T > p³ for a p-extremal order and, through connecting ideals,
+        T > p⁶ for others. Raises :class:`LatticeError` for another order, or over another field than ℚ, and
+        :class:`UndecidedError` with the size of T that is needed.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> I = QuaternionAlgebra(2**61 - 1).extremal_order().random_ideal(101, seed=1)
+        >>> J, c, n = I.equivalent_of_norm_dividing(6**100)
+        >>> I * c == J, J.norm() == n, 6**100 % n
+        (True, True, 0)
+        """
+        _expect_rational(self, "equivalent_of_norm_dividing()")
+        self._expect_invertible("equivalent_of_norm_dividing()")
+        smooth = positive(number, "number T")
+        x = klpt.to_norm_dividing(self._as_left, self.order.value, smooth, seed)
+        found = self._from_left(x)
+        return *found.pair, int(found.norm())
+
+    def equivalent_pair(
+        self, total: object, seed: int = 0
+    ) -> tuple[tuple[Ideal, Quaternion], tuple[Ideal, Quaternion]]:
+        """Return ((J₁, c₁), (J₂, c₂)), equivalent to I, of coprime norms with the sum ``total``: Qlapoti.
+
+        c₁ and c₂ are as for :meth:`equivalence`. The order is p-extremal, or maximal for p < 2⁴⁰, where a
+        search finds the pair; the total is to be at least about 2p (Borin et al., ePrint 2025/1604). Raises
+        :class:`LatticeError` for another order, or over another field than ℚ, and :class:`UndecidedError` for
+        smaller totals.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> I = QuaternionAlgebra(2**61 - 1).extremal_order().random_ideal(101, seed=1)
+        >>> (J, c), (K, d) = I.equivalent_pair(2**64)
+        >>> I * c == J, I * d == K, J.norm() + K.norm() == 2**64, J.norm() % 2
+        (True, True, True, 1)
+        """
+        _expect_rational(self, "equivalent_pair()")
+        self._expect_invertible("equivalent_pair()")
+        number = positive(total, "sum of the norms")
+        x, y = norm_pairs.with_sum(self._as_left, self.order.value, number, seed)
+        return self._from_left(x).pair, self._from_left(y).pair
+
+    @property
+    def _as_left(self) -> LatticeValue:
+        """The ideal where it is a left one, else its conjugate."""
+        return lattice_values.conjugate(self.value) if self.side == "right" else self.value
+
+    def _from_left(self, x: Quaternion) -> EquivalentIdeal:
+        """Return the equivalent ideal of norm N(x)/N(I) for an x in :attr:`_as_left`."""
+        return self._with_conjugate(x.conjugate() if self.side == "right" else x)
+
+    def ideal_mod_constraint(self, gamma: object) -> Quaternion:
+        """Return μ = (C + D·s)·β with γ·μ in I, for a left ideal of prime norm of a p-extremal order.
+
+        s² is the discriminant of the small quadratic order R, and β is orthogonal to R, of norm p
+        (IdealModConstraint of KLPT). The norm of γ is a multiple of the norm of I. Raises
+        :class:`LatticeError` for other ideals and elements.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra(2**61 - 1).extremal_order(); I = O.random_ideal(1009, seed=1)
+        >>> gamma = O.represent_integer(1009 * 2**80)
+        >>> gamma * I.ideal_mod_constraint(gamma) in I
+        True
+        """
+        return self._mod_constraint(gamma, None, "ideal_mod_constraint()")
+
+    def eichler_mod_constraint(self, gamma: object, delta: object = 1) -> Quaternion:
+        """Return μ = (C + D·s)·β with γ·μ·δ in the Eichler order ℤ + I, as :meth:`ideal_mod_constraint` does.
+
+        γ and δ are elements of the order (EichlerModConstraint of SQISign). Raises :class:`LatticeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra(2**61 - 1).extremal_order(); I = O.random_ideal(1009, seed=1)
+        >>> gamma = O.represent_integer(2**80); E = O & I.right_order()
+        >>> gamma * I.eichler_mod_constraint(gamma) in E
+        True
+        """
+        return self._mod_constraint(gamma, delta, "eichler_mod_constraint()")
+
+    def _mod_constraint(self, gamma: object, delta: object, what: str) -> Quaternion:
+        _expect_rational(self, what)
+        if self.side == "right":
+            raise LatticeError(f"{what} is for left ideals: conjugate this one first")
+        A = self.algebra
+        after = None if delta is None else A(delta)
+        return solvers.mod_constraint(self.value, self.order.value, A(gamma), after)
 
 
 class EquivalentIdeal(Ideal):
@@ -1249,6 +1360,11 @@ class EquivalentIdeal(Ideal):
     def __init__(self, value: LatticeValue, side: str, order: Order, element: Quaternion) -> None:
         super().__init__(value, side, order)
         self.element = element
+
+    @property
+    def pair(self) -> tuple[Ideal, Quaternion]:
+        """The ideal alone, and the element."""
+        return Ideal(self.value, self.side, self.order), self.element
 
     @property
     def _arguments(self) -> tuple[object, ...]:

@@ -39,6 +39,11 @@ class QuadraticFrame:
         return self.discriminant % 2
 
     @property
+    def root(self) -> Quaternion:
+        """The root s = 2α − t of the discriminant."""
+        return 2 * self.alpha - self.t
+
+    @property
     def n(self) -> int:
         """The norm of α."""
         return (self.t - self.discriminant) // 4

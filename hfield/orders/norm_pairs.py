@@ -1,0 +1,221 @@
+"""Two elements of an ideal whose norms have a given sum: Qlapoti.
+
+Let I be a left ideal of prime norm N of a p-extremal order with the frame R + R·β. It contains a λ + β with λ
+in R, and then u + v·β for all u ≡ v·λ modulo N. So x = v·λ + N·w + v·β and y = N·w′ have norms of sum S·N if
+
+    N(v·λ + N·w) + N²·N(w′) = S·N − p·N(v).
+
+For a v in R that is one linear condition on w modulo N. Each short solution gives N(w′), and Cornacchia's
+algorithm finds w′. There are enough solutions for S ≥ 2p (Borin, Corte-Real Santos, Eriksen, Invernizzi,
+Mula, Schaeffler and Vercauteren, "Qlapoti", ePrint 2025/1604). In other orders, for small p, the norms of
+many short elements are listed and sorted, which shows the pairs with the sum.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterator, Sequence
+from itertools import chain, count, islice
+from typing import TYPE_CHECKING
+
+from flint import fmpz_mat
+
+from hfield.algebra.quaternion import Quaternion
+from hfield.core.primality import is_probable_prime
+from hfield.errors import LatticeError, UndecidedError, shorten
+from hfield.orders import hermite
+from hfield.orders.klpt import by_norm, random_elements
+from hfield.orders.lattice_values import LatticeValue, multiple, spanning_rows
+from hfield.orders.linear_algebra_mod_p import kernel
+from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame, represent
+from hfield.orders.strong_approximation import MAX_FRAME_DISCRIMINANT, close, expect_maximal
+
+if TYPE_CHECKING:
+    import numpy as np
+
+Pair = tuple[Quaternion, Quaternion]
+MAX_SEARCHED_DISCRIMINANT = 2**40
+"""Above this discriminant pairs are not searched for by sorting."""
+SAMPLES = 2**12, 2**15, 2**18, 2**22
+"""So many elements are sorted, one number after the other."""
+MAX_PRIMES, MAX_MULTIPLIERS, MAX_STEPS = 12, 3_000, 60
+
+
+def with_sum(ideal: LatticeValue, order: LatticeValue, total: int, seed: int) -> Pair:
+    """Return x and y in a left ideal of a maximal order with coprime N(x)/N(I) and N(y)/N(I) of a given sum.
+
+    Raises :class:`LatticeError` for other orders, and :class:`UndecidedError` where none were found.
+    """
+    p = expect_maximal(order, "equivalent_pair()")
+    f = extremal_frame(order, MAX_FRAME_DISCRIMINANT)
+    if f is None and p >= MAX_SEARCHED_DISCRIMINANT:
+        raise LatticeError(
+            "equivalent_pair() is for ideals of p-extremal orders, such as A.extremal_order(), and of other "
+            "maximal orders for p < 2^40: connect this order to an extremal one with connecting_ideal()"
+        )
+    searched = SAMPLES if p < MAX_SEARCHED_DISCRIMINANT else ()
+    found = _by_sorting(ideal, total, searched[:2], seed)
+    if found is None and f is not None:
+        found = _by_qlapoti(ideal, f, total, random.Random(seed))
+    if found is None:
+        found = _by_sorting(ideal, total, searched[2:], seed)
+    if found is None:
+        raise UndecidedError(
+            f"no two equivalent ideals with coprime norms of the sum {shorten(total)} were found; a sum of "
+            f"at least about 2·p = {shorten(2 * p)} is needed"
+        )
+    return found
+
+
+def _by_qlapoti(
+    ideal: LatticeValue, f: QuadraticFrame, total: int, rng: random.Random
+) -> Pair | None:
+    """Return such a pair for an ideal of a p-extremal order, or None."""
+    tried = 0
+    for row, norm in _elements(ideal, rng):
+        if (
+            norm == 2
+            or (f.norm * f.discriminant * total) % norm == 0
+            or not is_probable_prime(norm)
+        ):
+            continue
+        if f.norm >= total * norm:
+            continue
+        tried += 1
+        if tried > MAX_PRIMES:
+            return None
+        x = ideal.element(row)
+        start = multiple(ideal, x.conjugate() / ideal.norm, "right")
+        found = _in_prime_ideal(start, f, norm, total)
+        if found is not None:
+            first, second = (y * x / norm for y in found)
+            return first, second
+    return None
+
+
+def _elements(ideal: LatticeValue, rng: random.Random) -> Iterator[tuple[tuple[int, ...], int]]:
+    """Yield some elements as rows with their norms as multiples of the norm of the ideal."""
+    yield from islice(by_norm(ideal), 2_000)
+    yield from islice(random_elements(ideal, rng), 2_000)
+
+
+def _in_prime_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: int) -> Pair | None:
+    """Return the same for a left ideal of prime norm N; norms are multiples of N."""
+    scalar = _scalar_part(ideal, f, norm)
+    if scalar is None:
+        return None
+    p, square = f.norm, norm * norm
+    for v in islice(_multipliers(f, (total * norm - 1) // p), MAX_MULTIPLIERS):
+        g = _centred(_times(f, v, scalar), norm)
+        whole = total * norm - p * f.binary(*v)
+        rest = (whole - f.binary(*g)) // norm
+        # Tr(g·conj(w)) ≡ rest modulo N
+        first, second = (2 * g[0] + f.t * g[1]) % norm, (f.t * g[0] + 2 * f.n * g[1]) % norm
+        if not first:
+            continue
+        inverse = pow(first, -1, norm)
+        form = [[2, f.t], [f.t, 2 * f.n]]
+        steps = close(-second * inverse % norm, rest * inverse % norm, norm, g, form)
+        misses = 0
+        for c, e in islice(steps, MAX_STEPS):
+            u = g[0] + norm * c, g[1] + norm * e
+            m = (whole - f.binary(*u)) // square
+            if m <= 0:
+                misses += 1
+                if misses > 12:
+                    break
+                continue
+            if math.gcd(norm * m, total) > 1:
+                continue
+            last = represent(f.discriminant, m)
+            if last is not None:
+                return f.element(*u, *v), norm * f.element(*last, 0, 0)
+    return None
+
+
+def _scalar_part(ideal: LatticeValue, f: QuadraticFrame, norm: int) -> tuple[int, int] | None:
+    """Return the coordinates of λ in R, modulo N, with λ + β in an ideal that contains N·O, or None."""
+    den, rows = spanning_rows(ideal.ambient, [1, f.alpha, f.beta])
+    inside, d = hermite.in_coordinates(ideal.matrix, rows)
+    table = [[int(c) * ideal.den * norm // (d * den) for c in row] for row in inside.tolist()]
+    found = kernel(list(zip(*table, strict=True)), norm)
+    if len(found) != 1 or not found[0][2] % norm:
+        return None
+    factor = pow(found[0][2], -1, norm)
+    return found[0][0] * factor % norm, found[0][1] * factor % norm
+
+
+def _times(f: QuadraticFrame, v: tuple[int, int], w: tuple[int, int]) -> tuple[int, int]:
+    """Return the product in R, α² = t·α − n."""
+    (a, b), (c, d) = v, w
+    return a * c - f.n * b * d, a * d + b * c + f.t * b * d
+
+
+def _centred(v: tuple[int, int], n: int) -> tuple[int, int]:
+    a, b = ((c + n // 2) % n - n // 2 for c in v)
+    return a, b
+
+
+def _multipliers(f: QuadraticFrame, largest: int) -> Iterator[tuple[int, int]]:
+    """Yield v ≠ 0 in R, one of ±v, of norm at most a number, the small ones first."""
+    for size in count(1):
+        # N(v) ≥ |d|·x²/(4·N(α)) and ≥ |d|·y²/4
+        if -f.discriminant * size * size > 4 * f.n * largest:
+            return
+        sides = ((x, y) for y in range(size) for x in (-size, size))
+        top = ((x, size) for x in range(-size, size + 1))
+        for x, y in chain(sides, top):
+            if (y or x > 0) and math.gcd(x, y) == 1 and f.binary(x, y) <= largest:
+                yield x, y
+
+
+def _by_sorting(ideal: LatticeValue, total: int, samples: Sequence[int], seed: int) -> Pair | None:
+    """Return such a pair among so many short elements, or all of them, for a total of at most 50 bits."""
+    import numpy as np
+
+    rows, gram = ideal.reduced
+    bounds = _bounds(gram, 2 * total)
+    if total.bit_length() > 50 or max(bounds) > 2**26:
+        return None
+    box = math.prod(2 * b + 1 for b in bounds)
+    numbers = np.random.default_rng(seed)
+    for size in samples:
+        if box <= size:
+            ranges = [np.arange(-b, b + 1, dtype=np.int64) for b in bounds]
+            vectors = np.stack(np.meshgrid(*ranges, indexing="ij"), axis=-1).reshape(-1, 4)
+        else:
+            columns = [numbers.integers(-b, b + 1, size, dtype=np.int64) for b in bounds]
+            vectors = np.stack(columns, axis=-1)
+        pair = _matching(vectors, gram, total)
+        if pair is not None:
+            first, second = (ideal.element(hermite.combination(v, rows)) for v in pair)
+            return first, second
+        if box <= size:
+            return None
+    return None
+
+
+def _matching(
+    vectors: np.ndarray, gram: list[list[int]], total: int
+) -> tuple[list[int], list[int]] | None:
+    """Return two vectors with coprime values of half a form and a given sum, or None."""
+    import numpy as np
+
+    # below 2⁶³ in the box, where |x·gram·x| ≤ 16·16·2·total
+    norms = ((vectors @ np.array(gram, dtype=np.int64)) * vectors).sum(axis=1) // 2
+    inside = (norms > 0) & (norms < total)
+    vectors, norms = vectors[inside], norms[inside]
+    norms, places = np.unique(norms, return_index=True)
+    matched = np.searchsorted(norms, total - norms)
+    ok = (matched < len(norms)) & (norms[np.minimum(matched, len(norms) - 1)] == total - norms)
+    ok &= np.gcd(norms, total) == 1
+    for k in np.flatnonzero(ok)[:1]:
+        return vectors[places[k]].tolist(), vectors[places[matched[k]]].tolist()
+    return None
+
+
+def _bounds(gram: list[list[int]], length: int) -> list[int]:
+    """Return how large each coordinate of a vector with x·gram·x ≤ length can be."""
+    inverse = fmpz_mat(gram).inv()
+    return [math.isqrt(int(length * inverse[k, k].p) // int(inverse[k, k].q)) for k in range(4)]
