@@ -300,11 +300,12 @@ def _by_representing(
 ) -> Quaternion | None:
     """Return the same for large divisors.
 
-    Of the elements of norm n·N one in N + 1 lies in an ideal of prime norm N.
+    Of the elements of norm n·N one in N + 1 lies in an ideal of prime norm N. The quadratic order may
+    represent n·N for some N only.
     """
     f = frame(order)
     primes = ((row, m) for row, m in by_norm(ideal) if m > 2 and m != f.norm and is_prime(m))
-    for row, norm in islice(primes, 2):
+    for row, norm in islice(primes, 10):
         x = ideal.element(row)
         start = multiple(ideal, x.conjugate() / ideal.norm, "right")
         for n in islice(dict.fromkeys([divisors.product, *divisors.above(f.norm**2, rng)]), 3):

@@ -37,8 +37,9 @@ if TYPE_CHECKING:
 Pair = tuple[Quaternion, Quaternion]
 MAX_SEARCHED_DISCRIMINANT = 2**40
 """Above this discriminant pairs are not searched for by sorting."""
-SAMPLES = 2**12, 2**15, 2**18, 2**22
+SAMPLES = 2**12, 2**15, 2**18, 2**20, 2**22
 """So many elements are sorted, one number after the other."""
+MAX_SMALL_NORM = 64
 MAX_PRIMES, MAX_MULTIPLIERS, MAX_STEPS = 12, 3_000, 60
 
 
@@ -72,6 +73,9 @@ def _by_qlapoti(
     ideal: LatticeValue, f: QuadraticFrame, total: int, rng: random.Random
 ) -> Pair | None:
     """Return such a pair for an ideal of a p-extremal order, or None."""
+    found = _near_the_order(ideal, f, total, rng)
+    if found is not None:
+        return found
     tried = 0
     for row, norm in _elements(ideal, rng):
         if (
@@ -80,7 +84,8 @@ def _by_qlapoti(
             or not is_probable_prime(norm)
         ):
             continue
-        if f.norm >= total * norm:
+        # N(v·λ + N·w) is about N³ and less than S·N
+        if f.norm >= total * norm or norm * norm > 16 * total:
             continue
         tried += 1
         if tried > MAX_PRIMES:
@@ -91,6 +96,32 @@ def _by_qlapoti(
         if found is not None:
             first, second = (y * x / norm for y in found)
             return first, second
+    return None
+
+
+def _near_the_order(
+    ideal: LatticeValue, f: QuadraticFrame, total: int, rng: random.Random
+) -> Pair | None:
+    """Return the same for an ideal equivalent to one of small norm N, such as O itself.
+
+    Its short elements may all lie in R. One of the pair is then N·w for a w in R, the other a random element.
+    """
+    least, norm = next(by_norm(ideal))
+    if norm > MAX_SMALL_NORM:
+        return None
+    x = ideal.element(least)
+    start = multiple(ideal, x.conjugate() / ideal.norm, "right")
+    rows, gram = start.reduced
+    bounds = _bounds(gram, 2 * total)
+    for _ in range(norm * (200 + 64 * total.bit_length())):
+        row = hermite.combination([rng.randint(-b, b) for b in bounds], rows)
+        m, rest = divmod(total - start.multiple(row), norm)
+        if m <= 0 or rest or m * norm >= total or math.gcd(norm * m, total) > 1:
+            continue
+        last = represent(f.discriminant, m)
+        if last is not None:
+            first, second = start.element(row), norm * f.element(*last, 0, 0)
+            return first * x / norm, second * x / norm
     return None
 
 
@@ -106,6 +137,8 @@ def _in_prime_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: in
     if scalar is None:
         return None
     p, square = f.norm, norm * norm
+    # about one in so many numbers is a norm
+    left = 100 + 16 * total.bit_length()
     for v in islice(_multipliers(f, (total * norm - 1) // p), MAX_MULTIPLIERS):
         g = _centred(_times(f, v, scalar), norm)
         whole = total * norm - p * f.binary(*v)
@@ -118,7 +151,7 @@ def _in_prime_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: in
         form = [[2, f.t], [f.t, 2 * f.n]]
         steps = close(-second * inverse % norm, rest * inverse % norm, norm, g, form)
         misses = 0
-        for c, e in islice(steps, MAX_STEPS):
+        for c, e in islice(steps, MAX_STEPS + left // 4):
             u = g[0] + norm * c, g[1] + norm * e
             m = (whole - f.binary(*u)) // square
             if m <= 0:
@@ -128,6 +161,9 @@ def _in_prime_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: in
                 continue
             if math.gcd(norm * m, total) > 1:
                 continue
+            left -= 1
+            if not left:
+                return None
             last = represent(f.discriminant, m)
             if last is not None:
                 return f.element(*u, *v), norm * f.element(*last, 0, 0)
