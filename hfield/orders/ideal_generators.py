@@ -1,32 +1,32 @@
-"""Two generators of an invertible ideal over ℤ, a number and an element.
+"""Two generators of an invertible ideal: a number, or over ℤ_K an ideal of the field, and an element.
 
-A primitive integral ideal J of norm N contains N, and is ``O·N + O·x`` for every x in J with N(x)/N prime
-to N: at the primes of N it is O·x, at the others O (Voight, *Quaternion Algebras*, exercise 16.6).
+Let m be the largest scalar factor of I, so that I = m·J with J primitive of norm 𝔫. Then m·𝔫 lies in I, and
+``I = O·m·𝔫 + O·x`` for every x in I with N(x)/N(I) prime to 𝔫. At the primes of 𝔫 it is O·x, at the others
+m·O (Voight, *Quaternion Algebras*, section 16.3).
 """
 
 from __future__ import annotations
 
-import math
 import random
-from fractions import Fraction
-from itertools import chain
+from collections.abc import Iterator
+from typing import Any
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders import hermite
-from hfield.orders.klpt import random_elements
 from hfield.orders.lattice_values import (
     LatticeValue,
+    add,
     generated_ideal,
     is_locally_principal,
     scalars_into,
     times_ideal,
 )
 
+MAX_TRIALS = 20_000
 
-def two_generators(
-    ideal: LatticeValue, order: LatticeValue, side: str
-) -> tuple[int | Fraction, Quaternion]:
+
+def two_generators(ideal: LatticeValue, order: LatticeValue, side: str) -> tuple[Any, Quaternion]:
     """Return (n, x) with ``I = O·n + O·x`` for a left ideal, n·O + x·O for a right one.
 
     The lattice of both is computed and compared. Raises :class:`LatticeError` unless I is locally principal.
@@ -35,16 +35,27 @@ def two_generators(
         raise LatticeError(
             "an ideal that is not invertible need not have two generators; generators is for invertible ones"
         )
-    factor = 1 / Fraction(scalars_into(ideal, order))
-    primitive = times_ideal(ideal, 1 / factor)
-    norm = int(primitive.norm)
-    n = norm * factor
-    rows = hermite.tuples(primitive.reduced[0])
-    shortest = sorted(((row, primitive.multiple(row)) for row in rows), key=lambda x: abs(x[1]))
-    for row, multiple in chain(shortest, random_elements(primitive, random.Random(0))):
-        if math.gcd(multiple, norm) > 1:
+    base = ideal.ambient.base
+    into = scalars_into(ideal, order)
+    n = ideal.norm * into
+    rest, below = n * into, base.inverse(ideal.norm)
+    scalars = times_ideal(order, n)
+    for row in _rows(ideal):
+        x = ideal.element(row)
+        norm = base.inside(x.norm())
+        if not norm or not base.are_coprime(base.principal(norm) * below, rest):
             continue
-        x = primitive.element(row) * factor
-        if generated_ideal(order, [n, x], side) == ideal:
-            return n.numerator if n.denominator == 1 else n, x
+        if add(scalars, generated_ideal(order, [x], side)) == ideal:
+            return base.shown_index(n), x
     raise UndecidedError("no two generators were found among random elements of the ideal")
+
+
+def _rows(ideal: LatticeValue) -> Iterator[tuple[int, ...]]:
+    """Yield the elements of a basis, reduced where it can be, and then random ones of growing size."""
+    ambient, rng = ideal.ambient, random.Random(0)
+    reduced = ideal.reduced[0] if ambient.definite or ambient.degree == 1 else ideal.matrix
+    yield from hermite.tuples(reduced)
+    for trial in range(MAX_TRIALS):
+        size = 1 + trial // 50
+        row = [rng.randint(-size, size) for _ in range(ambient.size)]
+        yield hermite.combination(row, reduced)

@@ -1197,18 +1197,20 @@ class Ideal(Certified, Lattice):
         return equivalence.equivalence(order, self.value, order, self.side)
 
     @cached_property
-    def generators(self) -> tuple[int | Fraction, Quaternion]:
+    def generators(self) -> tuple[Any, Quaternion]:
         """Two generators, a number n and an element x: I = O·n + O·x, for a right ideal n·O + x·O.
 
-        The lattice that they generate is computed and compared with I. Raises :class:`LatticeError` for an
-        ideal that is not invertible, or over another field than ℚ.
+        Over ℤ_K n is an ideal of the field. The lattice that they generate is computed and compared with I.
+        Raises :class:`LatticeError` for an ideal that is not invertible.
 
         >>> from hfield import QuaternionAlgebra
         >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); I = O.left_ideal([15, "1 + j"])
         >>> n, x = I.generators; n, O.left_ideal([n, x]) == I
         (3, True)
+        >>> O = QuaternionAlgebra("QQ(sqrt(10))", -1, -1).maximal_order()
+        >>> I = O.left_ideal([3, "1 + i + j"]); n, x = I.generators; n, n * O + O.left_ideal([x]) == I
+        (ideal(3), True)
         """
-        _expect_rational(self, "generators")
         return ideal_generators.two_generators(self.value, self.order.value, self.side)
 
     def reduced_equivalent(self) -> EquivalentIdeal:

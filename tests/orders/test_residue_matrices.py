@@ -160,9 +160,24 @@ def test_reduced_equivalent_ideals_have_least_norm() -> None:
             assert J.norm() == 1
 
 
+@pytest.mark.parametrize("field", ["QQ(sqrt(5))", "QQ(sqrt(10))", "QQ[s]/(s^3-2)", "QQ(I)"])
+def test_over_number_fields_the_first_generator_is_an_ideal(field) -> None:
+    order = QuaternionAlgebra(field, -1, 3).maximal_order()
+    K = order.algebra.ring
+    for p in (5, 7):
+        P = K.primes_above(p)[0]
+        for I in (
+            order.random_ideal(P, seed=p),
+            order.random_ideal(P, "right", seed=p) * K.ideal(6),
+        ):
+            n, x = I.generators
+            once = order.right_ideal([x]) if I.side == "right" else order.left_ideal([x])
+            assert n * order + once == I
+
+
 def test_over_number_fields_these_are_refused() -> None:
     K = QuaternionAlgebra("QQ(sqrt(5))", -1, -1).maximal_order()
     I = K.left_ideal([3])
-    for call in (lambda: I.generators, I.reduced_equivalent, lambda: K.modulo(7)):
+    for call in (I.reduced_equivalent, lambda: K.modulo(7), lambda: I.equivalent_pair(99)):
         with pytest.raises(LatticeError, match="orders over ZZ"):
             call()
