@@ -267,48 +267,59 @@ def _of_smooth_norm(
     ideal: LatticeValue, order: LatticeValue, divisors: Divisors, rng: random.Random
 ) -> Quaternion | None:
     p = int(discriminant(order))
-    x = _by_enumeration(ideal, divisors, p)
-    if x is None:
+    x, tried = _by_enumeration(ideal, divisors, p)
+    if x is None and divisors.product > tried:
         x = _klpt(ideal, order, divisors, rng)
-    if x is None and p < SMALL_DISCRIMINANT:
-        x = _by_representing(ideal, order, divisors, rng)
+        if x is None and p < SMALL_DISCRIMINANT:
+            x = _by_representing(ideal, order, divisors, tried, rng)
     return x
 
 
-def _by_enumeration(ideal: LatticeValue, divisors: Divisors, p: int) -> Quaternion | None:
-    """Return an element of norm n·N(I) for the least divisor n with one, among those of moderate size."""
-    spent, gram = 0.0, ideal.reduced[1]
+def _by_enumeration(
+    ideal: LatticeValue, divisors: Divisors, p: int
+) -> tuple[Quaternion | None, int]:
+    """Return an element of norm n·N(I) for the least divisor n with one, among those of moderate size.
+
+    With it the largest divisor up to which all were decided.
+    """
+    spent, tried, gram = 0.0, 0, ideal.reduced[1]
     # an element of norm n is expected from n = p/24 on
     least = p >> 8 if p > SMALL_DISCRIMINANT else 1
     if enumeration.volume(gram, 2 * least, 3) > MAX_HEADS:
-        return None
+        return None, tried
     for n in islice(divisors.ascending(), MAX_DIVISORS):
         if n < least:
             continue
         heads = enumeration.volume(gram, 2 * n, 3)
         if heads > MAX_HEADS or spent > 10 * MAX_HEADS:
-            return None
+            break
         spent += heads
         row = first_of_norm(ideal, ideal.ambient.base.inside(ideal.norm * n))
         if row is not None:
-            return ideal.element(hermite.tuples(row)[0])
-    return None
+            return ideal.element(hermite.tuples(row)[0]), n
+        tried = n
+    return None, tried
 
 
 def _by_representing(
-    ideal: LatticeValue, order: LatticeValue, divisors: Divisors, rng: random.Random
+    ideal: LatticeValue,
+    order: LatticeValue,
+    divisors: Divisors,
+    tried: int,
+    rng: random.Random,
 ) -> Quaternion | None:
-    """Return the same for large divisors.
+    """Return the same for divisors above those that were tried.
 
     Of the elements of norm n·N one in N + 1 lies in an ideal of prime norm N. The quadratic order may
     represent n·N for some N only.
     """
     f = frame(order)
+    above = [n for n in divisors.above(max(tried + 1, f.norm), rng) if n > tried]
     primes = ((row, m) for row, m in by_norm(ideal) if m > 2 and m != f.norm and is_prime(m))
     for row, norm in islice(primes, 10):
         x = ideal.element(row)
         start = multiple(ideal, x.conjugate() / ideal.norm, "right")
-        for n in islice(dict.fromkeys([divisors.product, *divisors.above(f.norm**2, rng)]), 3):
+        for n in dict.fromkeys([*above[-1:], *above[:2]]):
             for _ in range(8 * (norm + 1)):
                 gamma = in_frame(f, norm * n, rng, 2000)
                 if gamma is None:

@@ -26,9 +26,15 @@ from hfield.core.primality import is_probable_prime
 from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.orders import hermite
 from hfield.orders.klpt import by_norm, random_elements
-from hfield.orders.lattice_values import LatticeValue, multiple, spanning_rows
+from hfield.orders.lattice_values import LatticeValue, contains, multiple, spanning_rows
 from hfield.orders.linear_algebra_mod_p import kernel
-from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame, represent
+from hfield.orders.quadratic_frames import (
+    QuadraticFrame,
+    extremal_frame,
+    frame,
+    in_frame,
+    represent,
+)
 from hfield.orders.strong_approximation import MAX_FRAME_DISCRIMINANT, close, expect_maximal
 
 if TYPE_CHECKING:
@@ -39,7 +45,8 @@ MAX_SEARCHED_DISCRIMINANT = 2**40
 """Above this discriminant pairs are not searched for by sorting."""
 SAMPLES = 2**12, 2**15, 2**18, 2**20, 2**22
 """So many elements are sorted, one number after the other."""
-MAX_SMALL_NORM = 64
+MAX_SMALL, MAX_SMALL_NORM, MAX_TRIALS = 2**20, 64, 20_000
+"""Up to this discriminant, or this norm of an equivalent ideal, random elements are tried."""
 MAX_PRIMES, MAX_MULTIPLIERS, MAX_STEPS = 12, 3_000, 60
 
 
@@ -55,10 +62,16 @@ def with_sum(ideal: LatticeValue, order: LatticeValue, total: int, seed: int) ->
             "equivalent_pair() is for ideals of p-extremal orders, such as A.extremal_order(), and of other "
             "maximal orders for p < 2^40: connect this order to an extremal one with connecting_ideal()"
         )
-    searched = SAMPLES if p < MAX_SEARCHED_DISCRIMINANT else ()
+    searched, rng = SAMPLES if p < MAX_SEARCHED_DISCRIMINANT else (), random.Random(seed)
     found = _by_sorting(ideal, total, searched[:2], seed)
     if found is None and f is not None:
-        found = _by_qlapoti(ideal, f, total, random.Random(seed))
+        found = _by_qlapoti(ideal, f, total, rng)
+    if (
+        found is None
+        and total > p // 4
+        and (p < MAX_SMALL or next(by_norm(ideal))[1] < MAX_SMALL_NORM)
+    ):
+        found = _by_representing(ideal, f or frame(order), total, rng)
     if found is None:
         found = _by_sorting(ideal, total, searched[2:], seed)
     if found is None:
@@ -73,9 +86,6 @@ def _by_qlapoti(
     ideal: LatticeValue, f: QuadraticFrame, total: int, rng: random.Random
 ) -> Pair | None:
     """Return such a pair for an ideal of a p-extremal order, or None."""
-    found = _near_the_order(ideal, f, total, rng)
-    if found is not None:
-        return found
     tried = 0
     for row, norm in _elements(ideal, rng):
         if (
@@ -99,29 +109,33 @@ def _by_qlapoti(
     return None
 
 
-def _near_the_order(
+def _by_representing(
     ideal: LatticeValue, f: QuadraticFrame, total: int, rng: random.Random
 ) -> Pair | None:
-    """Return the same for an ideal equivalent to one of small norm N, such as O itself.
+    """Return the same for an ideal equivalent to one of small norm N, in an order with any frame.
 
-    Its short elements may all lie in R. One of the pair is then N·w for a w in R, the other a random element.
+    x is random, and of the elements whose norm is that which is left about one in N + 1 lies in the ideal. The
+    frame has the index |d| in a p-extremal order, so that quotients of its elements are tried as well.
     """
     least, norm = next(by_norm(ideal))
-    if norm > MAX_SMALL_NORM:
-        return None
     x = ideal.element(least)
     start = multiple(ideal, x.conjugate() / ideal.norm, "right")
     rows, gram = start.reduced
     bounds = _bounds(gram, 2 * total)
-    for _ in range(norm * (200 + 64 * total.bit_length())):
+    left = 200 + 64 * norm
+    below = 2 if f.discriminant % 2 == 0 else -f.discriminant
+    for trial in range(MAX_TRIALS):
         row = hermite.combination([rng.randint(-b, b) for b in bounds], rows)
-        m, rest = divmod(total - start.multiple(row), norm)
-        if m <= 0 or rest or m * norm >= total or math.gcd(norm * m, total) > 1:
+        n = start.multiple(row)
+        if not 0 < n < total or math.gcd(n, total) > 1:
             continue
-        last = represent(f.discriminant, m)
-        if last is not None:
-            first, second = start.element(row), norm * f.element(*last, 0, 0)
-            return first * x / norm, second * x / norm
+        den = below if trial % 2 else 1
+        found = in_frame(f, norm * (total - n) * den**2, rng, 100)
+        left -= 1
+        if found is not None and contains(start, found / den):
+            return start.element(row) * x / norm, found * x / (den * norm)
+        if not left:
+            return None
     return None
 
 
