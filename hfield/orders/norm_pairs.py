@@ -114,26 +114,38 @@ def _by_representing(
 ) -> Pair | None:
     """Return the same for an ideal equivalent to one of small norm N, in an order with any frame.
 
-    x is random, and of the elements whose norm is that which is left about one in N + 1 lies in the ideal. The
-    frame has the index |d| in a p-extremal order, so that quotients of its elements are tried as well.
+    x is random, and of the elements whose norm is that which is left about one in N + 1 lies in the ideal.
+    Some N may be excluded, as a frame has an index in the order; quotients of its elements are tried as well.
     """
-    least, norm = next(by_norm(ideal))
-    x = ideal.element(least)
-    start = multiple(ideal, x.conjugate() / ideal.norm, "right")
-    rows, gram = start.reduced
+    starts = {norm: row for row, norm in islice(by_norm(ideal), 50)}
+    for norm, least in islice(starts.items(), 5):
+        x = ideal.element(least)
+        start = multiple(ideal, x.conjugate() / ideal.norm, "right")
+        found = _by_representing_in(start, f, norm, total, rng)
+        if found is not None:
+            first, second = (y * x / norm for y in found)
+            return first, second
+    return None
+
+
+def _by_representing_in(
+    ideal: LatticeValue, f: QuadraticFrame, norm: int, total: int, rng: random.Random
+) -> Pair | None:
+    """Return the same for a left ideal of norm N; norms are multiples of N."""
+    rows, gram = ideal.reduced
     bounds = _bounds(gram, 2 * total)
-    left = 200 + 64 * norm
-    below = 2 if f.discriminant % 2 == 0 else -f.discriminant
+    denominators = 1, 2, -f.discriminant
+    left = 100 + 64 * norm
     for trial in range(MAX_TRIALS):
         row = hermite.combination([rng.randint(-b, b) for b in bounds], rows)
-        n = start.multiple(row)
+        n = ideal.multiple(row)
         if not 0 < n < total or math.gcd(n, total) > 1:
             continue
-        den = below if trial % 2 else 1
+        den = denominators[trial % 3]
         found = in_frame(f, norm * (total - n) * den**2, rng, 100)
+        if found is not None and contains(ideal, found / den):
+            return ideal.element(row), found / den
         left -= 1
-        if found is not None and contains(start, found / den):
-            return start.element(row) * x / norm, found * x / (den * norm)
         if not left:
             return None
     return None
