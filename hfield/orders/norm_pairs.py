@@ -1,7 +1,7 @@
 """Two elements of an ideal whose norms have a given sum: Qlapoti.
 
-Let I be a left ideal of prime norm N of a p-extremal order with the frame R + R·β. It contains a λ + β with λ
-in R, and then u + v·β for all u ≡ v·λ modulo N. So x = v·λ + N·w + v·β and y = N·w′ have norms of sum S·N if
+Let I be a left ideal of norm N of a p-extremal order with the frame R + R·β. If it contains a λ + β with λ in
+R, it contains u + v·β for all u ≡ v·λ modulo N. So x = v·λ + N·w + v·β and y = N·w′ have norms of sum S·N if
 
     N(v·λ + N·w) + N²·N(w′) = S·N − p·N(v).
 
@@ -22,12 +22,10 @@ from typing import TYPE_CHECKING
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Quaternion
-from hfield.core.primality import is_probable_prime
 from hfield.errors import LatticeError, UndecidedError, shorten
 from hfield.orders import hermite
 from hfield.orders.klpt import by_norm, random_elements
 from hfield.orders.lattice_values import LatticeValue, contains, multiple, spanning_rows
-from hfield.orders.linear_algebra_mod_p import kernel
 from hfield.orders.quadratic_frames import (
     QuadraticFrame,
     extremal_frame,
@@ -77,7 +75,8 @@ def with_sum(ideal: LatticeValue, order: LatticeValue, total: int, seed: int) ->
     if found is None:
         raise UndecidedError(
             f"no two equivalent ideals with coprime norms of the sum {shorten(total)} were found; a sum of "
-            f"at least about 2·p = {shorten(2 * p)} is needed"
+            f"at least about 2·p = {shorten(2 * p)} is needed, and an ideal with short elements of odd norms "
+            "prime to the sum"
         )
     return found
 
@@ -88,11 +87,7 @@ def _by_qlapoti(
     """Return such a pair for an ideal of a p-extremal order, or None."""
     tried = 0
     for row, norm in _elements(ideal, rng):
-        if (
-            norm == 2
-            or (f.norm * f.discriminant * total) % norm == 0
-            or not is_probable_prime(norm)
-        ):
+        if math.gcd(norm, 2 * f.norm * f.discriminant * total) > 1:
             continue
         # N(v·λ + N·w) is about N³ and less than S·N
         if f.norm >= total * norm or norm * norm > 16 * total:
@@ -158,7 +153,7 @@ def _elements(ideal: LatticeValue, rng: random.Random) -> Iterator[tuple[tuple[i
 
 
 def _in_prime_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: int) -> Pair | None:
-    """Return the same for a left ideal of prime norm N; norms are multiples of N."""
+    """Return the same for a left ideal of norm N; norms are multiples of N."""
     scalar = _scalar_part(ideal, f, norm)
     if scalar is None:
         return None
@@ -171,7 +166,7 @@ def _in_prime_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: in
         rest = (whole - f.binary(*g)) // norm
         # Tr(g·conj(w)) ≡ rest modulo N
         first, second = (2 * g[0] + f.t * g[1]) % norm, (f.t * g[0] + 2 * f.n * g[1]) % norm
-        if not first:
+        if math.gcd(first, norm) > 1:
             continue
         inverse = pow(first, -1, norm)
         form = [[2, f.t], [f.t, 2 * f.n]]
@@ -197,15 +192,21 @@ def _in_prime_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: in
 
 
 def _scalar_part(ideal: LatticeValue, f: QuadraticFrame, norm: int) -> tuple[int, int] | None:
-    """Return the coordinates of λ in R, modulo N, with λ + β in an ideal that contains N·O, or None."""
-    den, rows = spanning_rows(ideal.ambient, [1, f.alpha, f.beta])
-    inside, d = hermite.in_coordinates(ideal.matrix, rows)
-    table = [[int(c) * ideal.den * norm // (d * den) for c in row] for row in inside.tolist()]
-    found = kernel(list(zip(*table, strict=True)), norm)
-    if len(found) != 1 or not found[0][2] % norm:
+    """Return the coordinates of λ in R, modulo N, with λ + β in an ideal that contains N·O, or None.
+
+    N is prime to the index of the frame.
+    """
+    basis = [f.beta, f.alpha * f.beta, ideal.algebra(1), f.alpha]
+    den, rows = spanning_rows(ideal.ambient, basis)
+    # coordinates over the frame of the ideal, whose denominators are prime to N
+    inside, d = hermite.in_coordinates(rows, ideal.matrix)
+    factor = pow(d * ideal.den, -1, norm) * den
+    table = [[int(c) * factor % norm for c in row] for row in inside.tolist()]
+    scaled = [[norm * int(m == n) for n in range(4)] for m in range(4)]
+    first = fmpz_mat(table + scaled).hnf().tolist()[0]
+    if first[0] != 1 or first[1] != 0:
         return None
-    factor = pow(found[0][2], -1, norm)
-    return found[0][0] * factor % norm, found[0][1] * factor % norm
+    return int(first[2]), int(first[3])
 
 
 def _times(f: QuadraticFrame, v: tuple[int, int], w: tuple[int, int]) -> tuple[int, int]:
