@@ -34,6 +34,7 @@ from hfield.orders import (
     brandt,
     certificates,
     class_number,
+    element_factors,
     equivalence,
     foreign_writing,
     hermite,
@@ -859,6 +860,23 @@ class Order(WithStableClasses, Certified, Lattice):
         """
         _expect_rational(self, "modulo()")
         return ResidueMatrices(self, n, factors)
+
+    def factor(self, x: object, primes: Iterable[object]) -> tuple[Quaternion, list[Quaternion]]:
+        """Return (u, [π₁, …, πₙ]) with x = u·π₁⋯πₙ, u a unit, and norms N(πₙ) that are the given primes.
+
+        The primes come in any order, each as often as it divides the norm of x (Conway and Smith, *On
+        Quaternions and Octonions*, chapter 5). Over ℤ_K they are prime ideals, or numbers that generate them;
+        N(πₙ) generates the ideal, and is the number itself where that is totally positive and units of the
+        order allow it. In an indefinite algebra over ℚ it is the prime up to its sign. Raises
+        :class:`LatticeError` where norms do not match, or an ideal of prime norm is not principal, and
+        :class:`UndecidedError`.
+
+        >>> from hfield import H
+        >>> O = H("QQ").hurwitz_order(); u, factors = O.factor("3 + 5*i + j", [5, 7])
+        >>> u, factors, u * factors[0] * factors[1], [q.norm() for q in factors]
+        (1/2 + 1/2*i - 1/2*j + 1/2*k, [1/2 + 1/2*i + 3/2*j + 3/2*k, -1 + i - 2*j - k], 3 + 5*i + j, [5, 7])
+        """
+        return element_factors.factor(self.value, x, primes)
 
     def embeddings(self, discriminant: object) -> Embeddings:
         """Return the optimal embeddings of the quadratic order of a discriminant d.
