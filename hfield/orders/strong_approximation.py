@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Iterator
-from itertools import count
+from itertools import chain, count
 
 from flint import fmpz, fmpz_mat
 
@@ -136,7 +136,9 @@ def of_smooth_norm(
             "ideal_mod_constraint() or eichler_mod_constraint() returns"
         )
     divisors = Divisors(tuple((p, e) for p, e in factor(smooth).primes.items() if p != n))
-    targets = divisors.above(least_second(f, n), random.Random(seed))
+    rng, least = random.Random(seed), least_second(f, n)
+    # larger ones leave more choices
+    targets = chain.from_iterable(divisors.above(least << 8 * k, rng) for k in range(8))
     mu = strong_approximation(f, n, targets, (found[0][0], found[0][1]))
     if mu is None:
         bits = least_second(f, n).bit_length() + 6
