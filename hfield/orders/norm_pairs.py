@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from itertools import chain, count, islice
 from typing import TYPE_CHECKING
 
@@ -200,8 +201,8 @@ def _scalar_part(ideal: LatticeValue, f: QuadraticFrame, norm: int) -> tuple[int
     den, rows = spanning_rows(ideal.ambient, basis)
     # coordinates over the frame of the ideal, whose denominators are prime to N
     inside, d = hermite.in_coordinates(rows, ideal.matrix)
-    factor = pow(d * ideal.den, -1, norm) * den
-    table = [[int(c) * factor % norm for c in row] for row in inside.tolist()]
+    entries = [[Fraction(int(c) * den, d * ideal.den) for c in row] for row in inside.tolist()]
+    table = [[c.numerator * pow(c.denominator, -1, norm) % norm for c in row] for row in entries]
     scaled = [[norm * int(m == n) for n in range(4)] for m in range(4)]
     first = fmpz_mat(table + scaled).hnf().tolist()[0]
     if first[0] != 1 or first[1] != 0:

@@ -192,13 +192,16 @@ def _lift(f: QuadraticFrame, n: int, target: int, c0: int, d0: int) -> Quaternio
     rest = (target - p * (c0 * c0 + d * d0 * d0)) // n
     # 2p·(c₀·c + d·d₀·e) ≡ rest modulo N
     first, second = 2 * p * c0 % n, 2 * p * d * d0 % n
-    if not first:
-        return None
-    inverse = pow(first, -1, n)
-    slope, offset = -second * inverse % n, rest * inverse % n
+    if not first:  # then e is given
+        offset = rest * pow(second, -1, n) % n
+        pairs = ((c, e) for e, c in close(0, offset, n, (d0, c0), [[d, 0], [0, 1]]))
+    else:
+        inverse = pow(first, -1, n)
+        slope, offset = -second * inverse % n, rest * inverse % n
+        pairs = close(slope, offset, n, (c0, d0), [[1, 0], [0, d]])
     tried = 0
     s = f.root
-    for c, e in close(slope, offset, n, (c0, d0), [[1, 0], [0, d]]):
+    for c, e in pairs:
         tried += 1
         if tried > 4000:
             return None
