@@ -194,7 +194,9 @@ def _lift(f: QuadraticFrame, n: int, target: int, c0: int, d0: int) -> Quaternio
     first, second = 2 * p * c0 % n, 2 * p * d * d0 % n
     if not first:  # then e is given
         offset = rest * pow(second, -1, n) % n
-        pairs = ((c, e) for e, c in close(0, offset, n, (d0, c0), [[d, 0], [0, 1]]))
+        pairs: Iterator[tuple[int, int]] = (
+            (c, e) for e, c in close(0, offset, n, (d0, c0), [[d, 0], [0, 1]])
+        )
     else:
         inverse = pow(first, -1, n)
         slope, offset = -second * inverse % n, rest * inverse % n
