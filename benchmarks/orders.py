@@ -3,8 +3,9 @@
     python benchmarks/orders.py [--sage PYTHON] [--quick]
 
 PYTHON is an interpreter that has Sage (passagemath-modules, passagemath-pari, passagemath-schemes);
-without it, and where this one has none either, the column of Sage is left out. What Sage lacks, KLPT
-and representing integers, is a script on its objects (sage_klpt.py). Both sides get the same ideals, make
+without it, and where this one has none either, the column of Sage is left out. What Sage lacks, KLPT,
+pairs of norms and representing integers, is a script on its objects (sage_klpt.py). Both sides get the same
+ideals, make
 each object anew before it is timed, so that nothing is cached, and time with the processor's clock: the
 best of some rounds, or the mean over the same seeds where luck decides. The answers are compared. Prints
 milliseconds and ratios.
@@ -21,10 +22,13 @@ from typing import Any
 
 PRIMES = {10: 1019, 251: 5 * 2**248 - 1, 505: 27 * 2**500 - 1}
 NORMS = {10: (1013, 1021), 251: (2**127 - 1, 2**128 + 51), 505: (2**255 - 19, 2**256 + 297)}
+OTHER = {10: 17, 251: 5, 505: 5}
+"""The q of another extremal order."""
 SETS = (1009, 10007)
 ROUNDS = 9
 SEEDS = range(1, 6)
 INTEGER, KLPT = "represent an integer", "KLPT, to a power of 2"
+GENERATORS, REDUCED, PAIR = "two generators", "reduced equivalent", "pair of norms (Qlapoti)"
 
 
 def mean(make: Callable[[], Any], work: Callable[[Any, int], Any]) -> tuple[float, Any]:
@@ -60,7 +64,13 @@ def peer(data: dict[str, Any]) -> None:
     from sage.algebras.quatalg.quaternion_algebra import QuaternionAlgebra
     from sage.all__sagemath_schemes import QQ
     from sage.modular.quatalg.brandt import BrandtModule
-    from sage_klpt import equivalent_of_power_norm, represent_integer  # beside this file
+    from sage_klpt import (  # beside this file
+        equivalent_of_power_norm,
+        equivalent_pair,
+        reduced_equivalent,
+        represent_integer,
+        two_generators,
+    )
 
     results: dict[str, Any] = {}
     for bits, case in data["cases"].items():
@@ -98,6 +108,14 @@ def peer(data: dict[str, Any]) -> None:
                 ),
             ),
             KLPT: mean(lambda: ideal("L"), lambda L, seed: equivalent_of_power_norm(L, 2, seed)[1]),
+            GENERATORS: best(
+                lambda: ideal("I"), lambda x: str(two_generators(x, random.Random(1))[0]), 3
+            ),
+            REDUCED: best(lambda: ideal("I"), lambda x: str(reduced_equivalent(x).norm()), 5),
+            PAIR: mean(
+                lambda: ideal("L"),
+                lambda L, _, n=2 ** (int(bits) + 4): str(sum(equivalent_pair(L, n))),
+            ),
         }
         results[bits] = {name: list(x) for name, x in found.items()}
     for p in data["sets"]:
@@ -155,6 +173,22 @@ def ours(sets: list[int]) -> tuple[dict[str, Any], dict[str, Any]]:
                 lambda x, seed, n=p * p + 2: x[0].represent_integer(n, seed).norm(),
             ),
             KLPT: mean(copies(L), lambda x, seed: x[0].equivalent_of_power_norm(2, seed)[2]),
+            GENERATORS: best(copies(I), lambda x: x[0].generators[0], rounds),
+            REDUCED: best(copies(I), lambda x: x[0].reduced_equivalent().norm(), rounds),
+            PAIR: mean(
+                copies(L),
+                lambda x, seed, n=2 ** (bits + 4): sum(
+                    J.norm() for J, _ in x[0].equivalent_pair(n, seed)
+                ),
+            ),
+            "norm that divides 6^k": mean(
+                copies(L),
+                lambda x, seed, n=6 ** (2 * bits): x[0].equivalent_of_norm_dividing(n, seed)[2],
+            ),
+            "O/qO → M₂(ℤ/q)": best(copies(O), lambda x, q=q: x[0].modulo(q), rounds),
+            "extremal order of another q": best(
+                lambda A=A: A, lambda A, q=OTHER[bits]: A.extremal_order(q), 5
+            ),
         }
     for p in sets:
         O = QuaternionAlgebra.from_ramification("QQ", [p]).maximal_order()

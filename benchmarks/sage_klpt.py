@@ -119,3 +119,57 @@ def strong_approximation(B: Any, p: Any, N: Any, C: Any, D: Any, prime: int) -> 
                 assert mu.reduced_norm() == prime**b
                 return mu, b
     return None
+
+
+def two_generators(ideal: Any, rng: random.Random) -> tuple[Any, Any]:
+    """Return N and x with I = O·N + O·x for a primitive integral left ideal of norm N."""
+    size, O = ZZ(ideal.norm()), ideal.left_order()
+    while True:
+        x = sum(rng.randint(-10, 10) * b for b in ideal.basis())
+        if ZZ(x.reduced_norm() / size).gcd(size) == 1:
+            assert O.left_ideal([size, x]) == ideal
+            return size, x
+
+
+def reduced_equivalent(ideal: Any) -> Any:
+    """Return the equivalent left ideal of least norm."""
+    return ideal * (ideal.minimal_element().conjugate() / ideal.norm())
+
+
+def equivalent_pair(ideal: Any, total: Any) -> tuple[Any, Any]:
+    """Return the norms of two equivalent left ideals, coprime and of a given sum (Qlapoti)."""
+    B = ideal.quaternion_algebra()
+    i, j, _ = B.gens()
+    p, total = ZZ(-B.invariants()[1]), ZZ(total)
+    for J, N in equivalent_of_prime_norm(ideal):
+        inverse = J.basis_matrix().inverse()
+        rows = matrix([list(q.coefficient_tuple()) for q in (B(1), i, j)]) * inverse * N
+        found = rows.change_ring(GF(N, proof=False)).kernel()
+        if found.dimension() != 1 or not found.basis()[0][2]:
+            continue
+        a, b, c = found.basis()[0]
+        l0, l1 = ZZ(a / c), ZZ(b / c)
+        small = itertools.product(range(-40, 41), range(41))
+        for v0, v1 in sorted(small, key=lambda v: v[0] ** 2 + v[1] ** 2)[1:]:
+            whole = total * N - p * (v0 * v0 + v1 * v1)
+            if whole <= 0:
+                break
+            g0, g1 = (l0 * v0 - l1 * v1) % N, (l0 * v1 + l1 * v0) % N
+            rest = ZZ((whole - g0 * g0 - g1 * g1) / N)
+            if not g0 % N:
+                continue
+            # 2·(g₀·c + g₁·e) ≡ rest modulo N
+            factor = ZZ(1 / GF(N, proof=False)(2 * g0))
+            offset, slope = rest * factor % N, -2 * g1 * factor % N
+            lattice = matrix(ZZ, [[N, 0], [slope, 1]]).LLL()
+            goal = matrix([[-g0 / N - offset, -g1 / N]]) * lattice.inverse()
+            m, n = (ZZ(x.round()) for x in goal.row(0))
+            for s, t in itertools.product(range(-2, 3), repeat=2):
+                c, e = (m + s) * lattice[0] + (n + t) * lattice[1]
+                u0, u1 = g0 + N * (c + offset), g1 + N * e
+                left = whole - u0 * u0 - u1 * u1
+                if left > 0 and two_squares(ZZ(left / N**2)) is not None:
+                    second = ZZ(left / N)
+                    if second.gcd(total) == 1:
+                        return total - second, second
+    raise ArithmeticError("nothing was found")

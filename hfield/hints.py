@@ -157,8 +157,17 @@ IDEAL = LATTICE | {
     "primitive_decomposition": "primitive_part()",
     "cyclic_right_subideals": "the order's ideals_of_norm(n)",
     "quaternion_order": "order",
+    "two_generators": "generators",
+    "small_equivalent_ideal": "reduced_equivalent()",
+    "EquivalentPrimeIdeal": "equivalent_of_prime_norm()",
+    "EquivalentSmoothIdeal": "equivalent_of_norm_dividing(T)",
+    "KLPT": "equivalent_of_norm_dividing(T), or equivalent_of_power_norm(prime)",
+    "Qlapoti": "equivalent_pair(total)",
+    "IdealModConstraint": "ideal_mod_constraint(gamma)",
+    "EichlerModConstraint": "eichler_mod_constraint(gamma, delta)",
+    "IdealToKernel": "kernel of the order's modulo(N)",
 }
-"""Sage, Magma: ideals."""
+"""Sage, Magma, papers on isogenies: ideals."""
 
 ORDER = LATTICE | {
     "class_number": "len(class_set()), or algebra.class_number(level)",
@@ -183,8 +192,13 @@ ORDER = LATTICE | {
     "optimal_embeddings": "embeddings(discriminant)",
     "one": "algebra.one",
     "eichler_order": "algebra.eichler_order(level)",
+    "RepresentInteger": "represent_integer(n)",
+    "FullRepresentInteger": "represent_integer(n)",
+    "StrongApproximation": "strong_approximation(x, N, T)",
+    "KernelToIdeal": "ideal of modulo(N)",
+    "mod_p_isomorphism": "modulo(N)",
 }
-"""Sage, Magma: orders."""
+"""Sage, Magma, papers on isogenies: orders."""
 
 FIELD = {
     "class_number": "class_group().order",

@@ -101,7 +101,7 @@ def _other_names() -> list[str]:
     for package in PACKAGES:
         module = import_module(package)
         for name in dir(module):
-            hints = getattr(getattr(module, name), "elsewhere", {})
+            hints = getattr(getattr(module, name), "foreign_names", {})
             lines += _table(f"{package}.{name}", hints)
     lines += _table("Functions of Magma and PARI", hints_of_algebras.CALLS)
     lines += _table("Functions that turn points, and names of best fits", hints_of_rotations.CALLS)

@@ -1273,15 +1273,24 @@ class QuaternionAlgebra(Hinted, PrintedBySympy):
         with known_primes(factors):
             return Order(standard_orders.eichler_order(self, level))
 
-    def extremal_order(self) -> Order:
-        """Return a p-extremal maximal order, from which KLPT starts, for a prime discriminant p.
+    def extremal_order(self, q: int | None = None) -> Order:
+        """Return the maximal order with anticommuting roots of −q and −p, for a prime discriminant p.
 
-        Raises :class:`LatticeError` for an indefinite algebra, or a composite discriminant.
+        KLPT starts from such a p-extremal order. For a prime q > 2 there are two up to isomorphism
+        (Ibukiyama, 1982): this is the one that contains (1 + √−p)/2 if p ≡ 3 modulo 4, as those of SQIsign
+        do, and (1 + √−q)/2 if p ≡ 1 modulo 4. By default q = 1 for p ≡ 3 modulo 4, 2 for p ≡ 5 modulo 8,
+        else the least q ≡ 3 modulo 4 that fits. A composite q leaves a choice at each of its prime factors,
+        and one of these orders is returned. Raises :class:`LatticeError` for an indefinite algebra, a
+        composite discriminant, and a q that does not fit, with the reason.
+
+        >>> A = QuaternionAlgebra(419); O = A.extremal_order(13)
+        >>> O.is_maximal(), len(O.embeddings(-52)), O.is_isomorphic(A.extremal_order())
+        (True, 2, False)
         """
         from hfield.orders.lattice import Order
         from hfield.orders.standard_orders import extremal_order
 
-        return Order(extremal_order(self))
+        return Order(extremal_order(self, q))
 
     def lipschitz_order(self) -> Order:
         """Return the order ``ℤ⟨e, i, j, k⟩``, for integer constants over ℚ."""

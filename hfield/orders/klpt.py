@@ -1,9 +1,13 @@
-"""Equivalent ideals of small prime norm, or whose norm is a power of a small prime.
+"""Equivalent ideals of small prime norm, or whose norm divides a smooth number or is a power of a prime.
 
 The latter by the algorithm of Kohel, Lauter, Petit and Tignol, "On the quaternion ℓ-isogeny path problem"
-(2014). Let I be a left ideal of a p-extremal order, of prime norm N. An element γ of norm N·ℓᵃ and a
-μ₀ = (C + D·s)·β with γ·μ₀ in I are found, and μ = λ·μ₀ + N·μ₁ of norm ℓᵇ: then γ·μ is in I and has the norm
-N·ℓᵃ⁺ᵇ. With the last coordinates of μ₁ the closest in a lattice, ℓᵇ is about p·N³ and the norm about p³.
+(2014). Let I be a left ideal of a p-extremal order, of prime norm N. Three elements are found: γ of norm N·T₁
+(RepresentInteger), μ₀ = (C + D·s)·β with γ·μ₀ in I (IdealModConstraint), and μ = λ·μ₀ + N·μ₁ of norm T₂
+(StrongApproximation). Then γ·μ lies in I and has the norm N·T₁·T₂. With the last coordinates of μ₁ the
+closest in a lattice, T₂ is about p·N³ and T₁·T₂ about p³.
+
+From another maximal order O the way leads through an extremal order E and the ideal K that connects E to O.
+With x in K and y in K·I the element conj(x)·y/N(K) is in I.
 """
 
 from __future__ import annotations
@@ -11,46 +15,48 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator
-from itertools import chain, count
-
-from flint import fmpz, fmpz_mat
+from itertools import chain, islice
 
 from hfield.algebra.quaternion import Quaternion
+from hfield.core.factorisation import factor
 from hfield.core.primality import is_prime, is_probable_prime
-from hfield.errors import LatticeError, UndecidedError
-from hfield.fields.rationals.whole_numbers import sqrt_mod
-from hfield.orders import hermite
-from hfield.orders.invariants import level
+from hfield.errors import LatticeError, UndecidedError, shorten
+from hfield.orders import enumeration, hermite
+from hfield.orders.allowed_norms import AllowedNorms, Divisors, Powers
+from hfield.orders.ideals_of_norm import two_sided_prime
 from hfield.orders.lattice_values import (
     LatticeValue,
+    contains,
     discriminant,
     includes,
     multiple,
-    spanning_rows,
+    product,
 )
-from hfield.orders.linear_algebra_mod_p import kernel
-from hfield.orders.quadratic_frames import (
-    QuadraticFrame,
-    extremal_frame,
-    in_frame,
-    represent,
+from hfield.orders.quadratic_frames import QuadraticFrame, extremal_frame, frame, in_frame
+from hfield.orders.related_orders import connecting
+from hfield.orders.short_elements import expect_definite, first_of_norm, least_norm, up_to
+from hfield.orders.standard_orders import extremal_order
+from hfield.orders.strong_approximation import (
+    MAX_FRAME_DISCRIMINANT,
+    expect_maximal,
+    least_second,
+    ratio_in,
+    strong_approximation,
 )
-from hfield.orders.short_elements import expect_definite, least_norm, up_to
 
 DOUBLINGS = 12
 MAX_TRIALS = 20_000
 
 
 def to_prime_norm(ideal: LatticeValue, avoid: frozenset[int]) -> Quaternion:
-    """Return c by which an ideal becomes one of the least prime norm not in ``avoid``.
+    """Return x in an ideal for which N(x)/N(I) is the least prime not in ``avoid``.
 
     Raises :class:`IndefiniteError`, and :class:`UndecidedError` when no such norm was found.
     """
     expect_definite(ideal.ambient, "equivalent_of_prime_norm()")
     for row, m in by_norm(ideal):
         if m not in avoid and is_prime(m):
-            found: Quaternion = ideal.element(row).conjugate() / ideal.norm
-            return found
+            return ideal.element(row)
     raise UndecidedError(
         f"no equivalent ideal of prime norm was found among the short elements, in {DOUBLINGS} doublings"
     )
@@ -66,7 +72,9 @@ def by_norm(ideal: LatticeValue) -> Iterator[tuple[tuple[int, ...], int]]:
         low, high = high, 2 * high
 
 
-def longer(ideal: LatticeValue, rng: random.Random) -> Iterator[tuple[tuple[int, ...], int]]:
+def random_elements(
+    ideal: LatticeValue, rng: random.Random
+) -> Iterator[tuple[tuple[int, ...], int]]:
     """Yield random elements and their norms, as :func:`by_norm` does, of no small subspace.
 
     All that are short may lie in a plane, where the norms have a common divisor, such as that of ``O·R·n``, R
@@ -80,163 +88,252 @@ def longer(ideal: LatticeValue, rng: random.Random) -> Iterator[tuple[tuple[int,
             yield row, ideal.multiple(row)
 
 
-MAX_FRAME_DISCRIMINANT = 1000
-"""The largest discriminant of the quadratic order for which the norms are likely to be represented."""
 ATTEMPTS = 60
 
 
-def to_power_norm(
-    ideal: LatticeValue, order: LatticeValue, side: str, prime: int, seed: int
-) -> tuple[Quaternion, int]:
-    """Return (c, e) with I·c of norm primeᵉ, for a left ideal of a p-extremal order.
+# --- KLPT --------------------------------------------------------------------------------------------
 
-    Raises :class:`LatticeError` for an order that is not p-extremal, :class:`UndecidedError`.
+
+def to_power_norm(
+    ideal: LatticeValue, order: LatticeValue, prime: int, seed: int
+) -> tuple[Quaternion, int]:
+    """Return (x, e) with x in a left ideal of a maximal order and N(x) = N(I)·primeᵉ.
+
+    Raises :class:`LatticeError` for another order, :class:`UndecidedError`.
     """
-    expect_definite(ideal.ambient, "equivalent_of_power_norm()")
-    p = int(discriminant(order))
-    f = extremal_frame(order, MAX_FRAME_DISCRIMINANT) if level(order) == 1 else None
+    p = expect_maximal(order, "equivalent_of_power_norm()")
     if prime == p:
         raise LatticeError(f"the norm is to be a power of a prime other than the discriminant {p}")
-    if side == "right" or f is None:
-        raise LatticeError(
-            "KLPT starts from a left ideal of a p-extremal maximal order, such as A.extremal_order(): "
-            "connect another order to that with connecting_ideal"
+    x = _klpt(ideal, order, Powers(prime), random.Random(seed))
+    if x is None:
+        raise UndecidedError(
+            f"no equivalent ideal of norm a power of {prime} was found in {ATTEMPTS} attempts"
         )
-    rng = random.Random(seed)
+    return x, round(math.log(_relative_norm(ideal, x), prime))
+
+
+def _relative_norm(ideal: LatticeValue, x: Quaternion) -> int:
+    return int(x.norm() / ideal.norm)
+
+
+def _klpt(
+    ideal: LatticeValue, order: LatticeValue, norms: AllowedNorms, rng: random.Random
+) -> Quaternion | None:
+    """Return x in a left ideal of a maximal order with an allowed N(x)/N(I), or None."""
+    f = extremal_frame(order, MAX_FRAME_DISCRIMINANT)
+    if f is not None:
+        return _from_extremal(ideal, f, norms, rng)
+    if len(order.ambient.ramified) > 1:
+        return None
+    start = extremal_order(order.ambient.algebra)
+    connection = connecting(start, order)
+    x = _klpt(connection, start, norms, rng)
+    if x is None:
+        return None
+    rest = norms.without(_relative_norm(connection, x))
+    y = _klpt(product(connection, ideal), start, rest, rng)
+    return None if y is None else x.conjugate() * y / connection.norm
+
+
+def _from_extremal(
+    ideal: LatticeValue, f: QuadraticFrame, norms: AllowedNorms, rng: random.Random
+) -> Quaternion | None:
+    """Return the same for a left ideal of an order with a p-extremal frame."""
     tried = 0
-    for row, norm in chain(by_norm(ideal), longer(ideal, rng)):
-        if norm in (prime, p, 2) or not is_probable_prime(norm):
+    for row, norm in chain(by_norm(ideal), random_elements(ideal, rng)):
+        if norm in (f.norm, 2) or norms.divisible_by(norm) or not is_probable_prime(norm):
             continue
         x = ideal.element(row)
-        first = x.conjugate() / ideal.norm
-        start = multiple(ideal, first, "right")
+        start = multiple(ideal, x.conjugate() / ideal.norm, "right")
         # no γ leads to an ideal of the quadratic order, extended
         if includes(start, multiple(start, f.alpha, "right")):
             continue
         tried += 1
         if tried > ATTEMPTS:
             break
-        found = _from_prime(start, f, norm, prime, rng)
-        if found is not None:
-            beta, e = found
-            return first * (beta.conjugate() / norm), e
-    raise UndecidedError(
-        f"no equivalent ideal of norm a power of {prime} was found in {tried} attempts"
-    )
+        beta = _from_prime(start, f, norm, norms, rng)
+        if beta is not None:
+            return beta * x / norm
+    return None
 
 
 def _from_prime(
-    ideal: LatticeValue, f: QuadraticFrame, norm: int, prime: int, rng: random.Random
-) -> tuple[Quaternion, int] | None:
-    """Return an element of norm N·primeᵉ in a left ideal of prime norm N, and e."""
-    p = f.norm
-    s = 2 * f.alpha - f.t
-    a = max(
-        1,
-        math.ceil(
-            (math.log2(p) - math.log2(norm) + 8 + math.log2(math.log2(p))) / math.log2(prime)
-        ),
-    )
+    ideal: LatticeValue, f: QuadraticFrame, norm: int, norms: AllowedNorms, rng: random.Random
+) -> Quaternion | None:
+    """Return an element in a left ideal of prime norm N whose norm is N times an allowed one."""
+    supply = norms.above(_least_first(f, norm), rng)
+    first = next(supply, None)
     for _ in range(6):
-        gamma = in_frame(f, norm * prime**a, rng, 3000)
-        if gamma is None:
-            a += 1
-            continue
-        ratio = _ratio(ideal, gamma * f.beta, gamma * s * f.beta, norm)
-        found = ratio and _strong_approximation(f, norm, prime, ratio, rng)
-        if found:
-            mu, b = found
-            return gamma * mu, a + b
-    return None
-
-
-def _ratio(ideal: LatticeValue, u: Quaternion, v: Quaternion, norm: int) -> tuple[int, int] | None:
-    """Return (C, D) ≠ 0 modulo N with C·u + D·v in the ideal, which contains N·O."""
-    den, both = spanning_rows(ideal.ambient, [u, v])
-    inside, d = hermite.in_coordinates(ideal.matrix, both)
-    # coordinates over the ideal have the denominator N
-    rows = [[int(x) * ideal.den * norm // (d * den) for x in row] for row in inside.tolist()]
-    found = kernel(list(zip(*rows, strict=True)), norm)
-    return (found[0][0], found[0][1]) if len(found) == 1 else None
-
-
-def _strong_approximation(
-    f: QuadraticFrame, norm: int, prime: int, ratio: tuple[int, int], rng: random.Random
-) -> tuple[Quaternion, int] | None:
-    """Return μ ≡ λ·(C + D·s)·β modulo N of norm primeᵇ, and b."""
-    n, p, d = norm, f.norm, -f.discriminant
-    c0, d0 = ratio
-    size = c0 * c0 + d * d0 * d0
-    if size % n == 0:
-        return None
-    b = math.ceil((math.log2(p) + 3 * math.log2(n) + math.log2(d) + 6) / math.log2(prime))
-    inverse = pow(p * size, -1, n)
-    for _ in range(12):
-        target = prime**b
-        square = target * inverse % n
-        if fmpz(square).jacobi(n) == 1:
-            root = sqrt_mod(square, n)
-            for x in (root, n - root):
-                found = _lift(f, n, target, x * c0 % n, x * d0 % n)
-                if found is not None:
-                    return found, b
-        elif fmpz(prime).jacobi(n) == 1 and b % 2:
-            return None  # no power is a square times it: another γ
-        b += 1
-    return None
-
-
-def _lift(f: QuadraticFrame, n: int, target: int, c0: int, d0: int) -> Quaternion | None:
-    """Return ``N·(x + y·s) + (c₀ + N·c + (d₀ + N·e)·s)·β`` of norm ``target``.
-
-    Modulo N² that is one linear condition on (c, e); they are taken close to −(c₀, d₀)/N.
-    """
-    p, d = f.norm, -f.discriminant
-    rest = (target - p * (c0 * c0 + d * d0 * d0)) // n
-    # 2p·(c₀·c + d·d₀·e) ≡ rest modulo N
-    first, second = 2 * p * c0 % n, 2 * p * d * d0 % n
-    if not first:
-        return None
-    inverse = pow(first, -1, n)
-    slope, offset = -second * inverse % n, rest * inverse % n
-    tried = 0
-    s = 2 * f.alpha - f.t
-    for c, e in _close(slope, offset, n, c0, d0, d):
-        tried += 1
-        if tried > 4000:
+        if first is None:
             return None
-        z, w = c0 + n * c, d0 + n * e
-        m = target - p * (z * z + d * w * w)
-        if m <= 0:
-            if tried > 40:
-                return None
+        targets = list(norms.without(first).above(least_second(f, norm), rng))
+        gamma = in_frame(f, norm * first, rng, 3000) if targets else None
+        if gamma is None:
+            first = next(supply, None)
             continue
-        m //= n * n
-        found = represent(-4 * d, m)  # x² + d·y²
-        if found is not None:
-            x, y = found
-            return n * (x + y * s) + (z + w * s) * f.beta
+        ratio = ratio_in(ideal, gamma * f.beta, gamma * f.root * f.beta, norm)
+        if ratio is None:
+            continue
+        mu = strong_approximation(f, norm, targets, ratio)
+        if mu is not None:
+            return gamma * mu
     return None
 
 
-def _close(slope: int, offset: int, n: int, c0: int, d0: int, d: int) -> Iterator[tuple[int, int]]:
-    """Yield (c, e) with c ≡ slope·e + offset modulo N, from those that make (c₀ + N·c, d₀ + N·e) small."""
-    basis = fmpz_mat([[n, 0], [slope, 1]])
-    weight = fmpz_mat([[1, 0], [0, d]])
-    _, steps = (basis * weight * basis.transpose()).lll(transform=True, rep="gram")
-    (a, b), (u, v) = ([int(x) for x in row] for row in (steps * basis).tolist())
-    # the point to come close to, −(c₀, d₀)/N less a solution (offset, 0), in coordinates of the basis
-    det = a * v - b * u
-    px, py = -c0 - n * offset, -d0
-    r = _nearest(px * v - py * u, det * n)
-    t = _nearest(a * py - b * px, det * n)
-    for radius in count(0):
-        for i in range(-radius, radius + 1):
-            sides = (-radius, radius) if abs(i) < radius else range(-radius, radius + 1)
-            for j in sides:
-                if radius or not j:
-                    yield offset + (r + i) * a + (t + j) * u, (r + i) * b + (t + j) * v
+def _least_first(f: QuadraticFrame, norm: int) -> int:
+    """Return about the least T₁ for which N·T₁ is likely to be represented by the order."""
+    return max(2, (f.norm << 8) * f.norm.bit_length() // norm)
 
 
-def _nearest(x: int, y: int) -> int:
-    return (2 * x + y) // (2 * y)
+# --- norms that divide a number ------------------------------------------------------------------------
+
+MAX_SHORT, MAX_SHORT_OF_LARGE = 10_000, 300
+"""So many elements of an ideal are listed, the shortest ones, for small and for large discriminants."""
+MAX_HEADS = 2_000_000
+"""So many choices of three coordinates are tried for one norm, and ten times as many for all norms."""
+MAX_DIVISORS = 200_000
+SMALL_DISCRIMINANT = 2**24
+"""Below this discriminant the norms of all sizes are searched."""
+
+
+def to_norm_dividing(
+    ideal: LatticeValue, order: LatticeValue, number: int, seed: int
+) -> Quaternion:
+    """Return x in a left ideal of a maximal order for which N(x)/N(I) divides a smooth number T.
+
+    The shortest elements are tried first, then each divisor of moderate size by an enumeration, then KLPT.
+    Raises :class:`LatticeError` for another order, and :class:`UndecidedError`.
+    """
+    p = expect_maximal(order, "equivalent_of_norm_dividing()")
+    rng = random.Random(seed)
+    variants = [(ideal, number)]
+    if number % p == 0:
+        # the elements of norms that p divides are those of P·I, for the two-sided prime P
+        radical = two_sided_prime(order, p)
+        variants = [(ideal, _without(number, p)), (product(radical, ideal), number // p)]
+    complete = True
+    for lattice, allowed in variants:
+        x, bound = _among_short(
+            lattice, allowed, MAX_SHORT if p < SMALL_DISCRIMINANT else MAX_SHORT_OF_LARGE
+        )
+        complete = complete and bound >= allowed
+        if x is not None:
+            return x
+    for lattice, allowed in variants:
+        divisors = Divisors(tuple(factor(_without(allowed, p)).primes.items()))
+        x = _of_smooth_norm(lattice, order, divisors, rng)
+        if x is not None:
+            return x
+    bits = _needed_bits(ideal, order)
+    shown = shorten(number)
+    known = (
+        f"no equivalent ideal has a norm that divides {shown}: all short elements were listed"
+        if complete
+        else f"no equivalent ideal whose norm divides {shown} was found"
+    )
+    raise UndecidedError(
+        f"{known}; this number has {number.bit_length()} bits, and a smooth number prime to {shorten(p)} of "
+        f"about {bits} bits is needed, T > 2^{bits}"
+    )
+
+
+def _without(number: int, p: int) -> int:
+    while number % p == 0:
+        number //= p
+    return number
+
+
+def _among_short(ideal: LatticeValue, number: int, most: int) -> tuple[Quaternion | None, int]:
+    """Return an element of least N(x)/N(I) that divides a number, among the shortest ones.
+
+    With it the bound up to which all were tried, at most so many of them.
+    """
+    tried, bound = 0, least_norm(ideal)
+    while True:
+        bound = min(bound, number)
+        short = list(islice(up_to(ideal, bound), most + 1))
+        if len(short) > most:
+            return None, tried
+        tried = bound
+        found = min(((m, row) for row, m in short if number % m == 0), default=None)
+        if found is not None:
+            return ideal.element(found[1]), tried
+        if tried == number:
+            return None, tried
+        bound *= 2
+
+
+def _of_smooth_norm(
+    ideal: LatticeValue, order: LatticeValue, divisors: Divisors, rng: random.Random
+) -> Quaternion | None:
+    p = int(discriminant(order))
+    x, tried = _by_enumeration(ideal, divisors, p)
+    if x is None and divisors.product > tried:
+        x = _klpt(ideal, order, divisors, rng)
+        if x is None and p < SMALL_DISCRIMINANT:
+            x = _by_representing(ideal, order, divisors, tried, rng)
+    return x
+
+
+def _by_enumeration(
+    ideal: LatticeValue, divisors: Divisors, p: int
+) -> tuple[Quaternion | None, int]:
+    """Return an element of norm n·N(I) for the least divisor n with one, among those of moderate size.
+
+    With it the largest divisor up to which all were decided.
+    """
+    spent, tried, gram = 0.0, 0, ideal.reduced[1]
+    # an element of norm n is expected from n = p/24 on
+    least = p >> 8 if p > SMALL_DISCRIMINANT else 1
+    if enumeration.volume(gram, 2 * least, 3) > MAX_HEADS:
+        return None, tried
+    for n in islice(divisors.ascending(), MAX_DIVISORS):
+        if n < least:
+            continue
+        heads = enumeration.volume(gram, 2 * n, 3)
+        if heads > MAX_HEADS or spent > 10 * MAX_HEADS:
+            break
+        spent += heads
+        row = first_of_norm(ideal, ideal.ambient.base.inside(ideal.norm * n))
+        if row is not None:
+            return ideal.element(hermite.tuples(row)[0]), n
+        tried = n
+    return None, tried
+
+
+def _by_representing(
+    ideal: LatticeValue,
+    order: LatticeValue,
+    divisors: Divisors,
+    tried: int,
+    rng: random.Random,
+) -> Quaternion | None:
+    """Return the same for divisors above those that were tried.
+
+    Of the elements of norm n·N one in N + 1 lies in an ideal of prime norm N. The quadratic order may
+    represent n·N for some N only.
+    """
+    f = frame(order)
+    above = [n for n in divisors.above(max(tried + 1, f.norm), rng) if n > tried]
+    primes = ((row, m) for row, m in by_norm(ideal) if m > 2 and m != f.norm and is_prime(m))
+    for row, norm in islice(primes, 10):
+        x = ideal.element(row)
+        start = multiple(ideal, x.conjugate() / ideal.norm, "right")
+        for n in dict.fromkeys([*above[-1:], *above[:2]]):
+            for _ in range(8 * (norm + 1)):
+                gamma = in_frame(f, norm * n, rng, 2000)
+                if gamma is None:
+                    break
+                if contains(start, gamma):
+                    return gamma * x / norm
+    return None
+
+
+def _needed_bits(ideal: LatticeValue, order: LatticeValue) -> int:
+    """Return about how many bits T has for which KLPT is likely to succeed."""
+    p = int(discriminant(order))
+    f = extremal_frame(order, MAX_FRAME_DISCRIMINANT)
+    norm = max(math.isqrt(p), 3) if f is None else max(int(least_norm(ideal)), math.isqrt(p), 3)
+    room = 18 + p.bit_length().bit_length() + (4 if f is None else (-f.discriminant).bit_length())
+    once = 2 * p.bit_length() + 2 * norm.bit_length() + room
+    return once if f is not None else 2 * once

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, overload
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.factorisation import Factors
 from hfield.core.sparse_rows import SparseRows
 from hfield.errors import (
     IndefiniteError,
@@ -37,6 +38,7 @@ from hfield.orders import (
     equivalence,
     foreign_writing,
     hermite,
+    ideal_generators,
     ideal_products,
     ideals_of_norm,
     invariants,
@@ -45,6 +47,7 @@ from hfield.orders import (
     labels,
     lattice_values,
     maximal_orders,
+    norm_pairs,
     pseudo_bases,
     quadratic_orders,
     related_orders,
@@ -53,6 +56,7 @@ from hfield.orders import (
     ternary_forms,
     units,
 )
+from hfield.orders import strong_approximation as solvers
 from hfield.orders.basis import basis_of
 from hfield.orders.class_file import ClassFile
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
@@ -62,11 +66,12 @@ from hfield.orders.equivalence_result import EquivalenceResult
 from hfield.orders.hecke_modules import ClassFunctions
 from hfield.orders.lattice_values import LatticeValue, rows_json
 from hfield.orders.orders_at_primes import OrderAtPrime
+from hfield.orders.orders_modulo_integers import ResidueMatrices
 from hfield.orders.quadratic_orders import Embeddings
 from hfield.orders.short_elements import expect_definite
 from hfield.orders.stable_classes import stable_classes
 from hfield.orders.ternary_forms import TernaryForm
-from hfield.orders.validation import checked_side, listed, natural
+from hfield.orders.validation import checked_side, listed, natural, positive
 from hfield.orders.validation import prime as checked_prime
 from hfield.orders.validation import weight as checked_weight
 from hfield.orders.weighted_functions import WeightedFunctions
@@ -838,6 +843,41 @@ class Order(WithStableClasses, Certified, Lattice):
         """
         return quadratic_orders.represent_integer(self.value, n, seed)
 
+    def strong_approximation(
+        self, x: object, modulus: object, number: object, seed: int = 0
+    ) -> Quaternion:
+        """Return μ ≡ λ·x modulo N·O, for some number λ prime to N, whose norm divides a smooth number T.
+
+        The order is p-extremal, N an odd prime, and x = (C + D·s)·β as :meth:`Ideal.ideal_mod_constraint`
+        returns it (StrongApproximation of KLPT). T is to be above p·N³. Raises :class:`LatticeError` for
+        others, and :class:`UndecidedError` with the size of T that is needed; where no norm that divides T is
+        λ²·N(x) modulo N, another γ helps.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra(2**61 - 1).extremal_order(); I = O.random_ideal(1013, seed=1)
+        >>> gamma = O.represent_integer(1013 * 2**80)
+        >>> mu = O.strong_approximation(I.ideal_mod_constraint(gamma), 1013, 6**60)
+        >>> gamma * mu in I, 6**60 % mu.norm()
+        (True, 0)
+        """
+        _expect_rational(self, "strong_approximation()")
+        return solvers.of_smooth_norm(self.value, self.algebra(x), modulus, number, seed)
+
+    def modulo(self, n: object, factors: Factors | None = None) -> ResidueMatrices:
+        """Return an isomorphism M of O/NO with M₂(ℤ/N), for N prime to the discriminant.
+
+        M(x) is a matrix, ``M.lift`` leads back, ``M.ideal(v)`` is the left ideal of the x with M(x)·v = 0 and
+        ``M.kernel(I)`` is v. ``factors`` are the primes of N where it is too large to be factored. Raises
+        :class:`LatticeError`, also over another field than ℚ, and :class:`UnfactoredError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); M = O.modulo(5)
+        >>> M(O.algebra("i")), M.ideal((1, 2)).norm(), M.kernel(M.ideal((1, 2)))
+        (((0, 1), (4, 0)), 5, (1, 2))
+        """
+        _expect_rational(self, "modulo()")
+        return ResidueMatrices(self, n, factors)
+
     def factor(self, x: object, primes: Iterable[object]) -> tuple[Quaternion, list[Quaternion]]:
         """Return (u, [π₁, …, πₙ]) with x = u·π₁⋯πₙ, u a unit, and norms N(πₙ) that are the given primes.
 
@@ -1200,35 +1240,191 @@ class Ideal(Certified, Lattice):
         order = self.order.value
         return equivalence.equivalence(order, self.value, order, self.side)
 
+    @cached_property
+    def generators(self) -> tuple[Any, Quaternion]:
+        """Two generators, a number n and an element x: I = O·n + O·x, for a right ideal n·O + x·O.
+
+        Over ℤ_K n is an ideal of the field. The lattice that they generate is computed and compared with I.
+        Raises :class:`LatticeError` for an ideal that is not invertible.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra("QQ", -1, -11).maximal_order(); I = O.left_ideal([15, "1 + j"])
+        >>> n, x = I.generators; n, O.left_ideal([n, x]) == I
+        (3, True)
+        >>> O = QuaternionAlgebra("QQ(sqrt(10))", -1, -1).maximal_order()
+        >>> I = O.left_ideal([3, "1 + i + j"]); n, x = I.generators; n, n * O + O.left_ideal([x]) == I
+        (ideal(3), True)
+        """
+        return ideal_generators.two_generators(self.value, self.order.value, self.side)
+
+    def reduced_equivalent(self) -> EquivalentIdeal:
+        """Return the integral ideal J of least norm that is equivalent to I, with ``J.element`` c.
+
+        J = I·c for a left ideal, c·I for a right one, with c = conj(x)/N(I) for a shortest x in I. Raises
+        :class:`LatticeError` for an ideal that is not invertible, or over another field than ℚ, and
+        :class:`IndefiniteError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> I = QuaternionAlgebra(419).extremal_order().random_ideal(1009, seed=1)
+        >>> J = I.reduced_equivalent(); J.norm() < 20, I * J.element == J
+        (True, True)
+        """
+        _expect_rational(self, "reduced_equivalent()")
+        expect_definite(self.value.ambient, "reduced_equivalent()")
+        self._expect_invertible("reduced_equivalent()")
+        return self._with_conjugate(short_elements.shortest(self.value)[0])
+
+    def _with_conjugate(self, x: Quaternion) -> EquivalentIdeal:
+        """Return the equivalent ideal of norm N(x)/N(I) for an x in I."""
+        c = x.conjugate() / self.norm()
+        side = "left" if self.side == "right" else "right"
+        return EquivalentIdeal(
+            lattice_values.multiple(self.value, c, side), self.side, self.order, c
+        )
+
+    def _expect_invertible(self, what: str) -> None:
+        if not self.is_invertible():
+            raise LatticeError(
+                f"{what} is for invertible ideals, and this one is not locally principal"
+            )
+
     def equivalent_of_prime_norm(self, avoid: Iterable[int] = ()) -> tuple[Ideal, Quaternion]:
         """Return (J, c) with J equivalent to I of the least prime norm that is not in ``avoid``.
 
         J = I·c for a left ideal, c·I for a right one, with c = conj(x)/N(I) for a short x in I
         (Kohel, Lauter, Petit and Tignol, 2014). Raises :class:`LatticeError` over another field than ℚ.
         """
-        self._expect_rational("equivalent_of_prime_norm()")
-        c = klpt.to_prime_norm(self.value, frozenset(avoid))
-        found = lattice_values.multiple(self.value, c, "left" if self.side == "right" else "right")
-        return Ideal(found, self.side, self.order), c
+        _expect_rational(self, "equivalent_of_prime_norm()")
+        return self._with_conjugate(klpt.to_prime_norm(self.value, frozenset(avoid))).pair
 
     def equivalent_of_power_norm(self, prime: int, seed: int = 0) -> tuple[Ideal, Quaternion, int]:
-        """Return (J, c, e), J = I·c of norm primeᵉ, for a left ideal of a p-extremal order: KLPT.
+        """Return (J, c, e) with J equivalent to I of norm primeᵉ, by KLPT; c as for :meth:`equivalence`.
 
-        Raises :class:`LatticeError` for another order, or over another field than ℚ, and
-        :class:`UndecidedError`.
+        It starts from a maximal order in an algebra of prime discriminant p. From a p-extremal order the norm
+        is about p³, from others, through connecting ideals, about p⁶. Raises :class:`LatticeError` for
+        another order, or over another field than ℚ, and :class:`UndecidedError`.
         """
-        self._expect_rational("equivalent_of_power_norm()")
-        p = checked_prime(prime)
-        c, e = klpt.to_power_norm(self.value, self.order.value, self.side, p, seed)
-        return Ideal.of(self * c, "left", self.order), c, e
+        _expect_rational(self, "equivalent_of_power_norm()")
+        left = self._as_left
+        x, e = klpt.to_power_norm(left, self.order.value, checked_prime(prime), seed)
+        return *self._from_left(x).pair, e
 
-    def _expect_rational(self, what: str) -> None:
-        """Raise :class:`LatticeError` where the base is not ℤ."""
-        if not self.value.ambient.base.is_rational:
-            raise LatticeError(
-                f"{what} is for ideals of orders over ZZ, where norms are numbers, and this algebra is over "
-                f"{self.algebra.ring.name}"
-            )
+    def equivalent_of_norm_dividing(
+        self, number: object, seed: int = 0
+    ) -> tuple[Ideal, Quaternion, int]:
+        """Return (J, c, n) with J equivalent to I of a norm n that divides a smooth number T: KLPT.
+
+        c is as for :meth:`equivalence`. I is an ideal of a maximal order. Norms of moderate size are tried
+        first, the least one wins. KLPT needs T > p³ for a p-extremal order and, through connecting ideals,
+        T > p⁶ for others. Raises :class:`LatticeError` for another order, or over another field than ℚ, and
+        :class:`UndecidedError` with the size of T that is needed.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> I = QuaternionAlgebra(2**61 - 1).extremal_order().random_ideal(101, seed=1)
+        >>> J, c, n = I.equivalent_of_norm_dividing(6**100)
+        >>> I * c == J, J.norm() == n, 6**100 % n
+        (True, True, 0)
+        """
+        _expect_rational(self, "equivalent_of_norm_dividing()")
+        self._expect_invertible("equivalent_of_norm_dividing()")
+        smooth = positive(number, "number T")
+        x = klpt.to_norm_dividing(self._as_left, self.order.value, smooth, seed)
+        found = self._from_left(x)
+        return *found.pair, int(found.norm())
+
+    def equivalent_pair(
+        self, total: object, seed: int = 0
+    ) -> tuple[tuple[Ideal, Quaternion], tuple[Ideal, Quaternion]]:
+        """Return ((J₁, c₁), (J₂, c₂)), equivalent to I, of coprime norms with the sum ``total``: Qlapoti.
+
+        c₁ and c₂ are as for :meth:`equivalence`. The order is p-extremal, or maximal for p < 2⁴⁰, where a
+        search finds the pair; the total is to be at least about 2p (Borin et al., ePrint 2025/1604). Raises
+        :class:`LatticeError` for another order, or over another field than ℚ, and :class:`UndecidedError` for
+        smaller totals, and where p is large and all short elements of I have norms that are even or have a
+        factor in common with the total: a random ideal of norm 2⁶⁴ is such a one for p of 250 bits.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> I = QuaternionAlgebra(2**61 - 1).extremal_order().random_ideal(101, seed=1)
+        >>> (J, c), (K, d) = I.equivalent_pair(2**64)
+        >>> I * c == J, I * d == K, J.norm() + K.norm() == 2**64, J.norm() % 2
+        (True, True, True, 1)
+        """
+        _expect_rational(self, "equivalent_pair()")
+        self._expect_invertible("equivalent_pair()")
+        number = positive(total, "sum of the norms")
+        x, y = norm_pairs.with_sum(self._as_left, self.order.value, number, seed)
+        return self._from_left(x).pair, self._from_left(y).pair
+
+    @property
+    def _as_left(self) -> LatticeValue:
+        """The ideal where it is a left one, else its conjugate."""
+        return lattice_values.conjugate(self.value) if self.side == "right" else self.value
+
+    def _from_left(self, x: Quaternion) -> EquivalentIdeal:
+        """Return the equivalent ideal of norm N(x)/N(I) for an x in :attr:`_as_left`."""
+        return self._with_conjugate(x.conjugate() if self.side == "right" else x)
+
+    def ideal_mod_constraint(self, gamma: object) -> Quaternion:
+        """Return μ = (C + D·s)·β with γ·μ in I, for a left ideal of prime norm of a p-extremal order.
+
+        s² is the discriminant of the small quadratic order R, and β is orthogonal to R, of norm p
+        (IdealModConstraint of KLPT). The norm of γ is a multiple of the norm of I. Raises
+        :class:`LatticeError` for other ideals and elements.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra(2**61 - 1).extremal_order(); I = O.random_ideal(1009, seed=1)
+        >>> gamma = O.represent_integer(1009 * 2**80)
+        >>> gamma * I.ideal_mod_constraint(gamma) in I
+        True
+        """
+        return self._mod_constraint(gamma, None, "ideal_mod_constraint()")
+
+    def eichler_mod_constraint(self, gamma: object, delta: object = 1) -> Quaternion:
+        """Return μ = (C + D·s)·β with γ·μ·δ in the Eichler order ℤ + I, as :meth:`ideal_mod_constraint` does.
+
+        γ and δ are elements of the order (EichlerModConstraint of SQISign). Raises :class:`LatticeError`.
+
+        >>> from hfield import QuaternionAlgebra
+        >>> O = QuaternionAlgebra(2**61 - 1).extremal_order(); I = O.random_ideal(1009, seed=1)
+        >>> gamma = O.represent_integer(2**80); E = O & I.right_order()
+        >>> gamma * I.eichler_mod_constraint(gamma) in E
+        True
+        """
+        return self._mod_constraint(gamma, delta, "eichler_mod_constraint()")
+
+    def _mod_constraint(self, gamma: object, delta: object, what: str) -> Quaternion:
+        _expect_rational(self, what)
+        if self.side == "right":
+            raise LatticeError(f"{what} is for left ideals: conjugate this one first")
+        A = self.algebra
+        after = None if delta is None else A(delta)
+        return solvers.mod_constraint(self.value, self.order.value, A(gamma), after)
+
+
+class EquivalentIdeal(Ideal):
+    """An ideal J equivalent to I: with ``element`` c, J = I·c for left ideals and c·I for right ones."""
+
+    def __init__(self, value: LatticeValue, side: str, order: Order, element: Quaternion) -> None:
+        super().__init__(value, side, order)
+        self.element = element
+
+    @property
+    def pair(self) -> tuple[Ideal, Quaternion]:
+        """The ideal alone, and the element."""
+        return Ideal(self.value, self.side, self.order), self.element
+
+    @property
+    def _arguments(self) -> tuple[object, ...]:
+        return *super()._arguments, self.element
+
+
+def _expect_rational(lattice: Lattice, what: str) -> None:
+    """Raise :class:`LatticeError` where the base is not ℤ."""
+    if not lattice.value.ambient.base.is_rational:
+        raise LatticeError(
+            f"{what} is for orders over ZZ and their ideals, and this algebra is over "
+            f"{lattice.algebra.ring.name}: there norms are ideals, which need not be principal"
+        )
 
 
 def _is_scalar(x: object) -> bool:

@@ -39,6 +39,11 @@ class QuadraticFrame:
         return self.discriminant % 2
 
     @property
+    def root(self) -> Quaternion:
+        """The root s = 2α − t of the discriminant."""
+        return 2 * self.alpha - self.t
+
+    @property
     def n(self) -> int:
         """The norm of α."""
         return (self.t - self.discriminant) // 4
@@ -174,13 +179,20 @@ TRIALS = 50_000
 
 def represent_integer(order: LatticeValue, n: int, rng: random.Random) -> Quaternion:
     """Return an element of norm n, large, of an order over ℤ. Raises :class:`UndecidedError`."""
-    found = in_frame(frame(order), n, rng)
+    f = frame(order)
+    found = in_frame(f, n, rng) if n % f.norm else _multiple_of_beta(f, n, rng)
     if found is None:
         raise UndecidedError(
             f"no element of norm {shorten(n)} was found in {TRIALS} trials; the order contains quadratic "
             f"orders of discriminant {shorten(frame(order).discriminant)} and beyond only"
         )
     return found
+
+
+def _multiple_of_beta(f: QuadraticFrame, n: int, rng: random.Random) -> Quaternion | None:
+    """Return an element of a norm n that N(β) divides: β times one of norm n/N(β), or any."""
+    found = in_frame(f, n // f.norm, rng, TRIALS // 10)
+    return in_frame(f, n, rng) if found is None else f.beta * found
 
 
 def in_frame(

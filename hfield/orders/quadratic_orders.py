@@ -22,7 +22,7 @@ from flint import fmpq, fmpq_mat, fmpz_mat
 from hfield.errors import IndefiniteError, LatticeError, UndecidedError, shorten
 from hfield.evidence import Certified, Claim
 from hfield.fields.number_fields.elements import FieldElement
-from hfield.fields.number_fields.ideals import Ideal as NumberFieldIdeal
+from hfield.fields.number_fields.ideals import FractionalIdeal as NumberFieldIdeal
 from hfield.fields.number_fields.prime_ideals import PrimeIdeal
 from hfield.fields.rationals.whole_numbers import square_root
 from hfield.orders import certificates, enumeration, hermite, quadratic_frames

@@ -1,8 +1,8 @@
 """The orders of an algebra that have names: maximal, Eichler, p-extremal, Lipschitz and Hurwitz.
 
-A p-extremal order has a small quadratic order and its orthogonal element of norm p: in
-``(−q, −p | ℚ)`` with q = 1, 2 or a small prime, a maximal order that contains the ring of integers R of
-ℚ(i) and ``R·j`` (Pizer, 1980, proposition 5.2; Kohel, Lauter, Petit and Tignol, 2014, section 2.3).
+A p-extremal order is a maximal order of ``(−q, −p | ℚ)`` with i and j, for a small q. For a prime q > 2 there
+are two up to isomorphism (Ibukiyama, *Nagoya Math. J.* 88, 1982; Pizer, 1980, proposition 5.2; Kohel, Lauter,
+Petit and Tignol, 2014, section 2.3).
 """
 
 from __future__ import annotations
@@ -13,9 +13,12 @@ from typing import Any
 from flint import fmpz_mat
 
 from hfield.algebra.quaternion import Parent, Quaternion
+from hfield.core.factorisation import factorise
 from hfield.core.primality import is_prime
 from hfield.core.product import Constants
 from hfield.errors import CoercionError, LatticeError, shorten
+from hfield.fields.rationals.places import INFINITE
+from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.fields.rationals.whole_numbers import fraction
 from hfield.orders import class_number as class_numbers
 from hfield.orders.base import Base
@@ -118,7 +121,10 @@ def _maximal(algebra: Parent) -> LatticeValue:
 
 
 def quadratic_part(p: int) -> int:
-    """Return q = 1, 2 or a prime 3 modulo 4 for which ``(−q, −p | ℚ)`` ramifies at p and ∞."""
+    """Return q = 1, 2 or the least q ≡ 3 modulo 4 for which ``(−q, −p | ℚ)`` ramifies at p and ∞ alone.
+
+    That q is a prime: one of the prime factors of such a q that are 3 modulo 4 is no larger, and does too.
+    """
     if p == 2 or p % 4 == 3:
         return 1
     if p % 8 == 5:
@@ -129,21 +135,54 @@ def quadratic_part(p: int) -> int:
     return q
 
 
-def extremal_order(algebra: Parent) -> LatticeValue:
-    """Return a p-extremal maximal order of a definite algebra of prime discriminant p.
+def extremal_order(algebra: Parent, q: object = None) -> LatticeValue:
+    """Return a maximal order with anticommuting roots of −q and −p, in a definite algebra of discriminant p.
 
-    Raises :class:`LatticeError` for another algebra.
+    Raises :class:`LatticeError` for another algebra, and where there is no such order.
     """
     r = basis_of(algebra)
     if not (r.base.is_rational and r.definite) or len(r.ramified) != 1:
         raise LatticeError(
-            f"{algebra} has no p-extremal order: expected a definite algebra of prime discriminant"
+            f"{algebra} has no p-extremal order: expected a definite algebra over QQ of prime discriminant"
         )
     (p,) = r.ramified
-    q = quadratic_part(p)
-    i, j = _generators(algebra, q, p)
-    w = (1 + i) / 2 if q % 4 == 3 else i
-    return overorder(generated(algebra, [w, j]))
+    size = quadratic_part(p) if q is None else positive(q, "number q of a p-extremal order")
+    if q is not None:
+        _expect_fitting(size, p)
+    i, j = _generators(algebra, size, p)
+    return overorder(generated(algebra, [i, j, *_halves(i, j, size, p)]))
+
+
+def _expect_fitting(q: int, p: int) -> None:
+    """Raise :class:`LatticeError` unless ``(−q, −p | ℚ)`` ramifies at p and ∞ alone, q being squarefree."""
+    factors = factorise(q)
+    square = next((n for n, e in factors.items() if e > 1), None)
+    if square is not None:
+        raise LatticeError(
+            f"q = {q} has the square factor {square}²: expected a squarefree q, such as {q // square**2}"
+        )
+    places = ramified_places_q(-q, -p)
+    wrong = [n for n in places if n not in (p, INFINITE)]
+    if p not in places:
+        reason = f"−{q} is a square modulo {shorten(p)}, so that (−q, −p) does not ramify there"
+    elif wrong:
+        reason = f"−{shorten(p)} is no square modulo {wrong[-1]}, so that (−q, −p) ramifies there"
+    else:
+        return
+    raise LatticeError(
+        f"q = {q} does not fit p = {shorten(p)}: {reason}; expected a q for which (−q, −p) ramifies at p and "
+        f"∞ alone, such as {quadratic_part(p)}"
+    )
+
+
+def _halves(i: Quaternion, j: Quaternion, q: int, p: int) -> list[Quaternion]:
+    """Return what tells one class of maximal orders with i and j, of squares −q and −p, from the other.
+
+    For q = 1 there is one class; it contains (1 + √−p)/2 for another root of −p.
+    """
+    if p % 4 == 1 and q % 2:
+        return [(1 + i) / 2]
+    return [(1 + j) / 2] if p % 4 == 3 and q > 1 else []
 
 
 def _generators(algebra: Parent, q: int, p: int) -> tuple[Quaternion, Quaternion]:

@@ -29,7 +29,7 @@ from hfield.checker.orders.answers import (
     trace_and_norm,
     with_rational_trace_and_norm,
 )
-from hfield.checker.orders.fuchsian import Domain, area
+from hfield.checker.orders.fuchsian import FundamentalDomain, area
 from hfield.checker.orders.lattice import Element, Lattice
 from hfield.checker.orders.local_types import symbols
 from hfield.checker.orders.texts import a_whole_number
@@ -83,7 +83,7 @@ def has_orbits(given: Given, parts: Parts) -> CheckResult:
     plane = given.real_algebra()
     center = given.element(given.data["center"])
     units = [given.element(x) for x in a_list(given.data["units"], "units")]
-    domain = Domain(order, plane, area(order, given.primes), center, units)
+    domain = FundamentalDomain(order, plane, area(order, given.primes), center, units)
     elements = [given.element(x) for x in a_list(given.data["elements"], "elements", 1)]
     if 2 * len(elements) != number:
         reject(f"{len(elements)} embeddings are given, which is not half of the number of orbits")

@@ -19,6 +19,7 @@ from hfield.fields.base.ring import INFINITY, Fact, Ring, shared
 from hfield.fields.base.roots import of_flint, rational_roots
 from hfield.fields.base.storage.base import Batch, Storage
 from hfield.fields.base.value_ring import ValueRing
+from hfield.fields.rationals.rational_numbers import RationalNumber
 
 if TYPE_CHECKING:
     import numpy as np
@@ -232,7 +233,7 @@ class Rationals(_Ordered):
         """Store elements as four ints over one denominator."""
         from hfield.fields.base.storage.fractions import FractionStorage
 
-        return FractionStorage(self, constants, (0,), lambda x: (x,), flint.fmpq)
+        return FractionStorage(self, constants, (0,), lambda x: (x,), RationalNumber)
 
     def places(self) -> Iterator[int | str]:
         """Run through the places: ``"inf"``, then the primes."""

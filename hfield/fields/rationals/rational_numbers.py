@@ -1,0 +1,173 @@
+"""Rational numbers as users get them: flint's, with the operations of Python's ints and Fractions.
+
+Norms, traces and coordinates over ℚ are of this class. Sums and products stay exact, ``%`` and ``//`` are
+those of Fractions, and an integral value serves wherever Python takes an int.
+"""
+
+from __future__ import annotations
+
+import math
+import numbers
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+from flint import fmpq, fmpz
+
+
+class RationalNumber(fmpq):  # type: ignore[misc]  # flint has no types
+    """A rational number; it equals, hashes and compares as ints and Fractions do.
+
+    >>> from math import gcd, isqrt
+    >>> from hfield import H
+    >>> n = H("QQ")(1, 2, 3, 1).norm()
+    >>> n, n % 4, n // 4, divmod(n, 4), pow(n, -1, 7), gcd(n, 6), isqrt(n)
+    (15, 3, 3, (3, 3), 1, 3, 3)
+    """
+
+    __slots__ = ()
+
+    @property
+    def numerator(self) -> int:
+        """The numerator, an int."""
+        return int(self.p)
+
+    @property
+    def denominator(self) -> int:
+        """The denominator, a positive int."""
+        return int(self.q)
+
+    def as_integer_ratio(self) -> tuple[int, int]:
+        """Return the numerator and the denominator."""
+        return int(self.p), int(self.q)
+
+    def is_integer(self) -> bool:
+        """Tell whether the number is integral."""
+        return bool(self.q == 1)
+
+    def __index__(self) -> int:
+        if self.q != 1:
+            raise TypeError(f"{self} is not an integer")
+        return int(self.p)
+
+    def __format__(self, specification: str) -> str:
+        if specification and self.q == 1:
+            return format(int(self.p), specification)
+        return format(str(self), specification)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return RationalNumber, (int(self.p), int(self.q))
+
+    # --- integral parts --------------------------------------------------------------------------
+
+    def __floor__(self) -> int:
+        return int(self.p // self.q)
+
+    def __ceil__(self) -> int:
+        return int(-(-self.p // self.q))
+
+    def __trunc__(self) -> int:
+        return int(self)
+
+    def __round__(self, digits: int | None = None) -> Any:
+        return round(Fraction(*self.as_integer_ratio()), digits)
+
+    def __floordiv__(self, other: object) -> int:
+        number = _rational(other)
+        return NotImplemented if number is None else _floor(self, number)
+
+    def __rfloordiv__(self, other: object) -> int:
+        number = _rational(other)
+        return NotImplemented if number is None else _floor(number, self)
+
+    def __mod__(self, other: object) -> RationalNumber:
+        number = _rational(other)
+        return NotImplemented if number is None else _divmod(self, number)[1]
+
+    def __rmod__(self, other: object) -> RationalNumber:
+        number = _rational(other)
+        return NotImplemented if number is None else _divmod(number, self)[1]
+
+    def __divmod__(self, other: object) -> tuple[int, RationalNumber]:
+        number = _rational(other)
+        return NotImplemented if number is None else _divmod(self, number)
+
+    def __rdivmod__(self, other: object) -> tuple[int, RationalNumber]:
+        number = _rational(other)
+        return NotImplemented if number is None else _divmod(number, self)
+
+    # --- powers ----------------------------------------------------------------------------------
+
+    def __pow__(self, exponent: object, modulus: object = None) -> Any:
+        if modulus is not None:
+            base: Any = self.__index__()
+            return pow(base, exponent, modulus)
+        number = _rational(exponent)
+        if number is None:
+            return NotImplemented
+        return RationalNumber(fmpq.__pow__(self, RationalNumber(number).__index__()))
+
+    def __rpow__(self, base: Any) -> Any:
+        return NotImplemented if _rational(base) is None else base ** self.__index__()
+
+    # --- sums and products, comparison -----------------------------------------------------------
+
+    def _operation(name: str) -> Callable[[RationalNumber, object], Any]:  # noqa: N805
+        """Return an operation of flint's class that takes Fractions too and stays in this class."""
+        of_flint = getattr(fmpq, name)
+
+        def operation(self: RationalNumber, other: object) -> Any:
+            found = of_flint(self, _of_python(other))
+            return RationalNumber(found) if type(found) is fmpq else found
+
+        operation.__name__ = name
+        return operation
+
+    __add__, __radd__ = _operation("__add__"), _operation("__radd__")
+    __sub__, __rsub__ = _operation("__sub__"), _operation("__rsub__")
+    __mul__, __rmul__ = _operation("__mul__"), _operation("__rmul__")
+    __truediv__, __rtruediv__ = _operation("__truediv__"), _operation("__rtruediv__")
+    __eq__, __ne__ = _operation("__eq__"), _operation("__ne__")
+    __lt__, __le__ = _operation("__lt__"), _operation("__le__")
+    __gt__, __ge__ = _operation("__gt__"), _operation("__ge__")
+    __hash__ = fmpq.__hash__
+    del _operation
+
+    def __neg__(self) -> RationalNumber:
+        return RationalNumber(-self.p, self.q)
+
+    def __pos__(self) -> RationalNumber:
+        return self
+
+    def __abs__(self) -> RationalNumber:
+        return RationalNumber(abs(self.p), self.q)
+
+
+numbers.Rational.register(RationalNumber)
+
+
+def _of_python(x: object) -> object:
+    """Return a Fraction as flint's rational, and anything else unchanged."""
+    if isinstance(x, Fraction):
+        return fmpq(x.numerator, x.denominator)
+    return x
+
+
+def _rational(x: object) -> fmpq | None:
+    """Return an int, a Fraction or a number of flint as flint's rational, None for anything else."""
+    if isinstance(x, fmpq):
+        return x
+    if isinstance(x, int | fmpz):
+        return fmpq(x)
+    return fmpq(x.numerator, x.denominator) if isinstance(x, Fraction) else None
+
+
+def _floor(x: fmpq, y: fmpq) -> int:
+    if not y:
+        raise ZeroDivisionError(f"division of {x} by 0")
+    return math.floor(RationalNumber(fmpq.__truediv__(x, y)))
+
+
+def _divmod(x: fmpq, y: fmpq) -> tuple[int, RationalNumber]:
+    quotient = _floor(x, y)
+    return quotient, RationalNumber(x - quotient * y)
