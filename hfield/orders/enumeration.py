@@ -9,6 +9,7 @@ long the entries (Fincke and Pohst, *Math. Comp.* 44, 1985; Bareiss, 1968).
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import chain, islice
 from math import exp, gamma, isqrt, log, pi
 
 from flint import fmpz_mat
@@ -156,7 +157,9 @@ def theta_series(gram: Gram, n: int, expected: str | None = None) -> list[int]:
 
     Raises :class:`TooLargeError` as :func:`short_vectors` does.
     """
+    vectors = short_vectors(gram, 2 * n, expected)
+    first = list(islice(vectors, 1))  # the error comes before a list that is too long
     counts = [1] + [0] * n
-    for _, value in short_vectors(gram, 2 * n, expected):
+    for _, value in chain(first, vectors):
         counts[value // 2] += 2
     return counts

@@ -27,7 +27,7 @@ def described(forms: Any) -> list[tuple[list[str], list[str]]]:
 def test_those_of_dense_matrices(algebra: Any, level: Any) -> None:
     C = algebra.eichler_order(level).class_set()
     found = C.rational_newforms()
-    assert described(found) == described(C.newforms())
+    assert described(found) == described(f for f in C.newforms() if f.degree == 1)
     P = next(iter(found[0].eigenvalues(1)))
     for f in found:
         assert C.hecke_operator(P, f.values) == [f[P] * x for x in f.values]

@@ -27,6 +27,11 @@ def dirichlet_domain(level: int) -> str:
     return json.dumps(order.norm_one_group().domain().certificate)
 
 
+def embedding_orbits(conductor: int) -> str:
+    order = QuaternionAlgebra(6).maximal_order()
+    return json.dumps(order.embeddings(-24 * conductor**2).claim_of_orbits().certificate)
+
+
 def group_over_integers(p: int, whole: bool = True) -> str:
     A = QuaternionAlgebra.from_text("(-1,sqrt(5)|QQ(sqrt(5)))")
     group = A.eichler_order(A.ring.primes_above(p)[0]).norm_one_group()
@@ -59,6 +64,7 @@ FILES: dict[str, Hostile] = {
     "unit-group: a large discriminant": (unit_group, 2, 9_973),
     "norm-one-group: a large level": (norm_one_group, 2, 100),
     "dirichlet-domain: a large level": (dirichlet_domain, 2, 100),
+    "embedding-orbits: a large discriminant": (embedding_orbits, 1, 101),
     "norm-one-group-over-integers: a large level": (group_over_integers, 11, 199),
     "dirichlet-domain-over-integers: a large level": (domain_over_integers, 11, 199),
     "ideal-classes: a large level": (ideal_classes, 11, 401),
