@@ -60,6 +60,22 @@ def classes_over_a_number_field() -> bool:
     return A.eichler_order(P).class_set().hecke_polynomial(A.ring.gen) == [-12, -4, 1]
 
 
+def hilbert_newforms() -> bool:
+    A = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    C = A.eichler_order(A.ring.primes_above(61)[0]).class_set()
+    return [f.degree for f in C.newforms()] == [2]
+
+
+def certified_embeddings() -> bool:
+    claim = QuaternionAlgebra(6).maximal_order().embeddings(-24).claim_of_orbits()
+    return check(claim.certificate).verdict == "proved"
+
+
+def classes_over_polynomials() -> bool:
+    A = QuaternionAlgebra.from_ramification("GF(3)(t)", ["t^3+2*t+1", "inf"])
+    return len(A.maximal_order().class_set()) == 4
+
+
 def a_proved_domain() -> bool:
     G = QuaternionAlgebra(6).maximal_order().norm_one_group()
     return (G.signature.genus, G.signature.orders) == (0, (2, 2, 3, 3))
@@ -80,6 +96,9 @@ OURS: dict[str, Callable[[], bool]] = {
         QuaternionAlgebra(11).maximal_order().class_set().brandt_matrix(2) == [[1, 2], [3, 0]]
     ),
     "classes over the integers of number fields": classes_over_a_number_field,
+    "Hilbert newforms with irrational eigenvalues": hilbert_newforms,
+    "all optimal embeddings in indefinite orders, with a certificate": certified_embeddings,
+    "orders over 𝔽_q[t] and their classes": classes_over_polynomials,
     "units of indefinite orders, the domain proved": a_proved_domain,
     "inverts matrices over H(F)": an_inverse,
     "all roots of polynomials over H(F)": all_roots,
