@@ -118,9 +118,9 @@ def write(formula: Formula, target: Array, *arrays: Array) -> bool:
 
     The arrays may be of both precisions; all is computed in double. The target may be the points.
     """
-    doubles = [a.astype(np.float64, copy=False) for a in arrays]
-    flag = formula.function(target, *doubles)  # the machine code writes where it can
+    arrays = tuple(a.astype(np.float64, copy=False) for a in arrays)
+    flag = formula.function(target, *arrays)  # the machine code writes where it can
     if flag is None:
-        image, flag = formula.with_flag(*doubles)
+        image, flag = formula.with_flag(*arrays)
         target[...] = image
     return bool(flag)

@@ -223,4 +223,4 @@ def _matrix(a: Floats, b: Floats, c: Floats, d: Floats) -> Floats:
 
 
 def _points(points: ArrayLike) -> Floats:
-    return components(points, 2, "points", "aos")[0]
+    return components(points, 2, "points", "aos")

@@ -275,7 +275,7 @@ _KERNELS = {
 }
 
 
-def kernel(name: str, *parameters: Any) -> Kernel:
+def kernel(name: str, *parameters: bool | tuple[int, ...]) -> Kernel:
     """Return a kernel by its name and its parameters.
 
     "axis_angle" takes whether angles are in degrees and whether the result is float32, "quaternions" only the
