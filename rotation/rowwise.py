@@ -115,11 +115,11 @@ class Formula:
         function = self._compiled()
         if function is unmade:
             return self._plainly(arrays), True
-        out = np.empty(batch + self._row, self._kind)
-        straight = self._straightened(arrays, batch)
-        if out.size > MUCH:
-            if out.nbytes >= POOLED_BYTES:
-                out = block(out.shape, self._kind.str)[0]
+        straight, shape = self._straightened(arrays, batch), batch + self._row
+        size = prod(shape)
+        pooled = size * self._kind.itemsize >= POOLED_BYTES
+        out = block(shape, self._kind.str)[0] if pooled else np.empty(shape, self._kind)
+        if size > MUCH and prod(batch) > self._shortest:
             flag = self._shared(function, straight, out)
         else:
             flag = function(out, *straight)

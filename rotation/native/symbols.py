@@ -40,6 +40,7 @@ class Program(Code):
         self.number, self.width = number, width
         self.kind, self.bits = vector(number, width), vector("i1", width)
         self.flags = " contract" if fused else ""
+        self.opposites: dict[str, str] = {}  # of which value a value is the negative
 
     def constant(self, number: float) -> str:
         """Return a number in every row, exactly."""
@@ -132,7 +133,9 @@ class Lanes:
 
     def __neg__(self) -> "Lanes":
         program = self.program
-        return Lanes(program, program.value(f"fneg {self.kind} {self.name}"))
+        name = program.value(f"fneg {self.kind} {self.name}")
+        program.opposites[name] = self.name
+        return Lanes(program, name)
 
     def _compared(self, how: str, other: Any) -> "Condition":
         program = self.program
