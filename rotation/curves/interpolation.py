@@ -21,6 +21,7 @@ from rotation.namespaces import (
     quiet,
 )
 from rotation.pytrees import known
+from rotation.quaternions import SLERP
 from rotation.rotation import Rotation
 
 
@@ -43,8 +44,8 @@ def slerp(p: Rotation, q: Rotation, t: Any) -> Rotation:
     >>> slerp(p, q, [0.0, 0.5, 1.0]).as_euler("ZYX", degrees=True)[:, 0].round(12)
     array([ 0., 45., 90.])
     """
-    if type(t) is float and type(p) is type(q) is Rotation:
-        made: Rotation | None = quaternions.SLERP.function(Rotation, p._q, q._q, t)
+    if type(p) is type(q) is Rotation:
+        made: Rotation | None = SLERP.function(Rotation, p._q, q._q, t)
         if made is not None:
             return known(made)
     expect_rotations(p=p, q=q)
