@@ -24,7 +24,7 @@ from rotation.vectors import from_axis_angle, to_axis_angle
 if TYPE_CHECKING:
     from mpl_toolkits.mplot3d.axes3d import Axes3D
 
-Floats = NDArray[np.floating[Any]]
+Floats = NDArray[np.floating]
 MAX_ARCS = 24  # points whose paths are drawn
 FRAME = np.eye(3)
 LETTERS = "xyz"

@@ -7,6 +7,7 @@ import numpy as np
 
 from hfield.core.product import Constants, multiply
 from rotation.angles import waves
+from rotation.array_types import NUMPY
 from rotation.arrays import Array
 
 Name = tuple[str, *tuple[bool | tuple[int, ...], ...]]  # of a kernel, then its parameters
@@ -24,7 +25,7 @@ def axis_angle(points: Array, axis: Array, angle: Array, degrees: bool = False) 
     """Return Rodrigues' formula: v cos θ + (u × v) sin θ + u (u·v)(1 − cos θ), u the unit axis."""
     scaled = axis / np.max(np.abs(axis), axis=-1, keepdims=True)
     unit = scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
-    sine, cosine = (wave[..., None] for wave in waves(np, angle, degrees))
+    sine, cosine = (wave[..., None] for wave in waves(NUMPY, angle, degrees))
     along = np.sum(unit * points, axis=-1, keepdims=True)
     turned = np.cross(unit, points) * sine + (unit * along - points) * (1 - cosine)
     rotated: Array = points + turned

@@ -11,7 +11,7 @@ import os
 import sys
 from collections.abc import Callable
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -43,6 +43,7 @@ NUMPY = {"PyArray_New": 93, "PyArray_Return": 76}  # the places in its table of 
 HALVES = vector("float", WIDTH)
 
 Function = Callable[..., Any]
+Values: TypeAlias = "Lanes | float | tuple[Values, ...]"
 
 
 _Known: Any = ctypes.py_object * 6
@@ -86,7 +87,7 @@ def available() -> bool:
     )
 
 
-def _place(slot: Any) -> int:
+def _place(slot: object) -> int:
     """Return how many bytes into an object a slot of its class lies, by its descriptor."""
     described = ctypes.c_void_p.from_address(id(slot) + HEAD + 24).value or 0
     return int(ctypes.c_ssize_t.from_address(described + 16).value)
@@ -116,12 +117,12 @@ def _address(function: Any) -> int:
 
 
 def compile_builtin(
-    formula: Callable[..., Any],
+    formula: Callable[..., Values],
     shapes: tuple[Shape, ...],
-    parameters: tuple[Any, ...],
+    parameters: tuple[object, ...],
     single: tuple[int, ...],
     words: tuple[str, ...],
-    slot: Any,
+    slot: object,
 ) -> tuple[Function, Shape, int]:
     """Return the function ``f(where, *arrays)`` that computes ``formula(*arrays, *parameters)``.
 
@@ -169,9 +170,9 @@ def compile_builtin(
 
 
 def _block(
-    formula: Any,
+    formula: Callable[..., Values],
     shapes: tuple[Shape, ...],
-    parameters: tuple[Any, ...],
+    parameters: tuple[object, ...],
     single: tuple[int, ...],
     words: tuple[str, ...],
 ) -> tuple[Program, Shape]:
@@ -255,11 +256,11 @@ def _ask_ahead(program: Program, start: str, size: int, blocks: int, writing: bo
         program.ahead(program.at("[64 x i8]", start, blocks * lines + line), writing)
 
 
-def _flat(values: Any) -> list[Any]:
+def _flat(values: Values) -> list[Lanes | float]:
     return [x for v in values for x in _flat(v)] if isinstance(values, tuple) else [values]
 
 
-def _shape(values: Any) -> Shape:
+def _shape(values: Values) -> Shape:
     return (len(values), *_shape(values[0])) if isinstance(values, tuple) else ()
 
 
