@@ -9,11 +9,10 @@ import numpy as np
 
 from rotation.action import by_rows
 from rotation.array_types import NUMPY, Array, ArrayLike
-from rotation.arrays import real
 from rotation.batch import expect_rotations
 from rotation.coordinates import join, length, split, unchanging
 from rotation.errors import RotationError
-from rotation.namespaces import expect_last, expect_numpy, floats, quiet, refuse_rows
+from rotation.namespaces import expect_last, expect_numpy, floats, points_of, quiet, refuse_rows
 from rotation.rigid import RigidTransform, expect_transforms
 from rotation.rotation import Rotation
 
@@ -66,8 +65,7 @@ def convert_points(points: ArrayLike, source: str, target: str) -> Array:
     array([0., 0., 1.])
     """
     expect_numpy("convert_points", points)
-    v = real(points, "points")
-    expect_last(v, (3,), "points")
+    v = points_of(points, NUMPY)
     c = split(v)
     spoilt = unchanging(NUMPY, c)
     image = by_rows(change_of_axes(source, target).astype(v.dtype), c)

@@ -132,6 +132,13 @@ def floats(value: object, what: str, xp: Namespace | None = None) -> Array:
     raise DTypeError(f"{what} has dtype {array.dtype}; expected integers or real floats")
 
 
+def points_of(value: object, xp: Namespace) -> Array:
+    """Return points (…, 3) in their own precision; whole numbers become the library's usual floats."""
+    points: Array = real(value, "points") if is_numpy(xp) else floats(value, "points", xp)
+    expect_last(points, (3,), "points")
+    return points
+
+
 def number(value: int | float, what: str) -> float:
     """Return a plain number as a float.
 

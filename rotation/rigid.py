@@ -7,11 +7,18 @@ from rotation import hints, pytrees
 from rotation import rigid_motions as motions
 from rotation.alignment import align_points
 from rotation.array_types import Array, ArrayLike, Axes
-from rotation.arrays import common_batch, real
+from rotation.arrays import common_batch
 from rotation.averaging import mean_of_vectors
 from rotation.coordinates import length, split
 from rotation.errors import DTypeError
-from rotation.namespaces import expect_last, floats, is_numpy, namespace, number, quiet, spread
+from rotation.namespaces import (
+    floats,
+    namespace,
+    number,
+    points_of,
+    quiet,
+    spread,
+)
 from rotation.rigid_forms import Forms
 from rotation.rotation import Rotation
 
@@ -95,8 +102,7 @@ class RigidTransform(Forms):
             Shapes that do not fit.
         """
         xp = namespace(self._q, points)
-        given = real(points, "points") if is_numpy(xp) else floats(points, "points", xp)
-        expect_last(given, (3,), "points")
+        given = points_of(points, xp)
         common_batch(points=tuple(given.shape[:-1]), transforms=self.shape)
         v = floats(given, "points", xp)
         moved = (motions.MOVED_BACK if inverse else motions.MOVED)(self._q, self._t, v)

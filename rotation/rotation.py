@@ -15,7 +15,14 @@ from rotation.batch import Batch, expect_rotations
 from rotation.conversions import Conversions
 from rotation.errors import ForeignArrayError, RotationError
 from rotation.matrices import TO_MATRIX, to_matrix
-from rotation.namespaces import expect_last, expect_numpy, floats, is_numpy, namespace, quiet
+from rotation.namespaces import (
+    expect_numpy,
+    floats,
+    is_numpy,
+    namespace,
+    points_of,
+    quiet,
+)
 from rotation.native import tensors
 from rotation.pytrees import known
 from rotation.quaternions import INVERSE, PRODUCT, SHORTER_POWER
@@ -512,8 +519,7 @@ class Rotation(Conversions):
         xp = namespace(q, points)
         if not is_numpy(xp) and out is not None:
             raise ForeignArrayError("out is for numpy arrays; other libraries return new ones")
-        v = real(points, "points") if is_numpy(xp) else floats(points, "points", xp)
-        expect_last(v, (3,), "points")
+        v = points_of(points, xp)
         common_batch(points=tuple(v.shape[:-1]), rotations=self.shape)
         if is_numpy(xp):
             from rotation.fused import rotate_quat
@@ -527,7 +533,6 @@ class Rotation(Conversions):
 
     def apply_outer(self, points: ArrayLike) -> Array:
         """Rotate every point by every rotation: the shape is ``self.shape + points.shape``."""
-        xp = namespace(self._q, points)
-        v = real(points, "points") if is_numpy(xp) else xp.asarray(points)
+        v = points_of(points, namespace(self._q, points))
         q = self._q[(..., *(None,) * (len(v.shape) - 1), slice(None))]
         return self._of(q).apply(v)
