@@ -13,9 +13,7 @@ class Walk(NamedTuple):
 
     outer: int
     inner: int
-    strides: tuple[
-        Shape, ...
-    ]  # of each array: between components, along the outer and the inner axis
+    strides: tuple[Shape, ...]  # between components, along the outer and the inner axis
 
 
 @lru_cache(maxsize=1024)  # frame after frame has arrays of the same kind
