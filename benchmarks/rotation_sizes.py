@@ -5,10 +5,10 @@
 Peers are scipy, numpy-quaternion, quaternionic and pytransform3d on numpy's arrays, roma on torch, jaxlie
 on JAX; who is not installed is left out. All take turns within SECONDS (default 0.1) for each call and size,
 and the least time of each counts, so that a busy machine disturbs all alike. Below 1 we are faster; the
-letter says than whom. BEFORE is the folder of another state of this project: a process that imports
-`rotation` from there takes its turns too, and each cell gives its ratio first. Single precision is timed
-where points keep it. At 10⁶ our conversions are compared with the floor that memory sets, and at the end
-new processes tell what importing and the first call take.
+letter says than whom. BEFORE is the folder of another state of this project: then each state has a process
+of its own, which takes its turns with the peers, and each cell gives the ratio of that state first. Single
+precision is timed where points keep it. At 10⁶ our conversions are compared with the floor that memory sets,
+and at the end new processes tell what importing and the first call take.
 """
 
 import json
@@ -19,6 +19,7 @@ import time
 from collections.abc import Callable
 from importlib import import_module
 from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 os.environ["OPENBLAS_NUM_THREADS"] = "1"  # its threads spin after a product, in the next one's time
@@ -36,6 +37,7 @@ from rotation.kernels import threads
 Ways = dict[str, Callable[[], Any]]  # by whose they are; ours first
 Timer = Callable[[int], float]  # how long so many calls take
 SIZES = (1, 10, 100, 1000, 10_000, 100_000, 1_000_000)
+HERE = Path(rotation.__file__).parents[1]
 RUN = 2e-4  # seconds of a run of calls
 SLOW = 5.0  # seconds of a call that is not repeated
 PEERS = {
@@ -300,8 +302,8 @@ def timer(call: Callable[[], Any]) -> Timer:
     return run
 
 
-class Before:
-    """The calls of another state of this project, in a process of its own."""
+class State:
+    """The calls of a state of this project, in a process of its own."""
 
     def __init__(self, folder: str) -> None:
         self._process = subprocess.Popen(
@@ -330,7 +332,7 @@ class Before:
 
 
 def serve() -> None:
-    """Answer a `Before`."""
+    """Answer a `State`."""
     rows: dict[int, dict[str, Ways]] = {}
     for line in sys.stdin:
         n, name, repeats = json.loads(line)
@@ -409,19 +411,21 @@ def main(arguments: list[str]) -> None:
     """Print the tables."""
     seconds = float(arguments[0]) if arguments else 0.1
     sizes = tuple(map(int, arguments[1].split(","))) if len(arguments) > 1 else SIZES
-    before = Before(arguments[2]) if len(arguments) > 2 else None
+    folders = {"before": arguments[2], "ours": str(HERE)} if len(arguments) > 2 else {}
+    states = {name: State(folder) for name, folder in folders.items()}
     missing = [name for name in PEERS if not find_spec(name)]
     print(f"left out, for they are not installed: {', '.join(missing) or 'none'}")
     table: dict[str, dict[int, str]] = {}
     for n in sizes:
         for name, ways in rotations(n).items():
-            times = least(ways, seconds, {"before": before.timer(n, name)} if before else None)
+            others = {state: found.timer(n, name) for state, found in states.items()}
+            times = least(ways, seconds, others)
             ours, earlier = times.pop("ours"), times.pop("before", None)
             peer = min(times, key=lambda name: times[name])
             first = f"{earlier / times[peer]:.2f} → " if earlier else ""
             table.setdefault(name, {})[n] = f"{first}{ours / times[peer]:.2f} {PEERS[peer]}"
-    if before:
-        before.end()
+    for state in states.values():
+        state.end()
     print("| our time over the quickest peer's | " + " | ".join(map(str, sizes)) + " |")
     print("|---|" + "---|" * len(sizes))
     for name, row in table.items():
