@@ -1,14 +1,17 @@
 """Our time over the quickest peer's, for one rotation and for 10 to 10⁶ of them, call by call.
 
-    python benchmarks/rotation_sizes.py [SECONDS] [SIZES, such as 1,10,1000000]
+    python benchmarks/rotation_sizes.py [SECONDS] [SIZES, such as 1,10,1000000] [BEFORE]
 
 Peers are scipy, numpy-quaternion, quaternionic and pytransform3d on numpy's arrays, roma on torch, jaxlie
 on JAX; who is not installed is left out. All take turns within SECONDS (default 0.1) for each call and size,
 and the least time of each counts, so that a busy machine disturbs all alike. Below 1 we are faster; the
-letter says than whom. Single precision is timed where points keep it. At 10⁶ our conversions are compared
-with the floor that memory sets, and at the end new processes tell what importing and the first call take.
+letter says than whom. BEFORE is the folder of another state of this project: then each state has a process
+of its own, which takes its turns with the peers, and each cell gives the ratio of that state first. Single
+precision is timed where points keep it. At 10⁶ our conversions are compared with the floor that memory sets,
+and at the end new processes tell what importing and the first call take.
 """
 
+import json
 import os
 import subprocess
 import sys
@@ -16,6 +19,7 @@ import time
 from collections.abc import Callable
 from importlib import import_module
 from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 os.environ["OPENBLAS_NUM_THREADS"] = "1"  # its threads spin after a product, in the next one's time
@@ -31,7 +35,9 @@ from rotation import Rotation
 from rotation.kernels import threads
 
 Ways = dict[str, Callable[[], Any]]  # by whose they are; ours first
+Timer = Callable[[int], float]  # how long so many calls take
 SIZES = (1, 10, 100, 1000, 10_000, 100_000, 1_000_000)
+HERE = Path(rotation.__file__).parents[1]
 RUN = 2e-4  # seconds of a run of calls
 SLOW = 5.0  # seconds of a call that is not repeated
 PEERS = {
@@ -284,14 +290,64 @@ def transforms(
     }
 
 
-def least(ways: Ways, seconds: float) -> dict[str, float]:
-    """Return the least time of each of the calls, which take turns; one that takes seconds is timed once."""
-    best, number = {}, {}
-    for name, call in ways.items():
-        for _ in range(2):  # the first compiles
-            start = time.perf_counter()
+def timer(call: Callable[[], Any]) -> Timer:
+    """Return what takes the time of so many calls."""
+
+    def run(repeats: int) -> float:
+        start = time.perf_counter()
+        for _ in range(repeats):
             call()
-            best[name] = time.perf_counter() - start
+        return time.perf_counter() - start
+
+    return run
+
+
+class State:
+    """The calls of a state of this project, in a process of its own."""
+
+    def __init__(self, folder: str) -> None:
+        self._process = subprocess.Popen(
+            [sys.executable, __file__, "--serve"],
+            env={**os.environ, "PYTHONPATH": folder},
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+
+    def timer(self, n: int, name: str) -> Timer:
+        """Return what takes the time of one of the calls on n rotations."""
+        question, answer = self._process.stdin, self._process.stdout
+        assert question
+        assert answer
+
+        def run(repeats: int) -> float:
+            print(json.dumps([n, name, repeats]), file=question, flush=True)
+            return float(answer.readline())
+
+        return run
+
+    def end(self) -> None:
+        """End the process."""
+        self._process.communicate()
+
+
+def serve() -> None:
+    """Answer a `State`."""
+    rows: dict[int, dict[str, Ways]] = {}
+    for line in sys.stdin:
+        n, name, repeats = json.loads(line)
+        if n not in rows:
+            rows = {n: rotations(n)}
+        print(timer(rows[n][name]["ours"])(repeats), flush=True)
+
+
+def least(ways: Ways, seconds: float, others: dict[str, Timer] | None = None) -> dict[str, float]:
+    """Return the least time of each of the calls, which take turns; one that takes seconds is timed once."""
+    timers = {name: timer(call) for name, call in ways.items()} | (others or {})
+    best, number = {}, {}
+    for name, run in timers.items():
+        for _ in range(2):  # the first compiles
+            best[name] = run(1)
             if best[name] > SLOW:
                 break
         else:
@@ -299,10 +355,7 @@ def least(ways: Ways, seconds: float) -> dict[str, float]:
     end, rounds = time.perf_counter() + seconds, 0
     while rounds == 0 or time.perf_counter() < end:
         for name, repeats in number.items():
-            call, start = ways[name], time.perf_counter()
-            for _ in range(repeats):
-                call()
-            best[name] = min(best[name], (time.perf_counter() - start) / repeats)
+            best[name] = min(best[name], timers[name](repeats) / repeats)
         rounds += 1
     return best
 
@@ -358,15 +411,21 @@ def main(arguments: list[str]) -> None:
     """Print the tables."""
     seconds = float(arguments[0]) if arguments else 0.1
     sizes = tuple(map(int, arguments[1].split(","))) if len(arguments) > 1 else SIZES
+    folders = {"before": arguments[2], "ours": str(HERE)} if len(arguments) > 2 else {}
+    states = {name: State(folder) for name, folder in folders.items()}
     missing = [name for name in PEERS if not find_spec(name)]
     print(f"left out, for they are not installed: {', '.join(missing) or 'none'}")
     table: dict[str, dict[int, str]] = {}
     for n in sizes:
         for name, ways in rotations(n).items():
-            times = least(ways, seconds)
-            ours = times.pop("ours")
+            others = {state: found.timer(n, name) for state, found in states.items()}
+            times = least(ways, seconds, others)
+            ours, earlier = times.pop("ours"), times.pop("before", None)
             peer = min(times, key=lambda name: times[name])
-            table.setdefault(name, {})[n] = f"{ours / times[peer]:.2f} {PEERS[peer]}"
+            first = f"{earlier / times[peer]:.2f} → " if earlier else ""
+            table.setdefault(name, {})[n] = f"{first}{ours / times[peer]:.2f} {PEERS[peer]}"
+    for state in states.values():
+        state.end()
     print("| our time over the quickest peer's | " + " | ".join(map(str, sizes)) + " |")
     print("|---|" + "---|" * len(sizes))
     for name, row in table.items():
@@ -387,4 +446,4 @@ def main(arguments: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    serve() if sys.argv[1:] == ["--serve"] else main(sys.argv[1:])

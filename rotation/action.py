@@ -6,11 +6,11 @@ Within 5·2⁻⁵²·‖v‖ of the exact image, as the kernels are; a row of po
 from collections.abc import Callable, Iterable
 from functools import cache, reduce
 from operator import and_
-from typing import Any
 
 import numpy as np
 
 from rotation.angles import waves
+from rotation.array_types import Array
 from rotation.coordinates import (
     Coordinates,
     factor,
@@ -19,7 +19,7 @@ from rotation.coordinates import (
     unchanging,
 )
 from rotation.matrices import matrix_entries
-from rotation.namespaces import Array, namespace
+from rotation.namespaces import namespace
 from rotation.native.pairs import plus_product
 from rotation.rowwise import Formula, flag_if, rarely
 from rotation.vectors import about_axis
@@ -42,7 +42,7 @@ def _steadily(turned: Callable[[Coordinates], Coordinates], v: Coordinates) -> C
     return tuple(c + spoilt for c in image)
 
 
-def by_rows(m: Any, v: Coordinates, unchanging: Any = None) -> Coordinates:
+def by_rows(m: Iterable[Iterable[Array]], v: Coordinates, unchanging: Array = None) -> Coordinates:
     """Return m·v, each row summed from its first product on, after what changes no sum if that is given."""
     xp = namespace(v[0])
 
@@ -53,7 +53,7 @@ def by_rows(m: Any, v: Coordinates, unchanging: Any = None) -> Coordinates:
     return tuple(row(*entries) for entries in m)
 
 
-def _by_entries(m: Any, v: Coordinates) -> Coordinates:
+def _by_entries(m: Iterable[Iterable[Array]], v: Coordinates) -> Coordinates:
     rows = [tuple(row) for row in m]
     return _steadily(lambda v: by_rows(rows, v), v)
 
@@ -118,9 +118,9 @@ def write(formula: Formula, target: Array, *arrays: Array) -> bool:
 
     The arrays may be of both precisions; all is computed in double. The target may be the points.
     """
-    doubles = [a.astype(np.float64, copy=False) for a in arrays]
-    flag = formula.function(target, *doubles)  # the machine code writes where it can
+    arrays = tuple(a.astype(np.float64, copy=False) for a in arrays)
+    flag = formula.function(target, *arrays)  # the machine code writes where it can
     if flag is None:
-        image, flag = formula.with_flag(*doubles)
+        image, flag = formula.with_flag(*arrays)
         target[...] = image
     return bool(flag)

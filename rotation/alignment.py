@@ -1,16 +1,19 @@
 """The rotation, or the rigid motion, that takes one set of vectors or points closest to another."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
+from rotation.array_types import Array, ArrayLike
 from rotation.averaging import mean_of_vectors
 from rotation.errors import RotationError
 from rotation.matrices import largest
-from rotation.namespaces import Array, certainly, floats, namespace, quiet, refuse_rows
+from rotation.namespaces import certainly, floats, namespace, quiet, refuse_rows
 from rotation.rotation import Rotation
 from rotation.wahba import checked, checked_vectors, fitted
 
 
-def align(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Array]:
+def align(
+    source: ArrayLike, target: ArrayLike, weights: ArrayLike | None = None
+) -> tuple[Rotation, Array]:
     """Return the rotation R with the least ``Σ w‖target − R·source‖²``, and the root of that sum.
 
     Where all pairs lie along one line, as a single pair does, many rotations are best, and the
@@ -48,7 +51,9 @@ def align(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Arra
 
 
 @quiet
-def align_points(source: Any, target: Any, weights: Any = None) -> tuple[Rotation, Array, Array]:
+def align_points(
+    source: ArrayLike, target: ArrayLike, weights: ArrayLike | None = None
+) -> tuple[Rotation, Array, Array]:
     """Return the rigid motion that takes points ``source`` closest to ``target``.
 
     Parameters and errors are those of `align`; here the points may lie anywhere.
@@ -98,14 +103,16 @@ class Similarity(NamedTuple):
     translation: Array
     rssd: Array
 
-    def apply(self, points: Any) -> Array:
+    def apply(self, points: ArrayLike) -> Array:
         """Return the images of points (…, 3); the batch shapes broadcast."""
         v = self.rotation.apply(floats(points, "points", namespace(self.scale, points)))
         return self.scale[..., None] * v + self.translation
 
 
 @quiet
-def align_similarity(source: Any, target: Any, weights: Any = None) -> Similarity:
+def align_similarity(
+    source: ArrayLike, target: ArrayLike, weights: ArrayLike | None = None
+) -> Similarity:
     """Return the similarity that takes points ``source`` closest to ``target``, of positive scale.
 
     S. Umeyama, "Least-squares estimation of transformation parameters between two point patterns", IEEE

@@ -4,12 +4,11 @@ What is left, an eighth of a turn at most, becomes radians with twice the digits
 degrees are as near as those of radians, and those of quarter turns 0 and ±1.
 """
 
-from typing import Any
-
 import numpy as np
 
+from rotation.array_types import Array, Namespace
 from rotation.compensated import product, sine_and_cosine
-from rotation.namespaces import Array, namespace
+from rotation.namespaces import namespace
 from rotation.native.pairs import Pair, two_sum
 from rotation.rowwise import Formula, rarely
 
@@ -18,7 +17,7 @@ RADIANS = (float.fromhex("0x1.1df46ap-6"), float.fromhex("0x1.294e9c8ae0ec6p-33"
 _DEGREES = (float.fromhex("0x1.ca5dc2p+5"), float.fromhex("-0x1.670f8211e7ab4p-21"))
 
 
-def waves(xp: Any, angle: Array, degrees: bool) -> tuple[Array, Array]:
+def waves(xp: Namespace, angle: Array, degrees: bool) -> tuple[Array, Array]:
     """Return sine and cosine of angles of any size, in degrees or radians."""
     if not degrees:
         if hasattr(xp, "waves"):
@@ -31,7 +30,7 @@ def waves(xp: Any, angle: Array, degrees: bool) -> tuple[Array, Array]:
     return _rounded(xp, angle)
 
 
-def _rounded(xp: Any, angle: Array) -> tuple[Array, Array]:
+def _rounded(xp: Namespace, angle: Array) -> tuple[Array, Array]:
     (s, s_low), (c, c_low) = waves_of_degrees(xp, (angle, xp.zeros_like(angle)))
     return s + s_low, c + c_low
 
@@ -44,7 +43,7 @@ def _both(angle: Array) -> Array:
 _BOTH = Formula(_both, (1,))
 
 
-def waves_of_degrees(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
+def waves_of_degrees(xp: Namespace, angle: Pair) -> tuple[Pair, Pair]:
     """Return sine and cosine of degrees as pairs, right to about 58 bits."""
     far = ~(xp.abs(angle[0]) < 360.0)
     a, b = rarely(xp, far, lambda: two_sum(*(_within_a_turn(xp, x) for x in angle)), angle)
@@ -59,22 +58,22 @@ def waves_of_degrees(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
     return (s, s_low), (c, c_low)
 
 
-def _within_a_turn(xp: Any, degrees: Array) -> Array:
+def _within_a_turn(xp: Namespace, degrees: Array) -> Array:
     rest = xp.remainder(xp.abs(degrees), xp.full_like(degrees, 360.0))
     return xp.where(degrees < 0.0, -rest, rest)
 
 
-def to_degrees(xp: Any, radians: Array) -> Array:
+def to_degrees(xp: Namespace, radians: Array) -> Array:
     """Return radians in degrees, rounded once."""
     high, low = in_degrees(xp, (radians, 0.0))
     return high + low
 
 
-def in_degrees(xp: Any, radians: Pair) -> Pair:
+def in_degrees(xp: Namespace, radians: Pair) -> Pair:
     """Return a pair that is in radians in degrees."""
     return _times(xp, radians, _DEGREES)
 
 
-def _times(xp: Any, angle: Pair, factor: tuple[float, float]) -> Pair:
+def _times(xp: Namespace, angle: Pair, factor: tuple[float, float]) -> Pair:
     high, low = factor
     return two_sum(*product(xp, angle, (xp.full_like(angle[0], high), low)))

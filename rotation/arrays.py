@@ -133,8 +133,8 @@ def _contains(value: object, kind: type) -> bool:
     return isinstance(value, kind)
 
 
-def components(value: object, number: int, name: str, layout: Layout) -> tuple[Array, Shape]:
-    """Return ``value`` as a float array with its ``number`` components last, and its batch shape.
+def components(value: object, number: int, name: str, layout: Layout) -> Array:
+    """Return ``value`` as a float array with its ``number`` components last.
 
     The result of ``layout="soa"`` is a view with the first axis moved to the end. Raises as `real`,
     and `RotationError` when the axis of components has another length.
@@ -149,8 +149,7 @@ def components(value: object, number: int, name: str, layout: Layout) -> tuple[A
         raise RotationError(
             f'{name} has shape {array.shape}; expected {expected} for layout="{layout}"{hint}'
         )
-    moved = components_last(array, layout)
-    return moved, moved.shape[:-1]
+    return components_last(array, layout)
 
 
 def component_axis(layout: Layout) -> int:

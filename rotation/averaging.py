@@ -6,15 +6,14 @@ and Dynamics 30 (2007).
 
 import math
 import operator
-from typing import Any
 
 import numpy as np
 
+from rotation.array_types import Array, ArrayLike, Axes
 from rotation.coordinates import factor
 from rotation.errors import RotationError
 from rotation.geodesic_median import geodesic_median
 from rotation.namespaces import (
-    Array,
     expect_numpy,
     floats,
     is_numpy,
@@ -30,7 +29,7 @@ _TIE = 16.0  # two eigenvalues within so many units of rounding are one
 _EPS = float(np.finfo(np.float64).eps)
 
 
-def mean(q: Array, weights: Any = None, axis: Any = None) -> Array:
+def mean(q: Array, weights: ArrayLike | None = None, axis: Axes | None = None) -> Array:
     """Return the mean of unit quaternions (…, 4) over batch axes, canonical in sign.
 
     Raises
@@ -68,7 +67,7 @@ def _of_all(q: Array, w: Array | None) -> Array | None:
 
 
 @quiet
-def _weighted(q: Array, weights: Any, axis: Any) -> Array:
+def _weighted(q: Array, weights: ArrayLike | None, axis: Axes | None) -> Array:
     q, w = _grouped(q, weights, axis)
     xp = namespace(q)
     moment = _moment(q, w)
@@ -88,7 +87,7 @@ def _weighted(q: Array, weights: Any, axis: Any) -> Array:
     return with_derivatives(canonical(normalised(best)), rows)
 
 
-def _grouped(q: Array, weights: Any, axis: Any) -> tuple[Array, Array]:
+def _grouped(q: Array, weights: ArrayLike | None, axis: Axes | None) -> tuple[Array, Array]:
     """Return quaternions (…, count, 4) and weights (…, count) with the axes to average over together.
 
     The heaviest weight of each group is 1.
@@ -119,7 +118,7 @@ def _moment(q: Array, w: Array) -> Array:
 
 
 @quiet
-def median(q: Array, weights: Any = None, axis: Any = None) -> Array:
+def median(q: Array, weights: ArrayLike | None = None, axis: Axes | None = None) -> Array:
     """Return the geodesic median of unit quaternions (…, 4) over batch axes; see `Rotation.median`."""
     expect_numpy("median", q, weights)
     q, w = _grouped(q, weights, axis)
@@ -155,7 +154,7 @@ def mean_of_vectors(v: Array, weights: Array, axes: tuple[int, ...]) -> Array:
     return xp.squeeze(total / share / f, axis=axes)
 
 
-def _axes(axis: Any, ndim: int) -> tuple[int, ...]:
+def _axes(axis: Axes | None, ndim: int) -> tuple[int, ...]:
     """Nonnegative axes, each once, in order."""
     if axis is None:
         return tuple(range(ndim))

@@ -4,12 +4,14 @@ from collections.abc import Iterable, Sequence
 from typing import Any, Self
 
 import numpy as np
+import numpy.typing as npt
 
 from rotation import hints
+from rotation.array_types import Array
 from rotation.arrays import precision
 from rotation.errors import DTypeError, ForeignArrayError, MemberError, RotationError
 from rotation.immutable_arrays import ImmutableArray
-from rotation.namespaces import Array, floats, is_numpy, namespace
+from rotation.namespaces import floats, is_numpy, namespace
 from rotation.pytrees import known
 
 new, set_quaternions = object.__new__, vars(ImmutableArray)["_q"].__set__
@@ -31,7 +33,7 @@ class Batch(ImmutableArray):
         return known(self)
 
     @classmethod
-    def _stored(cls, q: Array, dtype: Any) -> Self:
+    def _stored(cls, q: Array, dtype: npt.DTypeLike | None) -> Self:
         """Wrap unit quaternions in the precision asked for, or in their own if that is None."""
         if dtype is None:
             return cls._of(q)
@@ -57,7 +59,7 @@ class Batch(ImmutableArray):
         """The type of float that the quaternions are stored in, and results are given in."""
         return self._q.dtype
 
-    def astype(self, dtype: Any) -> Self:
+    def astype(self, dtype: npt.DTypeLike | None) -> Self:
         """Return the same rotations stored in float32 or float64, each coordinate rounded once.
 
         Rotations in float32 take half the memory, and storing turns one by at most 2⁻²³ radians. What is read
@@ -93,7 +95,7 @@ class Batch(ImmutableArray):
             raise RotationError(f"{self.size} rotations do not fit the shape {tuple(wanted)}")
         return self._of(namespace(self._q).reshape(self._q, (*wanted, 4)))
 
-    def __getitem__(self, index: Any) -> Self:
+    def __getitem__(self, index: object) -> Self:
         index = index if isinstance(index, tuple) else (index,)
         if self.single and not all(i is None or i is Ellipsis for i in index):
             raise TypeError("a single rotation cannot be indexed")
@@ -106,7 +108,7 @@ class Batch(ImmutableArray):
         return self._of(self._q[(*index, slice(None))])
 
     @classmethod
-    def concatenate(cls, rotations: Any) -> Self:
+    def concatenate(cls, rotations: "Batch | Iterable[Batch]") -> Self:
         """Join rotations along their first axis; a single rotation counts as a batch of one.
 
         Raises
@@ -151,11 +153,11 @@ class Batch(ImmutableArray):
 
         return table(self._q)
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return _restore, (type(self), self._q)
 
 
-def expect_rotations(**named: Any) -> None:
+def expect_rotations(**named: object) -> None:
     """Raise `DTypeError` unless all values are rotations, and not their quaternions or matrices."""
     for name, value in named.items():
         if not isinstance(value, Batch):

@@ -5,10 +5,9 @@ They run on every array library; on symbols the angle of a point is that of `rot
 
 import math
 from collections.abc import Iterable
-from typing import Any
 
+from rotation.array_types import Array, Namespace
 from rotation.coordinates import polynomial, root
-from rotation.namespaces import Array
 from rotation.native.pairs import Pair, two_product, two_sum
 
 # Taylor: sin x = x + x³·Σ SINE[k]·x²ᵏ and 1 − cos x = x²/2 + x⁴·Σ VERSINE[k]·x²ᵏ, without their first terms,
@@ -26,7 +25,7 @@ def total(pairs: Iterable[Pair]) -> Pair:
     return high, low
 
 
-def norm(xp: Any, coordinates: Iterable[Array]) -> Pair:
+def norm(xp: Namespace, coordinates: Iterable[Array]) -> Pair:
     """Return ``√(Σ c²)`` as a pair; for coordinates whose squares neither overflow nor vanish."""
     high, low = total(two_product(xp, c, c) for c in coordinates)
     n = root(xp, high)
@@ -35,7 +34,7 @@ def norm(xp: Any, coordinates: Iterable[Array]) -> Pair:
     return n, (((high - square) - e) + low) * (0.5 * (1.0 / safe))
 
 
-def quotient(xp: Any, a: Pair, b: Pair) -> Pair:
+def quotient(xp: Namespace, a: Pair, b: Pair) -> Pair:
     """Return ``a / b`` as a pair."""
     inverse = 1.0 / b[0]
     q = a[0] * inverse
@@ -43,7 +42,7 @@ def quotient(xp: Any, a: Pair, b: Pair) -> Pair:
     return q, ((((a[0] - p) - e) + a[1]) - q * b[1]) * inverse
 
 
-def times(xp: Any, a: Pair, b: Array) -> Array:
+def times(xp: Namespace, a: Pair, b: Array) -> Array:
     """Return ``a·b``, rounded nearly once."""
     if hasattr(xp, "fma"):
         return xp.fma(a[0], b, a[1] * b)
@@ -51,13 +50,13 @@ def times(xp: Any, a: Pair, b: Array) -> Array:
     return p + (e + a[1] * b)
 
 
-def product(xp: Any, a: Pair, b: Pair) -> Pair:
+def product(xp: Namespace, a: Pair, b: Pair) -> Pair:
     """Return ``a·b`` as a pair."""
     p, e = two_product(xp, a[0], b[0])
     return p, e + (a[0] * b[1] + a[1] * b[0])
 
 
-def sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
+def sine_and_cosine(xp: Namespace, angle: Pair) -> tuple[Pair, Pair]:
     """Return sine and cosine as pairs, right to about 58 bits, of angles in [0, π/2].
 
     Taylor's series at a quarter of the angle, and twice the formulas for the double angle; the
@@ -77,7 +76,7 @@ def sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
     return sine, (high, low - versine[1])
 
 
-def angle(xp: Any, sine: Pair, cosine: Array) -> Pair:
+def angle(xp: Namespace, sine: Pair, cosine: Array) -> Pair:
     """Return as a pair the angle in [0, π/2] of ``(cosine, sine)``, a point near the unit circle."""
     if hasattr(xp, "angle_of"):
         a, b = xp.angle_of(sine[0], cosine)

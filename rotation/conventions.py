@@ -5,16 +5,14 @@ of a rotation R still is, ``S·R·S⁻¹``, and of a rigid motion one again. The
 own manuals state.
 """
 
-from typing import Any
-
 import numpy as np
 
 from rotation.action import by_rows
-from rotation.arrays import real
+from rotation.array_types import NUMPY, Array, ArrayLike
 from rotation.batch import expect_rotations
 from rotation.coordinates import join, length, split, unchanging
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_last, expect_numpy, floats, quiet, refuse_rows
+from rotation.namespaces import expect_last, expect_numpy, floats, points_of, quiet, refuse_rows
 from rotation.rigid import RigidTransform, expect_transforms
 from rotation.rotation import Rotation
 
@@ -56,7 +54,7 @@ def change_of_axes(source: str, target: str) -> Array:
 
 
 @quiet
-def convert_points(points: Any, source: str, target: str) -> Array:
+def convert_points(points: ArrayLike, source: str, target: str) -> Array:
     """Return points (…, 3) of one convention in another; see `change_of_axes`.
 
     A row with NaN or inf in it gives NaN in that row alone.
@@ -67,12 +65,11 @@ def convert_points(points: Any, source: str, target: str) -> Array:
     array([0., 0., 1.])
     """
     expect_numpy("convert_points", points)
-    v = real(points, "points")
-    expect_last(v, (3,), "points")
+    v = points_of(points, NUMPY)
     c = split(v)
-    spoilt = unchanging(np, c)
+    spoilt = unchanging(NUMPY, c)
     image = by_rows(change_of_axes(source, target).astype(v.dtype), c)
-    return join(np, tuple(x + spoilt for x in image))
+    return join(NUMPY, tuple(x + spoilt for x in image))
 
 
 def convert_rotation(rotation: Rotation, source: str, target: str) -> Rotation:
@@ -115,7 +112,7 @@ def convert_transform(transform: RigidTransform, source: str, target: str) -> Ri
 
 @quiet
 def look_at(
-    eye: Any, target: Any, up: Any = (0.0, 0.0, 1.0), convention: str = "opengl"
+    eye: ArrayLike, target: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0), convention: str = "opengl"
 ) -> RigidTransform:
     """Return the pose at ``eye`` of what faces ``target``, its own up as near to ``up`` as can be.
 
@@ -153,7 +150,7 @@ def look_at(
     forward = _directed(to - at, "the target", "is where the eye is")
     left = np.cross(_directed(above, "up", "is zero"), forward)
     refuse_rows(
-        length(np, split(left)) <= _STRAIGHT, "the target", "is straight up or down from the eye"
+        length(NUMPY, split(left)) <= _STRAIGHT, "the target", "is straight up or down from the eye"
     )
     left = _directed(left, "the target", "is straight up or down from the eye")
     axes = np.stack(np.broadcast_arrays(forward, left, np.cross(forward, left)), axis=-1)
@@ -162,7 +159,7 @@ def look_at(
 
 def _directed(v: Array, subject: str, fault: str) -> Array:
     refuse_rows(np.all(v == 0.0, axis=-1), subject, fault)
-    return np.asarray(v / length(np, split(v))[..., None])
+    return np.asarray(v / length(NUMPY, split(v))[..., None])
 
 
 def _basis(name: str) -> Array:

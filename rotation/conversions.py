@@ -3,19 +3,13 @@
 from typing import Any, Self
 
 import numpy as np
+import numpy.typing as npt
 
 from rotation import davenport, euler, hints, matrices, quaternions, vectors
+from rotation.array_types import Array, ArrayLike
 from rotation.batch import Batch
 from rotation.errors import DTypeError
-from rotation.namespaces import (
-    Array,
-    copied,
-    expect_last,
-    expect_numpy,
-    floats,
-    namespace,
-    refuse_rows,
-)
+from rotation.namespaces import copied, expect_last, expect_numpy, floats, namespace, refuse_rows
 
 
 class Conversions(Batch):
@@ -24,7 +18,9 @@ class Conversions(Batch):
     __slots__ = ()
 
     @classmethod
-    def from_quat(cls, quat: Any, *, scalar_first: bool = True, dtype: Any = None) -> Self:
+    def from_quat(
+        cls, quat: ArrayLike, *, scalar_first: bool = True, dtype: npt.DTypeLike | None = None
+    ) -> Self:
         """Make rotations from quaternions, which are normalised.
 
         Parameters
@@ -52,7 +48,12 @@ class Conversions(Batch):
 
     @classmethod
     def from_matrix(
-        cls, matrix: Any, *, orthonormalize: bool = False, dtype: Any = None, **others: Any
+        cls,
+        matrix: ArrayLike,
+        *,
+        orthonormalize: bool = False,
+        dtype: npt.DTypeLike | None = None,
+        **others: object,
     ) -> Self:
         """Make rotations from matrices.
 
@@ -76,7 +77,14 @@ class Conversions(Batch):
         return cls._stored(matrices.from_matrix(matrix, orthonormalize), dtype)
 
     @classmethod
-    def from_euler(cls, seq: str, angles: Any, degrees: bool = False, *, dtype: Any = None) -> Self:
+    def from_euler(
+        cls,
+        seq: str,
+        angles: ArrayLike,
+        degrees: bool = False,
+        *,
+        dtype: npt.DTypeLike | None = None,
+    ) -> Self:
         """Make rotations from Euler angles in any of the 24 conventions, or about one or two axes.
 
         Parameters
@@ -100,7 +108,13 @@ class Conversions(Batch):
 
     @classmethod
     def from_davenport(
-        cls, axes: Any, order: str, angles: Any, degrees: bool = False, *, dtype: Any = None
+        cls,
+        axes: ArrayLike,
+        order: str,
+        angles: ArrayLike,
+        degrees: bool = False,
+        *,
+        dtype: npt.DTypeLike | None = None,
     ) -> Self:
         """Make rotations from angles about one to three axes, each perpendicular to the next.
 
@@ -125,7 +139,9 @@ class Conversions(Batch):
         return cls._stored(davenport.from_davenport(axes, order, angles, degrees), dtype)
 
     @classmethod
-    def from_rotvec(cls, rotvec: Any, degrees: bool = False, *, dtype: Any = None) -> Self:
+    def from_rotvec(
+        cls, rotvec: ArrayLike, degrees: bool = False, *, dtype: npt.DTypeLike | None = None
+    ) -> Self:
         """Make rotations from vectors (…, 3) whose length is the angle and direction the axis.
 
         ``dtype`` as in `from_quat`.
@@ -133,7 +149,7 @@ class Conversions(Batch):
         return cls._stored(vectors.from_rotvec(rotvec, degrees), dtype)
 
     @classmethod
-    def exp(cls, tangent: Any) -> Self:
+    def exp(cls, tangent: ArrayLike) -> Self:
         """Make rotations from rotation vectors in radians, as `from_rotvec` does."""
         return cls.from_rotvec(tangent)
 
@@ -147,7 +163,12 @@ class Conversions(Batch):
 
     @classmethod
     def from_axis_angle(
-        cls, axis: Any, angle: Any, degrees: bool = False, *, dtype: Any = None
+        cls,
+        axis: ArrayLike,
+        angle: ArrayLike,
+        degrees: bool = False,
+        *,
+        dtype: npt.DTypeLike | None = None,
     ) -> Self:
         """Make rotations by ``angle`` (…) about ``axis`` (…, 3); the batch shapes broadcast.
 
@@ -161,7 +182,7 @@ class Conversions(Batch):
         return cls._stored(vectors.from_axis_angle(axis, angle, degrees), dtype)
 
     @classmethod
-    def from_mrp(cls, mrp: Any, *, dtype: Any = None) -> Self:
+    def from_mrp(cls, mrp: ArrayLike, *, dtype: npt.DTypeLike | None = None) -> Self:
         """Make rotations from modified Rodrigues parameters (…, 3), ``tan(angle/4)·axis``.
 
         ``dtype`` as in `from_quat`.
@@ -169,7 +190,7 @@ class Conversions(Batch):
         return cls._stored(vectors.from_mrp(mrp), dtype)
 
     @classmethod
-    def from_6d(cls, numbers: Any, *, dtype: Any = None) -> Self:
+    def from_6d(cls, numbers: ArrayLike, *, dtype: npt.DTypeLike | None = None) -> Self:
         """Make rotations from six numbers (…, 6): two vectors, made orthonormal one after the other.
 
         They are the first two columns of the matrix. The map is continuous, unlike any from three or four
@@ -184,7 +205,7 @@ class Conversions(Batch):
         return cls._stored(matrices.from_columns(numbers), dtype)
 
     @classmethod
-    def between(cls, source: Any, target: Any) -> Self:
+    def between(cls, source: ArrayLike, target: ArrayLike) -> Self:
         """Make the shortest rotations that take directions ``source`` (…, 3) to ``target`` (…, 3).
 
         Opposite directions are half a turn apart about many axes; the one taken is perpendicular
@@ -247,7 +268,7 @@ class Conversions(Batch):
         m = self.as_matrix()
         return namespace(m).concat([m[..., :, 0], m[..., :, 1]], axis=-1)
 
-    def as_euler(self, seq: str, degrees: bool = False, **others: Any) -> Array:
+    def as_euler(self, seq: str, degrees: bool = False, **others: object) -> Array:
         """Return Euler angles, shape (…, 3), for a sequence of three letters.
 
         The first and third lie in [−π, π]; the second in [0, π] where the first letter is the last
@@ -264,7 +285,7 @@ class Conversions(Batch):
         hints.refuse_arguments("as_euler", others)
         return euler.to_euler(self._q, seq, degrees)
 
-    def as_davenport(self, axes: Any, order: str, degrees: bool = False) -> Array:
+    def as_davenport(self, axes: ArrayLike, order: str, degrees: bool = False) -> Array:
         """Return the angles about three axes (…, 3, 3), shape (…, 3); see `from_davenport`.
 
         The first and third lie in [−π, π], the second in an interval of length π. In gimbal lock the third

@@ -1,13 +1,13 @@
 """Arrays as tuples of their coordinates, and lengths that neither overflow nor vanish."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import reduce
 from operator import add
-from typing import Any
 
 import numpy as np
 
-from rotation.namespaces import Array, finfo
+from rotation.array_types import NUMPY, Array, Namespace
+from rotation.namespaces import finfo
 
 Coordinates = tuple[Array, ...]
 
@@ -17,9 +17,9 @@ def split(array: Array) -> Coordinates:
     return tuple(array[..., n] for n in range(array.shape[-1]))
 
 
-def join(xp: Any, coordinates: Coordinates) -> Array:
+def join(xp: Namespace, coordinates: Coordinates) -> Array:
     """Return the array whose last axis holds ``coordinates``, their shapes broadcast."""
-    if xp is np and isinstance(coordinates[0], np.ndarray):
+    if xp is NUMPY and isinstance(coordinates[0], np.ndarray):
         joined = np.empty(
             (*np.broadcast_shapes(*map(np.shape, coordinates)), len(coordinates)),
             coordinates[0].dtype,
@@ -35,7 +35,7 @@ def join(xp: Any, coordinates: Coordinates) -> Array:
 STEP = {64: 2.0**600, 32: 2.0**98}
 
 
-def factor(xp: Any, coordinates: Coordinates) -> Array:
+def factor(xp: Namespace, coordinates: Coordinates) -> Array:
     """Return the power of two to multiply by before squaring: 1 where squares are safe."""
     largest = xp.abs(coordinates[0])
     for c in coordinates[1:]:
@@ -47,7 +47,7 @@ def factor(xp: Any, coordinates: Coordinates) -> Array:
     return xp.where(largest < low, step * one, xp.where(largest > high, (1.0 / step) * one, one))
 
 
-def backwards(xp: Any, f: Array) -> Array:
+def backwards(xp: Namespace, f: Array) -> Array:
     """Return ``1/f`` for what `factor` gives, without a division, which takes longer than all else there."""
     one, step = xp.ones_like(f), STEP[finfo(xp, f).bits]
     return xp.where(f > 1.0, (1.0 / step) * one, xp.where(f < 1.0, step * one, one))
@@ -61,7 +61,7 @@ def polynomial(coefficients: Sequence[float], t: Array) -> Array:
     return total
 
 
-def middling(xp: Any, coordinates: Coordinates) -> Coordinates:
+def middling(xp: Namespace, coordinates: Coordinates) -> Coordinates:
     """Return the coordinates times a power of two, the largest then 2⁻²⁰⁰ to 2²¹⁰: to be multiplied on."""
     f = factor(xp, coordinates)
     scaled = tuple(f * c for c in coordinates)
@@ -73,19 +73,19 @@ def middling(xp: Any, coordinates: Coordinates) -> Coordinates:
     return tuple(g * c for c in scaled)
 
 
-def length(xp: Any, coordinates: Coordinates) -> Array:
+def length(xp: Namespace, coordinates: Coordinates) -> Array:
     """Return the Euclidean length, right from the smallest float up to half the largest."""
     f = factor(xp, coordinates)
     return root(xp, sum_of_squares([f * c for c in coordinates])) / f
 
 
-def root(xp: Any, square: Array) -> Array:
+def root(xp: Namespace, square: Array) -> Array:
     """Return the square root of what may be 0; differentiated there it gives 0, for it has no derivative."""
     zero = square == 0.0
     return xp.where(zero, square, xp.sqrt(xp.where(zero, xp.ones_like(square), square)))
 
 
-def unit(xp: Any, coordinates: Coordinates) -> Coordinates:
+def unit(xp: Namespace, coordinates: Coordinates) -> Coordinates:
     """Return the coordinates divided by their length; NaN where that is 0 or any is not finite."""
     f = factor(xp, coordinates)
     scaled = tuple(f * c for c in coordinates)
@@ -98,11 +98,11 @@ def poison(coordinates: Coordinates) -> Array:
     return reduce(add, (0.0 * c for c in coordinates))
 
 
-def unchanging(xp: Any, coordinates: Coordinates) -> Array:
+def unchanging(xp: Namespace, coordinates: Coordinates) -> Array:
     """Return −0, which changes no sum, for rows of finite coordinates, and NaN for all others."""
     return reduce(add, (-0.0 * xp.abs(c) for c in coordinates))
 
 
-def sum_of_squares(coordinates: Any) -> Array:
+def sum_of_squares(coordinates: Iterable[Array]) -> Array:
     """Return ``Σ c²``."""
     return reduce(add, (c * c for c in coordinates))

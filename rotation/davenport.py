@@ -6,15 +6,15 @@ E. Bernardes and S. Viollet, PLoS ONE 17 (2022).
 
 import math
 from functools import cache, reduce
-from typing import Any
 
 import numpy as np
 
 from rotation.angles import to_degrees, waves
+from rotation.array_types import Array, ArrayLike
 from rotation.arrays import common_batch, real, require_nonzero
 from rotation.coordinates import Coordinates, join, length, split, unit
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_last, expect_numpy, floats, namespace, refuse_rows
+from rotation.namespaces import expect_last, expect_numpy, floats, namespace, refuse_rows
 from rotation.quaternions import multiplied, steadied
 from rotation.rowwise import Formula
 from rotation.vectors import cross
@@ -24,7 +24,7 @@ _ACROSS = 1e-7  # how far from perpendicular axes may be
 _LOCK = 8.0 * float(np.finfo(np.float64).eps)
 
 
-def checked_axes(axes: Any, order: str) -> tuple[Array, bool]:
+def checked_axes(axes: ArrayLike, order: str) -> tuple[Array, bool]:
     """Return the unit axes (…, n, 3), n at most 3, and whether they turn along.
 
     Raises
@@ -57,7 +57,7 @@ def checked_axes(axes: Any, order: str) -> tuple[Array, bool]:
 _UNITS = Formula(lambda axis: join(namespace(axis), unit(namespace(axis), split(axis))), (3,))
 
 
-def from_davenport(axes: Any, order: str, angles: Any, degrees: bool = False) -> Array:
+def from_davenport(axes: ArrayLike, order: str, angles: ArrayLike, degrees: bool = False) -> Array:
     """Return the unit quaternions of turns about one to three axes (…, n, 3), by angles (…, n).
 
     For one axis also a number, or a one-dimensional array of angles; the batch shapes broadcast.
@@ -95,7 +95,7 @@ def _rows(axes: Array, n: int) -> list[Coordinates]:
 
 
 def to_davenport(
-    q: Array, axes: Any, order: str, degrees: bool = False, tolerance: float = _LOCK
+    q: Array, axes: ArrayLike, order: str, degrees: bool = False, tolerance: float = _LOCK
 ) -> tuple[Array, Array]:
     """Return the angles (…, 3) about three axes (…, 3, 3), and where they are in gimbal lock.
 

@@ -7,13 +7,14 @@ in which two are as good, and they are few, are decided among all candidates.
 """
 
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from rotation.array_types import Array, Namespace
 from rotation.coordinates import Coordinates, join, split
 from rotation.errors import DTypeError, RotationError
-from rotation.namespaces import Array, namespace
+from rotation.namespaces import namespace
 from rotation.quaternions import canonical, inverse, multiplied, normalised, product
 from rotation.rowwise import Formula
 
@@ -111,7 +112,7 @@ def _chosen(q: Array, stages: tuple[Array, ...]) -> Array:
     return join(xp, (*best, doubtful))
 
 
-def _largest(xp: Any, maps: Array, q: Coordinates, key: int) -> tuple[Coordinates, Any]:
+def _largest(xp: Namespace, maps: Array, q: Coordinates, key: int) -> tuple[Coordinates, Array]:
     """The image of q with the largest coordinate ``key``, w ≥ 0, and whether another comes near."""
     best, second = None, None
     for m in maps:

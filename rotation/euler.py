@@ -8,12 +8,13 @@ first, then y, then x, ``R_x(a₂)·R_y(a₁)·R_z(a₀)``.
 import math
 from functools import cache, reduce
 from itertools import pairwise, product
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from rotation.angles import to_degrees, waves
+from rotation.array_types import Array, ArrayLike, Namespace
 from rotation.coordinates import Coordinates, join, length, root, split
 from rotation.errors import RotationError
-from rotation.namespaces import Array, expect_last, finfo, floats, namespace
+from rotation.namespaces import expect_last, finfo, floats, namespace
 from rotation.quaternions import multiplied, steadied
 from rotation.rowwise import Formula, rarely
 
@@ -71,7 +72,7 @@ def prepare(seq: str) -> None:
             _reading(axes, intrinsic, degrees)
 
 
-def from_euler(seq: str, angles: Any, degrees: bool = False) -> Array:
+def from_euler(seq: str, angles: ArrayLike, degrees: bool = False) -> Array:
     """Return the unit quaternions of Euler angles.
 
     Parameters
@@ -171,7 +172,7 @@ def _to_euler(q: Array, axes: tuple[int, ...], intrinsic: bool, degrees: bool) -
     return join(xp, tuple(to_degrees(xp, x) for x in angles) if degrees else angles)
 
 
-def _angle(xp: Any, y: Array, x: Array, free: Array) -> Array:
+def _angle(xp: Namespace, y: Array, x: Array, free: Array) -> Array:
     """The angle of (x, y), 0 where it is free: there its derivative might not be finite."""
     return xp.atan2(xp.where(free, xp.zeros_like(y), y), xp.where(free, xp.ones_like(x), x))
 
@@ -193,7 +194,7 @@ def _folded(q: Array, axes: tuple[int, ...]) -> tuple[Coordinates, Array | None,
     return (w - y, x + z, y + w, z - x), 2.0 * (w * y - x * z), sign
 
 
-def _wrapped(xp: Any, angle: Array) -> Array:
+def _wrapped(xp: Namespace, angle: Array) -> Array:
     """Angles between −2π and 2π, brought to [−π, π]."""
     down = xp.where(angle > math.pi, angle - 2.0 * math.pi, angle)
     return xp.where(angle < -math.pi, angle + 2.0 * math.pi, down)

@@ -80,25 +80,27 @@ def rotate(
     >>> rotate([1, 0, 0], [0, 0, 1], 90, degrees=True).round(15)
     array([0., 1., 0.])
     """
-    p, points_batch = components(points, 3, "points", layout)
-    a, axis_batch = components(axis, 3, "axis", layout)
-    t = real(angle, "angle")
-    batch = common_batch(points=points_batch, axis=axis_batch, angle=t.shape)
-    result, target = destination(out, batch, p, (a, t), layout)
+    points = components(points, 3, "points", layout)
+    axis = components(axis, 3, "axis", layout)
+    angle = real(angle, "angle")
+    batch = common_batch(points=points.shape[:-1], axis=axis.shape[:-1], angle=angle.shape)
+    result, target = destination(out, batch, points, (axis, angle), layout)
+    in_place = out is not None and np.may_share_memory(out, points)  # then nothing may fail halfway
     degrees = bool(degrees)
-    if a.size == 3 and t.size == 1:
-        require_nonzero(a, "axis")
-        axis, angle = (x.astype(np.float64, copy=False) for x in (a.reshape(3), t.reshape(())))
-        _turn_all(p, FROM_AXIS_ANGLE[degrees](axis, angle), target)
-        return result
-    if result.size <= 3 * FEW_SINES:
-        if write(ABOUT_AXIS[degrees], target, *_checked(out, p, a), t, p):
-            require_nonzero(a, "axis")
-        return result
-    if _in_place(out, p) and kernels.contains_zero(a):
-        require_nonzero(a, "axis")
-    if kernels.axis_angle(p, a, t, target, degrees):
-        require_nonzero(a, "axis")
+    if axis.size == 3 and angle.size == 1:
+        require_nonzero(axis, "axis")
+        axis, angle = axis.reshape(3).astype(np.float64), angle.reshape(()).astype(np.float64)
+        _turn_all(points, FROM_AXIS_ANGLE[degrees](axis, angle), target)
+    elif result.size <= 3 * FEW_SINES:
+        if in_place:
+            require_nonzero(axis, "axis")
+        if write(ABOUT_AXIS[degrees], target, axis, angle, points):
+            require_nonzero(axis, "axis")
+    else:
+        if in_place and kernels.contains_zero(axis):
+            require_nonzero(axis, "axis")
+        if kernels.axis_angle(points, axis, angle, target, degrees):
+            require_nonzero(axis, "axis")
     return result
 
 
@@ -136,24 +138,22 @@ def rotate_quat(
     >>> rotate_quat([1, 0, 0], [1, 1, 1, 1]).round(15)
     array([0., 1., 0.])
     """
-    p, points_batch = components(points, 3, "points", layout)
+    points = components(points, 3, "points", layout)
     if isinstance(q, Batch):
         expect_numpy("rotate_quat", q._q)
-        r, q_batch = q._double, q.shape
+    quaternions: Array = q._double if isinstance(q, Batch) else components(q, 4, "q", layout)
+    batch = common_batch(points=points.shape[:-1], q=quaternions.shape[:-1])
+    result, target = destination(out, batch, points, (quaternions,), layout)
+    if quaternions.size == 4:
+        _turn_all(points, normalised(quaternions.reshape(4)), target)
+    elif result.size <= 3 * FEW_OWN:
+        write(BY_QUATERNION, target, normalised(quaternions), points)
     else:
-        r, q_batch = components(q, 4, "q", layout)
-    batch = common_batch(points=points_batch, q=q_batch)
-    result, target = destination(out, batch, p, (r,), layout)
-    if r.size == 4:
-        _turn_all(p, normalised(r.reshape(4)), target)
-        return result
-    if result.size <= 3 * FEW_OWN:
-        write(BY_QUATERNION, target, normalised(r), p)
-        return result
-    if _in_place(out, p) and kernels.contains_zero(r):
-        require_nonzero(r, "quaternion")
-    if kernels.quaternions(p, r, target):
-        require_nonzero(r, "quaternion")
+        in_place = out is not None and np.may_share_memory(out, points)
+        if in_place and kernels.contains_zero(quaternions):
+            require_nonzero(quaternions, "quaternion")
+        if kernels.quaternions(points, quaternions, target):
+            require_nonzero(quaternions, "quaternion")
     return result
 
 
@@ -196,27 +196,16 @@ def rotate_euler(
     array([0., 1., 0.])
     """
     axes, intrinsic = sequence(seq)
-    p, points_batch = components(points, 3, "points", layout)
-    a, angles_batch = components(angles, len(axes), f"angles for {seq!r}", layout)
-    batch = common_batch(points=points_batch, angles=angles_batch)
-    result, target = destination(out, batch, p, (a,), layout)
+    points = components(points, 3, "points", layout)
+    angles = components(angles, len(axes), f"angles for {seq!r}", layout)
+    batch = common_batch(points=points.shape[:-1], angles=angles.shape[:-1])
+    result, target = destination(out, batch, points, (angles,), layout)
     turns, degrees = axes[::-1] if intrinsic else axes, bool(degrees)
     if result.size <= 3 * FEW_SINES:
-        write(by_euler(turns, intrinsic, degrees), target, a, p)
-        return result
-    kernels.euler(p, a, turns, intrinsic, target, degrees)
+        write(by_euler(turns, intrinsic, degrees), target, angles, points)
+    else:
+        kernels.euler(points, angles, turns, intrinsic, target, degrees)
     return result
-
-
-def _checked(out: Array | None, points: Array, axes: Array) -> tuple[Array, ...]:
-    if _in_place(out, points):
-        require_nonzero(axes, "axis")
-    return (axes,)
-
-
-def _in_place(out: Array | None, points: Array) -> bool:
-    """Tell whether an error found on the way would leave the caller's points half rotated."""
-    return out is not None and np.may_share_memory(out, points)
 
 
 def _turn_all(points: Array, q: Array, target: Array) -> None:

@@ -18,8 +18,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from rotation.array_types import Array
 from rotation.errors import RotationError
-from rotation.namespaces import Array
 from rotation.quaternions import canonical, inverse, normalised, product
 from rotation.vectors import from_rotvec, to_rotvec
 

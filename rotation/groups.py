@@ -9,8 +9,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from rotation.array_types import Array
 from rotation.errors import RotationError
-from rotation.namespaces import Array
 from rotation.quaternions import canonical, normalised, product
 
 _AXES = "XYZ"

@@ -4,7 +4,8 @@ scipy, `rotation.compat` and we all call a class Rotation, so an error has to sa
 their names: nothing is imported to tell.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import NamedTuple
 
 from hfield.errors import shorten
 from rotation.errors import ArgumentError
@@ -66,7 +67,7 @@ def _first(value: object) -> object:
     return value[0] if isinstance(value, list | tuple) and value else value
 
 
-def refusal(value: Any, name: str, wanted: str) -> str:
+def refusal(value: object, name: str, wanted: str) -> str:
     """Return the words of an error: what the value called ``name`` is, what was expected, what to write.
 
     ``wanted`` is "Rotation" or "RigidTransform", of ours.
@@ -91,7 +92,7 @@ def refusal(value: Any, name: str, wanted: str) -> str:
     return f"{name} is {described(value)}; expected a {whose}{wanted}{advice}"
 
 
-def refuse_arguments(call: str, others: dict[str, Any]) -> None:
+def refuse_arguments(call: str, others: Mapping[str, object]) -> None:
     """Raise `ArgumentError`, with what to write, if there are arguments that a call does not have."""
     for name, value in others.items():
         given = shorten(repr(value))
@@ -126,7 +127,7 @@ def _conversion(found: Kind, code: str, wanted: str) -> str:
     return f"Rotation.from_scipy({turn})" if foreign else turn
 
 
-def _constructor(value: Any, code: str, wanted: str) -> str:
+def _constructor(value: object, code: str, wanted: str) -> str:
     """How to make a rotation or a transform of an array, by its shape; nothing if it fits none."""
     shape = tuple(getattr(value, "shape", ()))
     ways = {

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from html import escape
-from typing import Any
 
 import numpy as np
 
+from rotation.array_types import Array
 from rotation.namespaces import is_numpy, namespace
 from rotation.vectors import to_axis_angle
 
 ROWS = 6
 
 
-def table(q: Any, t: Any = None) -> str | None:
+def table(q: Array, t: Array | None = None) -> str | None:
     """Return unit quaternions (…, 4) and translations (…, 3) as a table of HTML; None unless numpy's.
 
     >>> "120°" in table(np.full(4, 0.5))
@@ -47,5 +47,5 @@ def _row(tag: str, cells: list[str]) -> str:
     return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
 
 
-def _numbers(values: Any) -> str:
+def _numbers(values: Array) -> str:
     return ", ".join(f"{round(x, 12) + 0.0:.5g}" for x in values.tolist())

@@ -8,8 +8,8 @@ import numpy as np
 
 from hfield.hints import Hinted
 from rotation import hints
+from rotation.array_types import Array, ArrayLike
 from rotation.errors import DTypeError, RotationError
-from rotation.namespaces import Array
 
 
 class ImmutableArray(Hinted):
@@ -57,7 +57,7 @@ class ImmutableArray(Hinted):
         return True
 
     @abstractmethod
-    def __getitem__(self, index: Any) -> Self:
+    def __getitem__(self, index: object) -> Self:
         """Return some of them."""
 
     @abstractmethod
@@ -70,7 +70,7 @@ class ImmutableArray(Hinted):
 
     @classmethod
     @abstractmethod
-    def exp(cls, tangent: Any) -> Self:
+    def exp(cls, tangent: ArrayLike) -> Self:
         """Return the exponentials of tangents."""
 
     @abstractmethod
@@ -81,7 +81,7 @@ class ImmutableArray(Hinted):
     def adjoint(self) -> Array:
         """Return the matrices Ad with ``p·exp(x)·p⁻¹ = exp(Ad·x)``."""
 
-    def plus(self, tangent: Any, side: str = "right") -> Self:
+    def plus(self, tangent: ArrayLike, side: str = "right") -> Self:
         """Return the motions that a tangent leads to: ``p·exp(x)``, or on the left ``exp(x)·p``.
 
         Parameters
@@ -140,39 +140,39 @@ class ImmutableArray(Hinted):
         self._refuse_factor(other)
         return NotImplemented
 
-    def __matmul__(self, other: object) -> Any:
+    def __matmul__(self, other: object) -> NoReturn:
         if hints.kind(other) is not None:
             self._undefined("p @ q", "p * q, which applies q first")
         self._undefined("r @ points", "r.apply(points)")
 
-    def __rmatmul__(self, other: object) -> Any:
+    def __rmatmul__(self, other: object) -> NoReturn:
         if hints.kind(other) is not None:
             self._undefined("p @ q", "p * q, which applies q first")
         self._undefined("points @ r", "r.apply(points, inverse=True)")
 
-    def __truediv__(self, other: object) -> Any:
+    def __truediv__(self, other: object) -> NoReturn:
         self._undefined("p / q", "p * q.inv()")
 
-    def __rtruediv__(self, other: object) -> Any:
+    def __rtruediv__(self, other: object) -> NoReturn:
         self._undefined("1 / r", "r.inv()")
 
-    def __add__(self, other: object) -> Any:
+    def __add__(self, other: object) -> NoReturn:
         self._undefined("p + q", "p * q, which applies q first")
 
     __radd__ = __add__
 
-    def __sub__(self, other: object) -> Any:
+    def __sub__(self, other: object) -> NoReturn:
         self._undefined("q - p", "p.inv() * q, which leads from p to q")
 
     __rsub__ = __sub__
 
-    def __invert__(self) -> Any:
+    def __invert__(self) -> NoReturn:
         self._undefined("~r", "r.inv()")
 
-    def __neg__(self) -> Any:
+    def __neg__(self) -> NoReturn:
         self._undefined("-r", "r.inv()")
 
-    def __abs__(self) -> Any:
+    def __abs__(self) -> NoReturn:
         self._undefined("abs(r)", "r.magnitude() for the angle")
 
     def _undefined(self, form: str, advice: str) -> NoReturn:
@@ -181,7 +181,7 @@ class ImmutableArray(Hinted):
     def __copy__(self) -> Self:
         return self
 
-    def __deepcopy__(self, memo: Any) -> Self:
+    def __deepcopy__(self, memo: object) -> Self:
         return self
 
 

@@ -10,11 +10,11 @@ at v along u. G. S. Chirikjian, "Stochastic models, information theory, and Lie 
 
 import math
 from fractions import Fraction
-from typing import Any
 
+from rotation.array_types import Array, ArrayLike, Namespace
 from rotation.coordinates import Coordinates, factor, join, polynomial, split, sum_of_squares
 from rotation.errors import RotationError
-from rotation.namespaces import Array, floats, namespace, quiet, refuse_rows
+from rotation.namespaces import floats, namespace, quiet, refuse_rows
 from rotation.rowwise import Formula
 
 _TERMS = 12
@@ -30,7 +30,7 @@ _NEAR = 1.0
 Entries = list[list[Array]]
 
 
-def hat(tangent: Any) -> Array:
+def hat(tangent: ArrayLike) -> Array:
     """Return the matrices of tangents: ``[v]×`` (…, 3, 3) of (…, 3), ``[[ [v]×, u ], [0, 0]]`` of (…, 6).
 
     Their exponentials are the matrices of the rotations and of the rigid motions.
@@ -52,7 +52,7 @@ def hat(tangent: Any) -> Array:
 
 
 @quiet
-def vee(matrix: Any) -> Array:
+def vee(matrix: ArrayLike) -> Array:
     """Return the tangents, (…, 3) or (…, 6), of matrices (…, 3, 3) or (…, 4, 4): what `hat` undoes.
 
     A matrix with NaN or inf in it gives NaN.
@@ -83,7 +83,7 @@ def vee(matrix: Any) -> Array:
     return xp.where(finite, tangent, xp.nan * tangent)
 
 
-def ad(tangent: Any) -> Array:
+def ad(tangent: ArrayLike) -> Array:
     """Return the matrices of ``y ↦ [x, y]``, (…, 3, 3) of tangents (…, 3) and (…, 6, 6) of (…, 6).
 
     ``exp(ad(x))`` is the adjoint of ``exp(x)``; ``hat(ad(x)·y) = hat(x)·hat(y) − hat(y)·hat(x)``.
@@ -102,7 +102,7 @@ def ad(tangent: Any) -> Array:
     return _AD[v.shape[-1]](v)
 
 
-def left_jacobian(tangent: Any) -> Array:
+def left_jacobian(tangent: ArrayLike) -> Array:
     """Return the left Jacobians of the exponential at tangents: (…, 3, 3) of (…, 3), (…, 6, 6) of (…, 6).
 
     ``exp(v + dv) = exp(J(v)·dv)·exp(v)`` to first order. A body whose rotation vector (radians) changes at
@@ -124,7 +124,7 @@ def left_jacobian(tangent: Any) -> Array:
     return _LEFT[v.shape[-1]](v)
 
 
-def right_jacobian(tangent: Any) -> Array:
+def right_jacobian(tangent: ArrayLike) -> Array:
     """Return the right Jacobians, ``exp(v + dv) = exp(v)·exp(J(v)·dv)`` to first order; see `left_jacobian`.
 
     ``J(v)·v̇`` is the angular velocity in the axes of the body.
@@ -137,7 +137,7 @@ def right_jacobian(tangent: Any) -> Array:
     return left_jacobian(-_tangents(tangent))
 
 
-def inverse_left_jacobian(tangent: Any) -> Array:
+def inverse_left_jacobian(tangent: ArrayLike) -> Array:
     """Return the inverses of the left Jacobians: those of the logarithm, (…, 3, 3) or (…, 6, 6).
 
     ``log(exp(dv)·exp(v)) = v + J⁻¹(v)·dv`` to first order. At rotation vectors whose lengths are multiples of
@@ -159,7 +159,7 @@ def inverse_left_jacobian(tangent: Any) -> Array:
     return _INVERSE[v.shape[-1]](v)
 
 
-def inverse_right_jacobian(tangent: Any) -> Array:
+def inverse_right_jacobian(tangent: ArrayLike) -> Array:
     """Return the inverses of the right Jacobians, ``log(exp(v)·exp(dv)) = v + J⁻¹(v)·dv`` to first order.
 
     Examples
@@ -170,7 +170,7 @@ def inverse_right_jacobian(tangent: Any) -> Array:
     return inverse_left_jacobian(-_tangents(tangent))
 
 
-def _tangents(tangent: Any) -> Array:
+def _tangents(tangent: ArrayLike) -> Array:
     v = floats(tangent, "tangents")
     if not v.ndim or v.shape[-1] not in (3, 6):
         raise RotationError(
@@ -179,7 +179,7 @@ def _tangents(tangent: Any) -> Array:
     return v
 
 
-def _parts(xp: Any, v: Coordinates) -> tuple[Array, Array, Coordinates, Array]:
+def _parts(xp: Namespace, v: Coordinates) -> tuple[Array, Array, Coordinates, Array]:
     """Return where v is short enough for series, θ² there, v there and elsewhere its direction, and θ/2.
 
     Nothing is squared where that may overflow, and where a value is not asked for it is harmless.
@@ -195,7 +195,7 @@ def _parts(xp: Any, v: Coordinates) -> tuple[Array, Array, Coordinates, Array]:
     return near, xp.where(near, t, xp.zeros_like(t)), axis, 0.5 * n / f
 
 
-def exponential_factors(xp: Any, v: Coordinates) -> tuple[Coordinates, Array, Array]:
+def exponential_factors(xp: Namespace, v: Coordinates) -> tuple[Coordinates, Array, Array]:
     """Return the vectors u, and a and b, for which J(v) is ``1 + a·[u]× + b·[u]×²``."""
     near, small, axis, half = _parts(xp, v)
     sine, cosine = xp.sin(half), xp.cos(half)
@@ -204,7 +204,7 @@ def exponential_factors(xp: Any, v: Coordinates) -> tuple[Coordinates, Array, Ar
     return axis, a, b
 
 
-def logarithm_factor(xp: Any, v: Coordinates) -> tuple[Coordinates, Array]:
+def logarithm_factor(xp: Namespace, v: Coordinates) -> tuple[Coordinates, Array]:
     """Return the vectors u, and c, for which J⁻¹(v) is ``1 − ½·[v]× + c·[u]×²``."""
     near, small, axis, half = _parts(xp, v)
     return axis, xp.where(near, polynomial(_C, small), 1.0 - half * xp.cos(half) / xp.sin(half))
@@ -230,11 +230,11 @@ def _mixed(axis: Coordinates, u: Coordinates, linear: Coordinates, b: Array, db:
     return found
 
 
-def _stacked(xp: Any, rows: Entries) -> Array:
+def _stacked(xp: Namespace, rows: Entries) -> Array:
     return xp.stack([join(xp, tuple(row)) for row in rows], axis=-2)
 
 
-def _blocks(xp: Any, block: Entries, mixed: Entries) -> Array:
+def _blocks(xp: Namespace, block: Entries, mixed: Entries) -> Array:
     """The matrix ``[[block, 0], [mixed, block]]``."""
     nothing = [xp.zeros_like(block[0][0])] * 3
     above = [[*row, *nothing] for row in block]

@@ -2,19 +2,11 @@
 
 from functools import reduce
 from operator import add
-from typing import Any
 
 from rotation.angles import waves
+from rotation.array_types import Array, ArrayLike, Namespace
 from rotation.coordinates import Coordinates, join, split, unit
-from rotation.namespaces import (
-    Array,
-    expect_last,
-    finfo,
-    floats,
-    namespace,
-    quiet,
-    refuse_rows,
-)
+from rotation.namespaces import expect_last, finfo, floats, namespace, quiet, refuse_rows
 from rotation.optimum import davenport, with_derivatives, without_derivatives
 from rotation.rowwise import Formula, flag_if, rarely
 
@@ -27,7 +19,7 @@ _GRID = {64: 1.5 * 2.0**26, 32: 1.5 * 2.0**12}
 Entries = list[list[Array]]
 
 
-def R_x(angle: Any, degrees: bool = False) -> Array:
+def R_x(angle: ArrayLike, degrees: bool = False) -> Array:
     """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about x (thesis, section 2.2.2).
 
     Examples
@@ -40,7 +32,7 @@ def R_x(angle: Any, degrees: bool = False) -> Array:
     return _about(0, angle, degrees)
 
 
-def R_y(angle: Any, degrees: bool = False) -> Array:
+def R_y(angle: ArrayLike, degrees: bool = False) -> Array:
     """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about y (thesis, section 2.2.2).
 
     Examples
@@ -53,7 +45,7 @@ def R_y(angle: Any, degrees: bool = False) -> Array:
     return _about(1, angle, degrees)
 
 
-def R_z(angle: Any, degrees: bool = False) -> Array:
+def R_z(angle: ArrayLike, degrees: bool = False) -> Array:
     """Return the matrices (…, 3, 3) that turn by ``angle`` (…) about z (thesis, section 2.2.2).
 
     Examples
@@ -67,7 +59,7 @@ def R_z(angle: Any, degrees: bool = False) -> Array:
 
 
 @quiet
-def _about(axis: int, angle: Any, degrees: bool) -> Array:
+def _about(axis: int, angle: ArrayLike, degrees: bool) -> Array:
     a = floats(angle, "angles")
     xp = namespace(a)
     (s, c), zero = waves(xp, a, degrees), 0.0 * xp.abs(a)  # NaN in the whole matrix where it is
@@ -79,7 +71,7 @@ def _about(axis: int, angle: Any, degrees: bool) -> Array:
     return _assemble(xp, entries)
 
 
-def _assemble(xp: Any, entries: Entries) -> Array:
+def _assemble(xp: Namespace, entries: Entries) -> Array:
     return xp.stack([xp.stack(row, axis=-1) for row in entries], axis=-2)
 
 
@@ -138,7 +130,7 @@ def matrix_entries(c: Coordinates) -> Entries:
 TO_MATRIX = Formula(_to_matrix, (4,))
 
 
-def from_matrix(matrix: Any, orthonormalize: bool = False) -> Array:
+def from_matrix(matrix: ArrayLike, orthonormalize: bool = False) -> Array:
     """Return the unit quaternions (…, 4) of rotation matrices (…, 3, 3).
 
     What is off orthogonal by rounding is replaced by the nearest rotation first.
@@ -201,7 +193,7 @@ _FROM_MATRIX = {
 
 
 @quiet
-def from_columns(numbers: Any) -> Array:
+def from_columns(numbers: ArrayLike) -> Array:
     """Return the unit quaternions of pairs of columns (…, 6), made orthonormal by Gram and Schmidt."""
     c = floats(numbers, "pairs of columns")
     expect_last(c, (6,), "pairs of columns")
@@ -224,18 +216,18 @@ def from_columns(numbers: Any) -> Array:
     return from_matrix(xp.stack(rows, axis=-2))
 
 
-def _bits(matrix: Any, xp: Any) -> int:
+def _bits(matrix: ArrayLike, xp: Namespace) -> int:
     """32 for single precision, 64 for everything else that a matrix may be given as."""
     return 32 if getattr(matrix, "dtype", None) == xp.float32 else 64
 
 
 @quiet
-def scaled(xp: Any, m: Array) -> Array:
+def scaled(xp: Namespace, m: Array) -> Array:
     """Matrices whose largest entry is 1, so that no product of entries over- or underflows."""
     return m / largest(xp, m)
 
 
-def largest(xp: Any, m: Array) -> Array:
+def largest(xp: Namespace, m: Array) -> Array:
     """Return the largest absolute entries of matrices, shape (…, 1, 1); 1 where all are 0."""
     found = xp.max(xp.abs(m), axis=(-2, -1), keepdims=True)
     return xp.where(found > 0.0, found, xp.ones_like(found))
@@ -267,14 +259,14 @@ def _gram(r: Entries) -> tuple[Array, ...]:
     )
 
 
-def _off(xp: Any, r: Entries) -> Array:
+def _off(xp: Namespace, r: Entries) -> Array:
     """The largest entry of ``|RᵀR − 1|``."""
     g = _gram(r)
     errors = [*(xp.abs(x - 1.0) for x in g[:3]), *(xp.abs(x) for x in g[3:])]
     return reduce(xp.maximum, errors)
 
 
-def _polished(xp: Any, r: Entries) -> Entries:
+def _polished(xp: Namespace, r: Entries) -> Entries:
     """The nearest orthogonal matrices to nearly orthogonal ones, by Newton and Schulz, row by row."""
     rough = _off(xp, r) > 8.0 * float(finfo(xp, r[0][0]).eps)
 
@@ -305,7 +297,7 @@ def _newton(r: Entries) -> Entries:
 
 
 @quiet
-def _nearest(xp: Any, m: Array) -> Array:
+def _nearest(xp: Namespace, m: Array) -> Array:
     """The orthogonal polar factor of matrices of nonnegative determinant; NaN rows stay."""
     finite = xp.all(xp.isfinite(m), axis=(-2, -1))[..., None, None]
     u, s, vt = xp.linalg.svd(xp.where(finite, m, xp.eye(3, dtype=m.dtype)))
@@ -328,7 +320,7 @@ def _proper(u: Array, s: Array, vt: Array) -> Array:
 PROPER = Formula(_proper, (3, 3), (3,), (3, 3))
 
 
-def _dominant_row(xp: Any, r: Entries) -> Coordinates:
+def _dominant_row(xp: Namespace, r: Entries) -> Coordinates:
     """A multiple of q: of the four rows of ``4·q·qᵀ`` the one with the largest diagonal entry.
 
     S. W. Shepperd, "Quaternion from rotation matrix", J. Guidance and Control 1 (1978).

@@ -8,16 +8,15 @@ a NaN in the output and no warning.
 import contextlib
 from collections.abc import Sequence
 from importlib import import_module
-from typing import Any
+from typing import cast
 
 import numpy as np
 
+from rotation.array_types import NUMPY, Array, Limits, Namespace
 from rotation.arrays import expect_numbers, real
 from rotation.errors import DTypeError, ForeignArrayError, RotationError, ZeroRotationError
 from rotation.native import tracing
 from rotation.native.symbols import Condition, Lanes, Rows
-
-Array = Any  # an array of any library that follows the standard
 
 quiet = np.errstate(all="ignore")
 
@@ -25,7 +24,7 @@ _FLOAT64 = np.dtype(np.float64)
 _PLAIN = (int, float, list, tuple, type(None))
 
 
-def namespace(*values: Any) -> Any:
+def namespace(*values: object) -> Namespace:
     """Return the one array namespace to which all ``values`` belong; numbers and lists fit everywhere.
 
     Raises
@@ -34,8 +33,8 @@ def namespace(*values: Any) -> Any:
         The values are arrays of two libraries.
     """
     if len(values) == 1:
-        return _own_namespace(values[0]) or np
-    found: list[Any] = []
+        return _own_namespace(values[0]) or NUMPY
+    found: list[Namespace] = []
     for value in values:
         xp = _own_namespace(value)
         if xp is not None and all(xp is not other for other in found):
@@ -56,40 +55,40 @@ def namespace(*values: Any) -> Any:
             f"arrays of {' and '.join(names)} in one operation; convert one of them, for example with "
             f"{last}.asarray{way}"
         )
-    return found[0] if found else np
+    return found[0] if found else NUMPY
 
 
-def is_numpy(xp: Any) -> bool:
+def is_numpy(xp: object) -> bool:
     """Return whether a namespace is numpy's own."""
-    return xp is np
+    return xp is NUMPY
 
 
-def finfo(xp: Any, number: Array) -> Any:
+def finfo(xp: Namespace, number: Array) -> Limits:
     """Return the limits of the kind of float that a coordinate has."""
     return xp.finfo(getattr(number, "dtype", None))
 
 
-def expect_numpy(what: str, *values: Any) -> None:
+def expect_numpy(what: str, *values: object) -> None:
     """Raise `ForeignArrayError` unless all ``values`` are numpy arrays or plain numbers and lists."""
     for xp in map(namespace, values):
         if not is_numpy(xp):
             raise ForeignArrayError(f"{what} takes numpy arrays only, not those of {xp.__name__}")
 
 
-def _own_namespace(value: Any) -> Any:
+def _own_namespace(value: object) -> Namespace | None:
     kind = type(value)
     if kind is np.ndarray or isinstance(value, np.ndarray | np.generic):
-        return np
+        return NUMPY
     if kind in (Lanes, Condition, Rows):
-        return tracing
+        return tracing.NAMESPACE
     if kind in _PLAIN or isinstance(value, int | float | complex | str | bytes | Sequence):
         return None
     if hasattr(value, "__array_namespace__"):
-        return value.__array_namespace__()
+        return cast(Namespace, value.__array_namespace__())
     # torch and older CuPy do not name their namespace; the compatibility package does it for them.
     if type(value).__module__.partition(".")[0] in ("torch", "cupy"):
         with contextlib.suppress(ImportError):
-            return import_module("array_api_compat").array_namespace(value)
+            return cast(Namespace, import_module("array_api_compat").array_namespace(value))
         raise ForeignArrayError(
             f"{type(value).__name__} does not say which array namespace it has; "
             "'pip install array-api-compat' makes it known"
@@ -97,7 +96,7 @@ def _own_namespace(value: Any) -> Any:
     return None
 
 
-def floats(value: Any, what: str, xp: Any = None) -> Array:
+def floats(value: object, what: str, xp: Namespace | None = None) -> Array:
     """Return ``value`` as an array of floats: float64 in numpy, the array's own precision elsewhere.
 
     Parameters
@@ -116,12 +115,12 @@ def floats(value: Any, what: str, xp: Any = None) -> Array:
     RotationError
         Nested lists of unequal lengths.
     """
-    if type(value) is np.ndarray and value.dtype is _FLOAT64 and (xp is None or xp is np):
+    if type(value) is np.ndarray and value.dtype is _FLOAT64 and (xp is None or xp is NUMPY):
         return value
     xp = namespace(value) if xp is None else xp
     if is_numpy(xp):
         return real(value, what).astype(np.float64, copy=False)
-    array = _as_array(xp, value, what) if _own_namespace(value) is None else value
+    array: Array = _as_array(xp, value, what) if _own_namespace(value) is None else value
     if xp.isdtype(array.dtype, "real floating"):
         if xp.finfo(array.dtype).bits < 32:
             raise DTypeError(
@@ -131,6 +130,13 @@ def floats(value: Any, what: str, xp: Any = None) -> Array:
     if xp.isdtype(array.dtype, "integral"):
         return xp.astype(array, xp.zeros(()).dtype)  # the library's default precision
     raise DTypeError(f"{what} has dtype {array.dtype}; expected integers or real floats")
+
+
+def points_of(value: object, xp: Namespace) -> Array:
+    """Return points (…, 3) in their own precision; whole numbers become the library's usual floats."""
+    points: Array = real(value, "points") if is_numpy(xp) else floats(value, "points", xp)
+    expect_last(points, (3,), "points")
+    return points
 
 
 def number(value: int | float, what: str) -> float:
@@ -150,7 +156,7 @@ def number(value: int | float, what: str) -> float:
         ) from error
 
 
-def _as_array(xp: Any, value: Any, what: str) -> Array:
+def _as_array(xp: Namespace, value: object, what: str) -> Array:
     """Return numbers or nested lists as an array of a library, whose own errors say less than ours."""
     expect_numbers(value, what)
     try:
@@ -177,7 +183,7 @@ def expect_last(array: Array, shape: tuple[int, ...], what: str) -> None:
         raise RotationError(f"{what} has shape {tuple(array.shape)}; expected (…, {wanted})")
 
 
-def spread(xp: Any, array: Array, shape: tuple[int, ...], what: str) -> Array:
+def spread(xp: Namespace, array: Array, shape: tuple[int, ...], what: str) -> Array:
     """Return ``array`` broadcast to ``shape``; raises `RotationError` where it does not, in any library."""
     own = tuple(array.shape)
     try:

@@ -7,11 +7,12 @@ steps from what it found: they change nothing but have the derivatives of the so
 second.
 """
 
+from collections.abc import Sequence
 from importlib import import_module
-from typing import Any
 
+from rotation.array_types import Array, Namespace
 from rotation.coordinates import Coordinates, join, split, unit
-from rotation.namespaces import Array, namespace
+from rotation.namespaces import namespace
 
 Matrix = tuple[tuple[Array, ...], ...]
 
@@ -30,7 +31,7 @@ def without_derivatives(array: Array) -> Array:
     return import_module("jax.lax").stop_gradient(array)
 
 
-def davenport(m: Any) -> Matrix:
+def davenport(m: Sequence[Sequence[Array]]) -> Matrix:
     """Return the rows of K for entries of matrices M: ``qᵀ·K·q`` is the trace of ``Rᵀ·M``."""
     (a, b, c), (d, e, f), (g, h, i) = m
     wx, wy, wz = h - f, c - g, d - b
@@ -53,7 +54,7 @@ def with_derivatives(q: Array, k: Matrix) -> Array:
     return join(namespace(q), c)
 
 
-def _newton(xp: Any, q: Coordinates, k: Matrix) -> Coordinates:
+def _newton(xp: Namespace, q: Coordinates, k: Matrix) -> Coordinates:
     """Take a step in the three directions ``q·i``, ``q·j``, ``q·k``."""
     w, x, y, z = q
     ways = ((-x, w, z, -y), (-y, -z, w, x), (-z, y, -x, w))

@@ -12,17 +12,17 @@ from __future__ import annotations
 
 from functools import reduce
 from operator import add
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rotation.angles import waves
+from rotation.array_types import NUMPY
 from rotation.arrays import common_batch, components, expect_unmasked, real
 from rotation.errors import RotationError
 
-Floats = NDArray[np.floating[Any]]
-Complexes = NDArray[np.complexfloating[Any, Any]]
+Floats = NDArray[np.floating]
+Complexes = NDArray[np.complexfloating]
 
 LETTER_T: tuple[tuple[int, int], ...] = (
     *((10, 1), (11, 1), (11, 6), (13, 6)),
@@ -203,7 +203,7 @@ def orientation(polygon: ArrayLike) -> Floats:
 def _cos_sin(angles: ArrayLike, degrees: bool = False) -> tuple[Floats, Floats]:
     """Return cosines and sines; those of degrees are exact at multiples of 90."""
     with np.errstate(invalid="ignore"):  # inf gives NaN
-        s, c = waves(np, real(angles, "angles"), degrees)
+        s, c = waves(NUMPY, real(angles, "angles"), degrees)
     return c, s
 
 
@@ -223,4 +223,4 @@ def _matrix(a: Floats, b: Floats, c: Floats, d: Floats) -> Floats:
 
 
 def _points(points: ArrayLike) -> Floats:
-    return components(points, 2, "points", "aos")[0]
+    return components(points, 2, "points", "aos")

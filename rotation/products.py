@@ -1,8 +1,9 @@
 """Running products of many rotations, each of norm 1 to rounding."""
 
 from rotation import kernels, quaternions
+from rotation.array_types import Array
 from rotation.errors import RotationError
-from rotation.namespaces import Array, is_numpy, namespace
+from rotation.namespaces import is_numpy, namespace
 
 _DOUBLED_PRODUCTS = 1000  # products, of which doubling loses no more than a digit
 

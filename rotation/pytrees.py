@@ -17,12 +17,15 @@ _Kind = tuple[type, tuple[str, ...]]
 _kinds: list[_Kind] = []
 _for_jax: list[_Kind] = []  # not yet registered with it
 _for_torch: list[_Kind] = []
+_number_of_modules = 0  # when the libraries were last looked for
 
 
 def register_pytree(*names: str) -> Callable[[_Class], _Class]:
     """Register a class as a pytree of these attributes: arrays, containers of such, or None."""
 
     def register(kind: _Class) -> _Class:
+        global _number_of_modules
+        _number_of_modules = 0
         for kinds in (_kinds, _for_jax, _for_torch):
             kinds.append((kind, names))
         return kind
@@ -32,10 +35,13 @@ def register_pytree(*names: str) -> Callable[[_Class], _Class]:
 
 def known(value: _Value) -> _Value:
     """Return a value, once the classes are known to those of the libraries that are there."""
-    if _for_jax and "jax" in _modules:
-        _announce(_for_jax, _jax)
-    if _for_torch and "torch" in _modules:
-        _announce(_for_torch, _torch)
+    global _number_of_modules
+    if len(_modules) != _number_of_modules:
+        _number_of_modules = len(_modules)
+        if "jax" in _modules:
+            _announce(_for_jax, _jax)
+        if "torch" in _modules:
+            _announce(_for_torch, _torch)
     return value
 
 

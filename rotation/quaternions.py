@@ -7,22 +7,22 @@ rotation with quaternion curves", SIGGRAPH 1985.
 
 from functools import reduce
 from operator import and_
-from typing import Any
 
 import numpy as np
 
 from hfield.core import product as formula
 from rotation.angles import to_degrees, waves
+from rotation.array_types import Array, ArrayLike, Namespace
 from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, join, length, split, sum_of_squares, unchanging, unit
-from rotation.namespaces import Array, expect_last, floats, namespace, number, quiet, refuse_zeros
+from rotation.namespaces import expect_last, floats, namespace, number, quiet, refuse_zeros
 from rotation.optimum import is_differentiable, without_derivatives
 from rotation.rowwise import Formula, flag_if, rarely
 
 HAMILTON = formula.Constants(-1.0, 0, -1.0)  # whole zeros leave no trace in compiled programs
 
 
-def normalised(q: Any) -> Array:
+def normalised(q: ArrayLike) -> Array:
     """Return quaternions divided by their modulus, whatever its size from 1e-300 to 1e300.
 
     A quaternion whose norm is 1 to within rounding is returned as it is. NaN or inf make that row NaN.
@@ -128,7 +128,7 @@ def _canonical(q: Array) -> Array:
 _CANONICAL = Formula(_canonical, (4,))
 
 
-def upright(xp: Any, c: Coordinates) -> Coordinates:
+def upright(xp: Namespace, c: Coordinates) -> Coordinates:
     """Return the coordinates of q or −q, the first nonzero one positive."""
     w, x, y, z = c
     sign = xp.where(w != 0.0, w, xp.where(x != 0.0, x, xp.where(y != 0.0, y, z)))
@@ -163,7 +163,7 @@ def _angle(q: Array, degrees: bool) -> Array:
 _ANGLE = [Formula(_angle, (4,), parameters=(degrees,)) for degrees in (False, True)]
 
 
-def power(q: Array, exponent: Any) -> Array:
+def power(q: Array, exponent: ArrayLike) -> Array:
     """Return the rotation about the same axis by ``exponent`` times the angle in [0, π].
 
     It is within (3 + 2.5·|exponent|)·2⁻⁵² of the exact quaternion (docs/explanation/rotation-errors.md).
@@ -183,17 +183,17 @@ def power(q: Array, exponent: Any) -> Array:
     return _raised(SHORTER_POWER, exponent, q)
 
 
-def direct_power(q: Array, exponent: Any) -> Array:
+def direct_power(q: Array, exponent: ArrayLike) -> Array:
     """Return the power of unit quaternions (…, 4) as they stand: −q turns the long way round."""
     return _raised(_POWER, exponent, q)
 
 
-def slerp(p: Array, q: Array, t: Any) -> Array:
+def slerp(p: Array, q: Array, t: ArrayLike) -> Array:
     """Return ``p·(p⁻¹·q)ᵗ`` for unit quaternions (…, 4), and p itself where q is p or −p."""
     return _raised(SLERP, t, p, q)
 
 
-def _raised(raise_to: Formula, exponent: Any, *rotations: Array) -> Array:
+def _raised(raise_to: Formula, exponent: ArrayLike, *rotations: Array) -> Array:
     xp = namespace(*rotations)
     plain = all(type(q) is np.ndarray for q in rotations)
     if isinstance(exponent, int | float):
@@ -213,7 +213,7 @@ def _power(q: Array, exponent: Array, shorter: bool) -> Array:
     return join(namespace(q), _powers(namespace(q), split(q), exponent[...], shorter))
 
 
-def _powers(xp: Any, q: Coordinates, exponent: Array, shorter: bool) -> Coordinates:
+def _powers(xp: Namespace, q: Coordinates, exponent: Array, shorter: bool) -> Coordinates:
     w, *u = upright(xp, q) if shorter else q
     n = length(xp, tuple(u))
     half = xp.atan2(n, w) * exponent
@@ -250,7 +250,7 @@ SLERP = Formula(_slerp, (4,), (4,), ())
 
 
 @quiet
-def T_q(q: Any, points: Any) -> Array:
+def T_q(q: ArrayLike, points: ArrayLike) -> Array:
     """Return ``q·v·q⁻¹`` for points v: Theorem 6 of the thesis to the letter, by the one product.
 
     For speed use `rotation.rotate_quat`; this is the definition.
@@ -267,12 +267,12 @@ def T_q(q: Any, points: Any) -> Array:
     >>> T_q([1, 0, 0, 1], [1, 0, 0])  # a quarter turn about z
     array([0., 1., 0.])
     """
-    q = normalised(q)
-    xp = namespace(q, points)
+    unit = normalised(q)
+    xp = namespace(unit, points)
     v = floats(points, "points", xp)
     expect_last(v, (3,), "points")
-    common_batch(quaternions=tuple(q.shape[:-1]), points=tuple(v.shape[:-1]))
-    c = split(q)
+    common_batch(quaternions=tuple(unit.shape[:-1]), points=tuple(v.shape[:-1]))
+    c = split(unit)
     vector = (xp.zeros_like(v[..., 0]), *split(v))
     whole = multiplied(multiplied(c, vector), formula.conjugate(HAMILTON, c))
     norm = sum_of_squares(c)

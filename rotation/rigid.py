@@ -1,22 +1,21 @@
 """`RigidTransform`: one rigid motion of space or a whole array of them, immutable."""
 
 from collections.abc import Iterable
-from typing import Any, Self
+from typing import Self
 
 from rotation import hints, pytrees
 from rotation import rigid_motions as motions
 from rotation.alignment import align_points
-from rotation.arrays import common_batch, real
+from rotation.array_types import Array, ArrayLike, Axes
+from rotation.arrays import common_batch
 from rotation.averaging import mean_of_vectors
 from rotation.coordinates import length, split
 from rotation.errors import DTypeError
 from rotation.namespaces import (
-    Array,
-    expect_last,
     floats,
-    is_numpy,
     namespace,
     number,
+    points_of,
     quiet,
     spread,
 )
@@ -49,7 +48,7 @@ class RigidTransform(Forms):
     __slots__ = ()
     foreign_names = hints.TRANSFORM
 
-    def __new__(cls, matrix: Any) -> Self:
+    def __new__(cls, matrix: ArrayLike) -> Self:
         """Make transforms from matrices, as `from_matrix` does."""
         return cls.from_matrix(matrix)
 
@@ -72,7 +71,7 @@ class RigidTransform(Forms):
         return NotImplemented
 
     @quiet
-    def __pow__(self, exponent: Any) -> Self:
+    def __pow__(self, exponent: ArrayLike) -> Self:
         """Return the motion along the same screw, ``exponent`` times as far; the shapes broadcast.
 
         Raises
@@ -81,12 +80,10 @@ class RigidTransform(Forms):
             A whole number beyond the largest float, or shapes that do not fit.
         """
         if isinstance(exponent, int | float):
-            exponent = number(exponent, "exponent")
-        else:
-            exponent = floats(exponent, "exponent", namespace(self._q, exponent))
-            common_batch(transforms=self.shape, exponents=tuple(exponent.shape))
-            exponent = exponent[..., None]
-        return self.from_exp_coords(self.as_exp_coords() * exponent)
+            return self.from_exp_coords(self.as_exp_coords() * number(exponent, "exponent"))
+        exponents = floats(exponent, "exponent", namespace(self._q, exponent))
+        common_batch(transforms=self.shape, exponents=tuple(exponents.shape))
+        return self.from_exp_coords(self.as_exp_coords() * exponents[..., None])
 
     def inverse(self) -> Self:
         """Return the inverse motions."""
@@ -94,7 +91,7 @@ class RigidTransform(Forms):
 
     inv = inverse  # as scipy calls it
 
-    def apply(self, points: Any, inverse: bool = False) -> Array:
+    def apply(self, points: ArrayLike, inverse: bool = False) -> Array:
         """Move points (…, 3): ``R·v + t``, or back again; the batch shapes broadcast.
 
         float32 and float64 are kept, integers become float64. All is computed in double.
@@ -105,14 +102,13 @@ class RigidTransform(Forms):
             Shapes that do not fit.
         """
         xp = namespace(self._q, points)
-        given = real(points, "points") if is_numpy(xp) else floats(points, "points", xp)
-        expect_last(given, (3,), "points")
+        given = points_of(points, xp)
         common_batch(points=tuple(given.shape[:-1]), transforms=self.shape)
         v = floats(given, "points", xp)
         moved = (motions.MOVED_BACK if inverse else motions.MOVED)(self._q, self._t, v)
         return moved if moved.dtype == given.dtype else xp.astype(moved, given.dtype)
 
-    def __eq__(self, other: object) -> Any:
+    def __eq__(self, other: object) -> Array:
         """Compare entry by entry, exactly: q and −q are the same rotation."""
         if not isinstance(other, RigidTransform):
             return NotImplemented
@@ -125,7 +121,7 @@ class RigidTransform(Forms):
         return hash((self.rotation, tuple(float(c) + 0.0 for c in self._t)))
 
     @quiet
-    def approx_equal(self, other: "RigidTransform", atol: float = 1e-8) -> Any:
+    def approx_equal(self, other: "RigidTransform", atol: float = 1e-8) -> Array:
         """Return where the angle (radians) and the distance from one to the other are at most ``atol``."""
         expect_transforms(other=other)
         between = self.inv() * other
@@ -135,7 +131,7 @@ class RigidTransform(Forms):
     # Many into one
 
     @classmethod
-    def concatenate(cls, transforms: Any) -> Self:
+    def concatenate(cls, transforms: "RigidTransform | Iterable[RigidTransform]") -> Self:
         """Join transforms along their first axis; a single one counts as a batch of one.
 
         Raises
@@ -156,7 +152,7 @@ class RigidTransform(Forms):
             turns._q, xp.concat([m._t[None, :] if m.single else m._t for m in members], axis=0)
         )
 
-    def mean(self, weights: Any = None, axis: Any = None) -> Self:
+    def mean(self, weights: ArrayLike | None = None, axis: Axes | None = None) -> Self:
         """Return the mean of the rotations with the mean of the translations; see `Rotation.mean`."""
         turn = self.rotation.mean(weights, axis)
         xp = namespace(self._t, weights)
@@ -168,14 +164,16 @@ class RigidTransform(Forms):
         return self._of(turn._q, mean_of_vectors(self._t, w, axes) if axes else self._t)
 
     @classmethod
-    def align(cls, source: Any, target: Any, weights: Any = None) -> tuple[Self, Array]:
+    def align(
+        cls, source: ArrayLike, target: ArrayLike, weights: ArrayLike | None = None
+    ) -> tuple[Self, Array]:
         """Return the motion that takes points closest to others, and how close; see `align_points`."""
         turn, shift, rssd = align_points(source, target, weights)
         return cls._of(turn._q, shift), rssd
 
     # As an array
 
-    def __getitem__(self, index: Any) -> Self:
+    def __getitem__(self, index: object) -> Self:
         if self.single:
             raise TypeError("a single transform cannot be indexed")
         turns = Rotation._of(self._q)[index]
@@ -194,7 +192,7 @@ class RigidTransform(Forms):
 
         return table(self._q, self._t)
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self)._of, (self._q, self._t)
 
 
@@ -205,7 +203,7 @@ def expect_transforms(**named: object) -> None:
             raise DTypeError(hints.refusal(value, name, "RigidTransform"))
 
 
-def sclerp(p: RigidTransform, q: RigidTransform, t: Any) -> RigidTransform:
+def sclerp(p: RigidTransform, q: RigidTransform, t: ArrayLike) -> RigidTransform:
     """Return the motion at ``t`` on the way from ``p`` (t = 0) to ``q`` (t = 1), along one screw.
 
     At constant rate: ``p·(p⁻¹·q)ᵗ``, the shorter way round. The shapes of p, q and t broadcast. L. Kavan et

@@ -1,18 +1,19 @@
 """Rigid motions from their forms and back: matrices, components, twists, dual quaternions, screws."""
 
 from collections.abc import Sequence
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 
 from rotation import pytrees, sampling, vectors
 from rotation import rigid_motions as motions
+from rotation.array_types import Array, ArrayLike
 from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
 from rotation.immutable_arrays import ImmutableArray
 from rotation.matrices import from_matrix
-from rotation.namespaces import Array, copied, expect_last, floats, is_numpy, namespace
+from rotation.namespaces import copied, expect_last, floats, is_numpy, namespace
 from rotation.rotation import Rotation
 
 MAX_STORED_MATRICES = (
@@ -56,7 +57,7 @@ class Forms(ImmutableArray):
         return cls._of(Rotation.identity(batch)._q, np.zeros((*batch, 3)))
 
     @classmethod
-    def from_matrix(cls, matrix: Any, *, orthonormalize: bool = False) -> Self:
+    def from_matrix(cls, matrix: ArrayLike, *, orthonormalize: bool = False) -> Self:
         """Make transforms from homogeneous matrices (…, 4, 4), whose last row is 0, 0, 0, 1.
 
         Raises
@@ -77,7 +78,7 @@ class Forms(ImmutableArray):
         return cls._of(q, 0.0 * q[..., 1:])
 
     @classmethod
-    def from_translation(cls, translation: Any) -> Self:
+    def from_translation(cls, translation: ArrayLike) -> Self:
         """Make transforms that shift by ``translation`` (…, 3) and do not turn."""
         t = _copied(translation, "translations")
         xp = namespace(t)
@@ -85,7 +86,7 @@ class Forms(ImmutableArray):
         return cls._of(xp.concat([one, zero], axis=-1), t)
 
     @classmethod
-    def from_components(cls, translation: Any, rotation: Rotation) -> Self:
+    def from_components(cls, translation: ArrayLike, rotation: Rotation) -> Self:
         """Make transforms that turn first, then shift; the batch shapes broadcast."""
         expect_rotations(rotation=rotation)
         t = _copied(translation, "translations")
@@ -93,14 +94,14 @@ class Forms(ImmutableArray):
         return cls._of(rotation._double, t)
 
     @classmethod
-    def from_exp_coords(cls, exp_coords: Any) -> Self:
+    def from_exp_coords(cls, exp_coords: ArrayLike) -> Self:
         """Make transforms from exponential coordinates (…, 6): a rotation vector, then ``J⁻¹·t``."""
         x = _copied(exp_coords, "exponential coordinates", 6)
         v, u = x[..., :3], x[..., 3:]
         return cls._of(vectors.from_rotvec(v), motions.JACOBIAN_TIMES(v, u))
 
     @classmethod
-    def from_dual_quat(cls, dual_quat: Any, *, scalar_first: bool = True) -> Self:
+    def from_dual_quat(cls, dual_quat: ArrayLike, *, scalar_first: bool = True) -> Self:
         """Make transforms from dual quaternions (…, 8): ``q``, then ``½·t·q``; they are made unit.
 
         Raises
@@ -118,7 +119,12 @@ class Forms(ImmutableArray):
 
     @classmethod
     def from_screw(
-        cls, axis: Any, point: Any, angle: Any, displacement: Any, degrees: bool = False
+        cls,
+        axis: ArrayLike,
+        point: ArrayLike,
+        angle: ArrayLike,
+        displacement: ArrayLike,
+        degrees: bool = False,
     ) -> Self:
         """Make the motions along screws: a turn about a line and a shift along it.
 
@@ -172,7 +178,7 @@ class Forms(ImmutableArray):
         return namespace(v).concat([v, motions.INVERSE_JACOBIAN_TIMES(v, self._t)], axis=-1)
 
     @classmethod
-    def exp(cls, tangent: Any) -> Self:
+    def exp(cls, tangent: ArrayLike) -> Self:
         """Make transforms from exponential coordinates (…, 6), as `from_exp_coords` does."""
         return cls.from_exp_coords(tangent)
 
@@ -203,7 +209,7 @@ class Forms(ImmutableArray):
         return motions.to_screw(self._q, self._t, degrees)
 
 
-def _copied(value: Any, what: str, length: int = 3) -> Array:
+def _copied(value: object, what: str, length: int = 3) -> Array:
     array = floats(value, what)
     if not array.ndim:
         raise RotationError(f"{what} has shape (); expected (…, {length})")

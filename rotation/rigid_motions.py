@@ -7,25 +7,18 @@ M. Chasles, Bull. Sci. Math. Férussac 14 (1830); R. S. Ball, "A treatise on the
 R. M. Murray, Z. Li and S. S. Sastry, "A mathematical introduction to robotic manipulation" (1994), chapter 2.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from hfield.core import product as formula
 from rotation.action import BY_QUATERNION, turned_by
 from rotation.angles import to_degrees
+from rotation.array_types import Array, ArrayLike, Namespace
 from rotation.arrays import common_batch
 from rotation.coordinates import Coordinates, factor, join, length, split, sum_of_squares, unit
 from rotation.errors import RotationError
 from rotation.jacobians import exponential_factors, logarithm_factor
 from rotation.matrices import matrix_entries
-from rotation.namespaces import (
-    Array,
-    expect_last,
-    floats,
-    namespace,
-    quiet,
-    refuse_rows,
-    refuse_zeros,
-)
+from rotation.namespaces import expect_last, floats, namespace, quiet, refuse_rows, refuse_zeros
 from rotation.quaternions import HAMILTON, multiplied, steadied
 from rotation.rowwise import Formula, flag_if
 from rotation.vectors import from_axis_angle, to_axis_angle
@@ -80,7 +73,7 @@ def _jacobian_times(rotvec: Array, along: Array) -> Array:
     return join(namespace(rotvec), jacobian_times(namespace(rotvec), split(rotvec), split(along)))
 
 
-def jacobian_times(xp: Any, v: Coordinates, u: Coordinates) -> Coordinates:
+def jacobian_times(xp: Namespace, v: Coordinates, u: Coordinates) -> Coordinates:
     """Return ``J(v)·u``: the translation of the motion whose twist is (v, u)."""
     axis, a, b = exponential_factors(xp, v)
     first = cross(axis, u)
@@ -175,7 +168,11 @@ class Screw(NamedTuple):
 
 @quiet
 def from_screw(
-    axis: Any, point: Any, angle: Any, displacement: Any, degrees: bool = False
+    axis: ArrayLike,
+    point: ArrayLike,
+    angle: ArrayLike,
+    displacement: ArrayLike,
+    degrees: bool = False,
 ) -> tuple[Array, Array]:
     """Return quaternions and translations of screws; see `RigidTransform.from_screw`."""
     xp = namespace(axis, point, angle, displacement)

@@ -5,15 +5,24 @@ from importlib import import_module
 from typing import Any, Self
 
 import numpy as np
+import numpy.typing as npt
 
 from rotation import groups, hints, pytrees, quaternions, sampling
 from rotation.action import BY_INVERSE, BY_MATRIX, BY_QUATERNION, FEW, FEW_OWN, write
+from rotation.array_types import Array, ArrayLike, Axes, Seed
 from rotation.arrays import common_batch, destination, precision, real
 from rotation.batch import Batch, expect_rotations
 from rotation.conversions import Conversions
 from rotation.errors import ForeignArrayError, RotationError
 from rotation.matrices import TO_MATRIX, to_matrix
-from rotation.namespaces import Array, expect_last, expect_numpy, floats, is_numpy, namespace, quiet
+from rotation.namespaces import (
+    expect_numpy,
+    floats,
+    is_numpy,
+    namespace,
+    points_of,
+    quiet,
+)
 from rotation.native import tensors
 from rotation.pytrees import known
 from rotation.quaternions import INVERSE, PRODUCT, SHORTER_POWER
@@ -46,7 +55,9 @@ class Rotation(Conversions):
     __slots__ = ()
     foreign_names = hints.ROTATION
 
-    def __new__(cls, quat: Any, *, scalar_first: bool = True, dtype: Any = None) -> Self:
+    def __new__(
+        cls, quat: ArrayLike, *, scalar_first: bool = True, dtype: npt.DTypeLike | None = None
+    ) -> Self:
         """Make rotations from quaternions, as `from_quat` does."""
         return cls.from_quat(quat, scalar_first=scalar_first, dtype=dtype)
 
@@ -54,7 +65,11 @@ class Rotation(Conversions):
 
     @classmethod
     def identity(
-        cls, shape: int | Sequence[int] | None = None, *, dtype: Any = None, **others: Any
+        cls,
+        shape: int | Sequence[int] | None = None,
+        *,
+        dtype: npt.DTypeLike | None = None,
+        **others: object,
     ) -> Self:
         """Return the rotation that moves nothing, or a batch of it: ``shape`` is a number or a tuple.
 
@@ -83,11 +98,11 @@ class Rotation(Conversions):
     def random(
         cls,
         shape: int | Sequence[int] | None = None,
-        rng: Any = None,
+        rng: Seed | None = None,
         *,
-        seed: Any = None,
-        dtype: Any = None,
-        **others: Any,
+        seed: Seed | None = None,
+        dtype: npt.DTypeLike | None = None,
+        **others: object,
     ) -> Self:
         """Return rotations distributed uniformly (by Haar measure).
 
@@ -158,7 +173,11 @@ class Rotation(Conversions):
 
     @classmethod
     def align_vectors(
-        cls, a: Any, b: Any, weights: Any = None, return_sensitivity: bool = False
+        cls,
+        a: ArrayLike,
+        b: ArrayLike,
+        weights: ArrayLike | None = None,
+        return_sensitivity: bool = False,
     ) -> Any:
         """Return the rotation that takes vectors ``b`` closest to vectors ``a``, and how close.
 
@@ -204,7 +223,7 @@ class Rotation(Conversions):
         made = PRODUCT.function(type(self), p, q)
         return self._of(quaternions.product(p, q)) if made is None else known(made)
 
-    def __pow__(self, exponent: Any) -> Self:
+    def __pow__(self, exponent: ArrayLike) -> Self:
         if not isinstance(exponent, int | float):
             exponent = floats(exponent, "exponent", namespace(self._q, exponent))
         elif abs(exponent) == 1:  # nothing is rounded; the sign is that of all other powers
@@ -229,7 +248,7 @@ class Rotation(Conversions):
         q = self._q[(..., *(None,) * other.ndim, slice(None))]
         return self._of(quaternions.product(q, other._q))
 
-    def __eq__(self, other: object) -> Any:
+    def __eq__(self, other: object) -> Array:
         """Compare entry by entry, exactly: q and −q are the same rotation."""
         if not isinstance(other, Rotation):
             return NotImplemented
@@ -240,7 +259,7 @@ class Rotation(Conversions):
         xp = namespace(p, q)
         return xp.all(p == q, axis=-1) | xp.all(p == -q, axis=-1)
 
-    def __ne__(self, other: object) -> Any:
+    def __ne__(self, other: object) -> Array:
         """Compare entry by entry: the opposite of ``==``."""
         equal = self.__eq__(other)
         return equal if equal is NotImplemented else namespace(equal).logical_not(equal)
@@ -250,7 +269,7 @@ class Rotation(Conversions):
             raise TypeError("a batch of rotations is compared entry by entry and has no hash")
         return hash(tuple(float(c) for c in quaternions.canonical(self._q)))
 
-    def approx_equal(self, other: "Rotation", atol: float = 1e-8, degrees: bool = False) -> Any:
+    def approx_equal(self, other: "Rotation", atol: float = 1e-8, degrees: bool = False) -> Array:
         """Return where the angle from one rotation to the other is at most ``atol``.
 
         ``atol`` is in radians, or in degrees with ``degrees=True``.
@@ -260,7 +279,7 @@ class Rotation(Conversions):
 
     # Many of them
 
-    def mean(self, weights: Any = None, axis: Any = None) -> Self:
+    def mean(self, weights: ArrayLike | None = None, axis: Axes | None = None) -> Self:
         """Return the mean rotation, the one with the least sum of squared chordal distances.
 
         Parameters
@@ -280,7 +299,7 @@ class Rotation(Conversions):
 
         return self._alike(mean(self._double, weights, axis))
 
-    def median(self, weights: Any = None, axis: Any = None) -> Self:
+    def median(self, weights: ArrayLike | None = None, axis: Axes | None = None) -> Self:
         """Return the geodesic median, the rotation with the least sum of angles to these.
 
         A few wrong rotations among many do not move it far, as they move the mean. Where it is one of these
@@ -409,7 +428,7 @@ class Rotation(Conversions):
 
     # Pictures
 
-    def plot(self, ax: Any = None, points: Any = None) -> Any:
+    def plot(self, ax: Any = None, points: ArrayLike | None = None) -> Any:
         """Draw one rotation in space: its axis, its angle, and points before and after.
 
         Parameters
@@ -448,7 +467,7 @@ class Rotation(Conversions):
 
     # Points
 
-    def apply(self, points: Any, inverse: bool = False, out: Any = None) -> Array:
+    def apply(self, points: ArrayLike, inverse: bool = False, out: Array | None = None) -> Array:
         """Rotate points: ``R·v``.
 
         Parameters
@@ -495,13 +514,12 @@ class Rotation(Conversions):
         return self._applied(points, inverse, out)
 
     @quiet
-    def _applied(self, points: Any, inverse: bool, out: Any) -> Array:
+    def _applied(self, points: ArrayLike, inverse: bool, out: Array | None) -> Array:
         q = quaternions.inverse(self._double) if inverse else self._double
         xp = namespace(q, points)
         if not is_numpy(xp) and out is not None:
             raise ForeignArrayError("out is for numpy arrays; other libraries return new ones")
-        v = real(points, "points") if is_numpy(xp) else floats(points, "points", xp)
-        expect_last(v, (3,), "points")
+        v = points_of(points, xp)
         common_batch(points=tuple(v.shape[:-1]), rotations=self.shape)
         if is_numpy(xp):
             from rotation.fused import rotate_quat
@@ -513,9 +531,8 @@ class Rotation(Conversions):
         turned = xp.sum(to_matrix(q) * v[..., None, :], axis=-1)
         return xp.astype(turned, v.dtype)
 
-    def apply_outer(self, points: Any) -> Array:
+    def apply_outer(self, points: ArrayLike) -> Array:
         """Rotate every point by every rotation: the shape is ``self.shape + points.shape``."""
-        xp = namespace(self._q, points)
-        v = real(points, "points") if is_numpy(xp) else xp.asarray(points)
+        v = points_of(points, namespace(self._q, points))
         q = self._q[(..., *(None,) * (len(v.shape) - 1), slice(None))]
         return self._of(q).apply(v)

@@ -18,8 +18,9 @@ import numpy as np
 from hfield.compiling import machine_code
 from hfield.compiling.memory import POOLED_BYTES, block, in_one_piece
 from hfield.compiling.threads import in_pieces
+from rotation.array_types import NUMPY, Array, Namespace
 from rotation.immutable_arrays import ImmutableArray
-from rotation.namespaces import Array, quiet
+from rotation.namespaces import quiet
 from rotation.native import builtins, tensors
 from rotation.native.entry import MUCH
 from rotation.pool import threads
@@ -29,7 +30,7 @@ _WORTH = 750_000  # nanoseconds of work that pay for a thread; a row takes about
 _FLOAT32, FLOAT64 = np.dtype(np.float32), np.dtype(np.float64)
 _WORDS = {_FLOAT32: "float", FLOAT64: "double"}
 
-Kinds = tuple[np.dtype[Any], ...]
+Kinds = tuple[np.dtype[np.floating], ...]
 
 
 def compile_all() -> None:
@@ -79,7 +80,7 @@ class Formula:
         self,
         formula: Callable[..., Array],
         *shapes: tuple[int, ...],
-        parameters: tuple[Any, ...] = (),
+        parameters: tuple[object, ...] = (),
         single: tuple[int, ...] = (),
         kinds: Kinds | None = None,
     ) -> None:
@@ -115,11 +116,11 @@ class Formula:
         function = self._compiled()
         if function is unmade:
             return self._plainly(arrays), True
-        out = np.empty(batch + self._row, self._kind)
-        straight = self._straightened(arrays, batch)
-        if out.size > MUCH:
-            if out.nbytes >= POOLED_BYTES:
-                out = block(out.shape, self._kind.str)[0]
+        straight, shape = self._straightened(arrays, batch), batch + self._row
+        size = prod(shape)
+        pooled = size * self._kind.itemsize >= POOLED_BYTES
+        out = block(shape, self._kind.str)[0] if pooled else np.empty(shape, self._kind)
+        if size > MUCH and prod(batch) > self._shortest:
             flag = self._shared(function, straight, out)
         else:
             flag = function(out, *straight)
@@ -231,11 +232,11 @@ class Formula:
         return result.reshape(*batch, *result.shape[1:])
 
 
-def unmade(*_: Any) -> None:
+def unmade(*_: object) -> None:
     """Stand for machine code that is not there yet: nothing can be done by it."""
 
 
-def _size(kind: np.dtype[Any]) -> int:
+def _size(kind: np.dtype[np.floating]) -> int:
     return kind.itemsize
 
 
@@ -243,16 +244,19 @@ _made: list[Formula] = []
 
 
 def rarely(
-    xp: Any, condition: Array, compute: Callable[[], tuple[Array, ...]], usual: tuple[Array, ...]
+    xp: Namespace,
+    condition: Array,
+    compute: Callable[[], tuple[Array, ...]],
+    usual: tuple[Array, ...],
 ) -> tuple[Array, ...]:
     """Return ``compute()``, which is needed only where ``condition`` holds, or ``usual`` if nowhere."""
-    if xp is np:
+    if xp is NUMPY:
         return compute() if condition.any() else usual
     branch = getattr(xp, "rarely", None)
     return compute() if branch is None else branch(condition, compute, usual)
 
 
-def flag_if(xp: Any, condition: Array) -> None:
+def flag_if(xp: Namespace, condition: Array) -> None:
     """Make `Formula.with_flag` return True if the condition holds in a row; by numpy it always does."""
     if hasattr(xp, "flag_if"):
         xp.flag_if(condition)

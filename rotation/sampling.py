@@ -2,10 +2,10 @@
 
 import operator
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from rotation.array_types import Seed
 from rotation.arrays import Array
 from rotation.errors import RotationError
 
@@ -31,7 +31,7 @@ def as_shape(shape: int | Sequence[int] | None) -> tuple[int, ...]:
     return batch
 
 
-def generator(rng: Any, seed: Any) -> "np.random.Generator":
+def generator(rng: Seed | None, seed: Seed | None) -> "np.random.Generator":
     """Return the generator that one of the two stands for; raises RotationError where none can be."""
     if rng is not None and seed is not None:
         raise RotationError("rng and seed are two names of one thing; give one of them")

@@ -1,7 +1,6 @@
 """Swing and twist: a rotation as a turn about a given axis, followed by one about an axis across."""
 
-from typing import Any
-
+from rotation.array_types import ArrayLike
 from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
 from rotation.coordinates import join, split, unit
@@ -10,7 +9,7 @@ from rotation.rotation import Rotation
 
 
 @quiet
-def swing_twist(rotation: Rotation, axis: Any) -> tuple[Rotation, Rotation]:
+def swing_twist(rotation: Rotation, axis: ArrayLike) -> tuple[Rotation, Rotation]:
     """Return swing and twist: ``rotation == swing * twist``, the twist about ``axis``, the swing across.
 
     Parameters

@@ -11,6 +11,7 @@ from typing import Any, Self
 import numpy as np
 
 from rotation import hints, pytrees, sampling
+from rotation.array_types import Array, ArrayLike, Seed
 from rotation.arrays import common_batch
 from rotation.errors import DTypeError, RotationError
 from rotation.immutable_arrays import on_the_right
@@ -21,7 +22,6 @@ from rotation.jacobians import (
     left_jacobian,
 )
 from rotation.namespaces import (
-    Array,
     certainly,
     expect_numpy,
     floats,
@@ -70,7 +70,7 @@ class Uncertain:
     __slots__ = ("_covariance", "_mean")
     __array_ufunc__ = None
 
-    def __init__(self, mean: Motion, covariance: Any, side: str = "left") -> None:
+    def __init__(self, mean: Motion, covariance: ArrayLike, side: str = "left") -> None:
         if not isinstance(mean, Rotation | RigidTransform):
             raise DTypeError(hints.refusal(mean, "mean", "Rotation"))
         n = 3 if isinstance(mean, Rotation) else 6
@@ -126,7 +126,7 @@ class Uncertain:
     inv = inverse
 
     @quiet
-    def interpolate(self, other: Self, t: Any) -> Self:
+    def interpolate(self, other: Self, t: ArrayLike) -> Self:
         """Return the motion at ``t`` (…) on the way to an independent one; to first order in the deviations.
 
         The mean goes along one screw at constant rate, as by `sclerp`, for rotations by `slerp`.
@@ -140,12 +140,14 @@ class Uncertain:
         """
         _expect_uncertain(other)
         way = other._mean.minus(self._mean, "left")
-        plain = isinstance(t, int | float)
-        x: Any = number(t, "t") if plain else floats(t, "t", namespace(way, t))[..., None]
+        if isinstance(t, int | float):
+            x: Array = number(t, "t")
+        else:
+            x = floats(t, "t", namespace(way, t))[..., None]
         part = x * way
         mean = self._mean.plus(part, "left")
         xp = namespace(part)
-        s = x if plain else x[..., None]
+        s = x if isinstance(t, int | float) else x[..., None]
         onto = s * xp.matmul(left_jacobian(part), inverse_left_jacobian(way))
         back = s * xp.matmul(left_jacobian(part), inverse_right_jacobian(way))
         own = self._mean.exp(part).adjoint() - back
@@ -202,7 +204,11 @@ class Uncertain:
         return cls(best, _symmetric(xp.linalg.inv(information)))
 
     def sample(
-        self, shape: int | Sequence[int] | None = None, rng: Any = None, *, seed: Any = None
+        self,
+        shape: int | Sequence[int] | None = None,
+        rng: Seed | None = None,
+        *,
+        seed: Seed | None = None,
     ) -> Any:
         """Return motions drawn at random, of batch shape ``shape`` and then that of the mean.
 

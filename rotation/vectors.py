@@ -6,9 +6,9 @@ not overflow.
 
 import math
 from functools import reduce
-from typing import Any
 
 from rotation.angles import in_degrees, to_degrees, waves, waves_of_degrees
+from rotation.array_types import Array, ArrayLike, Namespace
 from rotation.arrays import common_batch
 from rotation.compensated import angle, norm, quotient, sine_and_cosine, times
 from rotation.coordinates import (
@@ -25,15 +25,7 @@ from rotation.coordinates import (
     sum_of_squares,
     unit,
 )
-from rotation.namespaces import (
-    Array,
-    expect_last,
-    finfo,
-    floats,
-    namespace,
-    quiet,
-    refuse_zeros,
-)
+from rotation.namespaces import expect_last, finfo, floats, namespace, quiet, refuse_zeros
 from rotation.native.pairs import Pair
 from rotation.optimum import is_differentiable
 from rotation.quaternions import multiplied, upright
@@ -46,7 +38,7 @@ SINE = (1.0 / 2.0, -1.0 / 48.0, 1.0 / 3840.0)
 ARCSINE = (2.0, 1.0 / 3.0, 3.0 / 20.0)
 
 
-def from_rotvec(vectors: Any, degrees: bool = False) -> Array:
+def from_rotvec(vectors: ArrayLike, degrees: bool = False) -> Array:
     """Return the unit quaternions of rotation vectors of shape (…, 3).
 
     The length is computed with twice the digits, for it is an angle: half an ulp of 1e9 is a
@@ -78,7 +70,7 @@ def _from_rotvec(v: Array, degrees: bool) -> Array:
     return join(xp, (xp.where(turning, w, xp.ones_like(f)) + spoilt, *u))
 
 
-def _exponential(xp: Any, v: Array) -> Array:
+def _exponential(xp: Namespace, v: Array) -> Array:
     """Without pairs, for libraries that take derivatives: the length is rounded, as its sine is.
 
     Near 0 series take over, which have all derivatives there. What a compiler is to compute once a row
@@ -99,7 +91,7 @@ def _exponential(xp: Any, v: Array) -> Array:
     return xp.concat([cosine[..., None], ratio[..., None] * v], axis=-1)
 
 
-def turn(xp: Any, sine: Pair, cosine: Pair, axis: Coordinates, n: Pair) -> Coordinates:
+def turn(xp: Namespace, sine: Pair, cosine: Pair, axis: Coordinates, n: Pair) -> Coordinates:
     """Return the coordinates ``cos, sin·a/n`` for an axis a of length n, each rounded nearly once."""
     ratio = quotient(xp, sine, n)
     return (cosine[0] + cosine[1], *(times(xp, ratio, a) for a in axis))
@@ -108,7 +100,7 @@ def turn(xp: Any, sine: Pair, cosine: Pair, axis: Coordinates, n: Pair) -> Coord
 _FROM_ROTVEC = [Formula(_from_rotvec, (3,), parameters=(degrees,)) for degrees in (False, True)]
 
 
-def _sine_and_cosine(xp: Any, angle: Pair) -> tuple[Pair, Pair]:
+def _sine_and_cosine(xp: Namespace, angle: Pair) -> tuple[Pair, Pair]:
     """As pairs in the first quadrant, beyond it rounded."""
     if hasattr(xp, "waves"):
         both: tuple[Pair, Pair] = xp.waves(*angle)
@@ -154,7 +146,7 @@ def _to_rotvec(q: Array, degrees: bool) -> Array:
     return join(xp, tuple(v))
 
 
-def _logarithm(xp: Any, w: Array, u: Coordinates) -> Array:
+def _logarithm(xp: Namespace, w: Array, u: Coordinates) -> Array:
     """The inverse of `_exponential`, likewise."""
     square = sum_of_squares(u)
     short = square < SHORT
@@ -168,7 +160,7 @@ _TO_ROTVEC = [Formula(_to_rotvec, (4,), parameters=(degrees,)) for degrees in (F
 
 
 @quiet
-def from_axis_angle(axis: Any, angle: Any, degrees: bool = False) -> Array:
+def from_axis_angle(axis: ArrayLike, angle: ArrayLike, degrees: bool = False) -> Array:
     """Return the unit quaternions of turns by ``angle`` (…) about ``axis`` (…, 3), of any length but 0.
 
     Raises
@@ -229,7 +221,7 @@ def _to_axis_angle(q: Array, degrees: bool) -> Array:
 _TO_AXIS_ANGLE = [Formula(_to_axis_angle, (4,), parameters=(degrees,)) for degrees in (False, True)]
 
 
-def from_mrp(parameters: Any) -> Array:
+def from_mrp(parameters: ArrayLike) -> Array:
     """Return the unit quaternions of modified Rodrigues parameters (…, 3): ``tan(angle/4)·axis``."""
     v = floats(parameters, "modified Rodrigues parameters")
     expect_last(v, (3,), "modified Rodrigues parameters")
@@ -270,7 +262,7 @@ _TO_MRP = Formula(_to_mrp, (4,))
 
 
 @quiet
-def between(source: Any, target: Any) -> Array:
+def between(source: ArrayLike, target: ArrayLike) -> Array:
     """Return the unit quaternions of the shortest turns that take directions ``source`` to ``target``.
 
     Opposite directions are half a turn apart about every perpendicular axis; taken is the one
@@ -317,7 +309,7 @@ def cross(a: Coordinates, b: Coordinates) -> Coordinates:
     return multiplied((0.0, *a), (0.0, *b))[1:]
 
 
-def _farthest_axis(xp: Any, a: Coordinates) -> Coordinates:
+def _farthest_axis(xp: Namespace, a: Coordinates) -> Coordinates:
     """The unit coordinate axis that makes the largest angle with ``a``; the first of equals."""
     x, y, z = (xp.abs(c) for c in a)
     one, zero = xp.ones_like(x), xp.zeros_like(x)

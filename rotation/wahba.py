@@ -4,15 +4,13 @@ G. Wahba, "A least squares estimate of satellite attitude", SIAM Review 7 (1965)
 singular value decomposition: W. Kabsch, Acta Cryst. A 32 (1976), F. L. Markley (1988).
 """
 
-from typing import Any
-
 import numpy as np
 
+from rotation.array_types import NUMPY, Array, ArrayLike, Namespace
 from rotation.coordinates import join, length, split
 from rotation.errors import RotationError
 from rotation.matrices import PROPER, from_matrix, largest, scaled, to_matrix
 from rotation.namespaces import (
-    Array,
     certainly,
     expect_last,
     floats,
@@ -28,28 +26,29 @@ from rotation.rowwise import Formula
 from rotation.vectors import between, from_axis_angle
 
 
-def checked(a: Any, b: Any, weights: Any) -> tuple[Array, Array, Array]:
+def checked(a: ArrayLike, b: ArrayLike, weights: ArrayLike | None) -> tuple[Array, Array, Array]:
     """Return two sets of vectors (…, N, 3) and their weights (…, N) as arrays that fit together."""
-    a, b = checked_vectors(a, b, weights)
-    return a, b, _weights(namespace(a), weights, a)
+    v, w = checked_vectors(a, b, weights)
+    return v, w, _weights(namespace(v), weights, v)
 
 
-def checked_vectors(a: Any, b: Any, weights: Any) -> tuple[Array, Array]:
+def checked_vectors(a: ArrayLike, b: ArrayLike, weights: ArrayLike | None) -> tuple[Array, Array]:
     """Return two sets of vectors (…, N, 3) as arrays that fit together, of the library of all three."""
     xp = namespace(a, b, weights)
-    a, b = (floats(v, "vectors", xp) for v in (a, b))
+    v: Array = floats(a, "vectors", xp)
+    w: Array = floats(b, "vectors", xp)
     if is_numpy(xp):  # the order of sums does not depend on that of memory
-        a, b = np.ascontiguousarray(a), np.ascontiguousarray(b)
-    for v in (a, b):
-        expect_last(v, (3,), "vectors")
-    if a.ndim == b.ndim == 1:
-        a, b = a[None, :], b[None, :]
-    if a.shape != b.shape or not a.shape[-2]:
+        v, w = np.ascontiguousarray(v), np.ascontiguousarray(w)
+    for vectors in (v, w):
+        expect_last(vectors, (3,), "vectors")
+    if v.ndim == w.ndim == 1:
+        v, w = v[None, :], w[None, :]
+    if v.shape != w.shape or not v.shape[-2]:
         raise RotationError(
-            f"vectors of shapes {tuple(a.shape)} and {tuple(b.shape)}: "
+            f"vectors of shapes {tuple(v.shape)} and {tuple(w.shape)}: "
             "as many of one kind as of the other are expected, and at least one pair"
         )
-    return a, b
+    return v, w
 
 
 def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
@@ -83,8 +82,8 @@ def certain(a: Array, b: Array, w: Array) -> tuple[Array, Array] | None:
     heaviest = weights.max(initial=0.0)
     q = first
     if heaviest > 0.0:
-        others, turned = scaled(np, a[rest]), scaled(np, b[rest]) @ to_matrix(first).T
-        axis = a[n] / float(length(np, split(a[n])))
+        others, turned = scaled(NUMPY, a[rest]), scaled(NUMPY, b[rest]) @ to_matrix(first).T
+        axis = a[n] / float(length(NUMPY, split(a[n])))
         share = weights / heaviest
         sine = np.sum(share * (others * np.cross(axis, turned)).sum(axis=-1))
         cosine = np.sum(
@@ -157,7 +156,7 @@ _LENGTH = Formula(lambda v: length(namespace(v), split(v)), (3,))
 _TIMES = Formula(lambda v, w: join(namespace(v), tuple(w[...] * c for c in split(v))), (3,), ())
 
 
-def _weights(xp: Any, weights: Any, vectors: Array) -> Array:
+def _weights(xp: Namespace, weights: ArrayLike | None, vectors: Array) -> Array:
     if weights is None:
         return xp.ones_like(vectors[..., 0])
     w = floats(weights, "weights", xp)
@@ -166,7 +165,7 @@ def _weights(xp: Any, weights: Any, vectors: Array) -> Array:
     return w
 
 
-def _best(xp: Any, a: Array, b: Array, w: Array | None) -> Array:
+def _best(xp: Namespace, a: Array, b: Array, w: Array | None) -> Array:
     # Only directions matter, and lengths relative to each other: nothing overflows when squared.
     a, b = a / largest(xp, a), b / largest(xp, b)
     if w is not None:

@@ -121,7 +121,7 @@ def benchmark(
     if isinstance(points, (int, np.integer)):
         number = _count(points, "points")
     else:
-        rows, _ = components(points, 3, "points", "aos")
+        rows = components(points, 3, "points", "aos")
         if rows.ndim != 2 or not len(rows):
             raise RotationError(
                 f"expected points of shape (n, 3), n at least 1, found {rows.shape}"

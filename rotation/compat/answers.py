@@ -5,11 +5,11 @@ Matrices that are no rotations, means and best fits that many rotations share, g
 
 import contextlib
 import warnings
-from typing import Any
 
 import numpy as np
 
 from rotation import groups
+from rotation.array_types import Array, ArrayLike
 from rotation.averaging import mean
 from rotation.compat import checks
 from rotation.errors import RotationError
@@ -19,7 +19,6 @@ from rotation.optimum import davenport
 from rotation.quaternions import canonical
 from rotation.wahba import checked, fitted, remaining, sensitivity
 
-Array = Any
 _POORLY = "Optimal rotation is not uniquely or poorly defined for the given sets of vectors."
 _TURNS = np.zeros((3, 3, 3))  # the sign of a permutation of the axes
 for _k in range(3):
@@ -86,7 +85,7 @@ def _scalars(p: Array, left: Array, right: Array) -> Array:
 
 
 def aligned(
-    a: Any, b: Any, weights: Any, with_sensitivity: bool
+    a: ArrayLike, b: ArrayLike, weights: ArrayLike | None, with_sensitivity: bool
 ) -> tuple[Array, Array, Array | None]:
     """Solve Wahba's problem as scipy asks it, for one set of vectors, in its words for what does not fit.
 

@@ -2,9 +2,9 @@
 
 from abc import abstractmethod
 from collections.abc import Iterator
-from typing import Any, ClassVar, Self
+from typing import ClassVar, Self
 
-Array = Any
+from rotation.array_types import Array
 
 
 class Assignable:
@@ -49,11 +49,11 @@ class Assignable:
             raise TypeError(f"Single {self._called} is not subscriptable.")
 
     @abstractmethod
-    def __getitem__(self, index: Any) -> Self:
+    def __getitem__(self, index: object) -> Self:
         """Return some of them."""
 
     def __iter__(self) -> Iterator[Self]:
         return (self[n] for n in range(len(self)))
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self)._of, (self._array.copy(),)

@@ -6,16 +6,15 @@ from typing import Any
 import numpy as np
 
 from rotation import hints
+from rotation.array_types import Array, ArrayLike, Axes
 from rotation.arrays import expect_unmasked
 from rotation.errors import DTypeError, RotationError
 from rotation.namespaces import expect_numpy, number
 from rotation.rigid import RigidTransform
 from rotation.rotation import Rotation
 
-Array = Any
 
-
-def doubles(value: Any, name: str) -> Array:
+def doubles(value: object, name: str) -> Array:
     """Return an array of float64, with numpy's own errors, but of no masked array."""
     expect_unmasked(value, name)
     return np.asarray(value, dtype=np.float64)
@@ -45,7 +44,7 @@ def matrices(value: Any) -> Array | None:
     return np.array(m)
 
 
-def motions(value: Any) -> Array | None:
+def motions(value: object) -> Array | None:
     """Return the matrices of transforms, and of rotations as transforms that do not shift; else None."""
     q = quaternions(value)
     if q is None:
@@ -71,7 +70,7 @@ def refuse_factor(value: object, other: object) -> None:
         )
 
 
-def numbers(value: Any, name: str, shape: str, last: tuple[int, ...]) -> Array:
+def numbers(value: object, name: str, shape: str, last: tuple[int, ...]) -> Array:
     """Return ``value`` as float64; its last axes have the lengths ``last``."""
     array = doubles(value, name)
     if array.ndim < len(last) or array.shape[array.ndim - len(last) :] != last:
@@ -87,7 +86,7 @@ def common(one: tuple[int, ...], other: tuple[int, ...], what: str = "Cannot bro
         raise RotationError(f"{what} in both rotations, got {one} and {other}.") from None
 
 
-def batch(num: int | None, shape: Any) -> tuple[int, ...]:
+def batch(num: int | None, shape: object) -> tuple[int, ...]:
     """Return the batch shape that scipy's ``num`` or ``shape`` stands for."""
     if num is not None and shape is not None:
         raise RotationError("Only one of `num` or `shape` can be given.")
@@ -99,7 +98,7 @@ def batch(num: int | None, shape: Any) -> tuple[int, ...]:
     return tuple(given)
 
 
-def weighted(weights: Any, shape: tuple[int, ...]) -> Array | None:
+def weighted(weights: ArrayLike | None, shape: tuple[int, ...]) -> Array | None:
     """Return weights that broadcast to ``shape`` and are not negative."""
     if weights is None:
         return None
@@ -118,7 +117,7 @@ def weighted(weights: Any, shape: tuple[int, ...]) -> Array | None:
     return w
 
 
-def averaged(axis: Any, ndim: int) -> tuple[int, ...]:
+def averaged(axis: Axes | None, ndim: int) -> tuple[int, ...]:
     """Return the axes to average over."""
     if axis is None:
         return tuple(range(ndim))

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from rotation.array_types import ArrayLike
 from rotation.compat import checks
 from rotation.compat.rotations import Rotation
 from rotation.curves import interpolation, spline
@@ -27,7 +28,7 @@ class Slerp:
     """The curve through keyframes that turns at constant rate between each two of them."""
 
     @quiet
-    def __init__(self, times: Any, rotations: Rotation) -> None:
+    def __init__(self, times: ArrayLike, rotations: Rotation) -> None:
         rotations = _keyframes(rotations, "`rotations` must be a `Rotation` instance.")
         t = checks.doubles(times, "times")
         if t.ndim != 1:
@@ -43,7 +44,7 @@ class Slerp:
             raise RotationError("Times must be in strictly increasing order.")
         self.times, self._curve = t, interpolation.Slerp(t, rotations._ours)
 
-    def __call__(self, times: Any) -> Rotation:
+    def __call__(self, times: ArrayLike) -> Rotation:
         """Return the rotations at ``times``."""
         t = checks.doubles(times, "times")
         if t.ndim > 1:
@@ -59,14 +60,14 @@ class Slerp:
 class RotationSpline:
     """The curve through keyframes with two continuous derivatives."""
 
-    def __init__(self, times: Any, rotations: Rotation) -> None:
+    def __init__(self, times: ArrayLike, rotations: Rotation) -> None:
         rotations = _keyframes(rotations, FEW)
         self.times = checks.doubles(times, "times")
         self.rotations = rotations
         self._curve = spline.RotationSpline(self.times, rotations._ours)
 
     @quiet
-    def __call__(self, times: Any, order: int = 0) -> Any:
+    def __call__(self, times: ArrayLike, order: int = 0) -> Any:
         """Return rotations, angular rates or angular accelerations at ``times``; outside, the ends go on."""
         if order not in (0, 1, 2):
             raise RotationError("`order` must be 0, 1 or 2.")

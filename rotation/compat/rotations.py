@@ -1,12 +1,14 @@
 """`Rotation` with the names, the conventions and the habits of scipy's."""
 
 import warnings
-from typing import Any, Self
+from collections.abc import Iterable, Sequence
+from typing import Any, Self, cast
 
 import numpy as np
 
 from rotation import davenport, quaternions
 from rotation import rotation as ours
+from rotation.array_types import Array, ArrayLike, Axes, Seed
 from rotation.compat import answers, checks
 from rotation.compat.assignable import Assignable
 from rotation.errors import RotationError
@@ -15,7 +17,6 @@ from rotation.matrices import from_matrix
 from rotation.namespaces import quiet
 from rotation.sampling import generator
 
-Array = Any
 _LOCKED = (
     "Gimbal lock detected. Setting third angle to zero since it is not possible to "
     "uniquely determine all angles."
@@ -37,7 +38,7 @@ class Rotation(Assignable):
     _axes, _called = 1, "rotation"
 
     def __init__(
-        self, quat: Any, normalize: bool = True, copy: bool = True, scalar_first: bool = False
+        self, quat: ArrayLike, normalize: bool = True, copy: bool = True, scalar_first: bool = False
     ) -> None:
         q = checks.numbers(quat, "quat", "(..., 4)", (4,))
         q = q if scalar_first else np.roll(q, 1, axis=-1)
@@ -63,13 +64,13 @@ class Rotation(Assignable):
     # Making
 
     @classmethod
-    def from_quat(cls, quat: Any, *, scalar_first: bool = False) -> Self:
+    def from_quat(cls, quat: ArrayLike, *, scalar_first: bool = False) -> Self:
         """Make rotations from quaternions, scalar last."""
         return cls(quat, scalar_first=scalar_first)
 
     @classmethod
     @quiet
-    def from_matrix(cls, matrix: Any, *, assume_valid: bool = False) -> Self:
+    def from_matrix(cls, matrix: ArrayLike, *, assume_valid: bool = False) -> Self:
         """Make rotations from matrices; what is not orthogonal is replaced by the nearest rotation."""
         m = checks.numbers(matrix, "matrix", "(..., 3, 3)", (3, 3))
         if assume_valid:
@@ -82,42 +83,52 @@ class Rotation(Assignable):
             return cls._of(from_matrix(m, orthonormalize=True))
 
     @classmethod
-    def from_rotvec(cls, rotvec: Any, degrees: bool = False) -> Self:
+    def from_rotvec(cls, rotvec: ArrayLike, degrees: bool = False) -> Self:
         """Make rotations from rotation vectors."""
         v = checks.numbers(rotvec, "rot_vec", "(..., 3)", (3,))
         return cls._of(ours.Rotation.from_rotvec(v, degrees)._q)
 
     @classmethod
-    def from_mrp(cls, mrp: Any) -> Self:
+    def from_mrp(cls, mrp: ArrayLike) -> Self:
         """Make rotations from modified Rodrigues parameters."""
         v = checks.numbers(mrp, "mrp", "(..., 3)", (3,))
         return cls._of(ours.Rotation.from_mrp(v)._q)
 
     @classmethod
-    def from_euler(cls, seq: str, angles: Any, degrees: bool = False) -> Self:
+    def from_euler(cls, seq: str, angles: ArrayLike, degrees: bool = False) -> Self:
         """Make rotations from Euler angles."""
         a = _angles(angles, len(sequence(seq).axes))
         return cls._of(ours.Rotation.from_euler(seq, a[None], degrees)._q[0])
 
     @classmethod
-    def from_davenport(cls, axes: Any, order: str, angles: Any, degrees: bool = False) -> Self:
+    def from_davenport(
+        cls, axes: ArrayLike, order: str, angles: ArrayLike, degrees: bool = False
+    ) -> Self:
         """Make rotations from angles about one to three axes."""
         e = _davenport_axes(axes, order)
         return cls._of(davenport.from_davenport(e, order, _angles(angles, e.shape[-2]), degrees))
 
     @staticmethod
-    def identity(num: int | None = None, *, shape: Any = None) -> "Rotation":
+    def identity(num: int | None = None, *, shape: int | Sequence[int] | None = None) -> "Rotation":
         """Return the identity, or a batch of it."""
         return Rotation._of(ours.Rotation.identity(checks.batch(num, shape))._q)
 
     @staticmethod
     def random(
-        num: int | None = None, rng: Any = None, *, shape: Any = None, random_state: Any = None
+        num: int | None = None,
+        rng: Seed | None = None,
+        *,
+        shape: int | Sequence[int] | None = None,
+        random_state: Seed | None = None,
     ) -> "Rotation":
         """Return rotations distributed uniformly; ``random_state`` is the older name of ``rng``."""
         size = checks.batch(num, shape)
         rng = random_state if rng is None else rng
-        legacy = rng if hasattr(rng, "random_sample") else generator(rng, None)
+        legacy = (
+            cast(np.random.RandomState, rng)
+            if hasattr(rng, "random_sample")
+            else generator(rng, None)
+        )
         sample = legacy.normal(size=(*size, 4))
         return Rotation.from_quat(sample)
 
@@ -169,7 +180,7 @@ class Rotation(Assignable):
         )
 
     def as_davenport(
-        self, axes: Any, order: str, degrees: bool = False, *, suppress_warnings: bool = False
+        self, axes: ArrayLike, order: str, degrees: bool = False, *, suppress_warnings: bool = False
     ) -> Array:
         """Return the angles about three axes; in gimbal lock the third is 0, with a warning."""
         unit = _davenport_axes(axes, order)
@@ -209,7 +220,7 @@ class Rotation(Assignable):
         """Return the inverse rotations."""
         return self._of(quaternions.inverse(self._q))
 
-    def apply(self, vectors: Any, inverse: bool = False) -> Array:
+    def apply(self, vectors: ArrayLike, inverse: bool = False) -> Array:
         """Rotate vectors."""
         v = checks.doubles(vectors, "vectors")
         if not v.ndim or v.shape[-1] != 3:
@@ -236,7 +247,7 @@ class Rotation(Assignable):
 
     # Many into one
 
-    def mean(self, weights: Any = None, axis: Any = None) -> Self:
+    def mean(self, weights: ArrayLike | None = None, axis: Axes | None = None) -> Self:
         """Return the mean rotation."""
         if not self._q.size:
             raise RotationError("Mean of an empty rotation set is undefined.")
@@ -264,14 +275,18 @@ class Rotation(Assignable):
 
     @classmethod
     def align_vectors(
-        cls, a: Any, b: Any, weights: Any = None, return_sensitivity: bool = False
+        cls,
+        a: ArrayLike,
+        b: ArrayLike,
+        weights: ArrayLike | None = None,
+        return_sensitivity: bool = False,
     ) -> Any:
         """Return the rotation that takes vectors b closest to vectors a."""
         q, rssd, sensitivity = answers.aligned(a, b, weights, return_sensitivity)
         return (cls._of(q), rssd, sensitivity) if return_sensitivity else (cls._of(q), rssd)
 
     @staticmethod
-    def concatenate(rotations: Any) -> "Rotation":
+    def concatenate(rotations: "Iterable[Rotation]") -> "Rotation":
         """Join rotations along their first axis."""
         members = [rotations] if checks.quaternions(rotations) is not None else list(rotations)
         words = "input must contain Rotation objects only"
@@ -284,14 +299,14 @@ class Rotation(Assignable):
     def _array(self) -> Array:
         return self._q
 
-    def __getitem__(self, index: Any) -> Self:
+    def __getitem__(self, index: object) -> Self:
         self._expect_many()
         index = index if isinstance(index, tuple) else (index,)
         if Ellipsis not in [i for i in index if i is Ellipsis]:
             index = (*index, Ellipsis)
         return self._of(np.array(self._q[(*index, slice(None))]))
 
-    def __setitem__(self, index: Any, value: Any) -> None:
+    def __setitem__(self, index: Any, value: object) -> None:
         self._expect_many()
         words = "value must be a Rotation object"
         self._q[index] = checks.expected(checks.quaternions(value), value, words)
@@ -301,7 +316,7 @@ class Rotation(Assignable):
         return f"Rotation.from_matrix({matrix})"
 
 
-def _angles(angles: Any, number: int) -> Array:
+def _angles(angles: ArrayLike, number: int) -> Array:
     """Return angles with the last axis of ``number``; about one axis also a number."""
     a = checks.doubles(angles, "angles")
     if number == 1 and a.ndim == 0:
@@ -314,7 +329,7 @@ def _angles(angles: Any, number: int) -> Array:
     return a
 
 
-def _davenport_axes(axes: Any, order: str) -> Array:
+def _davenport_axes(axes: ArrayLike, order: str) -> Array:
     if order not in ("e", "extrinsic", "i", "intrinsic"):
         raise RotationError("order should be 'e'/'extrinsic' or 'i'/'intrinsic'")
     try:

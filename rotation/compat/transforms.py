@@ -1,11 +1,13 @@
 """`RigidTransform` with the names, the conventions and the habits of scipy's: it holds matrices."""
 
+from collections.abc import Iterable, Sequence
 from typing import Any, Self
 
 import numpy as np
 
 from rotation import rigid
 from rotation import rotation as ours
+from rotation.array_types import Array, ArrayLike, Axes
 from rotation.averaging import mean_of_vectors
 from rotation.compat import answers, checks
 from rotation.compat.assignable import Assignable
@@ -13,15 +15,13 @@ from rotation.compat.rotations import Rotation
 from rotation.errors import RotationError
 from rotation.namespaces import quiet
 
-Array = Any
-
 
 class RigidTransform(Assignable):
     """One rigid motion or an array of them; items can be assigned."""
 
     _axes, _called = 2, "transform"
 
-    def __init__(self, matrix: Any, normalize: bool = True, copy: bool = True) -> None:
+    def __init__(self, matrix: ArrayLike, normalize: bool = True, copy: bool = True) -> None:
         m = checks.numbers(matrix, "matrix", "(..., 4, 4)", (4, 4))
         wrong = np.any(m[..., 3, :] != [0.0, 0.0, 0.0, 1.0], axis=-1)
         if np.any(wrong):
@@ -51,7 +51,7 @@ class RigidTransform(Assignable):
     # Making
 
     @classmethod
-    def from_matrix(cls, matrix: Any) -> Self:
+    def from_matrix(cls, matrix: ArrayLike) -> Self:
         """Make transforms from homogeneous matrices."""
         return cls(matrix)
 
@@ -63,24 +63,24 @@ class RigidTransform(Assignable):
         return cls._from_ours(rigid.RigidTransform.from_rotation(ours.Rotation._of(q.copy())))
 
     @classmethod
-    def from_translation(cls, translation: Any) -> Self:
+    def from_translation(cls, translation: ArrayLike) -> Self:
         """Make transforms that shift and do not turn."""
         t = checks.numbers(translation, "translation", "(..., 3)", (3,))
         return cls._from_ours(rigid.RigidTransform.from_translation(t))
 
     @classmethod
-    def from_components(cls, translation: Any, rotation: Rotation) -> Self:
+    def from_components(cls, translation: ArrayLike, rotation: Rotation) -> Self:
         """Make transforms that turn first, then shift."""
         return cls.from_translation(translation) * cls.from_rotation(rotation)
 
     @classmethod
-    def from_exp_coords(cls, exp_coords: Any) -> Self:
+    def from_exp_coords(cls, exp_coords: ArrayLike) -> Self:
         """Make transforms from exponential coordinates."""
         x = checks.numbers(exp_coords, "exp_coords", "(..., 6)", (6,))
         return cls._from_ours(rigid.RigidTransform.from_exp_coords(x))
 
     @classmethod
-    def from_dual_quat(cls, dual_quat: Any, *, scalar_first: bool = False) -> Self:
+    def from_dual_quat(cls, dual_quat: ArrayLike, *, scalar_first: bool = False) -> Self:
         """Make transforms from dual quaternions; one whose real part is zero turns nothing."""
         d = checks.numbers(dual_quat, "dual_quat", "(..., 8)", (8,)).copy()
         nothing = ~d[..., :4].any(axis=-1)
@@ -89,14 +89,16 @@ class RigidTransform(Assignable):
         return cls._from_ours(made)
 
     @staticmethod
-    def identity(num: int | None = None, *, shape: Any = None) -> "RigidTransform":
+    def identity(
+        num: int | None = None, *, shape: int | Sequence[int] | None = None
+    ) -> "RigidTransform":
         """Return the identity, or a batch of it."""
         if num is not None and shape is not None:
             raise RotationError("Only one of `num` and `shape` can be specified.")
         return RigidTransform._from_ours(rigid.RigidTransform.identity(checks.batch(num, shape)))
 
     @staticmethod
-    def concatenate(transforms: Any) -> "RigidTransform":
+    def concatenate(transforms: "Iterable[RigidTransform]") -> "RigidTransform":
         """Join transforms along their first axis."""
         members = [transforms] if checks.matrices(transforms) is not None else list(transforms)
         words = "input must contain RigidTransform objects only"
@@ -167,7 +169,7 @@ class RigidTransform(Assignable):
         return self._of(back)
 
     @quiet
-    def apply(self, vector: Any, inverse: bool = False) -> Array:
+    def apply(self, vector: ArrayLike, inverse: bool = False) -> Array:
         """Move vectors."""
         v = checks.doubles(vector, "vector")
         if not v.ndim or v.shape[-1] != 3:
@@ -176,16 +178,14 @@ class RigidTransform(Assignable):
         m = self.inv()._matrix if inverse else self._matrix
         return np.matmul(m[..., :3, :3], v[..., None])[..., 0] + m[..., :3, 3]
 
-    def mean(self, weights: Any = None, axis: Any = None) -> Self:
+    def mean(self, weights: ArrayLike | None = None, axis: Axes | None = None) -> Self:
         """Return the mean of the rotations with the mean of the translations."""
         if not self._matrix.size:
             raise RotationError("Mean of an empty rotation set is undefined.")
         axes = checks.averaged(axis, len(self.shape))
         w = checks.weighted(weights, self.shape)
-        if weights is not None and np.shape(weights) != self.shape:
-            raise RotationError(
-                f"Expected `weights` to have shape {self.shape}, got {np.shape(weights)}."
-            )
+        if w is not None and w.shape != self.shape:
+            raise RotationError(f"Expected `weights` to have shape {self.shape}, got {w.shape}.")
         turn = answers.averaged(self.rotation._q, w, axes)
         share = np.ones(self.shape) if w is None else np.broadcast_to(w, self.shape)
         shift = mean_of_vectors(self._matrix[..., :3, 3], share, axes)
@@ -201,7 +201,7 @@ class RigidTransform(Assignable):
         self._expect_many()
         return self._of(np.array(self._matrix[index]))
 
-    def __setitem__(self, index: Any, value: Any) -> None:
+    def __setitem__(self, index: Any, value: object) -> None:
         self._expect_many()
         words = "value must be a RigidTransform object"
         self._matrix[index] = checks.expected(checks.matrices(value), value, words)

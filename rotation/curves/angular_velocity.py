@@ -9,30 +9,22 @@ import math
 from collections.abc import Callable
 from functools import reduce
 from operator import mul
-from typing import Any
 
 from rotation import vectors
+from rotation.array_types import Array, ArrayLike
 from rotation.arrays import common_batch
 from rotation.batch import expect_rotations
 from rotation.curves.interpolation import picked
 from rotation.curves.magnus import GAUSS, by_gauss, refined
 from rotation.errors import RotationError
-from rotation.namespaces import (
-    Array,
-    certainly,
-    expect_last,
-    floats,
-    is_numpy,
-    namespace,
-    quiet,
-)
+from rotation.namespaces import certainly, expect_last, floats, is_numpy, namespace, quiet
 from rotation.products import check_frame, running_products
 from rotation.rotation import Rotation
 
 
 def integrate(
-    omega: Any | Callable[[float], Any],
-    times: Any,
+    omega: ArrayLike | Callable[[float], ArrayLike],
+    times: ArrayLike,
     initial: Rotation | None = None,
     frame: str = "body",
     tolerance: float | None = None,
@@ -110,7 +102,7 @@ _WINDOW = 5  # samples, whose polynomial is of the fourth degree
 
 
 @quiet
-def angular_velocity(rotations: Rotation, times: Any, frame: str = "body") -> Array:
+def angular_velocity(rotations: Rotation, times: ArrayLike, frame: str = "body") -> Array:
     """Return the angular velocities of a body whose attitudes at ``times`` are known.
 
     At each time it is the derivative of the polynomial through the rotation vectors to five near samples
@@ -184,7 +176,7 @@ def _steps(times: Array) -> Array:
     return times[1:] - times[:-1]
 
 
-def _values(omega: Any, times: Array, at: Array) -> Array:
+def _values(omega: ArrayLike | Callable[[float], ArrayLike], times: Array, at: Array) -> Array:
     """The angular velocities at points of which one lies in each interval, (n − 1, …, 3)."""
     xp = namespace(times)
     if callable(omega):

@@ -7,10 +7,11 @@ B-splines on Lie groups", CVPR 2020; after M.-J. Kim, M.-S. Kim and S. Y. Shin, 
 from typing import Any
 
 from rotation import hints, pytrees
+from rotation.array_types import Array, ArrayLike
 from rotation.curves.interpolation import picked, taken
 from rotation.errors import DTypeError, RotationError
 from rotation.jacobians import ad
-from rotation.namespaces import Array, certainly, floats, namespace, quiet
+from rotation.namespaces import certainly, floats, namespace, quiet
 from rotation.rigid import RigidTransform
 from rotation.rotation import Rotation
 
@@ -69,7 +70,7 @@ class BSpline:
         return self.start + (len(self.control) - 3) * self.step
 
     @quiet
-    def __call__(self, times: Any, order: int = 0) -> Any:
+    def __call__(self, times: ArrayLike, order: int = 0) -> Any:
         """Return the motions at times (…), or velocities (order 1) or accelerations (2) in the body's axes.
 
         Velocities (…, 3) are angular; of rigid motions (…, 6) they are twists, the angular velocity first,

@@ -5,26 +5,18 @@ fast animation", 1987. Slerp takes the shorter way: the sign of a quaternion nev
 """
 
 import math
-from typing import Any
 
 from rotation import pytrees, quaternions, vectors
+from rotation.array_types import Array, ArrayLike
 from rotation.batch import expect_rotations
 from rotation.errors import RotationError
-from rotation.namespaces import (
-    Array,
-    certainly,
-    copied,
-    floats,
-    is_numpy,
-    namespace,
-    number,
-    quiet,
-)
+from rotation.namespaces import certainly, copied, floats, is_numpy, namespace, number, quiet
 from rotation.pytrees import known
+from rotation.quaternions import SLERP
 from rotation.rotation import Rotation
 
 
-def slerp(p: Rotation, q: Rotation, t: Any) -> Rotation:
+def slerp(p: Rotation, q: Rotation, t: ArrayLike) -> Rotation:
     """Return the rotation at ``t`` on the way from ``p`` (t = 0) to ``q`` (t = 1) at constant rate.
 
     Parameters
@@ -43,8 +35,8 @@ def slerp(p: Rotation, q: Rotation, t: Any) -> Rotation:
     >>> slerp(p, q, [0.0, 0.5, 1.0]).as_euler("ZYX", degrees=True)[:, 0].round(12)
     array([ 0., 45., 90.])
     """
-    if type(t) is float and type(p) is type(q) is Rotation:
-        made: Rotation | None = quaternions.SLERP.function(Rotation, p._q, q._q, t)
+    if type(p) is type(q) is Rotation:
+        made: Rotation | None = SLERP.function(Rotation, p._q, q._q, t)
         if made is not None:
             return known(made)
     expect_rotations(p=p, q=q)
@@ -52,7 +44,7 @@ def slerp(p: Rotation, q: Rotation, t: Any) -> Rotation:
 
 
 @quiet
-def squad(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotation:
+def squad(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: ArrayLike) -> Rotation:
     """Return the point at ``t`` of the spherical cubic from ``p`` to ``q`` with inner points a, b.
 
     ``slerp(slerp(p, q, t), slerp(a, b, t), 2t(1 − t))``: at p it sets out towards a, at q it comes from
@@ -70,17 +62,18 @@ def squad(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotatio
     return _cubic(p, q, _nearer(a, p), _nearer(b, q), _parameter(t, p, q, a, b))
 
 
-def _parameter(t: Any, *rotations: Rotation) -> Any:
-    plain = isinstance(t, int | float)
-    return number(t, "t") if plain else floats(t, "t", namespace(t, *(r._q for r in rotations)))
+def _parameter(t: ArrayLike, *rotations: Rotation) -> Array | float:
+    if isinstance(t, int | float):
+        return number(t, "t")
+    return floats(t, "t", namespace(t, *(r._q for r in rotations)))
 
 
-def _cubic(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Any) -> Rotation:
+def _cubic(p: Rotation, q: Rotation, a: Rotation, b: Rotation, t: Array | float) -> Rotation:
     """The cubic of quaternions as they stand: a sign here would make a corner of the curve."""
     return _direct(_direct(p, q, t), _direct(a, b, t), 2.0 * t * (1.0 - t))
 
 
-def _direct(p: Rotation, q: Rotation, t: Any) -> Rotation:
+def _direct(p: Rotation, q: Rotation, t: Array | float) -> Rotation:
     """Slerp of the quaternions themselves, which turns by more than π where their product is negative."""
     return p * Rotation._of(quaternions.direct_power((p.inv() * q)._q, t))
 
@@ -115,12 +108,12 @@ class Slerp:
     array([ 0.,  0., 45.])
     """
 
-    def __init__(self, times: Any, rotations: Rotation) -> None:
+    def __init__(self, times: ArrayLike, rotations: Rotation) -> None:
         expect_rotations(rotations=rotations)
         self.times = _times(times, rotations)
         self.rotations = rotations
 
-    def __call__(self, times: Any) -> Rotation:
+    def __call__(self, times: ArrayLike) -> Rotation:
         """Return the rotations at ``times`` (…), within the range of the keyframes; NaN gives NaN.
 
         Raises
@@ -134,7 +127,7 @@ class Slerp:
             n, namespace(t).reshape(t, (*t.shape, *(1,) * (self.rotations.ndim - 1)))
         )
 
-    def _within(self, times: Any) -> Array:
+    def _within(self, times: ArrayLike) -> Array:
         """Return times (…) as an array; `RotationError` if one is outside the range of the keyframes."""
         xp = namespace(times, self.times)
         x = floats(times, "times", xp)
@@ -201,7 +194,7 @@ class Squad(Slerp):
     array([ 0.,  0., 45.])
     """
 
-    def __init__(self, times: Any, rotations: Rotation) -> None:
+    def __init__(self, times: ArrayLike, rotations: Rotation) -> None:
         super().__init__(times, rotations)
         steps = (rotations[:-1].inv() * rotations[1:])._q
         keys = self.rotations = _continuous(rotations, steps)
@@ -252,7 +245,7 @@ def _turn(rotvec: Array) -> Rotation:
 
 
 @quiet
-def _times(times: Any, rotations: Rotation) -> Array:
+def _times(times: ArrayLike, rotations: Rotation) -> Array:
     xp = namespace(times, rotations._q)
     x = copied(floats(times, "times", xp))
     if rotations.single or len(rotations) < 2 or tuple(x.shape) != rotations.shape[:1]:

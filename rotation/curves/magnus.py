@@ -9,9 +9,10 @@ from collections.abc import Callable
 
 import numpy as np
 
+from rotation.array_types import Array
 from rotation.coordinates import join, length, split
 from rotation.errors import RotationError
-from rotation.namespaces import Array, namespace, quiet
+from rotation.namespaces import namespace, quiet
 from rotation.vectors import cross
 
 GAUSS = (0.5 - math.sqrt(3.0) / 6.0, 0.5 + math.sqrt(3.0) / 6.0)

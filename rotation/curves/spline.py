@@ -15,12 +15,13 @@ from typing import Any
 
 from rotation import pytrees
 from rotation.angles import waves
+from rotation.array_types import Array, ArrayLike, Namespace
 from rotation.batch import expect_rotations
 from rotation.coordinates import Coordinates, join, polynomial, split, sum_of_squares
 from rotation.curves.interpolation import Slerp, interval, picked, ratios, taken
 from rotation.errors import RotationError
 from rotation.jacobians import inverse_left_jacobian, left_jacobian
-from rotation.namespaces import Array, floats, namespace, quiet
+from rotation.namespaces import floats, namespace, quiet
 from rotation.rigid_motions import INVERSE_JACOBIAN_TIMES, JACOBIAN_TIMES, cross, jacobian_times
 from rotation.rotation import Rotation
 from rotation.rowwise import Formula
@@ -53,7 +54,7 @@ class RotationSpline:
     array([ 0.,  0., 90.])
     """
 
-    def __init__(self, times: Any, rotations: Rotation) -> None:
+    def __init__(self, times: ArrayLike, rotations: Rotation) -> None:
         expect_rotations(rotations=rotations)
         if rotations.ndim != 1:
             raise RotationError("a spline goes through a list of rotations, of shape (n,)")
@@ -66,7 +67,7 @@ class RotationSpline:
         parts = (steps, *self._solved(steps), t[:-1, ...], t[1:, ...] - t[:-1, ...])
         self._pieces = namespace(steps).concat(parts, axis=-1)
 
-    def __call__(self, times: Any, order: int = 0) -> Any:
+    def __call__(self, times: ArrayLike, order: int = 0) -> Any:
         """Return rotations (order 0), rates (1) or accelerations (2), (…, 3), in the axes of the body.
 
         Raises
@@ -77,7 +78,7 @@ class RotationSpline:
         return self.extended(self._keys._within(times), order)
 
     @quiet
-    def extended(self, times: Any, order: int = 0) -> Any:
+    def extended(self, times: ArrayLike, order: int = 0) -> Any:
         """Return the same; before the first and after the last keyframe their cubics go on."""
         if order not in (0, 1, 2):
             raise RotationError(f"order {order!r}: 0, 1 or 2 is expected")
@@ -210,7 +211,7 @@ def _tridiagonal(before: Array, own: Array, after: Array, right: Array) -> Array
     return xp.concat([xp.reshape(pairs, (2 * odd.shape[0], 3)), last])
 
 
-def _placed(xp: Any, n: int, k: int, blocks: Array) -> Array:
+def _placed(xp: Namespace, n: int, k: int, blocks: Array) -> Array:
     """Return the matrix (n, 3, n, 3) that has blocks along the diagonal k above the main one."""
     ones = xp.eye(blocks.shape[0], n, k=max(k, 0), dtype=blocks.dtype)
     rows = blocks[:, :, None, :] * ones[:, None, :, None]
@@ -244,7 +245,7 @@ def _change(theta: Array, rate: Array) -> Array:
     return join(namespace(theta), _changed(namespace(theta), split(theta), split(rate)))
 
 
-def _changed(xp: Any, u: Coordinates, v: Coordinates) -> Coordinates:
+def _changed(xp: Namespace, u: Coordinates, v: Coordinates) -> Coordinates:
     """The derivative of ``J(−θ)·θ̇`` along θ̇, θ̇ fixed, by its series or in closed form."""
     t = sum_of_squares(u)
     wide = t > 0.25

@@ -7,10 +7,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from hfield.plotting import import_matplotlib
 from rotation.angles import to_degrees
+from rotation.array_types import NUMPY
 from rotation.errors import DTypeError
 
 if TYPE_CHECKING:
@@ -76,7 +75,7 @@ def ink_of(ax: Axes) -> Any:
 
 def angle_text(angle: Any, degrees: bool = False) -> str:
     """Return an angle as ``30°``, to four figures."""
-    return f"{float(angle if degrees else to_degrees(np, angle)):.4g}°".replace("-", "−")
+    return f"{float(angle if degrees else to_degrees(NUMPY, angle)):.4g}°".replace("-", "−")
 
 
 def two_colours() -> tuple[Colour, Colour]:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Floats = NDArray[np.floating[Any]]
+Floats = NDArray[np.floating]
 
 
 def draw_plane(
@@ -69,7 +69,7 @@ def draw_plane(
     ['points', 'turned by 30°']
     """
     expect_axes(ax, "rectilinear")
-    corners, _ = components(points, 2, "points", "aos")
+    corners = components(points, 2, "points", "aos")
     angles = real(angle, "angle").astype(np.float64)
     if corners.ndim != 2 or not len(corners):
         raise RotationError(f"expected points of shape (n, 2), n at least 1, found {corners.shape}")

@@ -24,7 +24,7 @@ from rotation.vectors import from_axis_angle, to_axis_angle
 if TYPE_CHECKING:
     from mpl_toolkits.mplot3d.axes3d import Axes3D
 
-Floats = NDArray[np.floating[Any]]
+Floats = NDArray[np.floating]
 MAX_ARCS = 24  # points whose paths are drawn
 FRAME = np.eye(3)
 LETTERS = "xyz"
@@ -57,7 +57,7 @@ def plot_rotation(q: Any, ax: Axes3D | None, points: Any) -> Axes3D:
 
 
 def _checked(points: Any) -> Floats:
-    rows, _ = components(points, 3, "points", "aos")
+    rows = components(points, 3, "points", "aos")
     if rows.ndim != 2 or not len(rows):
         raise RotationError(f"expected points of shape (n, 3), n at least 1, found {rows.shape}")
     refuse_rows(~np.isfinite(rows).all(axis=1), "the point", "is not finite")

@@ -8,16 +8,16 @@ second, for the way its arrays lie in memory, when first asked for.
 
 import ctypes
 from functools import cache
-from typing import Any
 
 import numpy as np
 
 from hfield.compiling import machine_code
-from hfield.compiling.memory import in_one_piece
+from hfield.compiling.memory import address, in_one_piece
 from hfield.compiling.threads import share
 from rotation.arrays import Array
 from rotation.kernels import twins
-from rotation.kernels.strides import parameters, plan
+from rotation.kernels.strides import walk
+from rotation.kernels.twins import Name
 from rotation.native import builtins
 from rotation.native.strided_loop import Operand, Way, strided_loop
 from rotation.pool import threads
@@ -37,21 +37,18 @@ _announce = machine_code.Announcer(
 
 def one(points: Array, matrix: Array, out: Array) -> None:
     """Rotate all points by one matrix ``(3, 3)``."""
-    entries = matrix.astype(points.dtype).reshape(9)
-    _run(("one",), LIGHT, (points, entries), out)
+    _run(("one",), LIGHT, points, matrix.astype(points.dtype).reshape(9), out=out)
 
 
 def axis_angle(points: Array, axis: Array, angle: Array, out: Array, degrees: bool = False) -> bool:
     """Rotate points about their own axes by their own angles; tell whether an axis was zero."""
-    axis, angle = parameters(points, axis, angle)
-    single = out.dtype == np.float32
-    return _run(("axis_angle", degrees, single), HEAVY, (points, axis, angle[..., None]), out)
+    name = ("axis_angle", degrees, out.dtype == np.float32)
+    return _run(name, HEAVY, points, axis, angle[..., None], out=out)
 
 
 def quaternions(points: Array, q: Array, out: Array) -> bool:
     """Rotate points by their own quaternions of any length; tell whether one was zero."""
-    single = out.dtype == np.float32
-    return _run(("quaternions", single), HEAVY, (points, *parameters(points, q)), out)
+    return _run(("quaternions", out.dtype == np.float32), HEAVY, points, q, out=out)
 
 
 def euler(
@@ -66,12 +63,12 @@ def euler(
 
     The first axis takes the last of the angles if ``backward``, else the first.
     """
-    _run(("euler", axes, backward, degrees), HEAVY, (points, *parameters(points, angles)), out)
+    _run(("euler", axes, backward, degrees), HEAVY, points, angles, out=out)
 
 
 def contains_zero(array: Array) -> bool:
     """Tell whether a row has all its components zero."""
-    return _run(("contains_zero",), LIGHT, (array,), None)
+    return _run(("contains_zero",), LIGHT, array)
 
 
 def cumulative(q: Array) -> Array:
@@ -85,36 +82,42 @@ def cumulative(q: Array) -> Array:
     return chains.cumulative(np.ascontiguousarray(q, np.float64))
 
 
-def _run(name: tuple[Any, ...], grain: int, read: tuple[Array, ...], out: Array | None) -> bool:
-    operands = read if out is None else (*read, out)
-    batch = operands[-1].shape[:-1]
-    if operands[-1].size == 0:
+def _run(
+    name: Name, grain: int, points: Array, *parameters: Array, out: Array | None = None
+) -> bool:
+    """Run a kernel on points and parameters of one type: float64 if one of them is, or the points are."""
+    target = points if out is None else out
+    batch = target.shape[:-1]
+    if target.size == 0:
         return False
-    made = plan(batch, operands) or plan(
-        batch, tuple(in_one_piece(a, (*batch, a.shape[-1])) for a in operands)
-    )
-    if made is None:
+    kind = np.result_type(points, *parameters)
+    parameters = tuple(a.astype(kind, copy=False) for a in parameters)
+    arrays = (points, *parameters) if out is None else (points, *parameters, out)
+    way = None
+    if all(a.flags.aligned for a in arrays):
+        way = walk(batch, tuple((a.shape, a.strides) for a in arrays))
+    if way is None:
+        arrays = tuple(in_one_piece(a, (*batch, a.shape[-1])) for a in arrays)
+        way = walk(batch, tuple((a.shape, a.strides) for a in arrays))
+    if way is None:
         raise AssertionError("arrays in one piece have constant strides")
-    kinds = tuple(
-        (a.shape[-1], a.dtype.char, s[0], s[2])
-        for a, s in zip(made.operands, made.strides, strict=True)
-    )
-    kernel = _kernel(name, kinds, out is not None)
+    table, kinds = [way.outer, way.inner], list[Kind]()
+    for a, strides in zip(arrays, way.strides, strict=True):
+        table += (address(a), *strides)
+        kinds.append((a.shape[-1], a.dtype.char, strides[0], strides[2]))
+    kernel = _kernel(name, tuple(kinds), out is not None)
     if kernel is None:
-        return twins.run(name, read, out)
-    table = (ctypes.c_int64 * (2 + 4 * len(operands)))(made.outer, made.inner, *made.table)
-    pieces = made.outer * made.inner // grain + 1
-    alive = (made.operands, table)
-    answer = share(kernel, pieces, alive, ctypes.addressof(table))
-    if out is not None and made.operands[-1] is not out:
-        out[...] = made.operands[-1]
+        return twins.run(name, (points, *parameters), out)
+    words = (ctypes.c_int64 * len(table))(*table)
+    pieces = way.outer * way.inner // grain + 1
+    answer = share(kernel, pieces, (arrays, words), ctypes.addressof(words))
+    if out is not None and arrays[-1] is not out:
+        out[...] = arrays[-1]
     return answer
 
 
 @cache
-def _kernel(
-    name: tuple[Any, ...], kinds: tuple[Kind, ...], writes: bool
-) -> machine_code.Function | None:
+def _kernel(name: Name, kinds: tuple[Kind, ...], writes: bool) -> machine_code.Function | None:
     """Return the loop of a kernel, or None where there can be no machine code.
 
     ``kinds`` are, operand by operand, how many components there are, numpy's letter for their type, and
@@ -129,9 +132,7 @@ def _kernel(
 
 
 @cache
-def _loop(
-    name: tuple[Any, ...], operands: tuple[Operand, ...], writes: bool
-) -> machine_code.Function:
+def _loop(name: Name, operands: tuple[Operand, ...], writes: bool) -> machine_code.Function:
     with machine_code.lock:
         from rotation.kernels import formulas
 

@@ -55,7 +55,7 @@ def _entry() -> Program:
         factor = tuple(Lanes(program, x) for x in numbers)
         parts = iter(Lanes(program, x) for x in running)
         w, x, y, z = zip(parts, parts, strict=True)
-        a, b, c, d = _normalised(tuple((f, f * 0.0) for f in middling(tracing, factor)))
+        a, b, c, d = _normalised(tuple((f, f * 0.0) for f in middling(tracing.NAMESPACE, factor)))
         product = _normalised(
             (
                 _sum(
@@ -87,7 +87,7 @@ def _sum(a: Pair, b: Pair, *more: Pair) -> Pair:
 
 
 def _product(a: Pair, b: Pair) -> Pair:
-    p, e = two_product(tracing, a[0], b[0])
+    p, e = two_product(tracing.NAMESPACE, a[0], b[0])
     return _settled(p, e + (a[0] * b[1] + a[1] * b[0]))
 
 

@@ -5,19 +5,20 @@ coordinate might leave the range of floats. The careful form is that of few poin
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from rotation import action
 from rotation.angles import RADIANS
+from rotation.array_types import Array
 from rotation.compensated import norm
 from rotation.coordinates import Coordinates, split, sum_of_squares
 from rotation.matrices import matrix_entries
 from rotation.native import elementary, tracing
 from rotation.native.elementary import COSINE, REACH, SINE, TWO_OVER_PI
-from rotation.native.pairs import plus_product, quick_two_sum, two_product, two_sum
-from rotation.native.symbols import Rows
+from rotation.native.pairs import Pair, plus_product, quick_two_sum, two_product, two_sum
+from rotation.native.symbols import Condition, Lanes, Rows
 from rotation.quaternions import normalise
 from rotation.vectors import about_axis, turn
 
@@ -35,19 +36,23 @@ P3 = float.fromhex("0x1.8469898cc517p-48")
 HALF_ROOT = math.sqrt(0.5)
 
 
+Image = tuple[Coordinates, Condition | None]  # new coordinates, and where they are right
+Matrix = Sequence[Sequence[Array]]
+
+
 class Kernel(NamedTuple):
     """A formula in its two forms."""
 
-    fast: Callable[..., Any]
-    careful: Callable[..., Any] | None = None
+    fast: Callable[..., Image]
+    careful: Callable[..., Coordinates] | None = None
 
 
-def _safe(square: Any) -> Any:
+def _safe(square: Lanes) -> Condition:
     """Tell whether a squared length can be used as it is; NaN cannot."""
     return (square >= SMALL) & (square <= LARGE)
 
 
-def _measured(point: Coordinates) -> Any:
+def _measured(point: Coordinates) -> tuple[Lanes, Condition]:
     """Return what to add to a result, −0 or NaN if a coordinate is not finite, and whether that is safe.
 
     It is not for points too large or small for a product with a squared length. Adding −0 changes no sum.
@@ -62,22 +67,22 @@ def _round_all(rows: Rows) -> None:
     rows[...].program.flags = ""
 
 
-def _plus(c: Any, a: Any, b: Any) -> Any:
-    return plus_product(tracing, c, a, b)
+def _plus(c: Array, a: Array, b: Array) -> Array:
+    return plus_product(tracing.NAMESPACE, c, a, b)
 
 
-def _reachable(x: Any) -> Any:
+def _reachable(x: Lanes) -> Condition:
     """Tell whether the fast way reaches ``x``; NaN and inf are not reachable."""
     return tracing.abs(x) <= REACH
 
 
-def _sincos(x: Any, degrees: bool) -> Any:
+def _sincos(x: Lanes, degrees: bool) -> Pair:
     """Return sine and cosine of reachable lanes ``x``."""
     k = x * (1.0 / 90.0 if degrees else TWO_OVER_PI) + tracing.ROUND
     n = k - tracing.ROUND  # quarters of a turn
     if degrees:
         rest = x - n * 90.0
-        r = plus_product(tracing, rest * RADIANS[1], rest, RADIANS[0])
+        r = plus_product(tracing.NAMESPACE, rest * RADIANS[1], rest, RADIANS[0])
     else:
         r = ((x - n * P1) - n * P2) - n * P3
     s, c = _sincos_of_eighth(r)
@@ -91,14 +96,14 @@ def _sincos(x: Any, degrees: bool) -> Any:
     return tracing.where(beyond, -a, a), tracing.where(beyond, -b, b)
 
 
-def _sincos_of_eighth(r: Any) -> Any:
+def _sincos_of_eighth(r: Lanes) -> Pair:
     """Return sine and cosine of an angle of at most π/4."""
     z = r * r
     sine, cosine = (_polynomial(table, z) for table in (SINE, COSINE))
     return _plus(r, r * z, sine), _plus(1.0, -z, _plus(0.5, -z, cosine))
 
 
-def _polynomial(coefficients: tuple[float, ...], z: Any) -> Any:
+def _polynomial(coefficients: tuple[float, ...], z: Array) -> Array:
     """Return ``Σ coefficients[k]·zᵏ`` by Horner's scheme."""
     *others, total = coefficients
     for c in reversed(others):
@@ -106,14 +111,14 @@ def _polynomial(coefficients: tuple[float, ...], z: Any) -> Any:
     return total
 
 
-def _one(points: Rows, matrix: Rows) -> Any:
+def _one(points: Rows, matrix: Rows) -> Image:
     """Rotate by one matrix, in the precision of the points."""
     entries, (x, y, z) = split(matrix), split(points)
     poison = -((x - x) + ((y - y) + (z - z)))  # NaN or −0
     return action.by_rows((entries[:3], entries[3:6], entries[6:]), (x, y, z), poison), None
 
 
-def _axis_angle(degrees: bool, single: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
+def _axis_angle(degrees: bool, single: bool, points: Rows, axis: Rows, angle: Rows) -> Image:
     """Return points turned about axes of any safe length."""
     if not single and not hasattr(tracing, "fma"):
         return _axis_angle_by_quaternion(degrees, points, axis, angle)
@@ -127,7 +132,7 @@ def _axis_angle(degrees: bool, single: bool, points: Rows, axis: Rows, angle: Ro
     return action.by_rows(m, point, poison), fine & _reachable(t) & _safe(square)
 
 
-def matrix_about(axis: Coordinates, sine: Any, cosine: Any, single: bool = False) -> Any:
+def matrix_about(axis: Coordinates, sine: Array, cosine: Array, single: bool = False) -> Matrix:
     """Return the matrices c + t·u·uᵀ + s·[u] of turns about axes u, t = 1 − c.
 
     How far the length of u is from 1 by rounding is measured and taken off, but for single precision.
@@ -144,13 +149,13 @@ def matrix_about(axis: Coordinates, sine: Any, cosine: Any, single: bool = False
     return _entries(diagonal, tu, axis, tuple(sine * c for c in axis))
 
 
-def _excess(axis: Coordinates) -> Any:
+def _excess(axis: Coordinates) -> Array:
     """Return N(u) − 1, which is small; from −½ and −½ on, since small numbers are rounded by little."""
     x, y, z = axis
     return _plus(_plus(_plus(-0.5, x, x), y, y) - 0.5, z, z)
 
 
-def _entries(diagonal: Coordinates, tu: Coordinates, u: Coordinates, su: Coordinates) -> Any:
+def _entries(diagonal: Coordinates, tu: Coordinates, u: Coordinates, su: Coordinates) -> Matrix:
     """Return the rows of a matrix: those products t·u·uᵀ, and ±s·u, beside the diagonal."""
     (tx, ty, _), (_, y, z), (sx, sy, sz) = tu, u, su
     return (
@@ -160,43 +165,45 @@ def _entries(diagonal: Coordinates, tu: Coordinates, u: Coordinates, su: Coordin
     )
 
 
-def _axis_angle_by_quaternion(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Any:
+def _axis_angle_by_quaternion(degrees: bool, points: Rows, axis: Rows, angle: Rows) -> Image:
     """Return the same by quaternions, whose coordinates are rounded once, without fused multiply-add."""
     a, point, half = split(axis), split(points), 0.5 * angle[...]
     poison, fine = _measured(point)
     _round_all(points)
-    sine, cosine, near = _waves_of_degrees(half) if degrees else elementary.near(tracing, half)
-    q = turn(tracing, sine, cosine, a, norm(tracing, a))
+    sine, cosine, near = (
+        _waves_of_degrees(half) if degrees else elementary.near(tracing.NAMESPACE, half)
+    )
+    q = turn(tracing.NAMESPACE, sine, cosine, a, norm(tracing.NAMESPACE, a))
     image = action.by_rows(matrix_entries(q), point, poison)
     return image, fine & near & _safe(sum_of_squares(a))
 
 
-def _waves_of_degrees(x: Any) -> Any:
+def _waves_of_degrees(x: Lanes) -> tuple[Pair, Pair, Condition]:
     """Return sine and cosine of reachable degrees as pairs, and where they are reachable."""
     k = x * (1.0 / 90.0) + tracing.ROUND
     r = x - (k - tracing.ROUND) * 90.0
-    p, e = two_product(tracing, r, RADIANS[0])
-    pairs = elementary.of_rest(tracing, k, *two_sum(p, plus_product(tracing, e, r, RADIANS[1])))
+    p, e = two_product(tracing.NAMESPACE, r, RADIANS[0])
+    rest = two_sum(p, plus_product(tracing.NAMESPACE, e, r, RADIANS[1]))
     eighth = tracing.abs(r) == 45.0
-    exact = (
+    sine, cosine = (
         (
             tracing.where(eighth, tracing.copysign(HALF_ROOT, high), high),
             tracing.where(eighth, 0.0 * low, low),
         )
-        for high, low in pairs
+        for high, low in elementary.of_rest(tracing.NAMESPACE, k, *rest)
     )
-    return *exact, _reachable(x)
+    return sine, cosine, _reachable(x)
 
 
 def _axis_angle_carefully(
     degrees: bool, single: bool, points: Rows, axis: Rows, angle: Rows
-) -> Any:
+) -> Coordinates:
     a = split(axis)
     tracing.flag_if(tracing.all([c == 0.0 for c in a]))
     return action.turned_by(about_axis(a, angle[...], degrees), split(points), False)
 
 
-def _quaternions(single: bool, points: Rows, q: Rows) -> Any:
+def _quaternions(single: bool, points: Rows, q: Rows) -> Image:
     """Return the points after the rotation by quaternions of any safe length, by their matrices."""
     c, point = split(q), split(points)
     poison, fine = _measured(point)
@@ -210,7 +217,7 @@ def _quaternions(single: bool, points: Rows, q: Rows) -> Any:
     return action.by_rows(m, point, poison), fine & _safe(square)
 
 
-def matrix_of(q: Coordinates, single: bool = False) -> Any:
+def matrix_of(q: Coordinates, single: bool = False) -> tuple[Matrix, Array]:
     """Return the matrices 1 + t·(w·[u] + [u]²) of quaternions (w, u) of any length, t = 2/N(q), and N(q)."""
     w, *u = q
     square, t, low = _twice_inverse_norm(q)
@@ -221,10 +228,10 @@ def matrix_of(q: Coordinates, single: bool = False) -> Any:
     return _entries(diagonal, tu, tuple(u), tuple(c * w for c in tu)), square
 
 
-def _twice_inverse_norm(q: Coordinates) -> Any:
+def _twice_inverse_norm(q: Coordinates) -> tuple[Array, Array, Array]:
     """Return N(q), t = 2/N(q), both rounded, and what to add to t for what was cut off from both."""
     w, x, y, z = q
-    square, low = two_product(tracing, z, z)
+    square, low = two_product(tracing.NAMESPACE, z, z)
     for c in (y, x, w):
         total = _plus(square, c, c)
         low = _plus(square - total, c, c) + low
@@ -233,11 +240,13 @@ def _twice_inverse_norm(q: Coordinates) -> Any:
     return square, t, (-0.5 * t) * _plus(_plus(-2.0, t, square), low, t)
 
 
-def _quaternions_carefully(single: bool, points: Rows, q: Rows) -> Any:
+def _quaternions_carefully(single: bool, points: Rows, q: Rows) -> Coordinates:
     return action.turned_by(tuple(normalise(q)), split(points), False)
 
 
-def _euler(axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, angles: Rows) -> Any:
+def _euler(
+    axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, angles: Rows
+) -> Image:
     """Rotate about coordinate axes one after the other."""
     turns = split(angles)
     poison, fine = _measured(split(points))
@@ -250,15 +259,16 @@ def _euler(axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, a
 
 def _euler_carefully(
     axes: tuple[int, ...], backward: bool, degrees: bool, points: Rows, angles: Rows
-) -> Any:
-    return action.by_angles(angles, points, axes, backward, degrees)
+) -> Coordinates:
+    image: Coordinates = action.by_angles(angles, points, axes, backward, degrees)
+    return image
 
 
-def _contains_zero(rows: Rows) -> Any:
+def _contains_zero(rows: Rows) -> Image:
     return (), _safe(sum_of_squares(split(rows)))
 
 
-def _contains_zero_carefully(rows: Rows) -> Any:
+def _contains_zero_carefully(rows: Rows) -> Coordinates:
     zero, *others = (c == 0.0 for c in split(rows))
     for other in others:
         zero = zero & other
@@ -275,7 +285,7 @@ _KERNELS = {
 }
 
 
-def kernel(name: str, *parameters: Any) -> Kernel:
+def kernel(name: str, *parameters: bool | tuple[int, ...]) -> Kernel:
     """Return a kernel by its name and its parameters.
 
     "axis_angle" takes whether angles are in degrees and whether the result is float32, "quaternions" only the

@@ -3,13 +3,14 @@
 Arrays have their components last and broadcast. Nothing is blocked, threaded or tuned.
 """
 
-from typing import Any
-
 import numpy as np
 
 from hfield.core.product import Constants, multiply
 from rotation.angles import waves
+from rotation.array_types import NUMPY
 from rotation.arrays import Array
+
+Name = tuple[str, *tuple[bool | tuple[int, ...], ...]]  # of a kernel, then its parameters
 
 HAMILTON = Constants(-1.0, 0.0, -1.0)
 
@@ -24,7 +25,7 @@ def axis_angle(points: Array, axis: Array, angle: Array, degrees: bool = False) 
     """Return Rodrigues' formula: v cos θ + (u × v) sin θ + u (u·v)(1 − cos θ), u the unit axis."""
     scaled = axis / np.max(np.abs(axis), axis=-1, keepdims=True)
     unit = scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
-    sine, cosine = (wave[..., None] for wave in waves(np, angle, degrees))
+    sine, cosine = (wave[..., None] for wave in waves(NUMPY, angle, degrees))
     along = np.sum(unit * points, axis=-1, keepdims=True)
     turned = np.cross(unit, points) * sine + (unit * along - points) * (1 - cosine)
     rotated: Array = points + turned
@@ -62,20 +63,21 @@ def cumulative(q: Array) -> Array:
     return products
 
 
-def run(name: tuple[Any, ...], read: tuple[Array, ...], out: Array | None) -> bool:
+def run(name: Name, read: tuple[Array, ...], out: Array | None) -> bool:
     """Do what the kernel ``name`` does with these operands, and answer as it does."""
     if out is None:
         return _contains_zero(read[0])
     v, *parameters = (a.astype(np.float64) for a in read)
     with np.errstate(all="ignore"):
-        if name[0] == "one":
-            turned = one(v, parameters[0].reshape(3, 3))
-        elif name[0] == "axis_angle":
-            turned = axis_angle(v, parameters[0], parameters[1][..., 0], name[1])
-        elif name[0] == "quaternions":
-            turned = quaternions(v, parameters[0])
-        else:
-            turned = euler(v, parameters[0], *name[1:])
+        match name:
+            case ("one",):
+                turned = one(v, parameters[0].reshape(3, 3))
+            case ("axis_angle", bool(degrees), _):
+                turned = axis_angle(v, parameters[0], parameters[1][..., 0], degrees)
+            case ("euler", tuple(axes), bool(backward), bool(degrees)):
+                turned = euler(v, parameters[0], axes, backward, degrees)
+            case _:
+                turned = quaternions(v, parameters[0])
         out[...] = turned + 0.0 * np.sum(v, axis=-1, keepdims=True)  # inf gives NaN, as in kernels
     return name[0] in ("axis_angle", "quaternions") and _contains_zero(read[1])
 

@@ -11,7 +11,7 @@ import os
 import sys
 from collections.abc import Callable
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -43,6 +43,7 @@ NUMPY = {"PyArray_New": 93, "PyArray_Return": 76}  # the places in its table of 
 HALVES = vector("float", WIDTH)
 
 Function = Callable[..., Any]
+Values: TypeAlias = "Lanes | float | tuple[Values, ...]"
 
 
 _Known: Any = ctypes.py_object * 6
@@ -86,7 +87,7 @@ def available() -> bool:
     )
 
 
-def _place(slot: Any) -> int:
+def _place(slot: object) -> int:
     """Return how many bytes into an object a slot of its class lies, by its descriptor."""
     described = ctypes.c_void_p.from_address(id(slot) + HEAD + 24).value or 0
     return int(ctypes.c_ssize_t.from_address(described + 16).value)
@@ -116,12 +117,12 @@ def _address(function: Any) -> int:
 
 
 def compile_builtin(
-    formula: Callable[..., Any],
+    formula: Callable[..., Values],
     shapes: tuple[Shape, ...],
-    parameters: tuple[Any, ...],
+    parameters: tuple[object, ...],
     single: tuple[int, ...],
     words: tuple[str, ...],
-    slot: Any,
+    slot: object,
 ) -> tuple[Function, Shape, int]:
     """Return the function ``f(where, *arrays)`` that computes ``formula(*arrays, *parameters)``.
 
@@ -169,16 +170,21 @@ def compile_builtin(
 
 
 def _block(
-    formula: Any,
+    formula: Callable[..., Values],
     shapes: tuple[Shape, ...],
-    parameters: tuple[Any, ...],
+    parameters: tuple[object, ...],
     single: tuple[int, ...],
     words: tuple[str, ...],
 ) -> tuple[Program, Shape]:
     """Write the formula for eight rows in one piece; return that, and the shape of a row of the result."""
     pointers = ", ".join(f"ptr noalias %in{n}" for n in range(len(shapes)))
     program = Program(f"internal i1 @block({pointers}, ptr noalias %out) alwaysinline")
-    arguments = []
+    for n, (shape, word) in enumerate(zip(shapes, words, strict=False)):
+        if n not in single:
+            size = int(np.prod(shape)) * BYTES[word]
+            _ask_ahead(program, f"%in{n}", size, PREFETCHED_BLOCKS)
+    prefetches = len(program.lines)
+    arguments, parted = [], list[_Parted]()
     for number, shape in enumerate(shapes):
         size, pointer, word = int(np.prod(shape)), f"%in{number}", words[number]
         if number in single:
@@ -189,11 +195,11 @@ def _block(
         else:
             kind = vector(word, size * WIDTH)
             whole = program.load(kind, pointer, BYTES[word])
-            _ask_ahead(program, pointer, size * BYTES[word], PREFETCHED_BLOCKS)
             columns = [
                 program.shuffled(kind, whole, "poison", range(n, size * WIDTH, size))
                 for n in range(size)
             ]
+            parted.append(_Parted(word, whole, columns))
         if word == "float":
             columns = [program.value(f"fpext {HALVES} {x} to {program.kind}") for x in columns]
         rows = Rows(shape, [Lanes(program, x) for x in columns], np.dtype(f"f{BYTES[word]}"))
@@ -202,12 +208,45 @@ def _block(
     names = [program.name_of(r) for r in _flat(answer)]
     if words[-1] == "float":
         names = [program.value(f"fptrunc {program.kind} {x} to {HALVES}") for x in names]
-    _store(program, names, words[-1])
+    moved = next(filter(None, (_rearranged(program, p, names) for p in parted)), None)
+    if moved is not None and len(names) < WIDTH:
+        del program.lines[:prefetches]  # so quick that they would take a tenth of its time
+        _store_rows(program, moved, len(names), words[-1])
+    else:
+        _store(program, names, words[-1])
     flag = "false"
     for condition in program.conditions:
         flag = program.value(f"or i1 {flag}, {program.some(condition)}")
     program.end(f"i1 {flag}")
     return program, _shape(answer)
+
+
+class _Parted(NamedTuple):
+    """Eight rows of an array: all their numbers in one vector, and the columns that it is parted into."""
+
+    word: str
+    whole: str
+    columns: list[str]
+
+
+def _rearranged(program: Program, rows: _Parted, names: list[str]) -> str | None:
+    """Return eight rows of values that are columns of an array or their negatives, else None.
+
+    Numbers change places and signs within the vector of all: nothing is parted into columns and joined again.
+    """
+    own = [program.opposites.get(name, name) for name in names]
+    if rows.word != "double" or not set(own) <= set(rows.columns):
+        return None
+    width = len(rows.columns)
+    size = width * WIDTH
+    kind = vector("double", size)
+    negative = program.value(f"fneg {kind} {rows.whole}") if own != names else "poison"
+    places = (
+        row * width + rows.columns.index(o) + (size if o != name else 0)
+        for row in range(WIDTH)
+        for o, name in zip(own, names, strict=True)
+    )
+    return program.shuffled(kind, rows.whole, negative, places)
 
 
 def _ask_ahead(program: Program, start: str, size: int, blocks: int, writing: bool = False) -> None:
@@ -217,11 +256,11 @@ def _ask_ahead(program: Program, start: str, size: int, blocks: int, writing: bo
         program.ahead(program.at("[64 x i8]", start, blocks * lines + line), writing)
 
 
-def _flat(values: Any) -> list[Any]:
+def _flat(values: Values) -> list[Lanes | float]:
     return [x for v in values for x in _flat(v)] if isinstance(values, tuple) else [values]
 
 
-def _shape(values: Any) -> Shape:
+def _shape(values: Values) -> Shape:
     return (len(values), *_shape(values[0])) if isinstance(values, tuple) else ()
 
 
@@ -257,13 +296,10 @@ def _transposed(program: Program, columns: list[str], kind: str) -> list[str]:
 
 
 def _store_few(program: Program, names: list[str], word: str) -> None:
-    """Write fewer than eight columns, in pieces of 16 bytes, the least that numpy aligns memory to.
-
-    A copy by pieces that cross the end of a line of memory takes twice as long, so LLVM may not join them.
-    """
+    """Write fewer than eight columns, joined in pairs to rows."""
     width = len(names)
     parts = [(n, WIDTH) for n in names]
-    while len(parts) > 1:  # joined in pairs; the last one may stay over
+    while len(parts) > 1:  # the last one may stay over
         joined = []
         for (a, length), (b, other) in zip(parts[::2], parts[1::2], strict=False):
             if other < length:
@@ -276,8 +312,17 @@ def _store_few(program: Program, names: list[str], word: str) -> None:
         parts = joined
     ((whole, length),) = parts
     order = [c * WIDTH + r for r in range(WIDTH) for c in range(width)]
+    rows = program.shuffled(vector(word, length), whole, "poison", order)
+    _store_rows(program, rows, width, word)
+
+
+def _store_rows(program: Program, rows: str, width: int, word: str) -> None:
+    """Write eight rows that are one vector, in pieces of 16 bytes, the least that numpy aligns memory to.
+
+    A copy by pieces that cross the end of a line of memory takes twice as long, so LLVM may not join them.
+    """
+    length, few = width * WIDTH, 16 // BYTES[word]
     kind = vector(word, length)
-    rows, few = program.shuffled(kind, whole, "poison", order), 16 // BYTES[word]
     for n in range(0, length, few):
         piece = program.shuffled(kind, rows, "poison", range(n, n + few))
         place = program.at(word, "%out", n)

@@ -9,8 +9,8 @@ ends of the range, infinities and NaN. Such rows take the functions of the syste
 import math
 from collections.abc import Sequence
 from itertools import zip_longest
-from typing import Any
 
+from rotation.array_types import Array, SymbolNamespace
 from rotation.native.pairs import Pair, plus_product, quick_two_sum, two_product, two_sum
 
 # π/2 in three parts of 53 bits. For |n| ≤ 2³⁰ what is left of an angle after n times the first is a float.
@@ -59,14 +59,14 @@ QUARTER, QUARTER_LOW = float.fromhex("0x1.921fb54442d18p-1"), float.fromhex("0x1
 LOW, HIGH = 2.0**-400, 2.0**400  # between these the error of a quotient is found exactly
 
 
-def sine_and_cosine(xp: Any, a: Any, b: Any = None) -> tuple[Pair, Pair]:
+def sine_and_cosine(xp: SymbolNamespace, a: Array, b: Array = None) -> tuple[Pair, Pair]:
     """Return sine and cosine of angles, without b rounded, and 0.
 
     With b they are those of ``a + b``, b below an ulp of a, as pairs right to about 56 bits.
     """
     (s, s_low), (c, c_low), right = near(xp, a, b)
 
-    def far() -> tuple[Any, ...]:
+    def far() -> tuple[Array, ...]:
         y, x = xp.library("sin", a), xp.library("cos", a)
         if b is None:
             return xp.where(right, s, y), xp.where(right, c, x)
@@ -81,7 +81,7 @@ def sine_and_cosine(xp: Any, a: Any, b: Any = None) -> tuple[Pair, Pair]:
     return (s, s_low), (c, c_low)
 
 
-def near(xp: Any, a: Any, b: Any = None) -> tuple[Pair, Pair, Any]:
+def near(xp: SymbolNamespace, a: Array, b: Array = None) -> tuple[Pair, Pair, Array]:
     """Return sine and cosine of ``a`` or of ``a + b`` as pairs, and where they are right."""
     k = a * TWO_OVER_PI + xp.ROUND
     n = k - xp.ROUND  # quarters of a turn
@@ -96,7 +96,7 @@ def near(xp: Any, a: Any, b: Any = None) -> tuple[Pair, Pair, Any]:
     return (s, s_low), cosine, (xp.abs(a) <= REACH) & (xp.abs(r) >= xp.abs(n) * SURE)
 
 
-def of_rest(xp: Any, k: Any, r: Any, low: Any) -> tuple[Pair, Pair]:
+def of_rest(xp: SymbolNamespace, k: Array, r: Array, low: Array) -> tuple[Pair, Pair]:
     """Return sine and cosine of ``r + low``, an eighth of a turn at most, after k quarters."""
     z, z_low = two_product(xp, r, r)
     half = 0.5 * z
@@ -112,7 +112,7 @@ def of_rest(xp: Any, k: Any, r: Any, low: Any) -> tuple[Pair, Pair]:
     return (s, s_low), (c, c_low)
 
 
-def _rest(xp: Any, a: Any, n: Any) -> Any:
+def _rest(xp: SymbolNamespace, a: Array, n: Array) -> Array:
     """Return ``a − n·HALF_PI[0]``, exactly."""
     if hasattr(xp, "fma"):
         return xp.fma(-n, HALF_PI[0], a)
@@ -120,7 +120,7 @@ def _rest(xp: Any, a: Any, n: Any) -> Any:
     return (a - p) - e
 
 
-def angle_of(xp: Any, y: Any, x: Any, pair: bool = True) -> Pair:
+def angle_of(xp: SymbolNamespace, y: Array, x: Array, pair: bool = True) -> Pair:
     """Return the angle of the point (x, y) in [−π, π] as a pair of 56 bits, or rounded, and 0."""
     p, q = xp.abs(y), xp.abs(x)
     steep, back = p > q, x < 0.0
@@ -151,7 +151,7 @@ def angle_of(xp: Any, y: Any, x: Any, pair: bool = True) -> Pair:
     if pair:
         usual.append(xp.where(xp.copysign(1.0, y) < 0.0, -low, low))
 
-    def anyhow() -> tuple[Any, ...]:
+    def anyhow() -> tuple[Array, ...]:
         system = (xp.library("atan2", y, x), zero)
         return tuple(xp.where(right, f, g) for f, g in zip(usual, system, strict=False))
 
@@ -159,7 +159,7 @@ def angle_of(xp: Any, y: Any, x: Any, pair: bool = True) -> Pair:
     return high, lows[0] if lows else 0.0
 
 
-def _sum(xp: Any, coefficients: Sequence[Any], z: Any) -> Any:
+def _sum(xp: SymbolNamespace, coefficients: Sequence[Array], z: Array) -> Array:
     """Return ``Σ coefficients[k]·zᵏ`` by Estrin's scheme: pairs first, so that few steps wait for others."""
     if len(coefficients) == 1:
         return coefficients[0]

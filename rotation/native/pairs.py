@@ -5,25 +5,25 @@ T. J. Dekker, "A floating-point technique for extending the available precision"
 is one.
 """
 
-from typing import Any
+from rotation.array_types import Array, Namespace
 
-Pair = tuple[Any, Any]
+Pair = tuple[Array, Array]
 
 
-def two_sum(a: Any, b: Any) -> Pair:
+def two_sum(a: Array, b: Array) -> Pair:
     """Return ``a + b`` rounded, and the error."""
     s = a + b
     t = s - a
     return s, (a - (s - t)) + (b - t)
 
 
-def quick_two_sum(a: Any, b: Any) -> Pair:
+def quick_two_sum(a: Array, b: Array) -> Pair:
     """Return ``a + b`` rounded, and the error, where |a| ≥ |b| or a is 0."""
     s = a + b
     return s, b - (s - a)
 
 
-def two_product(xp: Any, a: Any, b: Any) -> Pair:
+def two_product(xp: Namespace, a: Array, b: Array) -> Pair:
     """Return ``a·b`` rounded, and the error; for factors far from overflow and underflow."""
     p = a * b
     fma = getattr(xp, "fma", None)  # the error is a float: either way it is found exactly
@@ -34,13 +34,13 @@ def two_product(xp: Any, a: Any, b: Any) -> Pair:
     return p, ((a1 * b1 - p) + (a1 * b2 + a2 * b1)) + a2 * b2
 
 
-def plus_product(xp: Any, c: Any, a: Any, b: Any) -> Any:
+def plus_product(xp: Namespace, c: Array, a: Array, b: Array) -> Array:
     """Return ``c + a·b``, rounded once where there is a fused multiply-add."""
     fma = getattr(xp, "fma", None)
     return c + a * b if fma is None else fma(a, b, c)
 
 
-def _halves(xp: Any, a: Any) -> Pair:
+def _halves(xp: Namespace, a: Array) -> Pair:
     """Two halves of the digits of each float."""
     single = hasattr(a, "dtype") and xp.finfo(a.dtype).bits == 32
     t = (4097.0 if single else 134217729.0) * a  # 2¹² + 1, 2²⁷ + 1

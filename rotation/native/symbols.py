@@ -6,7 +6,7 @@ programs round as numpy does, operation by operation.
 """
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from types import EllipsisType
 
 import numpy as np
 
@@ -40,12 +40,13 @@ class Program(Code):
         self.number, self.width = number, width
         self.kind, self.bits = vector(number, width), vector("i1", width)
         self.flags = " contract" if fused else ""
+        self.opposites: dict[str, str] = {}  # of which value a value is the negative
 
     def constant(self, number: float) -> str:
         """Return a number in every row, exactly."""
         return alike(self.number, floating(number, "double"), self.width)
 
-    def name_of(self, value: Any) -> str:
+    def name_of(self, value: "Lanes | float") -> str:
         """Return how a value is written: lanes by their name, a number in every row."""
         return value.name if isinstance(value, Lanes) else self.constant(float(value))
 
@@ -87,9 +88,9 @@ class Lanes:
         """LLVM's word for what this is."""
         return self.program.kind
 
-    def _with(self, operation: str, other: Any, swapped: bool = False) -> "Lanes":
+    def _with(self, operation: str, other: "Lanes | float", swapped: bool = False) -> "Lanes":
         if not isinstance(other, Lanes | float | int):
-            return NotImplemented  # type: ignore[no-any-return]
+            return NotImplemented
         if not isinstance(other, Lanes):
             if (
                 type(other) is int and other == 0 and operation != "fdiv"
@@ -106,55 +107,57 @@ class Lanes:
         line = f"{operation}{program.flags} {program.kind} {a}, {b}"
         return Lanes(program, program.value(line))
 
-    def __add__(self, other: Any) -> "Lanes":
+    def __add__(self, other: "Lanes | float") -> "Lanes":
         return self._with("fadd", other)
 
-    def __radd__(self, other: Any) -> "Lanes":
+    def __radd__(self, other: "Lanes | float") -> "Lanes":
         return self._with("fadd", other, True)
 
-    def __sub__(self, other: Any) -> "Lanes":
+    def __sub__(self, other: "Lanes | float") -> "Lanes":
         return self._with("fsub", other)
 
-    def __rsub__(self, other: Any) -> "Lanes":
+    def __rsub__(self, other: "Lanes | float") -> "Lanes":
         return self._with("fsub", other, True)
 
-    def __mul__(self, other: Any) -> "Lanes":
+    def __mul__(self, other: "Lanes | float") -> "Lanes":
         return self._with("fmul", other)
 
-    def __rmul__(self, other: Any) -> "Lanes":
+    def __rmul__(self, other: "Lanes | float") -> "Lanes":
         return self._with("fmul", other, True)
 
-    def __truediv__(self, other: Any) -> "Lanes":
+    def __truediv__(self, other: "Lanes | float") -> "Lanes":
         return self._with("fdiv", other)
 
-    def __rtruediv__(self, other: Any) -> "Lanes":
+    def __rtruediv__(self, other: "Lanes | float") -> "Lanes":
         return self._with("fdiv", other, True)
 
     def __neg__(self) -> "Lanes":
         program = self.program
-        return Lanes(program, program.value(f"fneg {self.kind} {self.name}"))
+        name = program.value(f"fneg {self.kind} {self.name}")
+        program.opposites[name] = self.name
+        return Lanes(program, name)
 
-    def _compared(self, how: str, other: Any) -> "Condition":
+    def _compared(self, how: str, other: "Lanes | float") -> "Condition":
         program = self.program
         line = f"fcmp {how} {self.kind} {self.name}, {program.name_of(other)}"
         return Condition(program, program.value(line))
 
-    def __lt__(self, other: Any) -> "Condition":
+    def __lt__(self, other: "Lanes | float") -> "Condition":
         return self._compared("olt", other)
 
-    def __le__(self, other: Any) -> "Condition":
+    def __le__(self, other: "Lanes | float") -> "Condition":
         return self._compared("ole", other)
 
-    def __gt__(self, other: Any) -> "Condition":
+    def __gt__(self, other: "Lanes | float") -> "Condition":
         return self._compared("ogt", other)
 
-    def __ge__(self, other: Any) -> "Condition":
+    def __ge__(self, other: "Lanes | float") -> "Condition":
         return self._compared("oge", other)
 
-    def __eq__(self, other: Any) -> "Condition":  # type: ignore[override]
+    def __eq__(self, other: "Lanes | float") -> "Condition":  # type: ignore[override]
         return self._compared("oeq", other)
 
-    def __ne__(self, other: Any) -> "Condition":  # type: ignore[override]
+    def __ne__(self, other: "Lanes | float") -> "Condition":  # type: ignore[override]
         return self._compared("une", other)
 
     __hash__ = None  # type: ignore[assignment]
@@ -184,26 +187,30 @@ class Condition(Lanes):
         return self._bits("xor", alike("i1", "true", self.program.width))
 
 
+# of a number, of one in a vector, of one in a matrix
+Index = EllipsisType | tuple[EllipsisType, int] | tuple[EllipsisType, int, int]
+
+
 class Rows:
     """Eight rows of an array: what a formula takes for its argument, with the type they are stored in."""
 
     def __init__(
-        self, shape: tuple[int, ...], values: list[Lanes], dtype: np.dtype[Any] = float64
+        self, shape: tuple[int, ...], values: list[Lanes], dtype: np.dtype[np.floating] = float64
     ) -> None:
         self.shape, self.values = shape, values
         self.ndim = len(shape)
         self.dtype = dtype
 
-    def __getitem__(self, index: Any) -> Lanes:
+    def __getitem__(self, index: Index) -> Lanes:
         """Return the numbers at ``[...]``, ``[..., n]`` or ``[..., r, c]``."""
-        if index is Ellipsis:
+        if not isinstance(index, tuple):
             return self.values[0]
         row = index[1] * self.shape[-1] if len(index) == 3 else 0
         found: Lanes = self.values[row + index[-1]]
         return found
 
 
-def intrinsic(name: str, *values: Any) -> Lanes:
+def intrinsic(name: str, *values: "Lanes | float") -> Lanes:
     """Call a function that LLVM has for all rows at once."""
     program = _program(*values)
     called = f"llvm.{name}.v{program.width}{_WORDS[program.number]}"
@@ -211,7 +218,7 @@ def intrinsic(name: str, *values: Any) -> Lanes:
     return Lanes(program, program.call(program.kind, called, *arguments))
 
 
-def library(name: str, *values: Any) -> Lanes:
+def library(name: str, *values: "Lanes | float") -> Lanes:
     """Call a function of the system's mathematics for each row."""
     program = _program(*values)
     kind = program.kind
@@ -225,5 +232,5 @@ def library(name: str, *values: Any) -> Lanes:
     return Lanes(program, found)
 
 
-def _program(*values: Any) -> Program:
+def _program(*values: "Lanes | float") -> Program:
     return next(v.program for v in values if isinstance(v, Lanes))

@@ -5,12 +5,13 @@ of torch. It can take a tensor that no derivative goes through and that nothing 
 """
 
 import sys
-from typing import Any
 
 import numpy as np
 
+from rotation.array_types import Array
 
-def readable(arrays: tuple[Any, ...]) -> bool:
+
+def readable(arrays: tuple[Array, ...]) -> bool:
     """Tell whether these are plain tensors of one float type in memory that numpy reads, and nothing else."""
     torch = sys.modules.get("torch")
     if torch is None or any(type(a) is not torch.Tensor for a in arrays):
@@ -33,7 +34,7 @@ def readable(arrays: tuple[Any, ...]) -> bool:
     )
 
 
-def like(tensor: Any, values: Any) -> Any:
+def like(tensor: Array, values: Array) -> Array:
     """Return numbers of numpy as a tensor of the type of another."""
     torch = sys.modules["torch"]
     return torch.from_numpy(np.asarray(values)).to(tensor.dtype)

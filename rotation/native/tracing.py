@@ -9,11 +9,12 @@ import math
 import sys
 from collections.abc import Callable
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from hfield.compiling.instructions import alike, vector
+from rotation.array_types import SymbolNamespace
 from rotation.native import elementary
 from rotation.native.pairs import Pair
 from rotation.native.symbols import Condition, Lanes, Rows, intrinsic, library
@@ -28,7 +29,8 @@ _LIMITS = SimpleNamespace(
 float64 = np.dtype(np.float64)
 float32 = np.dtype(np.float32)
 nan = math.nan
-_HERE = sys.modules[__name__]
+Number = Lanes | float
+NAMESPACE = cast(SymbolNamespace, sys.modules[__name__])
 ROUND = 1.5 * 2.0**52  # what is added to it loses its fraction
 
 
@@ -42,19 +44,19 @@ def sqrt(x: Lanes) -> Lanes:
     return intrinsic("sqrt", x)
 
 
-def fma(a: Any, b: Any, c: Any) -> Lanes:
+def fma(a: Number, b: Number, c: Number) -> Lanes:
     """Return ``a·b + c``, rounded once."""
     return intrinsic("fma", a, b, c)
 
 
-def copysign(x: Any, y: Lanes) -> Lanes:
+def copysign(x: Number, y: Lanes) -> Lanes:
     """Return ``x`` with the signs of ``y``."""
     return intrinsic("copysign", x, y)
 
 
 def waves(a: Lanes, b: Lanes | None = None) -> tuple[Pair, Pair]:
     """Return sine and cosine of angles, or of pairs a + b as pairs."""
-    return elementary.sine_and_cosine(_HERE, a, b)
+    return elementary.sine_and_cosine(NAMESPACE, a, b)
 
 
 def sin(x: Lanes) -> Lanes:
@@ -76,16 +78,16 @@ def round(x: Lanes) -> Lanes:
 
 def angle_of(y: Lanes, x: Lanes) -> Pair:
     """Return the angles of the points (x, y) as pairs."""
-    return elementary.angle_of(_HERE, y, x)
+    return elementary.angle_of(NAMESPACE, y, x)
 
 
 def atan2(y: Lanes, x: Lanes) -> Lanes:
     """Return the angles of the points (x, y)."""
-    angle: Lanes = elementary.angle_of(_HERE, y, x, pair=False)[0]
+    angle: Lanes = elementary.angle_of(NAMESPACE, y, x, pair=False)[0]
     return angle
 
 
-def remainder(x: Any, y: Any) -> Lanes:
+def remainder(x: Number, y: Number) -> Lanes:
     """Return ``x`` modulo ``y`` for numbers that are not negative."""
     return library("fmod", x, y)
 
@@ -100,20 +102,20 @@ def where(condition: Condition, yes: Any, no: Any) -> Any:
     return made(program, program.value(line))
 
 
-def maximum(x: Lanes, y: Any) -> Lanes:
+def maximum(x: Lanes, y: Number) -> Lanes:
     """Return the larger of two numbers."""
     larger: Lanes = where(y > x, y, x)
     return larger
 
 
-def isfinite(x: Any) -> Any:
+def isfinite(x: Lanes | Rows) -> Condition | list[Condition]:
     """Return where numbers are finite; for `Rows` a list of that."""
     if isinstance(x, Rows):
-        return [isfinite(v) for v in x.values]
+        return [abs(v) < math.inf for v in x.values]
     return abs(x) < math.inf
 
 
-def all(conditions: list[Condition], axis: Any = None) -> Condition:
+def all(conditions: list[Condition], axis: int | None = None) -> Condition:
     """Return where all conditions hold."""
     holds, *others = conditions
     for other in others:
@@ -130,7 +132,9 @@ def bit(x: Lanes, number: int) -> Condition:
     return Condition(program, program.value(f"icmp ne {kind} {found}, zeroinitializer"))
 
 
-def rarely(condition: Condition, compute: Callable[[], Any], usual: tuple[Lanes, ...]) -> Any:
+def rarely(
+    condition: Condition, compute: Callable[[], tuple[Lanes, ...]], usual: tuple[Lanes, ...]
+) -> tuple[Lanes, ...]:
     """Return ``compute()`` where the condition holds in one of the rows at least, else ``usual``."""
     return condition.program.rarely(condition.name, compute, usual)
 
@@ -140,7 +144,7 @@ def flag_if(condition: Condition) -> None:
     condition.program.conditions.append(condition.name)
 
 
-def finfo(dtype: Any) -> Any:
+def finfo(dtype: object) -> SimpleNamespace:
     """Return the limits of float64."""
     return _LIMITS
 
@@ -160,7 +164,7 @@ def zeros_like(values: Lanes) -> Lanes:
     return full_like(values, 0.0)
 
 
-def broadcast_arrays(*values: Any) -> tuple[Any, ...]:
+def broadcast_arrays(*values: Number) -> tuple[Number, ...]:
     """Return the values: numbers and rows go together as they are."""
     return values
 

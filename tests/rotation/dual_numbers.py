@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from hfield.core import product as formula
-from rotation.namespaces import Array
+from rotation.array_types import Array
 from rotation.quaternions import HAMILTON
 
 

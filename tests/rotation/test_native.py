@@ -14,7 +14,7 @@ import pytest
 
 from hfield.compiling import disk_cache
 from rotation import Rotation, threads
-from rotation.namespaces import quiet
+from rotation.namespaces import namespace, quiet
 from rotation.native import builtins
 from rotation.native.entry import MUCH
 from rotation.quaternions import INVERSE, PRODUCT, SHORTER_POWER, _product, normalise
@@ -40,6 +40,35 @@ def run(code: str, **variables: str) -> str:
 def test_every_number_of_rows(n: int) -> None:
     p, q = UNITS[:n], UNITS[::-1][:n]
     np.testing.assert_array_equal(PRODUCT(p, q), _product(p, q))
+
+
+@subcases(
+    ("width", "places", "signs"),
+    [
+        (4, (0, 1, 2, 3), (1, -1, -1, -1)),
+        (4, (1, 2, 3, 0), (1, 1, 1, 1)),
+        (4, (2, 0), (-1, 1)),
+        (2, (1, 1, 0), (1, -1, -1)),
+        (9, (0, 3, 6, 1, 4, 7, 2, 5, 8), (-1, 1, 1, 1, 1, 1, 1, 1, 1)),
+        (1, (0,), (-1,)),
+    ],
+)
+def test_formulas_may_only_move_numbers_and_change_signs(
+    width: int, places: tuple[int, ...], signs: tuple[int, ...]
+) -> None:
+    def moved(q: Any) -> Any:
+        pairs = zip(places, signs, strict=True)
+        columns = tuple(-q[..., k] if sign < 0 else q[..., k] for k, sign in pairs)
+        return namespace(q).stack(columns, axis=-1)
+
+    formula = Formula(moved, (width,))
+    for n in (1, 8, 21):
+        rows = RNG.standard_normal((n, width))
+        rows[0, 0] = -0.0
+        found, wanted = formula(rows), moved(rows)
+        np.testing.assert_array_equal(found, wanted)
+        np.testing.assert_array_equal(np.signbit(found), np.signbit(wanted))
+        np.testing.assert_array_equal(formula(rows.astype(np.float32)), wanted.astype(np.float32))
 
 
 @pytest.mark.parametrize("number", [1, 3])
