@@ -15,7 +15,7 @@ from functools import partial
 from heapq import heappop, heappush
 from itertools import count as counter
 from itertools import product
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeGuard
 
 from flint import arb, ctx, fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
 
@@ -42,6 +42,7 @@ from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.fields.rationals.whole_numbers import fraction, square_root
 from hfield.orders import positive_generators, validation
+from hfield.orders.base_values import BaseIdeal
 from hfield.orders.domains import INTEGERS, Domain
 from hfield.orders.linear_algebra_mod_p import kronecker
 
@@ -249,7 +250,7 @@ class Base(Protocol):
     def ideal(self, x: object) -> Any:
         """Return what a user gives as an ideal, a number or an element, as an ideal."""
 
-    def is_ideal(self, x: object) -> bool:
+    def is_ideal(self, x: object) -> TypeGuard[BaseIdeal]:
         """Tell whether lattices are multiplied by x as by an ideal of the base."""
 
     def is_totally_positive(self, x: Any) -> bool:
@@ -444,7 +445,7 @@ class RationalIntegers:
             raise LatticeError("a lattice cannot be divided by 0")
         return value
 
-    def is_ideal(self, x: object) -> bool:
+    def is_ideal(self, x: object) -> TypeGuard[BaseIdeal]:
         return False
 
     def is_definite(self, constants: Constants) -> bool:
@@ -776,7 +777,7 @@ class NumberFieldIntegers:
     def ideal(self, x: object) -> ideals.FractionalIdeal:
         return ideals.ideal(self.ring, x)
 
-    def is_ideal(self, x: object) -> bool:
+    def is_ideal(self, x: object) -> TypeGuard[ideals.FractionalIdeal]:
         return isinstance(x, ideals.FractionalIdeal)
 
     def is_definite(self, constants: Constants) -> bool:

@@ -12,6 +12,7 @@ from flint import fmpz_mat, fmpz_poly, nmod_mat
 from hfield.core.progress import track
 from hfield.core.sparse_rows import SparseRows
 from hfield.errors import TooLargeError, shorten
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.classes import Classes
 from hfield.orders.ideals_of_norm import (
     MAX_LISTED_IDEALS,
@@ -61,7 +62,7 @@ def expect_matrix_fits(classes: int) -> None:
         )
 
 
-def brandt_matrix(classes: Classes, norm: Any) -> fmpz_mat:
+def brandt_matrix(classes: Classes, norm: BaseIdeal) -> fmpz_mat:
     """Return the Brandt matrix of an integral ideal: (i, j) counts the ideals of that norm in I_i of class j.
 
     They are the invertible ideals of that relative norm. Raises :class:`TooLargeError`.
@@ -79,7 +80,7 @@ def identity(classes: Classes) -> fmpz_mat:
     return fmpz_mat([[int(i == j) for j in size] for i in size])
 
 
-def prime_power(classes: Classes, P: Any, e: int) -> fmpz_mat:
+def prime_power(classes: Classes, P: Prime, e: int) -> fmpz_mat:
     """Return the Brandt matrix of Pᵉ. Raises :class:`TooLargeError`.
 
     Off the discriminant it is made by the classes of P·I (Voight, section 41.3). Where the algebra ramifies
@@ -101,7 +102,7 @@ def prime_power(classes: Classes, P: Any, e: int) -> fmpz_mat:
     return by_elements(classes, base.prime_ideal(P) ** e)
 
 
-def of_prime(classes: Classes, P: Any) -> fmpz_mat:
+def of_prime(classes: Classes, P: Prime) -> fmpz_mat:
     """Return the Brandt matrix of a prime that does not divide the discriminant."""
     return _by_commuting(classes, P) or of_rows(classes.neighbours(P))
 
@@ -129,7 +130,7 @@ def of_power(step: fmpz_mat, weight: fmpz_mat | int, e: int) -> fmpz_mat:
     return current
 
 
-def _at_level(classes: Classes, P: Any, e: int) -> fmpz_mat:
+def _at_level(classes: Classes, P: Prime, e: int) -> fmpz_mat:
     """Return the Brandt matrix of Pᵉ for an order that is Eichler of level P there.
 
     The ideals K of norm P are the radical W, and those that lie with W in one of the two maximal ideals. With
@@ -153,7 +154,7 @@ def _at_level(classes: Classes, P: Any, e: int) -> fmpz_mat:
     return diagonal[-1] + W * diagonal[-2]
 
 
-def _is_short(classes: Classes, P: Any, e: int) -> bool:
+def _is_short(classes: Classes, P: Prime, e: int) -> bool:
     """Tell whether it is quicker to list the ideals of norm Pᵉ than to look between all pairs of classes."""
     if eichler_symbol(classes.order, P) != 1:
         return False
@@ -163,7 +164,7 @@ def _is_short(classes: Classes, P: Any, e: int) -> bool:
     return number**2 <= MAX_LISTED_IDEALS and number**2 + 6 * h * number <= 5 * h * h
 
 
-def _by_listing(classes: Classes, P: Any, e: int) -> fmpz_mat:
+def _by_listing(classes: Classes, P: Prime, e: int) -> fmpz_mat:
     """Return the Brandt matrix of Pᵉ by the ideals of this norm in the order, moved to each ideal."""
     order, ambient = classes.order, classes.ambient
     ideal = ambient.base.prime_ideal(P) ** e
@@ -177,7 +178,7 @@ def _by_listing(classes: Classes, P: Any, e: int) -> fmpz_mat:
     return of_rows(rows)
 
 
-def by_elements(classes: Classes, norm: Any) -> fmpz_mat:
+def by_elements(classes: Classes, norm: BaseIdeal) -> fmpz_mat:
     """Return the Brandt matrix of an ideal for any order: the x·I_j in I_i, x modulo units.
 
     N(x) generates norm·N(I_i)/N(I_j), and of all x·u, u a unit of the base, one of ±x has one of the totally
@@ -210,7 +211,7 @@ def by_elements(classes: Classes, norm: Any) -> fmpz_mat:
     return fmpz_mat(table)
 
 
-def _by_commuting(classes: Classes, P: Any) -> fmpz_mat | None:
+def _by_commuting(classes: Classes, P: Prime) -> fmpz_mat | None:
     """Return the Brandt matrix of a prime from one row of it, or None where that row is not enough.
 
     B(P) commutes with T = B(Q), Q the least prime off the discriminant. So if v, vT, vT², … are the
@@ -268,7 +269,7 @@ def _by_commuting(classes: Classes, P: Any) -> fmpz_mat | None:
     return fmpz_mat(h, h, matrix.ravel().tolist())
 
 
-def _involution(classes: Classes, norm: Any) -> list[int]:
+def _involution(classes: Classes, norm: BaseIdeal) -> list[int]:
     """Return an involution of the classes with which the Brandt matrix of an ideal commutes.
 
     It is the exchange by a two-sided prime ideal at a prime that does not divide the norm, or trivial.
@@ -283,7 +284,7 @@ def _involution(classes: Classes, norm: Any) -> list[int]:
     return list(h)
 
 
-def hecke_polynomial(classes: Classes, norm: Any) -> list[int]:
+def hecke_polynomial(classes: Classes, norm: BaseIdeal) -> list[int]:
     """Return the characteristic polynomial of the Brandt matrix, low degree first.
 
     Classes that a two-sided prime ideal exchanges make it a product of two (the signs of Atkin and Lehner).
@@ -310,7 +311,7 @@ def hecke_polynomial(classes: Classes, norm: Any) -> list[int]:
     return [int(c) for c in found.coeffs()]
 
 
-def brandt_rows(classes: Classes, norm: Any) -> SparseRows:
+def brandt_rows(classes: Classes, norm: BaseIdeal) -> SparseRows:
     """Return the entries of a Brandt matrix that are not 0, row by row; for a prime they are few."""
     factors = classes.ambient.base.factorisation(norm)
     if len(factors) == 1 and factors[0][1] == 1:

@@ -8,10 +8,10 @@ integer rows, up to rational factors.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from flint import fmpz, fmpz_mat
 
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.class_keys import Key, Norm, Reduced, ShortElement, SublatticeKeys
 from hfield.orders.classes import Classes
 from hfield.orders.ideals_of_norm import two_sided_prime
@@ -31,7 +31,7 @@ class ClassElements:
         """For y⁻¹·I the number of the class, and the multiplication by y⁻¹ from the right."""
         self.units: list[list[Row]] = []
         """The units of the left order of each class modulo those of the base, 1 first; some come twice."""
-        self._neighbours: dict[tuple[int, Any], list[Located]] = {}
+        self._neighbours: dict[tuple[int, Prime], list[Located]] = {}
         for n in range(len(classes)):
             around = classes.class_keys(n)
             basis = around.reduced(self._ambient.identity)
@@ -62,23 +62,23 @@ class ClassElements:
         yield around.shortest_of(basis)
         yield from around.all_shortest(basis)
 
-    def neighbours(self, n: int, prime: Any) -> list[Located]:
+    def neighbours(self, n: int, prime: Prime) -> list[Located]:
         """Return the ideals of relative norm P in class n."""
         if (n, prime) not in self._neighbours:
             inside = self.classes.sublattices(n, prime)
             self._neighbours[n, prime] = [self._locate(around, basis) for around, basis in inside]
         return self._neighbours[n, prime]
 
-    def exchanged(self, n: int, prime: Any) -> Located:
+    def exchanged(self, n: int, prime: Prime) -> Located:
         """Return class n times the two-sided prime ideal at a prime."""
         ideal = two_sided_prime(self.classes.order, prime)
         return self._moved(product(self.classes.lattice(n), ideal), n, ideal.norm)
 
-    def multiplied(self, n: int, ideal: Any) -> Located:
+    def multiplied(self, n: int, ideal: BaseIdeal) -> Located:
         """Return class n times an ideal of the base."""
         return self._moved(times_ideal(self.classes.lattice(n), ideal), n, ideal * ideal)
 
-    def _moved(self, lattice: LatticeValue, n: int, ideal: Any) -> Located:
+    def _moved(self, lattice: LatticeValue, n: int, ideal: BaseIdeal) -> Located:
         keys = self.classes.keys
         norm: Norm = keys.multiplied(self.classes.norms[n], ideal)
         around = SublatticeKeys(keys, lattice.matrix, lattice.den, norm)

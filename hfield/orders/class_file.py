@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hfield.core.journal import Journal, Row
 from hfield.core.packed_integers import pack, unpack
 from hfield.errors import LatticeError, shorten
+from hfield.orders.base_values import Prime
 from hfield.orders.class_store import PackedClass
 from hfield.orders.lattice_values import rows_json
 
@@ -63,7 +64,7 @@ class ClassFile:
     def append(
         self,
         base: Base,
-        prime: Any,
+        prime: Prime,
         first: int,
         rows: Sequence[Mapping[int, int]],
         new: Sequence[tuple[int, int | None, PackedClass]],

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from flint import fmpz, fmpz_mat
 
+from hfield.orders.base_values import BaseIdeal, Scalar
 from hfield.orders.basis import combined
 from hfield.orders.hermite import divided, inverse, tuples
 from hfield.orders.lattice_values import LatticeValue
@@ -38,7 +39,7 @@ class Norm:
     """The norm of an ideal, ν·a: the number of the narrow class of a, and ν."""
 
     number: int
-    element: Any
+    element: Scalar
 
 
 class ClassKeys:
@@ -51,13 +52,13 @@ class ClassKeys:
         back, den = inverse(order.matrix)
         self._left = [matrix * back for matrix in self.ambient.left]
         self._den = den
-        self._step: dict[tuple[Any, int], Norm] = {}
+        self._step: dict[tuple[BaseIdeal, int], Norm] = {}
 
-    def norm_of(self, ideal: Any) -> Norm:
+    def norm_of(self, ideal: BaseIdeal) -> Norm:
         """Return an ideal of the base as the norm of a lattice."""
         return Norm(*self.narrow.split(ideal))
 
-    def multiplied(self, norm: Norm, ideal: Any) -> Norm:
+    def multiplied(self, norm: Norm, ideal: BaseIdeal) -> Norm:
         """Return a norm times an ideal of the base."""
         known = ideal, norm.number
         if known not in self._step:
@@ -103,11 +104,14 @@ class ShortElement:
         """form_factor·scale·den² times too large."""
 
     @property
-    def norm(self) -> Any:
+    def norm(self) -> Scalar:
         """The reduced norm, a number of the field."""
         domain = self._ambient.domain
         below = self._ambient.scale * self.den**2 * domain.form_factor
-        return self._ambient.base.element_of([domain.fraction(c, below) for c in self.scaled_norm])
+        found: Scalar = self._ambient.base.element_of(
+            [domain.fraction(c, below) for c in self.scaled_norm]
+        )
+        return found
 
     @cached_property
     def inverse(self) -> tuple[list[fmpz], int]:

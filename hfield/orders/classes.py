@@ -24,6 +24,7 @@ from hfield.core.executors import InProcess
 from hfield.core.progress import report, track
 from hfield.core.sparse_rows import SparseRows
 from hfield.errors import TooLargeError, shorten
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.class_keys import Norm, Reduced, SublatticeKeys
 from hfield.orders.class_number import mass
 from hfield.orders.class_store import ClassStore, Norms, PackedClass, pack_key
@@ -79,8 +80,8 @@ class Classes:
             )
         self.keys = class_keys(order)
         self.store = ClassStore(self.ambient)
-        self._rows: dict[Any, SparseRows] = {}
-        self._exchanged: dict[Any, list[int]] = {}
+        self._rows: dict[Prime, SparseRows] = {}
+        self._exchanged: dict[Prime, list[int]] = {}
         self._left = self.mass
         self.exchange_prime = self._find_exchange_prime()
         """A prime whose two-sided ideal gives each class another one, in large sets; else None."""
@@ -89,7 +90,7 @@ class Classes:
         self._file = file
         self._new: list[PackedClass] = []
         """The last classes, which are not in the file yet."""
-        self._saved: dict[Any, int] = {}
+        self._saved: dict[Prime, int] = {}
         """How many rows of a prime are in the file."""
         self.class_of(self.order)
         if file is not None:
@@ -105,7 +106,7 @@ class Classes:
             for _ in self._more_rows(prime, executor, lambda: bool(self._left)):
                 report(self.mass - self._left, self.mass, "the classes")
 
-    def _find_exchange_prime(self) -> Any:
+    def _find_exchange_prime(self) -> Prime | None:
         """Return a prime with a two-sided ideal of that norm, for an exchange that is an involution."""
         base = self.ambient.base
         if self.mass < MIN_EXCHANGED_MASS or base.class_generators:
@@ -183,7 +184,7 @@ class Classes:
 
     # --- neighbours --------------------------------------------------------------------------------
 
-    def _expect_few_neighbours(self, rows: int, prime: Any) -> None:
+    def _expect_few_neighbours(self, rows: int, prime: Prime) -> None:
         """Raise :class:`TooLargeError` before a list of neighbours that is too long is begun."""
         base = self.ambient.base
         one = base.absolute_norm(base.prime_ideal(prime)) + 1
@@ -195,7 +196,7 @@ class Classes:
                 )
 
     def _more_rows(
-        self, prime: Any, executor: Executor | None, wanted: Callable[[], bool]
+        self, prime: Prime, executor: Executor | None, wanted: Callable[[], bool]
     ) -> Iterator[int]:
         """Add rows of neighbours while they are wanted and not all known; yield how many are known.
 
@@ -213,7 +214,7 @@ class Classes:
                 self._save(self._file, prime)
             yield done
 
-    def _save(self, file: ClassFile, prime: Any) -> None:
+    def _save(self, file: ClassFile, prime: Prime) -> None:
         """Write the rows of a prime, and the classes, that are not in the file yet."""
         rows, first = self._rows[prime], self._saved.get(prime, 0)
         numbers = range(len(self) - len(self._new), len(self))
@@ -226,12 +227,12 @@ class Classes:
         """Return the class that is exchanged with class n, where there is a prime for that."""
         return None if self.exchange_prime is None else self._exchanged[self.exchange_prime][n]
 
-    def has_own_row(self, n: int, prime: Any) -> bool:
+    def has_own_row(self, n: int, prime: Prime) -> bool:
         """Tell whether the row of class n is computed, and not read off the row of a class before."""
         other = self._exchange_of(n)
         return other is None or other >= n or prime == self.exchange_prime
 
-    def exchanged_row(self, n: int, prime: Any) -> Counter[int] | None:
+    def exchanged_row(self, n: int, prime: Prime) -> Counter[int] | None:
         """Return the row of class n from that of the class exchanged with it, or None if it is not before n.
 
         Off its prime the exchange commutes with the Brandt matrix.
@@ -255,7 +256,7 @@ class Classes:
         if exchanged is not None and exchanged <= number:
             self._set_exchanged(number, exchanged)
 
-    def restore_rows(self, prime: Any, first: int, rows: Sequence[Mapping[int, int]]) -> None:
+    def restore_rows(self, prime: Prime, first: int, rows: Sequence[Mapping[int, int]]) -> None:
         """Add the rows that follow those known. Raises ValueError where they are no rows of neighbours."""
         found, count = self._rows.setdefault(prime, SparseRows()), len(self.at_prime(prime))
         if first > len(found):
@@ -268,7 +269,7 @@ class Classes:
             found.append(row)
         self._saved[prime] = len(found)
 
-    def neighbours(self, prime: Any, executor: Executor | None = None) -> SparseRows:
+    def neighbours(self, prime: Prime, executor: Executor | None = None) -> SparseRows:
         """Return for each class how many right ideals of relative norm P in it belong to which class.
 
         Raises :class:`TooLargeError` where there are too many.
@@ -280,20 +281,20 @@ class Classes:
                 report(done, len(self), "rows")
         return self._rows[prime]
 
-    def has_rows(self, prime: Any) -> bool:
+    def has_rows(self, prime: Prime) -> bool:
         """Tell whether all neighbours at a prime are known."""
         return len(self._rows.get(prime, ())) == len(self)
 
-    def neighbours_of(self, n: int, prime: Any) -> Counter[int]:
+    def neighbours_of(self, n: int, prime: Prime) -> Counter[int]:
         """Return how many ideals of relative norm P in class n belong to which class."""
         self._expect_few_neighbours(1, prime)
         return Counter(self.classes_inside(n, prime))
 
-    def classes_inside(self, n: int, prime: Any) -> list[int]:
+    def classes_inside(self, n: int, prime: Prime) -> list[int]:
         """Return the classes of the ideals of relative norm P in class n, ordered as in :meth:`at_prime`."""
         return [self._look_up(around, basis) for around, basis in self.sublattices(n, prime)]
 
-    def sublattices(self, n: int, prime: Any) -> Iterator[tuple[SublatticeKeys, Reduced]]:
+    def sublattices(self, n: int, prime: Prime) -> Iterator[tuple[SublatticeKeys, Reduced]]:
         """Yield the ideals of relative norm P in class n, by reduced bases."""
         return neighbours_inside(self.keys, self.store[n], prime)
 
@@ -302,11 +303,11 @@ class Classes:
         record = self.store[n]
         return SublatticeKeys(self.keys, record.rows, record.den, record.norm)
 
-    def at_prime(self, prime: Any) -> Neighbours:
+    def at_prime(self, prime: Prime) -> Neighbours:
         """Return the right ideals of norm P."""
         return neighbours_at(self.order, prime)
 
-    def local_norm(self, n: int, prime: Any) -> Any:
+    def local_norm(self, n: int, prime: Prime) -> Any:
         """Return N(x)/ν for an x that generates class n, of norm ν·a, at the primes above that below P."""
         norm, base = self.norms[n], self.ambient.base
         x = generator_above(self.class_keys(n), base.place(prime).below, norm)
@@ -314,14 +315,14 @@ class Classes:
 
     # --- permutations ------------------------------------------------------------------------------
 
-    def moved(self, by: Callable[[LatticeValue], LatticeValue], norm: Any) -> list[int]:
+    def moved(self, by: Callable[[LatticeValue], LatticeValue], norm: BaseIdeal) -> list[int]:
         """Return which class each becomes when a change of lattices multiplies norms by an ideal."""
         return [self._moved(n, by, norm) for n in range(len(self))]
 
-    def _moved(self, n: int, by: Callable[[LatticeValue], LatticeValue], norm: Any) -> int:
+    def _moved(self, n: int, by: Callable[[LatticeValue], LatticeValue], norm: BaseIdeal) -> int:
         return self._class_of(by(self.lattice(n)), self.keys.multiplied(self.norms[n], norm))
 
-    def multiplied(self, ideal: Any) -> list[int]:
+    def multiplied(self, ideal: BaseIdeal) -> list[int]:
         """Return the permutation of the classes that multiplication by an ideal of the base induces."""
         if not self.ambient.base.class_generators:  # it is principal
             return list(range(len(self)))
@@ -332,7 +333,7 @@ class Classes:
         """Which class each becomes by ideals of the base that generate its class group."""
         return [self.multiplied(a) for a in self.ambient.base.class_generators]
 
-    def exchanged(self, prime: Any) -> list[int]:
+    def exchanged(self, prime: Prime) -> list[int]:
         """Return which class each becomes by the two-sided prime ideal at a prime.
 
         Raises :class:`LatticeError` where the order is neither maximal nor Eichler there.

@@ -23,19 +23,20 @@ from collections.abc import Callable, Iterator
 from functools import cached_property, reduce
 from itertools import count, product
 from operator import add
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import fmpz_poly, nmod_mat, nmod_poly
 
 from hfield.core.primality import is_prime, primes
 from hfield.errors import LatticeError, UndecidedError
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.classes import Classes
 from hfield.orders.invariants import good_primes, is_eichler, level
 from hfield.orders.newforms import Newform
 from hfield.orders.residues_modulo_primes import lifted
 from hfield.orders.validation import weight as checked_weight
 
-Level = tuple[tuple[Any, int], ...]
+Level = tuple[tuple[Prime, int], ...]
 MAX_PRIMES = 60
 """No more Hecke operators than this are combined to separate newforms."""
 COMBINATIONS = 3
@@ -46,7 +47,7 @@ LARGEST = 2**62
 class Combination(NamedTuple):
     """A sum of Hecke operators at good primes, times small integers."""
 
-    primes: tuple[Any, ...]
+    primes: tuple[Prime, ...]
     coefficients: tuple[int, ...]
 
 
@@ -59,7 +60,7 @@ class Module(ABC):
 
     weight: int
 
-    def __init__(self, classes: Classes, make: Callable[[Any], Classes]) -> None:
+    def __init__(self, classes: Classes, make: Callable[[BaseIdeal], Classes]) -> None:
         self.classes, self.make = classes, make
         order = classes.order
         if not is_eichler(order):
@@ -69,7 +70,7 @@ class Module(ABC):
         self.base = base = order.ambient.base
         self.level: Level = tuple(base.factorisation(level(order)))
         """Pairs of a prime and its exponent in the level."""
-        self.ramified: tuple[Any, ...] = order.ambient.ramified
+        self.ramified: tuple[Prime, ...] = order.ambient.ramified
         """The primes of the discriminant of the algebra."""
         self._family: dict[Level, Module] = {self.level: self}
         """The modules of the levels that divide one, which they have in common."""
@@ -80,24 +81,25 @@ class Module(ABC):
 
     # --- primes of the base --------------------------------------------------------------------------
 
-    def prime(self, given: object) -> Any:
+    def prime(self, given: object) -> Prime:
         """Return a prime of the base. Raises :class:`LatticeError`."""
-        return self.base.prime(given)
+        found: Prime = self.base.prime(given)
+        return found
 
-    def shown(self, prime: Any) -> Any:
+    def shown(self, prime: Prime) -> object:
         """Return a prime as the base field has it."""
         p = self.base.place(prime).below
         return next(P for P, Q in self.base.primes_above(p) if prime == Q)
 
-    def absolute_norm(self, prime: Any) -> int:
+    def absolute_norm(self, prime: Prime) -> int:
         """Return how many residues there are modulo a prime."""
         return self.base.absolute_norm(self.base.prime_ideal(prime))
 
-    def good_primes(self) -> Iterator[Any]:
+    def good_primes(self) -> Iterator[Prime]:
         """Yield the primes that divide neither the level nor the discriminant."""
         return good_primes(self.classes.order)
 
-    def primes_up_to(self, norm: int) -> list[Any]:
+    def primes_up_to(self, norm: int) -> list[Prime]:
         """Return all primes of norm up to a bound, ascending by their norms."""
         above = (P for p in primes(below=norm + 1) for _, P in self.base.primes_above(p))
         return sorted((P for P in above if self.absolute_norm(P) <= norm), key=self.absolute_norm)
@@ -125,7 +127,7 @@ class Module(ABC):
         """Tell whether the module has a reduction modulo p."""
 
     @abstractmethod
-    def blocks(self, prime: Any, p: int) -> list[nmod_mat]:
+    def blocks(self, prime: Prime, p: int) -> list[nmod_mat]:
         """Return the Hecke operator at a good prime on subspaces that all these operators preserve.
 
         Their sum is the space of functions with trivial character.
@@ -136,11 +138,11 @@ class Module(ABC):
         """Return elements of such a subspace as functions, in rows."""
 
     @abstractmethod
-    def row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+    def row(self, prime: Prime, i: int, p: int) -> dict[int, int]:
         """Return row i of the Hecke operator at a prime."""
 
     @abstractmethod
-    def exchange_row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+    def exchange_row(self, prime: Prime, i: int, p: int) -> dict[int, int]:
         """Return row i of the operator of the two-sided ideal at a prime of the level or the discriminant."""
 
     @abstractmethod
@@ -187,7 +189,7 @@ class Module(ABC):
                 self._primes.append(next(p for p in odd if is_prime(p) and self.suits(p)))
             yield self._primes[n]
 
-    def bound(self, prime: Any) -> int:
+    def bound(self, prime: Prime) -> int:
         """Return a bound of the absolute values of the eigenvalues at a good prime: Deligne's."""
         return math.isqrt(4 * self.absolute_norm(prime) ** (self.weight - 1)) + 1
 
@@ -277,7 +279,7 @@ class Module(ABC):
 
     def _combinations(self) -> Iterator[Combination]:
         """Yield combinations of more and more Hecke operators."""
-        rng, several = random.Random(1), list[Any]()
+        rng, several = random.Random(1), list[Prime]()
         for P in self.good_primes():
             several.append(P)
             for k in range(COMBINATIONS if len(several) > 1 else 1):

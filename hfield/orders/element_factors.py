@@ -12,7 +12,7 @@ import random
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from hfield.algebra.quaternion import Quaternion
 from hfield.errors import (
@@ -23,6 +23,7 @@ from hfield.errors import (
     UndecidedError,
     shorten,
 )
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.equivalence import equivalence
 from hfield.orders.ideals_of_norm import ideals_of_norm, random_ideal
 from hfield.orders.lattice_values import (
@@ -42,12 +43,12 @@ from hfield.orders.validation import listed
 MAX_IDEALS_TRIED = 10_000
 
 
-class Prime(NamedTuple):
+class GivenPrime(NamedTuple):
     """A prime of the base: as the base has it, as an ideal, and the number that was given, if one was."""
 
-    prime: Any
-    ideal: Any
-    number: Any
+    prime: Prime
+    ideal: BaseIdeal
+    number: object
 
 
 def factor(order: LatticeValue, x: object, primes: object) -> tuple[Quaternion, list[Quaternion]]:
@@ -77,7 +78,7 @@ def factor(order: LatticeValue, x: object, primes: object) -> tuple[Quaternion, 
     return _Search(order, given).run(element)
 
 
-def _read_prime(order: LatticeValue, p: object) -> Prime:
+def _read_prime(order: LatticeValue, p: object) -> GivenPrime:
     """Read a prime, given as an ideal or as a number that generates it."""
     base = order.ambient.base
     prime = base.prime(p)
@@ -85,18 +86,18 @@ def _read_prime(order: LatticeValue, p: object) -> Prime:
     if not base.is_ideal(p):
         with suppress(CoercionError, MixedParentsError, NotationError):  # the text of an ideal
             number = base.inside(base.ring(p))
-    return Prime(prime, base.prime_ideal(prime), number)
+    return GivenPrime(prime, base.prime_ideal(prime), number)
 
 
 class _Search:
     """The factors from the last to the first; where several ideals contain an element, all are tried."""
 
-    def __init__(self, order: LatticeValue, primes: Sequence[Prime]) -> None:
+    def __init__(self, order: LatticeValue, primes: Sequence[GivenPrime]) -> None:
         self.order, self.primes = order, primes
         self.base = order.ambient.base
         self.tried = 0
         self.failure = ""
-        self._ideals: dict[Any, list[LatticeValue]] = {}
+        self._ideals: dict[Prime, list[LatticeValue]] = {}
 
     def run(self, x: Quaternion) -> tuple[Quaternion, list[Quaternion]]:
         """Return the unit and the factors. Raises :class:`LatticeError` where there are none."""
@@ -138,7 +139,7 @@ class _Search:
             else:
                 yield self._with_norm(answer.element, p)
 
-    def _ideals_with(self, x: Quaternion, p: Prime) -> Iterator[LatticeValue]:
+    def _ideals_with(self, x: Quaternion, p: GivenPrime) -> Iterator[LatticeValue]:
         """Yield the invertible left ideals of norm P that contain x."""
         multiples = times_ideal(self.order, p.ideal)
         ideal = add(multiples, generated_ideal(self.order, [x], "left"))
@@ -151,12 +152,12 @@ class _Search:
             candidates = chain([first], (J for J in candidates if first != J))
         yield from (J for J in candidates if includes(J, ideal))
 
-    def _ideals_of_norm(self, p: Prime) -> Iterator[LatticeValue]:
+    def _ideals_of_norm(self, p: GivenPrime) -> Iterator[LatticeValue]:
         if p.prime not in self._ideals:
             self._ideals[p.prime] = list(map(conjugate, ideals_of_norm(self.order, p.ideal)))
         yield from self._ideals[p.prime]
 
-    def _with_norm(self, pi: Quaternion, p: Prime) -> Quaternion:
+    def _with_norm(self, pi: Quaternion, p: GivenPrime) -> Quaternion:
         """Return π times a unit such that its norm is the given number, where units allow it."""
         base = self.base
         if p.number is None or not base.is_totally_positive(p.number):

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any
 
 from flint import fmpz_mat, nmod_mat, nmod_poly
 
 from hfield.orders import brandt
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.classes import Classes, orbits
 from hfield.orders.eigensystems import Combination, Module
 
@@ -19,13 +19,13 @@ class ClassFunctions(Module):
 
     weight = 2
 
-    def __init__(self, classes: Classes, make: Callable[[Any], Classes]) -> None:
+    def __init__(self, classes: Classes, make: Callable[[BaseIdeal], Classes]) -> None:
         super().__init__(classes, make)
         self._kinds = orbits(len(classes), classes.central)
         self._of = [self._kinds.index(kind) for kind in range(len(set(self._kinds)))]
         self.narrow = self._modulo_squares()
-        self._operators: dict[Any, list[fmpz_mat]] = {}
-        self._rows: dict[tuple[Any, int], Counter[int]] = {}
+        self._operators: dict[Prime, list[fmpz_mat]] = {}
+        self._rows: dict[tuple[Prime, int], Counter[int]] = {}
 
     def _modulo_squares(self) -> list[int]:
         """Return the narrow class of the norm of each point modulo squares, by numbers."""
@@ -68,7 +68,7 @@ class ClassFunctions(Module):
         even, odd = [i for i, j in moved if i <= j], [i for i, j in moved if i < j]
         return [(1, even), (-1, odd)] if odd else [(1, even)]
 
-    def blocks(self, prime: Any, p: int) -> list[nmod_mat]:
+    def blocks(self, prime: Prime, p: int) -> list[nmod_mat]:
         """Return the Brandt matrix of a good prime on functions of either sign under the involution."""
         if prime not in self._operators:
             self._operators[prime] = self._signed_matrices(
@@ -114,7 +114,7 @@ class ClassFunctions(Module):
                     entries[kind * size + self.narrow[j]] += c * times
         return nmod_mat(size, size, [x % p for x in entries], p).charpoly()
 
-    def row(self, prime: Any, i: int, p: int) -> Counter[int]:
+    def row(self, prime: Prime, i: int, p: int) -> Counter[int]:
         """Return row i of the Brandt matrix of a prime, on functions on the points."""
         if (prime, i) not in self._rows:
             found: Counter[int] = Counter()
@@ -123,11 +123,11 @@ class ClassFunctions(Module):
             self._rows[prime, i] = found
         return self._rows[prime, i]
 
-    def exchange_row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+    def exchange_row(self, prime: Prime, i: int, p: int) -> dict[int, int]:
         """Return row i of the permutation of the points by the two-sided ideal at a prime."""
         return {self._exchanged(i, prime): 1}
 
-    def _exchanged(self, i: int, prime: Any) -> int:
+    def _exchanged(self, i: int, prime: Prime) -> int:
         return self._kinds[self.classes.exchanged(prime)[self._of[i]]]
 
     def of_classes(self, classes: Classes) -> ClassFunctions:

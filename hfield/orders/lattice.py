@@ -57,6 +57,7 @@ from hfield.orders import (
     units,
 )
 from hfield.orders import strong_approximation as solvers
+from hfield.orders.base_values import BaseIdeal
 from hfield.orders.basis import basis_of
 from hfield.orders.class_file import ClassFile
 from hfield.orders.class_number import ByStableClasses, StableClasses, WithStableClasses
@@ -1764,12 +1765,12 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
         return self._modules[weight]
 
     @cached_property
-    def _classes_of_level(self) -> Callable[[Any], Classes]:
+    def _classes_of_level(self) -> Callable[[BaseIdeal], Classes]:
         """The classes of Eichler orders of the same algebra, by their levels."""
         algebra: Any = self.order.algebra
 
         @cache
-        def classes(level: Any) -> Classes:
+        def classes(level: BaseIdeal) -> Classes:
             return Classes(algebra.eichler_order(level).value)
 
         return classes

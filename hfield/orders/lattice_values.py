@@ -18,6 +18,7 @@ from flint import fmpq, fmpq_mat, fmpz, fmpz_mat
 from hfield.algebra.quaternion import Parent, Quaternion
 from hfield.errors import LatticeError, shorten
 from hfield.orders import hermite
+from hfield.orders.base_values import BaseIdeal
 from hfield.orders.basis import AlgebraBasis, basis_of
 from hfield.orders.kernels.general import ideal_multiples
 from hfield.orders.validation import listed
@@ -328,7 +329,7 @@ def scaled(lattice: LatticeValue, x: Fraction | int) -> LatticeValue:
     return hermite_form(lattice.ambient, lattice.den * x.denominator, rows)
 
 
-def times_ideal(lattice: LatticeValue, ideal: Any) -> LatticeValue:
+def times_ideal(lattice: LatticeValue, ideal: BaseIdeal) -> LatticeValue:
     """Return a lattice times an ideal of the base."""
     den, rows = ideal_multiples(lattice.ambient, lattice.matrix, ideal)
     return hermite_form(lattice.ambient, lattice.den * den, rows)

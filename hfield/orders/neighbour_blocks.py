@@ -12,10 +12,11 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor, Future
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from hfield.core.packed_integers import pack, unpack
 from hfield.core.sparse_rows import SparseRows
+from hfield.orders.base_values import Prime
 from hfield.orders.class_keys import ClassKeys, Reduced, SublatticeKeys
 from hfield.orders.class_store import PackedClass, Record, pack_class, pack_key, unpack_record
 from hfield.orders.lattice_values import LatticeValue
@@ -44,9 +45,10 @@ class Block(NamedTuple):
     keys: list[Future[list[tuple[int, list[Neighbour]]]]]
 
 
-Rows = tuple[LatticeValue, Any, list[tuple[int, bytes]]]
+T = TypeVar("T")
+Rows = tuple[LatticeValue, Prime, list[tuple[int, bytes]]]
 """A piece of the first step: an order, a prime, and numbers and records of classes."""
-Unknown = tuple[LatticeValue, Any, Any, list[tuple[bytes, bytes]]]
+Unknown = tuple[LatticeValue, Prime, Prime, list[tuple[bytes, bytes]]]
 """A piece of the second step: an order, a prime, that of the exchange, records with coordinates."""
 
 
@@ -56,14 +58,14 @@ def class_keys(order: LatticeValue) -> ClassKeys:
     return ClassKeys(order)
 
 
-def around(keys: ClassKeys, record: Record, prime: Any) -> SublatticeKeys:
+def around(keys: ClassKeys, record: Record, prime: Prime) -> SublatticeKeys:
     """Return the keys of the right ideals of relative norm P in one that represents a class."""
     ideal = keys.ambient.base.prime_ideal(prime)
     return SublatticeKeys(keys, record.rows, record.den, keys.multiplied(record.norm, ideal))
 
 
 def neighbours_inside(
-    keys: ClassKeys, record: Record, prime: Any
+    keys: ClassKeys, record: Record, prime: Prime
 ) -> Iterator[tuple[SublatticeKeys, Reduced]]:
     """Yield the right ideals of relative norm P in one, by reduced bases."""
     whole = around(keys, record, prime)
@@ -88,7 +90,7 @@ def keys_of_rows(task: Rows) -> list[tuple[int, list[Neighbour]]]:
     return out
 
 
-def partner_inside(keys: ClassKeys, record: Record, prime: Any) -> tuple[SublatticeKeys, Reduced]:
+def partner_inside(keys: ClassKeys, record: Record, prime: Prime) -> tuple[SublatticeKeys, Reduced]:
     """Return the right ideal that the two-sided ideal of norm P makes of one, by a reduced basis."""
     whole = around(keys, record, prime)
     coordinates = next(two_sided_at(keys.order, prime).inside(whole, record.norm))
@@ -96,7 +98,7 @@ def partner_inside(keys: ClassKeys, record: Record, prime: Any) -> tuple[Sublatt
 
 
 def found_class(
-    keys: ClassKeys, whole: SublatticeKeys, basis: Reduced, exchange: Any
+    keys: ClassKeys, whole: SublatticeKeys, basis: Reduced, exchange: Prime
 ) -> Iterator[PackedClass]:
     """Yield the representative of a class, then that of the class exchanged with it, if a prime is given."""
     found = pack_class(keys.ambient, whole.representative(basis))
@@ -123,7 +125,9 @@ def representatives(task: Unknown) -> list[list[PackedClass]]:
 class BlockSearch:
     """Adds rows of neighbours at a prime to those known, in blocks that an executor computes."""
 
-    def __init__(self, classes: Classes, prime: Any, executor: Executor, rows: SparseRows) -> None:
+    def __init__(
+        self, classes: Classes, prime: Prime, executor: Executor, rows: SparseRows
+    ) -> None:
         self.classes, self.prime, self.executor, self.rows = classes, prime, executor, rows
 
     def blocks(self, wanted: Callable[[], bool]) -> Iterator[int]:
@@ -182,6 +186,6 @@ class BlockSearch:
         return found
 
 
-def _pieces(items: list[Any], size: int) -> Iterator[list[Any]]:
+def _pieces(items: list[T], size: int) -> Iterator[list[T]]:
     """Yield a list in pieces of a size."""
     return (items[n : n + size] for n in range(0, len(items), size))

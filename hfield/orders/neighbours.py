@@ -24,12 +24,14 @@ from flint import fmpq_mat, fmpz_mat, nmod, nmod_mat
 
 from hfield.core.factorisation import remove
 from hfield.errors import LatticeError
+from hfield.orders.base_values import Prime
 from hfield.orders.domains import Domain
 from hfield.orders.ideals_of_norm import subideals, two_sided_prime
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.orders_at_primes import OrderAtPrime
 
 if TYPE_CHECKING:
+    from hfield.orders.base import Base
     from hfield.orders.class_keys import Norm, ShortElement, SublatticeKeys
 
 Matrix = list[list[int]]
@@ -45,7 +47,7 @@ class Neighbours:
     """
 
     def __init__(
-        self, order: LatticeValue, prime: Any, only: Sequence[LatticeValue] | None = None
+        self, order: LatticeValue, prime: Prime, only: Sequence[LatticeValue] | None = None
     ) -> None:
         base = order.ambient.base
         self.order, self.prime = order, prime
@@ -111,13 +113,13 @@ class Neighbours:
 
 
 @lru_cache(maxsize=64)
-def neighbours_at(order: LatticeValue, prime: Any) -> Neighbours:
+def neighbours_at(order: LatticeValue, prime: Prime) -> Neighbours:
     """Return the right ideals of norm P in an order, and with them those in its right ideals."""
     return Neighbours(order, prime)
 
 
 @lru_cache(maxsize=64)
-def two_sided_at(order: LatticeValue, prime: Any) -> Neighbours:
+def two_sided_at(order: LatticeValue, prime: Prime) -> Neighbours:
     """Return the two-sided ideal of norm P in an order, and with it that in its right ideals."""
     return Neighbours(order, prime, [two_sided_prime(order, prime)])
 
@@ -239,7 +241,7 @@ def _modulo(order: LatticeValue, matrix: fmpq_mat, p: int) -> nmod_mat:
     return order.ambient.domain.modular(moved, p)
 
 
-def _embedding(base: Any, prime: Any, p: int) -> Any:
+def _embedding(base: Base, prime: Prime, p: int) -> Any:
     """Return an integer t of the field, so that t·x is divisible by p exactly where x is in P."""
     domain = base.domain
     den, rows = base.ideal_rows(base.inverse(base.prime_ideal(prime)))
@@ -250,7 +252,7 @@ def _embedding(base: Any, prime: Any, p: int) -> Any:
     raise AssertionError("p·P⁻¹ is not contained in p·ℤ_K")
 
 
-def _multiplication(base: Any, prime: Any, c: Any, f: int) -> Matrix:
+def _multiplication(base: Base, prime: Prime, c: Any, f: int) -> Matrix:
     """Return the matrix of the multiplication by a residue, on digits as rows."""
     place = base.place(prime)
     units = (base.residue(prime, [int(k == m) for m in range(f)]) for k in range(f))

@@ -19,6 +19,7 @@ from flint import fmpz_poly, nmod_mat, nmod_poly
 from hfield.core.factorisation import factorise
 from hfield.core.primality import is_prime
 from hfield.fields.rationals.ring import QQ
+from hfield.orders.base_values import Prime
 from hfield.orders.eigenvalue_fields import EigenvalueField
 from hfield.orders.residues_modulo_primes import lifted
 from hfield.orders.validation import positive
@@ -48,7 +49,7 @@ class Newform:
         self._module, self._operator, self._polynomial = module, operator, polynomial
         self._systems: dict[int, nmod_mat | None] = {}
         self._coordinate = -1
-        self._numerators: dict[Any, list[int]] = {}
+        self._numerators: dict[Prime, list[int]] = {}
 
     @property
     def degree(self) -> int:
@@ -76,7 +77,7 @@ class Newform:
         return EigenvalueField(self._polynomial, [self._numerator(P) for P in primes])
 
     @cached_property
-    def _signs(self) -> dict[Any, int]:
+    def _signs(self) -> dict[Prime, int]:
         """The signs, by primes of the base."""
         p, system = next(self._reductions())
         one = nmod_poly(self._polynomial.derivative().coeffs(), p)
@@ -91,7 +92,7 @@ class Newform:
         return found
 
     @property
-    def signs(self) -> dict[Any, int]:
+    def signs(self) -> dict[Prime, int]:
         """The signs of Atkin and Lehner at the primes of the level and of the discriminant."""
         return {self._module.shown(P): sign for P, sign in self._signs.items()}
 
@@ -148,7 +149,7 @@ class Newform:
         matrix = _multiplication(nmod_poly(numerator, p) * inverse, g)
         return [int(c) for c in matrix.charpoly().coeffs()]
 
-    def _at_level(self, P: Any) -> int | None:
+    def _at_level(self, P: Prime) -> int | None:
         """Return the eigenvalue at a prime of the level or of the discriminant, None at others."""
         exponents = dict(self._exponents)
         if P not in exponents:
@@ -158,7 +159,7 @@ class Newform:
         norm = self._module.absolute_norm(P)
         return -self._signs[P] * int(norm ** (self.weight // 2 - 1))
 
-    def _numerator(self, P: Any) -> list[int]:
+    def _numerator(self, P: Prime) -> list[int]:
         """Return the coefficients of N, low degree first, for the eigenvalue N(α)/g′(α) at a good prime."""
         if P not in self._numerators:
             d, module = self.degree, self._module
@@ -270,16 +271,16 @@ class Newform:
 
     # --- several -----------------------------------------------------------------------------------------
 
-    def eigenvalues(self, number: int) -> dict[Any, Any]:
+    def eigenvalues(self, number: int) -> dict[object, Any]:
         """Return the eigenvalues at the first primes off the level and the discriminant."""
         primes = islice(self._module.good_primes(), number)
         return {self._module.shown(P): self[P] for P in primes}
 
-    def eigenvalues_up_to(self, norm: int) -> dict[Any, Any]:
+    def eigenvalues_up_to(self, norm: int) -> dict[object, Any]:
         """Return the eigenvalues at all primes of norm up to a bound, those of the level too."""
         return {self._module.shown(P): self[P] for P in self._module.primes_up_to(norm)}
 
-    def traces_up_to(self, norm: int) -> dict[Any, int]:
+    def traces_up_to(self, norm: int) -> dict[Prime, int]:
         """Return the traces of the eigenvalues at the same primes."""
         return {self._module.shown(P): self.trace(P) for P in self._module.primes_up_to(norm)}
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 from hfield.core.product import Constants
 from hfield.errors import HFieldError, LatticeError, shorten
@@ -24,6 +24,7 @@ from hfield.fields.function_fields.places import FunctionPlace
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.function_fields.symbols import ramified_places_functions, symbol
 from hfield.fields.quadratic_forms.normal_forms import discriminant, normal_form
+from hfield.orders.base_values import BaseIdeal
 from hfield.orders.domains import PolynomialDomain
 from hfield.orders.polynomial_matrices import FractionMatrix
 from hfield.orders.validation import natural
@@ -155,7 +156,7 @@ class PolynomialBase:
     def ideal(self, x: object) -> PolynomialIdeal:
         return self.integers.ideal(x)
 
-    def is_ideal(self, x: object) -> bool:
+    def is_ideal(self, x: object) -> TypeGuard[BaseIdeal]:
         return isinstance(x, PolynomialIdeal | FunctionPlace)
 
     def norm_bound(self, lattice: Any, n: object) -> int:

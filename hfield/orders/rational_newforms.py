@@ -33,11 +33,13 @@ from hfield.core.lanczos import (
 )
 from hfield.core.progress import track
 from hfield.errors import LatticeError, UndecidedError
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.invariants import good_primes, is_eichler, level
 from hfield.orders.lattice_values import discriminant
 from hfield.orders.sign_spaces import SignSpace
 
 if TYPE_CHECKING:
+    from hfield.orders.base import Base
     from hfield.orders.classes import Classes
 
 MAX_OPERATORS = 3
@@ -58,10 +60,10 @@ class RationalNewform:
     classes: Classes
     values: tuple[int, ...]
     """Its values on the classes, coprime integers."""
-    by_prime: Mapping[Any, int]
+    by_prime: Mapping[Prime, int]
 
     @property
-    def signs(self) -> dict[Any, int]:
+    def signs(self) -> dict[Prime, int]:
         """The signs of Atkin and Lehner at the primes of the level and of the discriminant."""
         base = self.classes.ambient.base
         return {_shown(base, P): sign for P, sign in self.by_prime.items()}
@@ -76,14 +78,14 @@ class RationalNewform:
         values = self.values
         return min((n for n, x in enumerate(values) if x), key=lambda n: abs(values[n]))
 
-    def _eigenvalue(self, P: Any) -> int:
+    def _eigenvalue(self, P: Prime) -> int:
         row = self.classes.neighbours_of(self._least, P)
         total = sum(times * self.values[n] for n, times in row.items())
         value, rest = divmod(total, self.values[self._least])
         assert not rest, "eigenvalues are integral"
         return value
 
-    def eigenvalues(self, number: int) -> dict[Any, int]:
+    def eigenvalues(self, number: int) -> dict[Prime, int]:
         """Return the eigenvalues at the first primes off the level and the discriminant."""
         primes = islice(good_primes(self.classes.order), number)
         return {_shown(self.classes.ambient.base, P): self[P] for P in primes}
@@ -94,7 +96,7 @@ class RationalNewform:
 
 
 def rational_newforms(
-    classes: Classes, make: Callable[[Any], Classes], executor: Executor | None = None
+    classes: Classes, make: Callable[[BaseIdeal], Classes], executor: Executor | None = None
 ) -> list[RationalNewform]:
     """Return all newforms of weight 2 with rational eigenvalues, of trivial character, of a squarefree level.
 
@@ -221,7 +223,7 @@ class RationalSystems:
             "functions"
         )
 
-    def _parts(self, basis: list[np.ndarray], P: Any) -> Iterator[list[np.ndarray]]:
+    def _parts(self, basis: list[np.ndarray], P: Prime) -> Iterator[list[np.ndarray]]:
         """Yield bases of the rational eigenspaces of the Hecke operator of a prime in a space."""
         space, size = self.space, len(basis)
         _, pivots = echelon(basis)
@@ -250,7 +252,7 @@ class RationalSystems:
                 ]
 
 
-def _shown(base: Any, prime: Any) -> Any:
+def _shown(base: Base, prime: Prime) -> Any:
     """Return a prime as the base field has it."""
     above = base.primes_above(base.place(prime).below)
     return next(P for P, Q in above if prime == Q)
@@ -263,7 +265,7 @@ def _primitive(vector: Any) -> np.ndarray:
     return found
 
 
-def _bound(classes: Classes, P: Any) -> int:
+def _bound(classes: Classes, P: Prime) -> int:
     """Return the largest integer of absolute value at most 2√N(P)."""
     base = classes.ambient.base
     return math.isqrt(4 * base.absolute_norm(base.prime_ideal(P)))

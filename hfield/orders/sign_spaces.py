@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from hfield.core.lanczos import SparseOperator
 from hfield.core.sparse_rows import SparseRows
+from hfield.orders.base_values import Prime
 
 if TYPE_CHECKING:
     from hfield.orders.classes import Classes
@@ -22,7 +23,7 @@ class SignSpace:
     each orbit, except that it is 0 on orbits where signs contradict one another.
     """
 
-    def __init__(self, classes: Classes, signs: Mapping[Any, int]) -> None:
+    def __init__(self, classes: Classes, signs: Mapping[Prime, int]) -> None:
         self.classes, self.signs = classes, dict(signs)
         moves = [(moved, 1) for moved in classes.central]
         moves += [(classes.exchanged(P), sign) for P, sign in signs.items()]

@@ -126,7 +126,7 @@ def of_smooth_norm(
         raise LatticeError(f"{shorten(x)} does not lie in the order")
     # C·β + D·s·β + E·x = 0 modulo N·O
     den, rows = spanning_rows(order.ambient, [f.beta, f.root * f.beta, x])
-    scaled = times_ideal(order, n)
+    scaled = times_ideal(order, order.ambient.base.ideal(n))
     inside, d = hermite.in_coordinates(scaled.matrix, rows)
     table = [[int(c) * scaled.den * n // (d * den) for c in row] for row in inside.tolist()]
     found = [v for v in kernel(list(zip(*table, strict=True)), n) if v[2] % n]

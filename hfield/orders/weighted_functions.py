@@ -12,12 +12,12 @@ import math
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
-from typing import Any
 
 from flint import nmod_mat, nmod_poly
 
 from hfield.errors import LatticeError
 from hfield.orders import brandt
+from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.class_elements import ClassElements, Located
 from hfield.orders.classes import Classes
 from hfield.orders.eigensystems import Combination, Module
@@ -47,12 +47,12 @@ class Reduction:
 class WeightedFunctions(Module):
     """Forms of an even weight k > 2: functions on the classes of an Eichler order with invariant values."""
 
-    def __init__(self, classes: Classes, make: Callable[[Any], Classes], weight: int) -> None:
+    def __init__(self, classes: Classes, make: Callable[[BaseIdeal], Classes], weight: int) -> None:
         super().__init__(classes, make)
         self.weight = weight
         self._elements = ClassElements(classes)
         self._reductions: dict[int, Reduction] = {}
-        self._operators: dict[tuple[Any, int], nmod_mat] = {}
+        self._operators: dict[tuple[Prime, int], nmod_mat] = {}
         self._subspaces: dict[int, nmod_mat | None] = {}
 
     def of_classes(self, classes: Classes) -> WeightedFunctions:
@@ -116,27 +116,27 @@ class WeightedFunctions(Module):
             found |= dict(enumerate(map(int, block.tolist()[k]), reduction.starts[j]))
         return found
 
-    def _scale(self, prime: Any) -> int:
+    def _scale(self, prime: Prime) -> int:
         return int(self.absolute_norm(prime) ** (self.weight // 2 - 1))
 
-    def _hecke_operator(self, prime: Any, p: int) -> nmod_mat:
+    def _hecke_operator(self, prime: Prime, p: int) -> nmod_mat:
         """Return the Hecke operator at a prime on all functions."""
         if (prime, p) not in self._operators:
             found = self._operator(lambda i: self._elements.neighbours(i, prime), p)
             self._operators[prime, p] = found * self._scale(prime)
         return self._operators[prime, p]
 
-    def row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+    def row(self, prime: Prime, i: int, p: int) -> dict[int, int]:
         """Return row i of the Hecke operator at a prime."""
         scale = self._scale(prime)
         found = self._row(i, lambda i: self._elements.neighbours(i, prime), p)
         return {j: c * scale for j, c in found.items()}
 
-    def exchange_row(self, prime: Any, i: int, p: int) -> dict[int, int]:
+    def exchange_row(self, prime: Prime, i: int, p: int) -> dict[int, int]:
         """Return row i of the operator of the two-sided ideal at a prime."""
         return self._row(i, lambda i: [self._elements.exchanged(i, prime)], p)
 
-    def _central(self, ideal: Any, p: int) -> nmod_mat:
+    def _central(self, ideal: BaseIdeal, p: int) -> nmod_mat:
         """Return the operator of an ideal of the base."""
         return self._operator(lambda i: [self._elements.multiplied(i, ideal)], p)
 
@@ -146,7 +146,7 @@ class WeightedFunctions(Module):
             self._subspaces[p] = self._fixed(p) if self.base.class_generators else None
         return self._subspaces[p]
 
-    def blocks(self, prime: Any, p: int) -> list[nmod_mat]:
+    def blocks(self, prime: Prime, p: int) -> list[nmod_mat]:
         """Return the Hecke operator at a prime on functions with trivial character."""
         matrix, basis = self._hecke_operator(prime, p), self._trivial_character(p)
         if basis is None:
@@ -167,7 +167,7 @@ class WeightedFunctions(Module):
 
     # --- all characters --------------------------------------------------------------------------------
 
-    def hecke_polynomial(self, norm: Any) -> list[int]:
+    def hecke_polynomial(self, norm: BaseIdeal) -> list[int]:
         """Return the characteristic polynomial of T of an ideal on forms of any unramified character.
 
         The values have an invariant definite form, so that no eigenvalue of T_P exceeds the number of ideals
@@ -187,7 +187,7 @@ class WeightedFunctions(Module):
         residues = ((p, list(map(int, f.coeffs()))) for p, f in polynomials)
         return lifted(residues, (1 + bound) ** self._reduction(next(self.primes())).size)
 
-    def _all_characters(self, factors: list[tuple[Any, int]], p: int) -> nmod_mat:
+    def _all_characters(self, factors: list[tuple[Prime, int]], p: int) -> nmod_mat:
         found = identity(self._reduction(p).size, p)
         for P, e in factors:
             step = self._hecke_operator(P, p)
