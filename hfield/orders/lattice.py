@@ -10,7 +10,6 @@ import random
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 from pathlib import Path
@@ -77,6 +76,7 @@ from hfield.orders.validation import prime as checked_prime
 from hfield.orders.validation import weight as checked_weight
 from hfield.orders.weighted_functions import WeightedFunctions
 from hfield.sympy_printing import PrintedBySympy
+from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
     from hfield.orders.indefinite_classes import IndefiniteClassSet
@@ -399,26 +399,19 @@ class Lattice(Hinted, PrintedBySympy):
         return short_elements.theta_series(self.value, n)
 
 
-@dataclass(frozen=True)
-class ExplainedBool:
-    """True or false in an ``if``, with the ``reason``; it equals True or False."""
+class ExplainedBool(Verdict[None]):
+    """A verdict that is written True or False, and equals others with the same value."""
 
-    holds: bool
-    reason: str
+    @property
+    def holds(self) -> bool:
+        """The value."""
+        return self.value
 
-    def __bool__(self) -> bool:
-        return self.holds
-
-    def __eq__(self, other: object) -> bool:
-        return (
-            self.holds == bool(other) if isinstance(other, bool | ExplainedBool) else NotImplemented
-        )
-
-    def __hash__(self) -> int:
-        return hash(self.holds)
+    def _key(self) -> tuple[object, ...]:
+        return (self.value,)
 
     def __repr__(self) -> str:
-        return str(self.holds)
+        return str(self.value)
 
 
 class Order(WithStableClasses, Certified, Lattice):
@@ -926,11 +919,29 @@ class Order(WithStableClasses, Certified, Lattice):
             def claim() -> Claim:
                 return cm_points.claim_of_orbits(group, discriminant)
 
-            return Embeddings(self, discriminant, element, None, of_orbits, reason, prime, claim)
+            return Embeddings(
+                element is not None,
+                reason,
+                element,
+                order=self,
+                discriminant=discriminant,
+                listed=None,
+                of_orbits=of_orbits,
+                prime=prime,
+                of_orbits_claim=claim,
+            )
         every, chosen = quadratic_orders.embeddings(self.value, discriminant)
         reason = "" if every else "no element of the order has this discriminant and is optimal"
         first = every[0] if every else None
-        return Embeddings(self, discriminant, first, every, lambda: chosen, reason)
+        return Embeddings(
+            first is not None,
+            reason,
+            first,
+            order=self,
+            discriminant=discriminant,
+            listed=every,
+            of_orbits=lambda: chosen,
+        )
 
     # --- classes -----------------------------------------------------------------------------------
 

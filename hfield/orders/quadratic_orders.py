@@ -40,6 +40,7 @@ from hfield.orders.short_elements import (
 )
 from hfield.orders.units import units_modulo_scalars
 from hfield.orders.validation import checked_side, listed
+from hfield.verdicts import Verdict
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
@@ -57,9 +58,9 @@ MAX_CLASSES = 20_000
 # --- embeddings ------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Embeddings(Certified):
-    """The optimal embeddings of the quadratic order S of ``discriminant`` d in an order.
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Embeddings(Certified, Verdict["Quaternion"]):
+    """Whether a quadratic order S has optimal embeddings in an order, and these; S has ``discriminant`` d.
 
     Each is given by the image of ``(t + √d)/2``, t² ≡ d modulo 4, where over ℤ t is d. ``reason`` says why
     there is none.
@@ -67,21 +68,17 @@ class Embeddings(Certified):
 
     order: Order
     discriminant: object
-    element: Quaternion | None
-    """One of the images, or None."""
     listed: tuple[Quaternion, ...] | None
     """All images; None where they are infinitely many."""
     of_orbits: Callable[[], tuple[Quaternion, ...]]
     """Returns one of each orbit."""
-    reason: str = ""
     prime: object = None
     """A prime at which there is no embedding, or None."""
     of_orbits_claim: Callable[[], Claim] | None = None
     """Returns the claim of :meth:`claim_of_orbits`; None in a definite algebra."""
 
-    def __bool__(self) -> bool:
-        """Tell whether there is an optimal embedding."""
-        return self.element is not None
+    def _key(self) -> tuple[object, ...]:
+        return self.order, self.discriminant, *super()._key()
 
     def __len__(self) -> int:
         return len(self.elements)

@@ -9,7 +9,6 @@ orders (J. Voight, *Quaternion Algebras*, chapter 22), and forms are compared by
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 from typing import Any
@@ -28,24 +27,32 @@ from hfield.hints import FORM, Hinted
 from hfield.orders.isomorphic_orders import reduced_bases
 from hfield.orders.lattice_values import LatticeValue
 from hfield.orders.pseudo_bases import basis_modulo_numbers
+from hfield.verdicts import Verdict
 
 Triple = tuple[Quaternion, Quaternion, Quaternion]
 Matrix = tuple[tuple[Any, Any, Any], ...]
 
 
-@dataclass(frozen=True)
-class FormEquivalence:
-    """True or false in an ``if``: ``matrix`` is M with f(v) = g(v·M), rows v; ``reason`` says why not.
+class FormEquivalence(Verdict[Matrix]):
+    """A verdict whose witness is the ``matrix`` M with f(v) = g(v·M), rows v; ``reason`` says why not.
 
     In an indefinite algebra a theorem may decide, and the matrix be missing.
     """
 
-    holds: bool
-    reason: str
-    matrix: Matrix | None = None
+    @property
+    def holds(self) -> bool:
+        """The value."""
+        return self.value
 
-    def __bool__(self) -> bool:
-        return self.holds
+    @property
+    def matrix(self) -> Matrix | None:
+        """The witness."""
+        return self.witness
+
+    def __repr__(self) -> str:
+        return (
+            f"FormEquivalence(holds={self.value}, reason={self.reason!r}, matrix={self.matrix!r})"
+        )
 
 
 class TernaryForm(Hinted):
