@@ -42,7 +42,7 @@ from hfield.fields.rationals.ring import QQ
 from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.fields.rationals.whole_numbers import fraction, square_root
 from hfield.orders import positive_generators, validation
-from hfield.orders.base_values import BaseIdeal
+from hfield.orders.base_values import BaseIdeal, TrivialClassGroup
 from hfield.orders.domains import INTEGERS, Domain
 from hfield.orders.linear_algebra_mod_p import kronecker
 
@@ -380,8 +380,8 @@ class RationalIntegers:
     def ideal_text(self, ideal: Fraction | int) -> int:
         return int(ideal)
 
-    def classes_modulo_signs(self, ambient: AlgebraBasis) -> OneClass:
-        return OneClass()
+    def classes_modulo_signs(self, ambient: AlgebraBasis) -> TrivialClassGroup:
+        return TrivialClassGroup()
 
     def generators(self, ideal: Fraction | int, places: tuple[int, ...]) -> list[fmpq]:
         x = self.inside(ideal)
@@ -512,17 +512,6 @@ class RationalIntegers:
         return found
 
 
-class OneClass:
-    """The ideals of ℤ modulo those with positive generators, all of them."""
-
-    order = 1
-    invariants: tuple[int, ...] = ()
-
-    def class_of(self, ideal: object) -> tuple[int, ...]:
-        """Return the one class."""
-        return ()
-
-
 def _square_class(p: int, x: fmpq) -> int:
     """Return the class of the unit part of a number at p."""
     n = remove(int(x.p), p)[1] * remove(int(x.q), p)[1]
@@ -533,7 +522,7 @@ class OneNarrowClass:
     """The ideals of ℤ modulo positive numbers."""
 
     order = 1
-    group = OneClass()
+    group = TrivialClassGroup()
     ideals = (Fraction(1),)
 
     def split(self, ideal: Fraction | int) -> tuple[int, fmpq]:

@@ -24,7 +24,7 @@ from hfield.fields.function_fields.places import FunctionPlace
 from hfield.fields.function_fields.ring import FunctionField
 from hfield.fields.function_fields.symbols import ramified_places_functions, symbol
 from hfield.fields.quadratic_forms.normal_forms import discriminant, normal_form
-from hfield.orders.base_values import BaseIdeal
+from hfield.orders.base_values import BaseIdeal, TrivialClassGroup
 from hfield.orders.domains import PolynomialDomain
 from hfield.orders.polynomial_matrices import FractionMatrix
 from hfield.orders.validation import natural
@@ -34,22 +34,11 @@ if TYPE_CHECKING:
     from hfield.orders.basis import AlgebraBasis
 
 
-class OneClass:
-    """The group of the ideal classes of 𝔽_q[t], which is trivial."""
-
-    order = 1
-    invariants: tuple[int, ...] = ()
-
-    def class_of(self, ideal: object) -> tuple[int, ...]:
-        """Return the one class."""
-        return ()
-
-
-class OneNarrowClass:
+class PolynomialNarrowClass:
     """The ideals of 𝔽_q[t] modulo their generators."""
 
     order = 1
-    group = OneClass()
+    group = TrivialClassGroup()
 
     def __init__(self, one: PolynomialIdeal) -> None:
         self.ideals = (one,)
@@ -77,7 +66,7 @@ class PolynomialBase:
         self.integral_basis = (self.field.one,)
         self.symbol = self.integers.text
         self.one = self.integers.principal(self.field.one)
-        self.narrow_classes = OneNarrowClass(self.one)
+        self.narrow_classes = PolynomialNarrowClass(self.one)
 
     # --- elements ------------------------------------------------------------------------------------
 
@@ -240,8 +229,8 @@ class PolynomialBase:
             return (one,)
         return one, self.field.constant(next(c for c in k.elements() if k.sqrt(c) is None))
 
-    def classes_modulo_signs(self, ambient: AlgebraBasis) -> OneClass:
-        return OneClass()
+    def classes_modulo_signs(self, ambient: AlgebraBasis) -> TrivialClassGroup:
+        return TrivialClassGroup()
 
     def principal_multiple(self, ideal: PolynomialIdeal) -> PolynomialIdeal:
         return ideal
