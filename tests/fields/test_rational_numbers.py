@@ -1,10 +1,12 @@
 """Norms, traces and coordinates over ℚ have the operations of ints and Fractions."""
 
 import math
+import numbers
 import operator
 import pickle
 from fractions import Fraction
 
+import numpy as np
 import pytest
 
 from hfield import QQ, H, QuaternionAlgebra
@@ -67,6 +69,31 @@ def test_an_integral_one_serves_as_an_int(f) -> None:
 def test_a_fraction_does_not(f) -> None:
     with pytest.raises(TypeError, match="7/2 is not an integer"):
         f(RationalNumber(7, 2))
+
+
+@pytest.mark.parametrize(
+    "f", [operator.eq, operator.ne, operator.lt, operator.le, operator.gt, operator.ge]
+)
+def test_floats_are_compared_exactly(f) -> None:
+    floats = [-1.0, 0.0, -0.0, 0.2, 0.5, 3.0, math.inf, -math.inf, math.nan]
+    for x in VALUES:
+        own = RationalNumber(x.numerator, x.denominator)
+        for y in floats:
+            assert (f(own, y), f(y, own)) == (f(x, y), f(y, x)), (x, y)
+
+
+def test_real_numbers_of_python_are_complex() -> None:
+    x = RationalNumber(7, 2)
+    assert isinstance(x, numbers.Rational)
+    assert (x.real, x.imag, x.conjugate()) == (x, 0, x)
+
+
+def test_numbers_of_numpy_within_fractions() -> None:
+    three = Fraction(np.int64(3))  # its numerator stays numpy's
+    x = RationalNumber(7, 2)
+    assert RationalNumber(3) == three
+    assert x + three == three + x == Fraction(13, 2)
+    assert x // three == 1
 
 
 def test_what_users_get_is_of_this_kind() -> None:
