@@ -6,10 +6,11 @@ import operator
 import pickle
 from fractions import Fraction
 
+import flint
 import numpy as np
 import pytest
 
-from hfield import QQ, H, QuaternionAlgebra
+from hfield import QQ, CoercionError, H, QuaternionAlgebra, ring
 from hfield.fields.rationals.rational_numbers import RationalNumber
 
 VALUES = [Fraction(n, d) for n in (-7, -2, 0, 1, 3, 12) for d in (1, 2, 5)]
@@ -113,3 +114,15 @@ def test_what_users_get_is_of_this_kind() -> None:
         assert QQ(x) == x
         assert x * q == q * Fraction(x)
     assert isinstance(H("QQ")(1, 1, 0, 0).norm() * 2 / 3, RationalNumber)
+
+
+@pytest.mark.parametrize("n", [RationalNumber(2), np.int64(2), flint.fmpz(2)])
+def test_integers_of_other_kinds_are_exponents(n) -> None:
+    q, K = H("QQ")(1, 2, 3, 4), ring("QQ(sqrt(-5))")
+    ideal = K.ideal(2, "1+sqrt(-5)")
+    for x in (q, K.gen, ideal):
+        assert x**n == x**2 == x * x
+    with pytest.raises(CoercionError, match="is not a number"):
+        q ** "2"
+    with pytest.raises(TypeError):
+        K.gen ** Fraction(1, 2)
