@@ -18,8 +18,8 @@ from hfield.fields.names import ring
 from hfield.notation import BASIS
 from hfield.orders.lattice import Ideal, Lattice, Order
 from hfield.syntax.other_systems import RATIONALS, SIDES, pari_scale
-from hfield.syntax.parser import MAX_DEPTH
 from hfield.syntax.parts import Part
+from hfield.syntax.products import MAX_DEPTH
 
 _SAGE_ALGEBRA = (
     r"Quaternion Algebra \((?P<constants>.*?)\) with base ring (?:Rational Field|"
