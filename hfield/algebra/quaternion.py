@@ -20,6 +20,7 @@ from hfield.errors import (
     shorten,
 )
 from hfield.fields.base.coefficients import Coefficients
+from hfield.fields.base.coercion import rational
 from hfield.fields.base.ring import Ring
 from hfield.fields.base.storage.base import Batch, Storage
 from hfield.hints import ELEMENT, Hinted
@@ -284,7 +285,10 @@ class Quaternion(Hinted, PrintedBySympy):
         if isinstance(n, (float, Fraction)):
             return self._real_power(n)
         if not isinstance(n, int):
-            raise CoercionError(f"the exponent {n!r} is not a number")
+            exponent = rational(n)  # flint's, numpy's, or a norm
+            if exponent is None:
+                raise CoercionError(f"the exponent {n!r} is not a number")
+            return self**exponent
         base = self if n >= 0 else self.inverse()
         return self._alike(self._how.power(base._stored, abs(n)))
 

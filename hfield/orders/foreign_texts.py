@@ -19,6 +19,7 @@ from hfield.notation import BASIS
 from hfield.orders.lattice import Ideal, Lattice, Order
 from hfield.syntax.other_systems import RATIONALS, SIDES, pari_scale
 from hfield.syntax.parts import Part
+from hfield.syntax.products import MAX_DEPTH
 
 _SAGE_ALGEBRA = (
     r"Quaternion Algebra \((?P<constants>.*?)\) with base ring (?:Rational Field|"
@@ -69,6 +70,7 @@ class _Reader:
         if self.base_is_extended:
             self.names["s"] = algebra(algebra.ring.gen)  # as text_for names it for Sage
         self._orders: dict[str, Order] = {}
+        self._depth = 0
 
     def read(self, whole: Part) -> Any:
         if not whole.text:
@@ -113,7 +115,9 @@ class _Reader:
         found = value.call() or value.call("<")
         if found is not None and found[0].text == "QuaternionAlgebra":
             self._check_algebra(value)
-            named = (x.text for x in letters)
+            named = [x.text for x in letters]
+            if len(set(named)) < len(named) or len(named) > 3:
+                letters[0].fail(f"expected three different names here, found {', '.join(named)}")
             self.names.update(zip(named, self.algebra.basis[1:], strict=False))
 
     def _polynomial(self, field: dict[str, Part]) -> str:
@@ -187,6 +191,14 @@ class _Reader:
 
     def value(self, part: Part) -> Any:
         """Read a value of any kind."""
+        self._depth += 1
+        if self._depth > MAX_DEPTH:
+            part.fail(f"the text nests deeper than {MAX_DEPTH} levels")
+        found = self._value(part)
+        self._depth -= 1
+        return found
+
+    def _value(self, part: Part) -> Any:
         defined = self.definitions.pop(part.text, None)  # not by itself
         if defined is not None:
             found = self.value(defined)
@@ -407,13 +419,24 @@ class _Reader:
         text = _MAGMA_NAME.sub(r"\1_\2", part.text)  # of the same length
         try:
             q: Quaternion = self.algebra.parse(
-                text, names=known, functions={"Mod": lambda x, _: x} if "Mod(" in text else {}
+                text, names=known, functions={"Mod": self._residue} if "Mod(" in text else {}
             )
+        except MixedParentsError:
+            raise
         except NotationError as error:
             part[error.position or 0 :].fail(error.reason)
         except HFieldError as error:
             part.fail(str(error))
         return q
+
+    def _residue(self, x: Quaternion, modulus: Quaternion) -> Quaternion:
+        """Return x of PARI's ``Mod(x, f)``, where f is the polynomial of a generator: its value is 0."""
+        if not modulus.is_zero():
+            raise MixedParentsError(
+                f"this text has a residue modulo a polynomial that is not 0 in {shorten(self.algebra)} but "
+                f"{shorten(modulus)}: read it in the algebra that it is about"
+            )
+        return x
 
     def _generator(self, prefix: str, number: int, part: Part) -> Quaternion:
         """Return K.1, the generator of the field, or A.1, A.2, A.3 in Magma's names."""

@@ -1700,9 +1700,9 @@ class ClassSet(ByStableClasses, WithForms, Certified, Hinted):
 
         ``weight`` is the multiplicity: how many right ideals of relative norm P in class i belong to class j,
         so that the weighted adjacency matrix is the Brandt matrix. ``mass`` is the multiplicity divided by
-        the units of class i, and the same in both directions. For a maximal order of prime discriminant over
-        ℤ it is the supersingular isogeny graph, up to Galois conjugation of the vertices (Deuring). Raises
-        as :meth:`neighbour_counts` does.
+        entry i of :attr:`units`, and the same in both directions. For a maximal order of prime
+        discriminant over ℤ it is the supersingular isogeny graph, up to Galois conjugation of the vertices
+        (Deuring). Raises as :meth:`neighbour_counts` does.
 
         >>> from hfield import QuaternionAlgebra
         >>> for edge in QuaternionAlgebra(11).maximal_order().class_set().graph(2): print(*edge)

@@ -111,7 +111,8 @@ class Embeddings(Certified, Verdict["Quaternion"]):
 
         ``x`` is a pair (u, v) of numbers of F, for u + v·(t + √d)/2; a number of F; or over ℚ an element of
         a quadratic number field of hfield, with √d the positive multiple of the difference of the generator
-        and its conjugate. Raises :class:`LatticeError` for others, and where there is no embedding.
+        and its conjugate. Raises :class:`LatticeError` for others, and where there is no embedding, and
+        :class:`CoercionError` or :class:`NotationError` where u or v is no number of F.
 
         >>> from hfield import QuaternionAlgebra, ring
         >>> E = QuaternionAlgebra(6).maximal_order().embeddings(-24)
@@ -126,8 +127,13 @@ class Embeddings(Certified, Verdict["Quaternion"]):
         if isinstance(x, FieldElement) and x.field != algebra.ring:
             u, v = self._coordinates(x, Fraction(str(self.element.trace())))
         elif isinstance(x, tuple):
+            if len(x) != 2:
+                raise LatticeError(
+                    f"{shorten(x)} is no pair (u, v): expected one, for u + v·(t + √d)/2"
+                )
             u, v = x
-        found: Quaternion = algebra(u) + algebra(v) * self.element
+        F = algebra.ring
+        found: Quaternion = algebra(F(u)) + algebra(F(v)) * self.element
         return found
 
     def _coordinates(self, x: FieldElement, t: Fraction) -> tuple[Fraction, Fraction]:

@@ -1,13 +1,16 @@
 """Norms, traces and coordinates over ℚ have the operations of ints and Fractions."""
 
 import math
+import numbers
 import operator
 import pickle
 from fractions import Fraction
 
+import flint
+import numpy as np
 import pytest
 
-from hfield import QQ, H, QuaternionAlgebra
+from hfield import QQ, CoercionError, H, QuaternionAlgebra, ring
 from hfield.fields.rationals.rational_numbers import RationalNumber
 
 VALUES = [Fraction(n, d) for n in (-7, -2, 0, 1, 3, 12) for d in (1, 2, 5)]
@@ -69,6 +72,31 @@ def test_a_fraction_does_not(f) -> None:
         f(RationalNumber(7, 2))
 
 
+@pytest.mark.parametrize(
+    "f", [operator.eq, operator.ne, operator.lt, operator.le, operator.gt, operator.ge]
+)
+def test_floats_are_compared_exactly(f) -> None:
+    floats = [-1.0, 0.0, -0.0, 0.2, 0.5, 3.0, math.inf, -math.inf, math.nan]
+    for x in VALUES:
+        own = RationalNumber(x.numerator, x.denominator)
+        for y in floats:
+            assert (f(own, y), f(y, own)) == (f(x, y), f(y, x)), (x, y)
+
+
+def test_real_numbers_of_python_are_complex() -> None:
+    x = RationalNumber(7, 2)
+    assert isinstance(x, numbers.Rational)
+    assert (x.real, x.imag, x.conjugate()) == (x, 0, x)
+
+
+def test_numbers_of_numpy_within_fractions() -> None:
+    three = Fraction(np.int64(3))  # its numerator stays numpy's
+    x = RationalNumber(7, 2)
+    assert RationalNumber(3) == three
+    assert x + three == three + x == Fraction(13, 2)
+    assert x // three == 1
+
+
 def test_what_users_get_is_of_this_kind() -> None:
     A = QuaternionAlgebra("QQ", -1, -11)
     q = A("1/2 + i")
@@ -86,3 +114,15 @@ def test_what_users_get_is_of_this_kind() -> None:
         assert QQ(x) == x
         assert x * q == q * Fraction(x)
     assert isinstance(H("QQ")(1, 1, 0, 0).norm() * 2 / 3, RationalNumber)
+
+
+@pytest.mark.parametrize("n", [RationalNumber(2), np.int64(2), flint.fmpz(2)])
+def test_integers_of_other_kinds_are_exponents(n) -> None:
+    q, K = H("QQ")(1, 2, 3, 4), ring("QQ(sqrt(-5))")
+    ideal = K.ideal(2, "1+sqrt(-5)")
+    for x in (q, K.gen, ideal):
+        assert x**n == x**2 == x * x
+    with pytest.raises(CoercionError, match="is not a number"):
+        q ** "2"
+    with pytest.raises(TypeError):
+        K.gen ** Fraction(1, 2)

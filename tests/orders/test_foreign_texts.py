@@ -163,6 +163,9 @@ MISTAKES = [
     ("1 + B.2", "B.2 is no generator", 5),
     ("x = 3; y; 1", "expected a definition", 8),
     ("[1, Fractional ideal (1, i, j, k)]", "an element in a list", 2),
+    ("[" * 3000 + "]" * 3000, "nests deeper than 100 levels", 101),
+    ("B.<i,i,k> = QuaternionAlgebra(QQ, -1, -11); i", "three different names", 4),
+    ("B.<x,y,z,w> = QuaternionAlgebra(QQ, -1, -11); w", "three different names", 4),
 ]
 
 
@@ -172,6 +175,12 @@ def test_what_cannot_be_read_is_named_with_its_position(text: str, words: str, p
         ALGEBRAS["QQ"].read(text)
     assert caught.value.position == place - 1
     assert f"at character {place} of" in str(caught.value)
+
+
+def test_long_chains_of_definitions_are_refused() -> None:
+    chain = ";".join(["a0 = i", *(f"a{n + 1} = a{n}" for n in range(2000)), "a2000"])
+    with pytest.raises(NotationError, match="nests deeper"):
+        ALGEBRAS["QQ"].read(chain)
 
 
 def test_a_text_about_another_algebra_says_so() -> None:
@@ -194,6 +203,11 @@ def test_a_text_about_another_algebra_says_so() -> None:
             B.read(text)
         with pytest.raises(MixedParentsError, match="the field QQ"):
             H("QQ(sqrt(3))").read(text)
+    root = QuaternionAlgebra("QQ(sqrt(5))", -1, -1)
+    assert root.read("[Mod(Mod(y, y^2 - 5)*x, x^2 + 1), 0]~") == root(root.ring.gen) * root.i
+    for foreign in ("[Mod(y, y^2 - 2), 0]~", "[Mod(x, x^2 + 3), 0]~", "Mod(3, 7)"):
+        with pytest.raises(MixedParentsError, match="residue"):
+            root.read(foreign)
     with pytest.raises(MixedParentsError, match="over GF"):
         H("GF(7)").read(H("GF(5)")(1).text_for("sage"))
 

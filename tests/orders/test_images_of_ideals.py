@@ -3,6 +3,7 @@
 import pytest
 
 from hfield import H, LatticeError, Order, QuaternionAlgebra, ring
+from hfield.errors import HFieldError
 
 ORDERS = [
     (QuaternionAlgebra("QQ", -1, -11).maximal_order(), -20),
@@ -75,3 +76,11 @@ def test_what_is_refused() -> None:
         O.embeddings(-24).ideal(ring("QQ(sqrt(-5))").primes_above(3)[0])
     with pytest.raises(LatticeError, match="rank"):
         H("QQ").hurwitz_order().embeddings(-4).ideal([0])
+
+
+@pytest.mark.parametrize("x", ["i", ("i", 1), (1, "1+j"), (1, 2, 3), (1,), 1.5])
+def test_only_numbers_have_an_image(x: object) -> None:
+    """An element of the algebra is none of the quadratic field."""
+    O, d = ORDERS[0]
+    with pytest.raises(HFieldError):
+        O.embeddings(d).image(x)

@@ -89,6 +89,8 @@ MISTAKES = [
     (11, "6.5", MixedParentsError, "label of an indefinite order"),
     (6, "10.3", MixedParentsError, "discriminant 10"),
     (6, "6.3", LatticeError, "prime 3 in common"),
+    (6, "9" * 5000 + ".1", NotationError, "too large to be read"),
+    (6, "٦.١", NotationError, "cannot read"),  # digits of another script
 ]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import index
 from typing import TYPE_CHECKING
 
 import flint
@@ -82,7 +83,7 @@ class FieldElement(PrintedBySympy):
         return NotImplemented if y is None else self.inverse() * other
 
     def __pow__(self, n: int) -> FieldElement:
-        return self.field.power(self, n)
+        return self.field.power(self, index(n))
 
     def inverse(self) -> FieldElement:
         """Return 1/self. Raises :class:`NotInvertibleError` for 0."""

@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import product
+from operator import index
 from typing import TYPE_CHECKING, Any
 
 import flint
@@ -239,7 +240,9 @@ class FractionalIdeal:
         return NotImplemented if b is None else b * self.inverse()
 
     def __pow__(self, exponent: int) -> FractionalIdeal:
-        if not isinstance(exponent, int):
+        try:
+            exponent = index(exponent)
+        except TypeError:
             return NotImplemented
         base, n = (self.inverse(), -exponent) if exponent < 0 else (self, exponent)
         result = self.frame.one

@@ -37,6 +37,20 @@ class RationalNumber(fmpq):  # type: ignore[misc]  # flint has no types
         """The denominator, a positive int."""
         return int(self.q)
 
+    @property
+    def real(self) -> RationalNumber:
+        """The number itself, as of every real number of Python."""
+        return self
+
+    @property
+    def imag(self) -> int:
+        """Return 0."""
+        return 0
+
+    def conjugate(self) -> RationalNumber:
+        """Return the number itself."""
+        return self
+
     def as_integer_ratio(self) -> tuple[int, int]:
         """Return the numerator and the denominator."""
         return int(self.p), int(self.q)
@@ -127,11 +141,28 @@ class RationalNumber(fmpq):  # type: ignore[misc]  # flint has no types
     __sub__, __rsub__ = _operation("__sub__"), _operation("__rsub__")
     __mul__, __rmul__ = _operation("__mul__"), _operation("__rmul__")
     __truediv__, __rtruediv__ = _operation("__truediv__"), _operation("__rtruediv__")
-    __eq__, __ne__ = _operation("__eq__"), _operation("__ne__")
-    __lt__, __le__ = _operation("__lt__"), _operation("__le__")
-    __gt__, __ge__ = _operation("__gt__"), _operation("__ge__")
+
+    def _comparison(name: str) -> Callable[[RationalNumber, object], Any]:  # noqa: N805
+        """Return a comparison that takes Fractions and, exactly as they do, floats."""
+        of_flint, of_fractions = getattr(fmpq, name), getattr(Fraction, name)
+
+        def comparison(self: RationalNumber, other: object) -> Any:
+            if isinstance(other, float):
+                return of_fractions(Fraction(int(self.p), int(self.q)), other)
+            return of_flint(self, _of_python(other))
+
+        comparison.__name__ = name
+        return comparison
+
+    def __ne__(self, other: object) -> Any:
+        equal = self.__eq__(other)
+        return equal if equal is NotImplemented else not equal
+
+    __eq__ = _comparison("__eq__")
+    __lt__, __le__ = _comparison("__lt__"), _comparison("__le__")
+    __gt__, __ge__ = _comparison("__gt__"), _comparison("__ge__")
     __hash__ = fmpq.__hash__
-    del _operation
+    del _operation, _comparison
 
     def __neg__(self) -> RationalNumber:
         return RationalNumber(-self.p, self.q)
@@ -149,7 +180,7 @@ numbers.Rational.register(RationalNumber)
 def _of_python(x: object) -> object:
     """Return a Fraction as flint's rational, and anything else unchanged."""
     if isinstance(x, Fraction):
-        return fmpq(x.numerator, x.denominator)
+        return fmpq(int(x.numerator), int(x.denominator))  # of numpy, perhaps
     return x
 
 
@@ -159,7 +190,7 @@ def _rational(x: object) -> fmpq | None:
         return x
     if isinstance(x, int | fmpz):
         return fmpq(x)
-    return fmpq(x.numerator, x.denominator) if isinstance(x, Fraction) else None
+    return fmpq(int(x.numerator), int(x.denominator)) if isinstance(x, Fraction) else None
 
 
 def _floor(x: fmpq, y: fmpq) -> int:
