@@ -150,8 +150,9 @@ def main() -> int:
         other = rng.choice([x for x in every if x["evidence"]["kind"] == data["evidence"]["kind"]])
         evidence = data["evidence"]
         keys = [k for k in evidence if k != "kind"]
-        if rng.randrange(6) == 0 and keys:
-            key = rng.choice(keys)
+        shared = [k for k in keys if k in other["evidence"]]
+        if rng.randrange(6) == 0 and shared:
+            key = rng.choice(shared)
             evidence = {**evidence, key: other["evidence"][key]}
         for _ in range(rng.randint(0, 3) if keys else 0):
             evidence = changed(rng, evidence)

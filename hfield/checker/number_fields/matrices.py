@@ -44,6 +44,11 @@ def normal(x: Any) -> Any:
     return abs(x) if isinstance(x, int) else x * x.to_normal
 
 
+def is_one(x: Any) -> bool:
+    """Tell whether a positive integer or a monic polynomial is 1."""
+    return bool(x == 1) if isinstance(x, int) else x.degree == 0
+
+
 def longest(rows: Iterable[Sequence[int]]) -> int:
     """Return the bit length of the longest number."""
     return max([n.bit_length() for row in rows for n in row], default=0)

@@ -18,6 +18,7 @@ from hfield.checker.number_fields.matrices import (
     gcd,
     hermite,
     inverse,
+    is_one,
     longest,
     normal,
     ratio,
@@ -83,7 +84,7 @@ class Lattice:
     def discriminant(self) -> Any:
         """The norm down to ℚ of the reduced discriminant of an order; over polynomials its generator."""
         found = self.algebra.volume * self.volume
-        if found.denominator != found.denominator**0:
+        if not is_one(found.denominator):
             reject("this order has no integral discriminant")
         return found.numerator
 

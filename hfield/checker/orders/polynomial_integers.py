@@ -66,6 +66,10 @@ class Polynomial:
         """Return 1 + the degree: the size that a division with remainder makes less."""
         return len(self.coefficients)
 
+    def _spend(self, operations: int) -> None:
+        """Spend what operations on coefficients cost; those of an extension are lists."""
+        spend(2 + operations * (1 if self.base.order == self.base.characteristic else 4))
+
     def _same(self, x: "Polynomial | int") -> "Polynomial":
         return x if isinstance(x, Polynomial) else Polynomial(self.base, [self.base.number(x)])
 
@@ -73,13 +77,13 @@ class Polynomial:
         base, x, y = self.base, self.coefficients, self._same(other).coefficients
         if len(x) < len(y):
             x, y = y, x
-        spend(2 + len(x))
+        self._spend(len(x))
         return Polynomial(base, [*map(base.add, x, y), *x[len(y) :]])
 
     __radd__ = __add__
 
     def __neg__(self) -> "Polynomial":
-        spend(2 + len(self.coefficients))
+        self._spend(len(self.coefficients))
         return Polynomial(self.base, [self.base.neg(c) for c in self.coefficients])
 
     def __sub__(self, other: "Polynomial | int") -> "Polynomial":
@@ -87,7 +91,7 @@ class Polynomial:
 
     def __mul__(self, other: "Polynomial | int") -> "Polynomial":
         base, x, y = self.base, self.coefficients, self._same(other).coefficients
-        spend(2 + len(x) * len(y))
+        self._spend(len(x) * len(y))
         if not x or not y:
             return Polynomial(base, ())
         out: list[Any] = [base.zero] * (len(x) + len(y) - 1)
@@ -110,7 +114,7 @@ class Polynomial:
         shift = len(x) - len(y)
         if shift < 0:
             return Polynomial(base, ()), self
-        spend(5 + 2 * (shift + 1) * len(y))
+        self._spend(3 + 2 * (shift + 1) * len(y))
         inverse, quotient = base.inverse(y[-1]), [base.zero] * (shift + 1)
         for n in range(shift, -1, -1):
             c = base.mul(x[n + len(y) - 1], inverse)

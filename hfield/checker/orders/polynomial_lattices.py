@@ -11,7 +11,7 @@ from functools import cached_property
 from itertools import product
 
 from hfield.checker.budget import spend
-from hfield.checker.number_fields.matrices import Key, Row, times
+from hfield.checker.number_fields.matrices import Key, Row, is_one, times
 from hfield.checker.orders.lattice import Element, Lattice
 from hfield.checker.orders.polynomial_integers import Polynomial, PolynomialIntegers
 from hfield.checker.rejection import reject
@@ -125,7 +125,7 @@ def mass(order: PolynomialLattice, primes: Sequence[tuple[Polynomial, QuotientFi
         symbol = _eichler_symbol(order, residues)
         size = residues.order
         found *= 1 - Fraction(1, size**2) if symbol == 0 else 1 + Fraction(symbol, size)
-    if rest.degree:
+    if not is_one(rest):
         reject("the primes of the discriminant are not all given")
     return found
 

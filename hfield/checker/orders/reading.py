@@ -23,7 +23,7 @@ from hfield.checker.number_fields.integers import (
     field_of,
     integer_row,
 )
-from hfield.checker.number_fields.matrices import Key, Row, lcm, normal, rational_rows, unit
+from hfield.checker.number_fields.matrices import Key, Row, is_one, lcm, normal, rational_rows, unit
 from hfield.checker.number_fields.narrow_class_groups import Narrow
 from hfield.checker.number_fields.real_numbers import RealPlace
 from hfield.checker.orders import local_types, polynomial_lattices
@@ -356,7 +356,7 @@ class OverPolynomials(Given):
     def whole(self, text: str, what: str) -> Any:
         """Read the monic generator of an integral ideal."""
         found = self.fraction(text)
-        if found.denominator.degree:
+        if not is_one(found.denominator):
             reject(f"{what} must be a polynomial")
         return found.numerator
 
