@@ -142,6 +142,11 @@ def test_an_algebra_that_splits_at_infinity_has_no_reduced_bases() -> None:
     data = genuine(*CASES[0])["units"]
     forged = {**data, "algebra": str(A), "statement": f"{word}{{{text}; 1}}"}
     rejects(with_evidence(forged, order=text), "reduced|infinity")
+    # the leading terms of the norms 1, 1, t, t are independent, and there are elements of norm 0
+    given = OverPolynomials(read_setting(str(A), read_ring(data["ring"])), {})
+    hidden = "1,0,0,0 | 0,0,2-2/t,2+2/t | t^5,t^5,0,1 | 2*t+1,2*t+2,1,0"
+    with pytest.raises(Rejected, match="too large a degree"):
+        _ = given.lattice(hidden).degrees
 
 
 @pytest.mark.parametrize("case", CASES)
