@@ -82,6 +82,12 @@ class Kind(StrEnum):
     NORM_ONE_GROUP = "norm-one-group"
     NORM_ONE_GROUP_OVER_INTEGERS = "norm-one-group-over-integers"
     ORDER = "order"
+    CLASS_SET_OVER_POLYNOMIALS = "class-set-over-polynomials"
+    EQUIVALENT_OVER_POLYNOMIALS = "equivalent-over-polynomials"
+    IDEAL_OVER_POLYNOMIALS = "ideal-over-polynomials"
+    ISOMORPHIC_OVER_POLYNOMIALS = "isomorphic-over-polynomials"
+    ORDER_OVER_POLYNOMIALS = "order-over-polynomials"
+    UNIT_INDEX_OVER_POLYNOMIALS = "unit-index-over-polynomials"
 
 
 @dataclass(init=False)

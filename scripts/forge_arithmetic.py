@@ -20,6 +20,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from hfield import QuaternionAlgebra, ring
 from hfield.checker.check import Budget, Rejected, check
+from hfield.orders import certificates
 
 FIELDS = (
     "QQ(sqrt(-21))", "QQ(sqrt(5))", "QQ(sqrt(82))", "QQ(zeta5)", "QQ(root(7,3))", "QQ(sqrt(-5))",
@@ -28,6 +29,12 @@ FIELDS = (
 INDEFINITE = ((3, -1, 1), (1, 1, 1), (1, 1, 6), (-1, 3, 5), (5, 2, 1))
 OVER_FIELDS = ("(-1,sqrt(5)|QQ(sqrt(5)))", "(-1+s-s^2,1+3*s+s^2|QQ[s]/(s^3+s^2-2*s-1))")
 DEFINITE = ("QQ(sqrt(5))", "QQ(sqrt(17))", "QQ(sqrt(29))", "QQ[s]/(s^3-s^2-2*s+1)")
+
+POLYNOMIALS = (
+    ("GF(3)(t)", "t^3+2*t+1", 1),
+    ("GF(2)(t)", "t^3+t+1", "t"),
+    ("GF(4)(t)", "t^2+t+x", "t"),
+)
 
 
 def genuine() -> list[dict[str, Any]]:
@@ -48,6 +55,15 @@ def genuine() -> list[dict[str, Any]]:
     for name in DEFINITE:
         A = QuaternionAlgebra(name, -1, -1)
         found += [O.class_set().certificate for O in (A.maximal_order(), A.order(["i", "j"]))]
+    for name, prime, level in POLYNOMIALS:
+        A = QuaternionAlgebra.from_ramification(name, [prime, "inf"])
+        O = A.eichler_order(level)
+        C = O.class_set()
+        I, x = list(C)[-1], A(1, 1, 0, 1)
+        moved = (x * O * x.inverse()).left_order()
+        found += [O.certificate, C.certificate, I.certificate, I.is_principal().certificate]
+        found += [O.isomorphism(P).certificate for P in (moved, I.left_order())]
+        found.append(certificates.of_unit_index(O.value, O.unit_index()).certificate)
     return [data for data in found if data is not None]
 
 
@@ -69,7 +85,12 @@ def changed(rng: random.Random, value: Any) -> Any:
         return [*value[:n], changed(rng, value[n]), *value[n + 1 :]]
     if isinstance(value, int):
         return rng.choice([value + 1, value - 1, -value, 2 * value, 0, 1])
-    return rng.choice(["1/2", "-1/2", "3/2", "2", "-1"]) if isinstance(value, str) else [0]
+    if not isinstance(value, str):
+        return [0]
+    if "," in value:
+        separator = " | " if " | " in value and rng.randrange(4) else ","
+        return separator.join(changed(rng, value.split(separator)))
+    return rng.choice(["1/2", "-1/2", "3/2", "2", "-1", "t", "1/t"])
 
 
 def lies(rng: random.Random, data: dict[str, Any]) -> Iterator[str]:
@@ -95,7 +116,14 @@ def lies(rng: random.Random, data: dict[str, Any]) -> Iterator[str]:
         }
         for n, text in wrong.items():
             yield f"{word}{{{'; '.join([*parts[:n], text, *parts[n + 1 :]])}}}"
-    elif word == "ideal-classes":
+    elif word in ("order-over-polynomials", "ideal-over-polynomials"):
+        for n in (f"({parts[-1]})*(t+1)", f"({parts[-1]})/(t^4+t)", "t^7"):
+            yield f"{word}{{{'; '.join([*parts[:-1], n])}}}"
+    elif word == "equivalent-over-polynomials" and data["verdict"] == "refuted":
+        yield f"{word}{{{'; '.join([*parts[:2], parts[1]])}}}"
+    elif word == "isomorphic-over-polynomials" and data["verdict"] == "refuted":
+        yield f"{word}{{{'; '.join([parts[0], parts[0]])}}}"
+    elif word in ("ideal-classes", "class-set-over-polynomials", "unit-index-over-polynomials"):
         for h in (int(parts[1]) + 1, int(parts[1]) - 1, 2 * int(parts[1])):
             if h > 0:
                 yield f"{word}{{{parts[0]}; {h}}}"
@@ -122,8 +150,9 @@ def main() -> int:
         other = rng.choice([x for x in every if x["evidence"]["kind"] == data["evidence"]["kind"]])
         evidence = data["evidence"]
         keys = [k for k in evidence if k != "kind"]
-        if rng.randrange(6) == 0 and keys:
-            key = rng.choice(keys)
+        shared = [k for k in keys if k in other["evidence"]]
+        if rng.randrange(6) == 0 and shared:
+            key = rng.choice(shared)
             evidence = {**evidence, key: other["evidence"][key]}
         for _ in range(rng.randint(0, 3) if keys else 0):
             evidence = changed(rng, evidence)

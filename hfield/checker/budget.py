@@ -58,7 +58,7 @@ def spend(units: int) -> None:
 
 def spend_products(some: Collection[int], others: Collection[int]) -> None:
     """Spend what multiplying, dividing or reducing each of some numbers by each of others costs."""
-    bits, more = sum(map(int.bit_length, some)), sum(map(int.bit_length, others))
+    bits, more = (sum([n.bit_length() for n in numbers]) for numbers in (some, others))
     linear = bits * len(others) + more * len(some)
     spend(len(some) * len(others) + linear // 1_000 + bits * more // 500_000)
 

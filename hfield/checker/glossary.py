@@ -130,6 +130,9 @@ MASS = "the ideal classes of an order have the mass that its Eichler symbols giv
 MASS_OVER_FIELDS = (
     "the ideal classes of an order over ℤ_K have the mass of Eichler's formula, by ζ_K(−1)"
 )
+MASS_OVER_POLYNOMIALS = (
+    "the ideal classes of a definite order over GF(q)[t] have the mass of Eichler's formula"
+)
 SIEGEL = "ζ_K(−1) is a sum of sums of divisors of totally positive numbers (Siegel's formula)"
 SHIMIZU = "the units of norm 1 of an order have the area that its Eichler symbols give (Shimizu's formula)"
 EMBEDDING_NUMBERS = (
@@ -165,6 +168,8 @@ THEOREMS = {
     REAL_ROOTS: "Rudin, Principles of Mathematical Analysis, theorem 1.21",
     MASS: "Voight, Quaternion Algebras, theorem 26.1.5, for every order of a definite algebra over QQ",
     MASS_OVER_FIELDS: "Voight, Quaternion Algebras, theorem 26.1.5, for every totally definite order",
+    MASS_OVER_POLYNOMIALS: "Denert and Van Geel, Math. Ann. 282 (1988), 379-393; by lemma 26.6.7 of Voight, "
+    "Quaternion Algebras, for orders that are not maximal",
     SIEGEL: "Siegel, Nachrichten der Akademie Göttingen (1969), 87-102",
     SHIMIZU: "Voight, Quaternion Algebras, theorem 39.1.8 and lemma 26.6.7",
     EMBEDDING_NUMBERS: "Voight, Quaternion Algebras, theorem 30.7.3 and propositions 30.5.3 and 30.6.12",

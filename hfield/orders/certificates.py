@@ -1,7 +1,8 @@
 """Orders, ideals and answers about them as certificates ``hfield-cert/2``.
 
-Statements over ℤ and over the integers of a number field have words and evidence of their own, which
-docs/reference/certificates.md lists. ``_Rational`` and ``_OverField`` are these two vocabularies.
+Statements over ℤ, the integers of a number field and 𝔽_q[t] have words and evidence of their own, which
+docs/reference/certificates.md lists. ``_Rational``, ``_OverField`` and ``_OverPolynomials`` are these three
+vocabularies.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import combinations
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import flint
@@ -25,6 +27,7 @@ from hfield.checker.glossary import (
     IDEAL,
     MASS,
     MASS_OVER_FIELDS,
+    MASS_OVER_POLYNOMIALS,
     NORM,
     ORDER,
     SHIMIZU,
@@ -47,6 +50,7 @@ from hfield.orders.short_elements import reduced
 
 if TYPE_CHECKING:
     from hfield.algebra.quaternion import Quaternion
+    from hfield.fields.function_fields.ideals import PolynomialIdeal
     from hfield.fields.number_fields.ideals import FractionalIdeal
     from hfield.fields.number_fields.ring import NumberField
     from hfield.orders.basis import AlgebraBasis
@@ -134,8 +138,12 @@ def _refuted(words: _Words, word: str, about: str, found: Refutation | None) -> 
 
 
 def of_unit_index(order: LatticeValue, number: int) -> Claim:
-    """Return how many units there are modulo those of the field, for an order over ℤ_K."""
+    """Return how many units there are modulo those of the field, for an order over ℤ_K or 𝔽_q[t]."""
     ambient = order.ambient
+    if ambient.base.is_polynomial:
+        about = f"{text(order)}; {number}"
+        words = _OverPolynomials(ambient)
+        return words.claim("unit-index", about, ENUMERATION, order=words.reduced_text(order))
     shown = {**_units(ambient), "order": _basis(order, ambient.base.field.one)}
     statement = f"unit-index{{{text(order)}; {number}}}"
     data = {"kind": "unit-index", **shown}
@@ -264,7 +272,7 @@ def _coordinates(ambient: AlgebraBasis, rows: flint.fmpq_mat) -> tuple[int, list
     return int(den), [list(map(int, row)) for row in whole.tolist()]
 
 
-# --- the two vocabularies --------------------------------------------------------------------------
+# --- the three vocabularies --------------------------------------------------------------------------
 
 
 class _Words(Protocol):
@@ -275,7 +283,7 @@ class _Words(Protocol):
     states_maximality: ClassVar[bool]
     area_theorems: ClassVar[tuple[str, ...]]
 
-    def size(self, ideal: Any) -> Fraction | int:
+    def size(self, ideal: Any) -> Fraction | int | str:
         """Return the number by which statements name an ideal of the base."""
 
     def element(self, q: Quaternion) -> object:
@@ -309,10 +317,7 @@ class _Words(Protocol):
 
 def _words(ambient: AlgebraBasis) -> _Words:
     if ambient.base.is_polynomial:
-        raise LatticeError(
-            f"there are certificates about orders over ℤ and the integers of number fields, not over "
-            f"{ambient.base.symbol}: the checker has no lattices of polynomials"
-        )
+        return _OverPolynomials(ambient)
     if ambient.base.is_rational:
         return _Rational(ambient)
     return _OverField(ambient)
@@ -474,6 +479,78 @@ class _OverField:
     def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation:
         pair = [self._row(x) for x in two_generators(first)]
         return ENUMERATION, {"pair": pair, "order": _basis(second, self.ambient.base.field.one)}
+
+
+class _OverPolynomials:
+    """Statements over the polynomials over a finite field; evidence is written as statements are."""
+
+    names: ClassVar = {
+        word: f"{word}-over-polynomials"
+        for word in (ORDER, IDEAL, EQUIVALENT, ISOMORPHIC, "unit-index", "class-set")
+    }
+    states_maximality: ClassVar = False
+    area_theorems: ClassVar[tuple[str, ...]] = ()
+
+    def __init__(self, ambient: AlgebraBasis) -> None:
+        self.ambient = ambient
+
+    def size(self, ideal: PolynomialIdeal) -> str:
+        return self.ambient.algebra.ring.text(ideal.generator)
+
+    def element(self, q: Quaternion) -> str:
+        return ",".join(map(q.ring.text, q.coordinates))
+
+    def of_mass(self, order: LatticeValue) -> dict[str, object]:
+        primes = self.ambient.base.factorisation(discriminant(order))
+        return {"primes": [self.size(P) for P, _ in primes]}
+
+    def reduced_text(self, lattice: LatticeValue) -> str:
+        """Return a reduced basis."""
+        return " | ".join(map(self.element, lattice.elements(lattice.reduced[0])))
+
+    def claim(
+        self,
+        word: str,
+        about: str,
+        method: str,
+        verdict: str = "proved",
+        refusal: str | None = None,
+        **shown: object,
+    ) -> Claim:
+        name = self.names[word]
+        data = {"kind": name, **shown}
+        statement = f"{name}{{{about}}}"
+        return Claim(self.ambient.algebra, statement, data, method, verdict, refusal=refusal)
+
+    def class_set(self, classes: Classes) -> Claim:
+        order, kind = classes.order, self.names["class-set"]
+        lattices = map(classes.lattice, range(len(classes)))
+        shown = {
+            "kind": kind,
+            **self.of_mass(order),
+            "classes": list(map(self.reduced_text, lattices)),
+        }
+        statement = f"{kind}{{{text(order)}; {len(classes)}}}"
+        cited = (MASS_OVER_POLYNOMIALS,)
+        return Claim(order.algebra, statement, shown, BY_MASS, assumes=cited)
+
+    def no_equivalence(
+        self, side: str, first: LatticeValue, second: LatticeValue, between: LatticeValue
+    ) -> Refutation | None:
+        if not self.ambient.definite:
+            return None
+        return ENUMERATION, {"between": self.reduced_text(between)}
+
+    def no_isomorphism(self, first: LatticeValue, second: LatticeValue) -> Refutation:
+        pair = list(map(self.element, _two_short_generators(first)))
+        return ENUMERATION, {"pair": pair, "order": self.reduced_text(second)}
+
+
+def _two_short_generators(order: LatticeValue) -> tuple[Quaternion, Quaternion]:
+    """Return two elements of a reduced basis that do not commute."""
+    elements = order.elements(order.reduced[0])
+    pairs = combinations(elements, 2)
+    return next((x, y) for x, y in pairs if x * y != y * x)
 
 
 def _primes(order: LatticeValue) -> list[object]:

@@ -3,10 +3,11 @@
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import prod
+from typing import Any
 
 from hfield.checker.budget import spend
 from hfield.checker.number_fields.integers import Integers, Prime
-from hfield.checker.number_fields.matrices import Key, hermite, reduced, times
+from hfield.checker.number_fields.matrices import Key, hermite, ratio, reduced, times
 
 
 def ideal(integers: Integers, den: int, rows: Iterable[Sequence[int]]) -> Key:
@@ -32,7 +33,7 @@ def times_primes(integers: Integers, powers: Iterable[tuple[Prime, int]], other:
     return other
 
 
-def index(a: Key) -> Fraction:
-    """Return the norm of an ideal down to ℚ."""
+def index(a: Key) -> Any:
+    """Return the norm of an ideal down to ℚ; over polynomials its generator."""
     den, rows = a
-    return Fraction(prod(row[k] for k, row in enumerate(rows)), den ** len(rows))
+    return ratio(prod(row[k] for k, row in enumerate(rows)), den ** len(rows))

@@ -24,6 +24,7 @@ from hfield.checker.number_fields.modular import (
 )
 from hfield.checker.rejection import a_list, an_integer, reject
 from hfield.checker.scalars.finite import is_prime
+from hfield.checker.scalars.functions import Functions
 from hfield.checker.scalars.matrices import inverse_matrix
 from hfield.checker.scalars.number_fields import Element, NumberField
 from hfield.checker.scalars.quadratic import Quadratic, pair
@@ -307,8 +308,8 @@ def field_of(setting: Setting) -> NumberField:
 
 
 def coefficients(ring: Any, x: Any) -> Element:
-    """Return an element as coefficients of 1, s, s², …"""
-    if isinstance(ring, Rationals):
+    """Return an element as coefficients of 1, s, s², …; over ℚ and over functions it is the only one."""
+    if isinstance(ring, Rationals | Functions):
         return (x,)
     return pair(x) if isinstance(ring, Quadratic) else tuple(x)
 

@@ -1,11 +1,13 @@
 """Matrices of integers: products, Hermite forms, inverses and determinants.
 
+Integers may also be polynomials over a finite field (:mod:`hfield.checker.orders.polynomial_integers`).
+
 Most rows have four entries. Their products are computed by a special case, which takes half the time.
 """
 
+import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from math import gcd
 from operator import mul
 from typing import Any
 
@@ -18,6 +20,33 @@ Row = tuple[Any, ...]
 Rows = tuple[Row, ...]
 Key = tuple[int, Rows]
 """A Hermite form over its least denominator."""
+
+
+def gcd(first: Any, *others: Any) -> Any:
+    """Return the greatest common divisor: positive of integers, monic of polynomials."""
+    return math.gcd(first, *others) if isinstance(first, int) else first.gcd(*others)
+
+
+def lcm(first: Any, *others: Any) -> Any:
+    """Return the least common multiple of positive integers or of monic polynomials."""
+    for x in others:
+        first = first * (x // gcd(x, first))
+    return first
+
+
+def ratio(x: Any, y: Any) -> Any:
+    """Return x/y, a fraction of integers or of polynomials."""
+    return Fraction(x, y) if isinstance(x, int) else x.ratio(y)
+
+
+def normal(x: Any) -> Any:
+    """Return the associate of a number other than 0 that is positive or monic."""
+    return abs(x) if isinstance(x, int) else x * x.to_normal
+
+
+def is_one(x: Any) -> bool:
+    """Tell whether a positive integer or a monic polynomial is 1."""
+    return bool(x == 1) if isinstance(x, int) else x.degree == 0
 
 
 def longest(rows: Iterable[Sequence[int]]) -> int:
@@ -81,7 +110,7 @@ def hermite(rows: Iterable[Sequence[int]]) -> Rows:
                     row[n] -= q * pivot[n]
                 (pool if row[c] else rest).append(row)
         (pivot,) = pool
-        found.append([-x for x in pivot] if pivot[c] < 0 else pivot)
+        found.append(_with_normal_pivot(pivot, c))
     spend(first**2 // 2_000)
     for c in range(1, size):
         for upper in found[:c]:
@@ -89,6 +118,12 @@ def hermite(rows: Iterable[Sequence[int]]) -> Rows:
             for n in range(c, size):
                 upper[n] -= q * found[c][n]
     return tuple(map(tuple, found))
+
+
+def _with_normal_pivot(row: list[Any], c: int) -> list[Any]:
+    if isinstance(row[c], int):
+        return [-x for x in row] if row[c] < 0 else row
+    return [x * row[c].to_normal for x in row]
 
 
 def reduced(den: int, rows: Rows) -> Key:

@@ -1,19 +1,26 @@
-"""The algebra i² = a + t·i, j² = b over ℚ or a number field, on rows of integers.
+"""The algebra i² = a + t·i, j² = b over ℚ, a number field or GF(q)(t), on rows of integers.
 
 A row holds the coordinates of w, x, y and z in an integral basis of the field, for w + x·i + y·j + z·k: four
-integers over ℚ, and four times the degree over a number field.
+integers over ℚ, four times the degree over a number field, and four polynomials over GF(q)(t).
 """
 
 from collections.abc import Sequence
-from fractions import Fraction
 from functools import cache
-from math import lcm
 from typing import Any
 
 from hfield.checker.budget import spend
 from hfield.checker.evaluate import products
 from hfield.checker.number_fields.integers import Integers, coefficients
-from hfield.checker.number_fields.matrices import Row, Rows, longest, times, unit
+from hfield.checker.number_fields.matrices import (
+    Row,
+    Rows,
+    lcm,
+    longest,
+    normal,
+    ratio,
+    times,
+    unit,
+)
 from hfield.checker.rejection import reject
 from hfield.checker.statement import Setting
 
@@ -58,11 +65,14 @@ class Algebra:
         """The numbers tr(x·conj(y)), from N = n(w, x) − b·n(y, z), n(u, v) = u² + t·uv − a·v²."""
         self._tabulate()
         self.bits = longest([*(row for form in self.forms for row in form), *self._left])
-        size = abs(integers.norm(integers.mul(*self.signs)))
-        self.volume = Fraction(size, self.scale ** (3 * self.n))
-        """The norm of (t² + 4a)·b down to ℚ, without its sign."""
+        size = integers.norm(integers.mul(*self.signs))
         if not size:
             reject("the algebra is degenerate: (t² + 4a)·b is 0")
+        self.volume = ratio(normal(size), self.scale ** (3 * self.n))
+        """The norm of (t² + 4a)·b down to ℚ, without its sign; over functions (t² + 4a)·b, made monic."""
+        self.norms_of_basis = tuple(
+            row[0] for row in (one, *(_multiple(x, -1) for x in (a, b)), ab)
+        )
 
     def _coordinates(self, x: Any) -> tuple[int, Row]:
         return self.integers.coordinates(coefficients(self.ring, x))
@@ -123,6 +133,11 @@ class Algebra:
     def trace(self, x: Sequence[int]) -> Row:
         """Return the trace of a row, in the integral basis."""
         return times([x], self._trace)[0]
+
+    def norm(self, x: Sequence[Any]) -> Any:
+        """Return the norm of a row, in degree 1; it is not the half of a trace where 2 = 0."""
+        squares = sum(c * y * y for c, y in zip(self.norms_of_basis, x, strict=True))
+        return squares + self.trace_of_i[0] * x[0] * x[1] + self.pairings[2][3][0] * x[2] * x[3]
 
     def pairing(self, x: Sequence[int], y: Sequence[int]) -> Row:
         """Return tr(x·conj(y)), in the integral basis."""

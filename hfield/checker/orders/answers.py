@@ -5,7 +5,7 @@ Each check takes a reader, which knows the evidence, and the parts of the statem
 
 from fractions import Fraction
 from functools import cache, partial
-from math import lcm
+from typing import Any
 
 from hfield.checker.check_result import CheckResult
 from hfield.checker.glossary import (
@@ -23,14 +23,22 @@ from hfield.checker.glossary import (
 )
 from hfield.checker.number_fields.factoring import factored
 from hfield.checker.number_fields.ideals import index
-from hfield.checker.number_fields.matrices import Row, Rows, determinant, inverse, times
+from hfield.checker.number_fields.matrices import (
+    Row,
+    Rows,
+    determinant,
+    inverse,
+    lcm,
+    ratio,
+    times,
+)
 from hfield.checker.orders.algebra import Algebra
 from hfield.checker.orders.class_set import need_class_set, need_ideal
 from hfield.checker.orders.elements import of_norm, with_trace_and_norm
 from hfield.checker.orders.fuchsian import FundamentalDomain, area
 from hfield.checker.orders.lattice import Element, Lattice
-from hfield.checker.orders.local_types import mass, symbols
-from hfield.checker.orders.reading import OverField, OverQ
+from hfield.checker.orders.local_types import symbols
+from hfield.checker.orders.reading import OverField, OverPolynomials, OverQ
 from hfield.checker.orders.texts import (
     a_rational,
     a_side,
@@ -42,16 +50,18 @@ from hfield.checker.rejection import a_list, an_integer, reject
 
 Parts = tuple[str, ...]
 Given = OverQ | OverField
+AnyGiven = Given | OverPolynomials
 
 # --- orders and ideals ------------------------------------------------------------------------------
 
 
-def is_order(given: Given, parts: Parts) -> CheckResult:
+def is_order(given: AnyGiven, parts: Parts) -> CheckResult:
     """O is an order of this discriminant, and a maximal one where that is said."""
     order = given.order(parts[0])
-    if order.discriminant != a_whole_number(parts[1], "a discriminant"):
+    if order.discriminant != given.whole(parts[1], "a discriminant"):
         reject("this order has another reduced discriminant")
     if len(parts) == 3:
+        assert isinstance(given, OverQ), "that an order is maximal is stated over ℚ alone"
         exponents = factored(order.discriminant)
         for P, symbol in symbols(order, given.primes):
             if exponents[P.p] > 1 or symbol != -1:
@@ -59,11 +69,11 @@ def is_order(given: Given, parts: Parts) -> CheckResult:
     return CheckResult(FIELD, ORDER)
 
 
-def is_ideal(given: Given, parts: Parts) -> CheckResult:
+def is_ideal(given: AnyGiven, parts: Parts) -> CheckResult:
     """I is a locally principal ideal of the order, of this norm."""
     ideal = given.lattice(parts[0])
     need_ideal(ideal, given.order(parts[2]), a_side(parts[1]))
-    if index(ideal.norm) != a_rational(parts[3]):
+    if index(ideal.norm) != given.fraction(parts[3]):
         reject("this ideal has another norm")
     return CheckResult(FIELD, IDEAL)
 
@@ -76,10 +86,18 @@ def has_units(given: Given, parts: Parts) -> CheckResult:
     return CheckResult(FIELD, ENUMERATION).citing(*given.unit_theorems)
 
 
+def has_unit_index(given: OverPolynomials, parts: Parts) -> CheckResult:
+    """Units are the elements with norms of least degree: 1 has the degree 0, and norms are polynomials."""
+    order = given.basis(given.order(parts[0]), given.data["order"])
+    if len(order.least()) != a_whole_number(parts[1], "the number of units"):
+        reject("the order has another number of units modulo the constants")
+    return CheckResult(FIELD, ENUMERATION)
+
+
 # --- what carries one to the other ------------------------------------------------------------------
 
 
-def are_equivalent(given: Given, parts: Parts) -> CheckResult:
+def are_equivalent(given: AnyGiven, parts: Parts) -> CheckResult:
     """J = I·c for the left side, c·I for the right."""
     side, c = a_side(parts[0]), given.element(given.data["element"])
     first, second = map(given.lattice, parts[1:])
@@ -111,7 +129,19 @@ def are_not_equivalent(given: Given, parts: Parts) -> CheckResult:
     return CheckResult(FIELD, ENUMERATION).citing(*given.unit_theorems)
 
 
-def are_isomorphic(given: Given, parts: Parts) -> CheckResult:
+def none_of_least_degree_carries(given: OverPolynomials, parts: Parts) -> CheckResult:
+    """No element that takes the one lattice into the other, with a norm of least degree, carries it there."""
+    side = a_side(parts[0])
+    first, second = map(given.lattice, parts[1:])
+    between = given.basis(first.into(second, side), given.data["between"])
+    for x in between.least():
+        moved = first.times(Element(between.den, x), "right" if side == "left" else "left")
+        if moved.key == second.key:
+            reject("an element carries the first lattice to the second")
+    return CheckResult(FIELD, ENUMERATION)
+
+
+def are_isomorphic(given: AnyGiven, parts: Parts) -> CheckResult:
     """P = x·O·x⁻¹; a zero divisor x does not give lattices."""
     first, second = map(given.order, parts)
     x = given.element(given.data["element"])
@@ -138,7 +168,7 @@ def have_other_numbers(given: Given, parts: Parts) -> CheckResult:
     return CheckResult(FIELD, ENUMERATION)
 
 
-def have_no_images(given: Given, parts: Parts) -> CheckResult:
+def have_no_images(given: AnyGiven, parts: Parts) -> CheckResult:
     """An isomorphism is known by the images of two elements that generate the algebra: none fits."""
     first, second = map(given.order, parts)
     if _have_other_discriminants(given, first, second, {"pair", "order"}):
@@ -153,10 +183,7 @@ def have_no_images(given: Given, parts: Parts) -> CheckResult:
     back, det = inverse(span)
     # the rows of the first order are combinations of the span, over den_first·det/den
     relative = [tuple(den * c for c in row) for row in times(first.rows, back)]
-    images = [
-        [Element(second.den, y) for y in with_trace_and_norm(second, *trace_and_norm(algebra, x))]
-        for x in pair
-    ]
+    images = [[Element(second.den, y) for y in given.images(second, x)] for x in pair]
     wanted = _pairing(algebra, *pair)
     for x in images[0]:
         for y in images[1]:
@@ -169,7 +196,7 @@ def have_no_images(given: Given, parts: Parts) -> CheckResult:
 
 
 def _have_other_discriminants(
-    given: Given, first: Lattice, second: Lattice, keys: set[str]
+    given: AnyGiven, first: Lattice, second: Lattice, keys: set[str]
 ) -> bool:
     """Tell whether the discriminants differ; the evidence has these keys where they do not, and else none."""
     if first.discriminant != second.discriminant:
@@ -189,16 +216,10 @@ def with_rational_trace_and_norm(order: Lattice, trace: int, norm: int) -> list[
     )
 
 
-def _pairing(algebra: Algebra, x: Element, y: Element) -> list[Fraction]:
+def _pairing(algebra: Algebra, x: Element, y: Element) -> list[Any]:
     """Return tr(x·conj(y)) in the integral basis."""
     den = x.den * y.den * algebra.scale
-    return [Fraction(c, den) for c in algebra.pairing(x.row, y.row)]
-
-
-def trace_and_norm(algebra: Algebra, x: Element) -> tuple[list[Fraction], tuple[Fraction, ...]]:
-    """Return the trace in the integral basis, and the norm as a number of the field."""
-    trace = [Fraction(c, x.den * algebra.scale) for c in algebra.trace(x.row)]
-    return trace, algebra.integers.number([c / 2 for c in _pairing(algebra, x, x)])
+    return [ratio(c, den) for c in algebra.pairing(x.row, y.row)]
 
 
 def _spanned(algebra: Algebra, a: Element, b: Element) -> tuple[int, Rows]:
@@ -217,13 +238,12 @@ def _spanned(algebra: Algebra, a: Element, b: Element) -> tuple[int, Rows]:
 # --- classes, and units of norm 1 ---------------------------------------------------------------------
 
 
-def is_class_set(given: Given, parts: Parts) -> CheckResult:
+def is_class_set(given: AnyGiven, parts: Parts) -> CheckResult:
     """The order has so many classes of locally principal right ideals."""
     values, order = a_list(given.data["classes"], "classes", 1), given.order(parts[0])
     if len(values) != a_whole_number(parts[1], "the number of classes"):
         reject(f"{len(values)} classes are given, which is not the number that is stated")
-    total = mass(order, given.primes) * given.class_number
-    need_class_set(order, given.classes(values), given.units, total)
+    need_class_set(order, given.classes(values), given.divided, given.mass(order))
     cites = (*given.unit_theorems, *given.zeta_theorems, given.mass_theorem)
     return CheckResult(FIELD, BY_MASS).citing(*cites)
 

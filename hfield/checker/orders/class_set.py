@@ -6,9 +6,10 @@ and a represents a narrow ideal class. The totally positive unit u runs through 
 squares (docs/explanation/trust.md). Over ℚ the x are the elements of least norm.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from math import lcm
+from typing import Any
 
 from hfield.checker.number_fields.enumeration import short_vectors
 from hfield.checker.number_fields.ideals import index
@@ -29,16 +30,20 @@ def need_ideal(lattice: Lattice, order: Lattice, side: str, what: str = "this") 
 
 def need_class_set(
     order: Lattice,
-    classes: Iterable[tuple[Lattice, Number, int]],
-    units: Sequence[Number],
+    classes: Iterable[tuple[Lattice, Any, int]],
+    divided: Callable[[Any, Any], tuple[set[Key], int]],
     mass: Fraction,
 ) -> None:
-    """Reject unless these ideals represent each class once; each has 1/ν and the index of its a."""
+    """Reject unless these ideals represent each class once; each has 1/ν and the index of its a.
+
+    ``divided`` returns, for an ideal and its 1/ν, the lattices by which its class is recognised, and how many
+    units its left order has modulo those of the field.
+    """
     seen: dict[tuple[int, Key], int] = {}
     total = Fraction(0)
     for number, (ideal, scale, kind) in enumerate(classes):
         need_ideal(ideal, order, "right", f"the ideal {number}")
-        keys, count = _divided_by_least(ideal, scale, units)
+        keys, count = divided(ideal, scale)
         for key in keys:
             if seen.setdefault((kind, key), number) != number:
                 reject(f"the ideals {seen[kind, key]} and {number} are in one class")
@@ -47,8 +52,8 @@ def need_class_set(
         reject("these classes do not have the mass of all classes")
 
 
-def _divided_by_least(
-    ideal: Lattice, scale: Number, units: Sequence[Number]
+def divided_by_least(
+    units: Sequence[Number], ideal: Lattice, scale: Number
 ) -> tuple[set[Key], int]:
     """Return the lattices x⁻¹·I, and the index of the field's units in the units of the left order of I.
 

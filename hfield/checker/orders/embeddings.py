@@ -26,9 +26,9 @@ from hfield.checker.number_fields.matrices import Row, inverse, times
 from hfield.checker.orders.answers import (
     Given,
     Parts,
-    trace_and_norm,
     with_rational_trace_and_norm,
 )
+from hfield.checker.orders.elements import trace_and_norm
 from hfield.checker.orders.fuchsian import FundamentalDomain, area
 from hfield.checker.orders.lattice import Element, Lattice
 from hfield.checker.orders.local_types import symbols

@@ -1,10 +1,13 @@
-"""Lattices of full rank in an algebra: integer rows over a denominator, and their Hermite form."""
+"""Lattices of full rank in an algebra: integer rows over a denominator, and their Hermite form.
+
+The numbers are integers, or polynomials over GF(q) (:mod:`hfield.checker.orders.polynomial_lattices`).
+"""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from fractions import Fraction
+from dataclasses import dataclass, replace
 from functools import cached_property
-from math import gcd, prod
+from math import prod
+from typing import Any
 
 from hfield.checker.budget import spend
 from hfield.checker.number_fields.ideals import ideal
@@ -12,9 +15,13 @@ from hfield.checker.number_fields.matrices import (
     Key,
     Row,
     Rows,
+    gcd,
     hermite,
     inverse,
+    is_one,
     longest,
+    normal,
+    ratio,
     reduced,
     times,
     transposed,
@@ -27,7 +34,7 @@ from hfield.checker.rejection import reject
 class Element:
     """A row over a denominator."""
 
-    den: int
+    den: Any
     row: Row
 
 
@@ -62,36 +69,38 @@ class Lattice:
         return [tuple(times(times(self.rows, form), columns)) for form in self.algebra.forms]
 
     @property
-    def unit(self) -> int:
+    def unit(self) -> Any:
         """By how much :attr:`gram` is too large."""
         return self.algebra.scale * self.den * self.den
 
     @cached_property
-    def volume(self) -> Fraction:
-        """The determinant of the rows, without its sign."""
+    def volume(self) -> Any:
+        """The determinant of the rows, without its sign; over polynomials made monic."""
         den, rows = self.key
         spend(self.algebra.size * self.bits**2 // 40_000)
-        return Fraction(prod(row[n] for n, row in enumerate(rows)), den**self.algebra.size)
+        return ratio(prod(row[n] for n, row in enumerate(rows)), den**self.algebra.size)
 
     @cached_property
-    def discriminant(self) -> int:
-        """The norm down to ℚ of the reduced discriminant of an order."""
+    def discriminant(self) -> Any:
+        """The norm down to ℚ of the reduced discriminant of an order; over polynomials its generator."""
         found = self.algebra.volume * self.volume
-        if found.denominator != 1:
+        if not is_one(found.denominator):
             reject("this order has no integral discriminant")
         return found.numerator
+
+    @property
+    def norms(self) -> list[Row]:
+        """The norms of the rows, :attr:`unit` times too large."""
+        return [tuple([g[m][m] // 2 for g in self.gram]) for m in range(self.algebra.size)]
 
     @cached_property
     def norm(self) -> Key:
         """The ideal of the field that the norms of all elements generate, by those of sums."""
-        size = self.algebra.size
         self.pay(1)
-        values = [
-            tuple([g[m][n] * (2 if m < n else 1) for g in self.gram])
-            for m in range(size)
-            for n in range(m, size)
+        traces = [
+            tuple([g[m][n] for g in self.gram]) for n in range(self.algebra.size) for m in range(n)
         ]
-        return ideal(self.algebra.integers, 2 * self.unit, values)
+        return ideal(self.algebra.integers, self.unit, [*self.norms, *traces])
 
     def holds(self, den: int, rows: Iterable[Sequence[int]]) -> bool:
         """Tell whether all of the rows over ``den`` lie in the lattice."""
@@ -126,7 +135,7 @@ class Lattice:
         self.pay(2, longest([x.row]))
         multiply = self.algebra.right if side == "right" else self.algebra.left
         rows = tuple(times(self.rows, multiply(x.row)))
-        return Lattice(self.algebra, self.den * x.den * self.algebra.scale, rows)
+        return replace(self, den=self.den * x.den * self.algebra.scale, rows=rows)
 
     def products_lie_in(self, other: "Lattice", inside: "Lattice") -> bool:
         """Tell whether all products of an element of this lattice and one of the other lie in a third."""
@@ -146,17 +155,17 @@ class Lattice:
         for row in self.rows:
             columns += transposed(times(multiply(row), back))
         found, d = inverse(transposed(hermite(columns)))
-        top = self.den * self.algebra.scale * abs(det)
-        g = gcd(other.den * abs(d), top)
-        up, down = top // g, other.den * abs(d) // g
-        return Lattice(self.algebra, down, tuple(tuple(x * up for x in row) for row in found))
+        top, below = self.den * self.algebra.scale * normal(det), other.den * normal(d)
+        g = gcd(below, top)
+        up, down = top // g, below // g
+        return replace(self, den=down, rows=tuple(tuple(x * up for x in row) for row in found))
 
     @property
     def conjugate(self) -> "Lattice":
         """The lattice of all conjugates."""
         self.pay(1)
         rows = tuple(map(self.algebra.conjugate, self.rows))
-        return Lattice(self.algebra, self.den * self.algebra.scale, rows)
+        return replace(self, den=self.den * self.algebra.scale, rows=rows)
 
     def form(self, weights: Sequence[int]) -> Rows:
         """Return the matrix of a combination of the forms of :attr:`gram`."""

@@ -1,15 +1,16 @@
-"""Read statements and evidence about orders, over ℚ and over a number field.
+"""Read statements and evidence about orders, over ℚ, a number field and the functions over a finite field.
 
 Over ℚ numbers are fractions. Over a number field the evidence also gives an integral basis, the units and the
-prime ideals, which are known for ℤ.
+prime ideals, which are known for ℤ. Over functions evidence is written as statements are.
 """
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
+from typing import Any
 
-from hfield.checker.glossary import MASS, MASS_OVER_FIELDS, SIEGEL
+from hfield.checker.glossary import MASS, MASS_OVER_FIELDS, MASS_OVER_POLYNOMIALS, SIEGEL
 from hfield.checker.language import split
 from hfield.checker.number_fields.ideals import index
 from hfield.checker.number_fields.integers import (
@@ -22,16 +23,21 @@ from hfield.checker.number_fields.integers import (
     field_of,
     integer_row,
 )
-from hfield.checker.number_fields.matrices import rational_rows, unit
+from hfield.checker.number_fields.matrices import Key, Row, is_one, lcm, normal, rational_rows, unit
 from hfield.checker.number_fields.narrow_class_groups import Narrow
 from hfield.checker.number_fields.real_numbers import RealPlace
+from hfield.checker.orders import local_types, polynomial_lattices
 from hfield.checker.orders.algebra import Algebra
-from hfield.checker.orders.elements import need_definite
+from hfield.checker.orders.class_set import divided_by_least
+from hfield.checker.orders.elements import need_definite, trace_and_norm, with_trace_and_norm
 from hfield.checker.orders.lattice import Element, Lattice
+from hfield.checker.orders.polynomial_integers import Polynomial, PolynomialIntegers
+from hfield.checker.orders.polynomial_lattices import PolynomialLattice
 from hfield.checker.orders.real_algebra import RealAlgebra
-from hfield.checker.orders.texts import a_rational, elements_of
+from hfield.checker.orders.texts import a_rational, a_whole_number, elements_of
 from hfield.checker.rejection import (
     a_list,
+    a_text,
     an_integer,
     an_object,
     reject,
@@ -40,6 +46,7 @@ from hfield.checker.rejection import (
 from hfield.checker.scalars.names import a_rational as a_coefficient
 from hfield.checker.scalars.number_fields import Element as Number
 from hfield.checker.scalars.number_fields import NumberField
+from hfield.checker.scalars.quotients import QuotientField
 from hfield.checker.scalars.rationals import root
 from hfield.checker.scalars.real_roots import real_roots
 from hfield.checker.statement import Setting
@@ -56,9 +63,16 @@ class Given(ABC):
     """What is cited for ζ_K(−1)."""
     mass_theorem = MASS
     class_number = 1
+    units: Sequence[Number]
+    """The totally positive units modulo squares."""
 
     def __init__(self, setting: Setting, integers: Integers, data: Data) -> None:
         self.algebra, self.data = Algebra(setting, integers), data
+
+    @property
+    @abstractmethod
+    def primes(self) -> Any:
+        """The primes of the base that are known or given, in the form that the mass formula takes."""
 
     @abstractmethod
     def coordinates(self, text: str) -> Sequence[Sequence[Fraction]]:
@@ -68,7 +82,27 @@ class Given(ABC):
     def element(self, value: object) -> Element:
         """Read an element of the evidence."""
 
-    def lattice(self, text: str) -> Lattice:
+    def whole(self, text: str, what: str) -> Any:
+        """Read a number by which statements name an integral ideal of the base."""
+        return a_whole_number(text, what)
+
+    def fraction(self, text: str) -> Any:
+        """Read a number by which statements name an ideal of the base."""
+        return a_rational(text)
+
+    def mass(self, order: Any) -> Fraction:
+        """Return the sum of 1/[O_L(I)ˣ : ℤ_Kˣ] over the right ideal classes."""
+        return local_types.mass(order, self.primes) * self.class_number
+
+    def divided(self, ideal: Any, scale: Any) -> tuple[set[Key], int]:
+        """Return the lattices by which a class is recognised, and an index of units."""
+        return divided_by_least(self.units, ideal, scale)
+
+    def images(self, order: Any, x: Element) -> list[Row]:
+        """Return the elements of an order with the trace and the norm of an element, over its denominator."""
+        return with_trace_and_norm(order, *trace_and_norm(self.algebra, x))
+
+    def lattice(self, text: str) -> Any:
         """Read a lattice of the statement."""
         rows, size = self.coordinates(text), self.algebra.size
         if len(rows) != size:
@@ -77,7 +111,7 @@ class Given(ABC):
         _ = found.key  # of full rank
         return found
 
-    def order(self, text: str) -> Lattice:
+    def order(self, text: str) -> Any:
         """Read a lattice that is an order."""
         found, algebra = self.lattice(text), self.algebra
         if not found.holds(1, [algebra.number(unit(algebra.n, k)) for k in range(algebra.n)]):
@@ -116,8 +150,12 @@ class OverQ(Given):
         if setting.field is None or setting.field.name != "QQ" or setting.letters:
             reject("lattices are checked in an algebra over QQ alone, with numbers for constants")
         super().__init__(setting, RATIONAL_INTEGERS, data)
-        self.primes: Primes = RationalPrimes()
         self.units = [RATIONAL_INTEGERS.field.one]
+
+    @cached_property
+    def primes(self) -> Primes:
+        """All primes."""
+        return RationalPrimes()
 
     def coordinates(self, text: str) -> Sequence[Sequence[Fraction]]:
         """Read rows of four rational numbers."""
@@ -257,6 +295,94 @@ class OverField(Given):
         if len(roots) < algebra.n or len(found) != 1:
             reject("groups are of algebras over totally real fields that split at one real place")
         return RealAlgebra(algebra, RealPlace(integers, found[0]))
+
+
+class OverPolynomials(Given):
+    """An algebra over GF(q)(t): lattices are given by bases over GF(q)[t], ideals by generators."""
+
+    mass_theorem = MASS_OVER_POLYNOMIALS
+
+    def __init__(self, setting: Setting, data: Data) -> None:
+        self.polynomials = PolynomialIntegers(setting)
+        super().__init__(setting, self.polynomials, data)
+
+    @cached_property
+    def primes(self) -> list[tuple[Polynomial, QuotientField]]:
+        """The primes that are given, with their residue fields."""
+        return list(map(self.polynomials.prime, texts(self.data["primes"], "the primes")))
+
+    def coordinates(self, text: str) -> Sequence[Sequence[Any]]:
+        """Read elements between bars, four functions each between commas."""
+        field, found = self.polynomials.functions, []
+        for entry in split(text, "|"):
+            values = split(entry, ",")
+            if len(values) != 4:
+                reject("an element is written as four functions")
+            found.append([field.read(value.strip()) for value in values])
+        return found
+
+    def _rows(self, text: str) -> tuple[Any, tuple[Row, ...]]:
+        """Read elements as rows over the least denominator."""
+        entries = [
+            [self.polynomials.coordinates([x]) for x in row] for row in self.coordinates(text)
+        ]
+        den = lcm(*(below for row in entries for below, _ in row))
+        rows = tuple(tuple(top * (den // below) for below, (top,) in row) for row in entries)
+        return den, rows
+
+    def lattice(self, text: str) -> PolynomialLattice:
+        """Read a lattice of the statement or of the evidence."""
+        den, rows = self._rows(text)
+        if len(rows) != 4:
+            reject("a lattice is written as 4 elements, a basis over the polynomials")
+        found = PolynomialLattice(self.algebra, den, rows)
+        _ = found.key  # of full rank
+        return found
+
+    def element(self, value: object) -> Element:
+        """Read an element, which is not 0."""
+        den, rows = self._rows(a_text(value, "an element"))
+        if len(rows) != 1 or not any(rows[0]):
+            reject("an element is four functions, not all of them 0")
+        return Element(den, rows[0])
+
+    def basis(self, lattice: Lattice, value: object) -> PolynomialLattice:
+        """Read another basis of a lattice."""
+        found = self.lattice(a_text(value, "a basis"))
+        if found.key != lattice.key:
+            reject("these elements are no basis of the lattice that is run through, but of another")
+        return found
+
+    def whole(self, text: str, what: str) -> Any:
+        """Read the monic generator of an integral ideal."""
+        found = self.fraction(text)
+        if not is_one(found.denominator):
+            reject(f"{what} must be a polynomial")
+        return found.numerator
+
+    def fraction(self, text: str) -> Any:
+        """Read the generator of an ideal, a quotient of monic polynomials."""
+        den, (top,) = self.polynomials.coordinates([self.polynomials.functions.read(text)])
+        if not top or top != normal(top):
+            reject("an ideal is written as a quotient of monic polynomials")
+        return top.ratio(den)
+
+    def mass(self, order: Any) -> Fraction:
+        """Return the sum of 1/[O_L(I)ˣ : GF(q)ˣ] over the right ideal classes."""
+        return polynomial_lattices.mass(order, self.primes)
+
+    def divided(self, ideal: Any, scale: Any) -> tuple[set[Key], int]:
+        """Return the lattices by which a class is recognised, and an index of units."""
+        return polynomial_lattices.divided_by_least(ideal)
+
+    def classes(self, values: Sequence[object]) -> Iterator[tuple[PolynomialLattice, None, int]]:
+        """Read ideals in reduced bases."""
+        for value in values:
+            yield self.lattice(a_text(value, "an ideal")), None, 0
+
+    def images(self, order: Any, x: Element) -> list[Row]:
+        """Return the elements of an order with the trace and the norm of an element, over its denominator."""
+        return polynomial_lattices.with_trace_and_norm_of(order, x)
 
 
 def _integers(field: NumberField, value: object) -> Integers:

@@ -1,4 +1,4 @@
-"""The words of certificates about orders, in two spellings, and which evidence shows or refutes them.
+"""The words of certificates about orders, in three spellings, and which evidence shows or refutes them.
 
 Over ℚ: ``order{L; n}`` · ``order{L; n; maximal}`` · ``ideal{I; side; O; norm}`` ·
 ``equivalent{side; I; J}`` · ``isomorphic-orders{O; P}`` · ``embedding{O; d}`` ·
@@ -11,6 +11,12 @@ norm of the reduced discriminant and of the reduced norm · ``equivalent-over-in
 ``isomorphic-over-integers{O; P}`` · ``unit-index{O; n}`` · ``ideal-classes{O; h}`` ·
 ``dirichlet-domain-over-integers{…}`` · ``norm-one-group-over-integers{…}``. A lattice is written as a basis
 over ℤ, of elements with four numbers of the field each.
+
+Over the functions over a finite field: ``order-over-polynomials{O; n}`` ·
+``ideal-over-polynomials{I; side; O; n}``, n the monic generators of reduced discriminant and norm ·
+``equivalent-over-polynomials{side; I; J}`` · ``isomorphic-over-polynomials{O; P}`` ·
+``unit-index-over-polynomials{O; n}`` · ``class-set-over-polynomials{O; h}``. A lattice is written as a basis
+over the polynomials.
 """
 
 from collections.abc import Callable
@@ -20,7 +26,7 @@ from typing import Any
 from hfield.checker.check_result import CheckResult
 from hfield.checker.language import Tree
 from hfield.checker.orders import answers, embeddings
-from hfield.checker.orders.reading import OverField, OverQ
+from hfield.checker.orders.reading import OverField, OverPolynomials, OverQ
 from hfield.checker.orders.texts import (
     a_rational,
     a_side,
@@ -68,6 +74,19 @@ OVER_FIELDS: Evidence = {
     ),
 }  # fmt: skip
 
+OVER_POLYNOMIALS: Evidence = {
+    ("order-over-polynomials", "proved"): (answers.is_order, "", ""),
+    ("ideal-over-polynomials", "proved"): (answers.is_ideal, "", ""),
+    ("equivalent-over-polynomials", "proved"): (answers.are_equivalent, "element", ""),
+    ("equivalent-over-polynomials", "refuted"): (
+        answers.none_of_least_degree_carries, "between", ""
+    ),
+    ("isomorphic-over-polynomials", "proved"): (answers.are_isomorphic, "element", ""),
+    ("isomorphic-over-polynomials", "refuted"): (answers.have_no_images, "", "pair order"),
+    ("unit-index-over-polynomials", "proved"): (answers.has_unit_index, "order", ""),
+    ("class-set-over-polynomials", "proved"): (answers.is_class_set, "primes classes", ""),
+}  # fmt: skip
+
 
 def _maximal(text: str) -> str:
     if text != "maximal":
@@ -89,8 +108,9 @@ PARTS: dict[str, tuple[Callable[[str], object], ...]] = {
 }
 
 _NUMBER, _WHOLE = "[1-9][0-9]{0,99}", "(0|[1-9][0-9]{0,9})"
+_IDEAL = "[^;|,]+"
 _LETTERS = "-?[1-9][0-9]{0,3}( +-?[1-9][0-9]{0,3})*"
-# How the parts of a word over a number field are written, between semicolons.
+# How the parts of a word over a number field or over polynomials are written, between semicolons.
 FORMS = {
     "order-over-integers": f"[^;]+;{_NUMBER}",
     "ideal-over-integers": f"[^;]+;(left|right);[^;]+;{_NUMBER}(/{_NUMBER})?",
@@ -101,6 +121,12 @@ FORMS = {
     "dirichlet-domain-over-integers": "[^;]+;[^;]+;[^;]+",
     "norm-one-group-over-integers": f"[^;]+;{_WHOLE};(none|{_WHOLE}(,{_WHOLE})*);{_WHOLE};[^;]+;"
     f"(none|{_LETTERS}(,{_LETTERS})*)",
+    "order-over-polynomials": f"[^;]+;{_IDEAL}",
+    "ideal-over-polynomials": f"[^;]+;(left|right);[^;]+;{_IDEAL}",
+    "equivalent-over-polynomials": "(left|right);[^;]+;[^;]+",
+    "isomorphic-over-polynomials": "[^;]+;[^;]+",
+    "unit-index-over-polynomials": f"[^;]+;{_NUMBER}",
+    "class-set-over-polynomials": "[^;]+;[1-9][0-9]{0,4}",
 }
 
 
@@ -108,11 +134,13 @@ def establish_order(
     word: str, parts: tuple[str, ...], setting: Setting, verdict: str, evidence: object
 ) -> CheckResult:
     """Check the evidence for a statement about orders."""
-    kind, checks = kind_of(evidence), OVER_Q if word in PARTS else OVER_FIELDS
+    kind, checks = kind_of(evidence), OVER_Q | OVER_FIELDS | OVER_POLYNOMIALS
     if kind != word or (word, verdict) not in checks:
         reject(f"evidence of the kind {shown(kind)!r} does not show that {word} is {verdict}")
     check, keys, optional = checks[word, verdict]
     data = an_object(evidence, f"kind {keys}", "the evidence", optional)
+    if (word, verdict) in OVER_POLYNOMIALS:
+        return check(OverPolynomials(setting, data), parts)
     if word not in PARTS:
         return check(OverField(setting, data), parts)
     order_meaning(word, parts)
@@ -134,4 +162,4 @@ def need_order_meaning(word: str, parts: tuple[str, ...], setting: Setting) -> N
 
 
 CHECKS = {word: partial(establish_order, word) for word in FORMS}
-"""The words over a number field."""
+"""The words over a number field and over polynomials."""

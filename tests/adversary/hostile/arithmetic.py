@@ -59,6 +59,19 @@ def over_integers(answer: Callable[[Any, Any, Any], Any]) -> Callable[[int], str
     return make
 
 
+def over_polynomials(answer: Callable[[Any, Any, Any], Any]) -> Callable[[int], str]:
+    """Return certificates about an Eichler order over 𝔽₃[t] of level t^d, an ideal and a moved order."""
+
+    def make(d: int) -> str:
+        A = QuaternionAlgebra.from_ramification("GF(3)(t)", ["t+1", "inf"])
+        order, x = A.eichler_order(f"t^{d}"), A(1, 2, 0, 1)
+        moved = (x * order * x.inverse()).left_order()
+        ideal = order.ideals_of_norm("t-1")[0]
+        return json.dumps(answer(order, ideal, moved).certificate)
+
+    return make
+
+
 FILES: dict[str, Hostile] = {
     "class-group: a large discriminant": (class_group, 5, 40_031),
     "unit-group: a large discriminant": (unit_group, 2, 9_973),
@@ -85,6 +98,38 @@ FILES: dict[str, Hostile] = {
         over_integers(lambda _, ideal, __: ideal.is_principal().claim),
         31,
         401,
+    ),
+    "order-over-polynomials: a large level": (
+        over_polynomials(lambda order, *_: order.claim),
+        1,
+        60,
+    ),
+    "ideal-over-polynomials: a large level": (
+        over_polynomials(lambda _, ideal, __: ideal.claim),
+        1,
+        60,
+    ),
+    "unit-index-over-polynomials: a large level": (
+        over_polynomials(
+            lambda order, *_: certificates.of_unit_index(order.value, order.unit_index())
+        ),
+        1,
+        60,
+    ),
+    "class-set-over-polynomials: a large level": (
+        over_polynomials(lambda order, *_: order.class_set().claim),
+        1,
+        4,
+    ),
+    "equivalent-over-polynomials: a large level": (
+        over_polynomials(lambda _, ideal, __: ideal.is_principal().claim),
+        1,
+        12,
+    ),
+    "isomorphic-over-polynomials: a large level": (
+        over_polynomials(lambda order, ideal, _: order.isomorphism(ideal.left_order()).claim),
+        2,
+        6,
     ),
     "isomorphic-over-integers: a large level": (
         over_integers(lambda order, _, moved: order.isomorphism(moved).claim),

@@ -1,0 +1,231 @@
+"""The polynomials over a finite field as integers of its rational functions: an integral domain like ℤ.
+
+They have the operators of Python's integers, so that matrices, lattices and ideals serve both. An integer
+stands for a constant. Every operation spends its own work.
+"""
+
+from collections.abc import Hashable, Iterator, Sequence
+from itertools import product
+from typing import Any
+
+from hfield.checker.budget import spend
+from hfield.checker.number_fields.integers import Integers
+from hfield.checker.number_fields.matrices import Row
+from hfield.checker.rejection import reject
+from hfield.checker.scalars.finite import Finite
+from hfield.checker.scalars.functions import Functions
+from hfield.checker.scalars.polynomials import dense
+from hfield.checker.scalars.quotients import QuotientField
+from hfield.checker.statement import Setting
+
+
+class Polynomial:
+    """A polynomial over a finite field, its ``coefficients`` low degree first, the last of them not 0."""
+
+    __slots__ = ("base", "coefficients")
+
+    def __init__(self, base: Finite, coefficients: Sequence[Hashable]) -> None:
+        end = len(coefficients)
+        while end and coefficients[end - 1] == base.zero:
+            end -= 1
+        self.base, self.coefficients = base, tuple(coefficients[:end])
+
+    @property
+    def degree(self) -> int:
+        """The degree, −1 for 0."""
+        return len(self.coefficients) - 1
+
+    @property
+    def lead(self) -> Any:
+        """The coefficient of the highest power."""
+        return self.coefficients[-1]
+
+    @property
+    def to_normal(self) -> "Polynomial":
+        """The constant by which this has to be multiplied to be monic."""
+        return Polynomial(self.base, [self.base.inverse(self.lead)])
+
+    def at(self, degree: int) -> Any:
+        """Return the coefficient of a power."""
+        return self.coefficients[degree] if degree <= self.degree else self.base.zero
+
+    def bit_length(self) -> int:
+        """Return the number of bits of all coefficients."""
+        return len(self.coefficients) * self.base.order.bit_length()
+
+    def __bool__(self) -> bool:
+        return bool(self.coefficients)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Polynomial) and self.coefficients == other.coefficients
+
+    def __hash__(self) -> int:
+        return hash(self.coefficients)
+
+    def __abs__(self) -> int:
+        """Return 1 + the degree: the size that a division with remainder makes less."""
+        return len(self.coefficients)
+
+    def _spend(self, operations: int) -> None:
+        """Spend what operations on coefficients cost; those of an extension are lists."""
+        spend(2 + operations * (1 if self.base.order == self.base.characteristic else 4))
+
+    def _same(self, x: "Polynomial | int") -> "Polynomial":
+        return x if isinstance(x, Polynomial) else Polynomial(self.base, [self.base.number(x)])
+
+    def __add__(self, other: "Polynomial | int") -> "Polynomial":
+        base, x, y = self.base, self.coefficients, self._same(other).coefficients
+        if len(x) < len(y):
+            x, y = y, x
+        self._spend(len(x))
+        return Polynomial(base, [*map(base.add, x, y), *x[len(y) :]])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> "Polynomial":
+        self._spend(len(self.coefficients))
+        return Polynomial(self.base, [self.base.neg(c) for c in self.coefficients])
+
+    def __sub__(self, other: "Polynomial | int") -> "Polynomial":
+        return self + -self._same(other)
+
+    def __mul__(self, other: "Polynomial | int") -> "Polynomial":
+        base, x, y = self.base, self.coefficients, self._same(other).coefficients
+        self._spend(len(x) * len(y))
+        if not x or not y:
+            return Polynomial(base, ())
+        out: list[Any] = [base.zero] * (len(x) + len(y) - 1)
+        for m, c in enumerate(x):
+            for n, d in enumerate(y, m):
+                out[n] = base.add(out[n], base.mul(c, d))
+        return Polynomial(base, out)
+
+    __rmul__ = __mul__
+
+    def __pow__(self, exponent: int) -> "Polynomial":
+        found = self._same(1)
+        for _ in range(exponent):
+            found = found * self
+        return found
+
+    def __divmod__(self, other: "Polynomial | int") -> tuple["Polynomial", "Polynomial"]:
+        base, y = self.base, self._same(other).coefficients
+        x: list[Any] = list(self.coefficients)
+        shift = len(x) - len(y)
+        if shift < 0:
+            return Polynomial(base, ()), self
+        self._spend(3 + 2 * (shift + 1) * len(y))
+        inverse, quotient = base.inverse(y[-1]), [base.zero] * (shift + 1)
+        for n in range(shift, -1, -1):
+            c = base.mul(x[n + len(y) - 1], inverse)
+            if c != base.zero:
+                quotient[n], c = c, base.neg(c)
+                for m, d in enumerate(y, n):
+                    x[m] = base.add(x[m], base.mul(c, d))
+        return Polynomial(base, quotient), Polynomial(base, x[: len(y) - 1])
+
+    def __floordiv__(self, other: "Polynomial | int") -> "Polynomial":
+        return divmod(self, other)[0]
+
+    def __rfloordiv__(self, other: int) -> "Polynomial":
+        return self._same(other) // self
+
+    def __mod__(self, other: "Polynomial") -> "Polynomial":
+        return divmod(self, other)[1]
+
+    def gcd(self, *others: "Polynomial | int") -> "Polynomial":
+        """Return the monic greatest common divisor."""
+        found = self
+        for other in map(self._same, others):
+            x, y = other, found
+            while y:
+                x, y = y, x % y
+            found = x
+            if not found.degree:
+                break
+        return found * found.to_normal if found else found
+
+    def ratio(self, other: "Polynomial") -> "Quotient":
+        """Return self/other."""
+        return Quotient(self, other)
+
+
+class Quotient:
+    """A quotient of polynomials in lowest terms, with a monic denominator."""
+
+    def __init__(self, top: Polynomial, below: Polynomial) -> None:
+        g = below.gcd(top)
+        scale = below.to_normal
+        self.numerator, self.denominator = top // g * scale, below // g * scale
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Quotient) and self._parts == other._parts
+
+    def __hash__(self) -> int:
+        return hash(self._parts)
+
+    @property
+    def _parts(self) -> tuple[Polynomial, Polynomial]:
+        return self.numerator, self.denominator
+
+    def __mul__(self, other: "Quotient") -> "Quotient":
+        return Quotient(self.numerator * other.numerator, self.denominator * other.denominator)
+
+    def __pow__(self, exponent: int) -> "Quotient":
+        return Quotient(self.numerator**exponent, self.denominator**exponent)
+
+
+class PolynomialIntegers(Integers):
+    """GF(q)[t], with the operations of the integers of a number field that lattices need, in degree 1."""
+
+    def __init__(self, setting: Setting) -> None:
+        field = setting.field
+        if not (
+            isinstance(field, Functions)
+            and isinstance(field.base, Finite)
+            and field.base.order is not None
+            and field.base.is_field
+        ):
+            reject("lattices over polynomials are those of functions GF(q)(t) in one variable")
+        self.n, self.functions = 1, field
+        self.base: Finite = field.base
+        self.one: Row = (Polynomial(self.base, [self.base.one]),)
+        self.table: list[list[Row]] = [[self.one]]
+
+    @property
+    def order(self) -> int:
+        """The number q of constants."""
+        return self.base.order
+
+    def coordinates(self, x: Sequence[Any]) -> tuple[Any, Row]:
+        """Return a function, a row of one entry, as a polynomial over a monic denominator."""
+        top, below = (Polynomial(self.base, dense(part, self.base)) for part in x[0])
+        scale = below.to_normal
+        return below * scale, (top * scale,)
+
+    def mul(self, x: Sequence[Any], y: Sequence[Any]) -> Row:
+        """Return a product."""
+        return (x[0] * y[0],)
+
+    def matrix(self, x: Sequence[Any]) -> list[Row]:
+        """Return the matrix of the multiplication by x."""
+        row: Row = tuple(x)
+        return [row]
+
+    def norm(self, x: Sequence[Any]) -> Any:
+        """Return the norm down to the functions: the polynomial itself."""
+        return x[0]
+
+    def of_degree_below(self, bound: int) -> Iterator[Polynomial]:
+        """Yield all polynomials of a degree below a bound."""
+        spend(self.order)
+        for coefficients in product(*[list(self.base.elements())] * max(bound, 0)):
+            spend(2 + bound)
+            yield Polynomial(self.base, coefficients)
+
+    def prime(self, text: str) -> tuple[Polynomial, QuotientField]:
+        """Read a monic prime polynomial, and return it with its residue field."""
+        den, (P,) = self.coordinates([self.functions.read(text)])
+        if den.degree or P.degree < 1 or P.lead != self.base.one:
+            reject("a prime of the polynomials is written as a monic polynomial")
+        return P, QuotientField(self.base, P.coefficients)
