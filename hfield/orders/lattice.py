@@ -1352,8 +1352,7 @@ class Ideal(Certified, Lattice):
         c₁ and c₂ are as for :meth:`equivalence`. The order is p-extremal, or maximal for p < 2⁴⁰, where a
         search finds the pair; the total is to be at least about 2p (Borin et al., ePrint 2025/1604). Raises
         :class:`LatticeError` for another order, or over another field than ℚ, and :class:`UndecidedError` for
-        smaller totals, and where p is large and all short elements of I have norms that are even or have a
-        factor in common with the total: a random ideal of norm 2⁶⁴ is such a one for p of 250 bits.
+        smaller totals.
 
         >>> from hfield import QuaternionAlgebra
         >>> I = QuaternionAlgebra(2**61 - 1).extremal_order().random_ideal(101, seed=1)

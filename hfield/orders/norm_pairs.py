@@ -1,14 +1,16 @@
 """Two elements of an ideal whose norms have a given sum: Qlapoti.
 
-Let I be a left ideal of norm N of a p-extremal order with the frame R + R·β. If it contains a λ + β with λ in
-R, it contains u + v·β for all u ≡ v·λ modulo N. So x = v·λ + N·w + v·β and y = N·w′ have norms of sum S·N if
+Let J be a left ideal of norm N of a p-extremal order with the frame R + R·β, and 𝔞 = J ∩ R. For x = u + z·β
+in J, c in R and a in 𝔞 the element y = c·x − a lies in J, and with D = 1 + N(c)
 
-    N(v·λ + N·w) + N²·N(w′) = S·N − p·N(v).
+    D·(N(x) + N(y)) = N(D·x − c̄·a) + N(a).
 
-For a v in R that is one linear condition on w modulo N. Each short solution gives N(w′), and Cornacchia's
-algorithm finds w′. There are enough solutions for S ≥ 2p (Borin, Corte-Real Santos, Eriksen, Invernizzi,
-Mula, Schaeffler and Vercauteren, "Qlapoti", ePrint 2025/1604). In other orders, for small p, the norms of
-many short elements are listed and sorted, which shows the pairs with the sum.
+For given z and c let U = D·u + s with s in 𝔞. N(U) + N(a) + p·D²·N(z) = D·S·N modulo N(𝔞) is one linear
+condition on s, each short solution gives N(a), and Cornacchia's algorithm finds a. Then x = (U + c̄·a)/D + z·β
+has to lie in J. For c = 0 that is the algorithm of Borin, Corte-Real Santos, Eriksen, Invernizzi, Mula,
+Schaeffler and Vercauteren ("Qlapoti", ePrint 2025/1604), where N divides N(y)/N. Other c serve ideals
+for which all short elements have norms with a factor of S, such as those of norm 2ᵏ. In other orders, for
+small p, the norms of many short elements are listed and sorted, which shows the pairs with the sum.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
+from dataclasses import dataclass
 from itertools import chain, count, islice
 from typing import TYPE_CHECKING
 
@@ -46,7 +48,7 @@ SAMPLES = 2**12, 2**15, 2**18, 2**20, 2**22
 """So many elements are sorted, one number after the other."""
 MAX_SMALL, MAX_SMALL_NORM, MAX_TRIALS = 2**20, 64, 20_000
 """Up to this discriminant, or this norm of an equivalent ideal, random elements are tried."""
-MAX_PRIMES, MAX_MULTIPLIERS, MAX_STEPS = 12, 3_000, 60
+MAX_STARTS, MAX_MULTIPLIERS, MAX_STEPS, MAX_FAILURES = 100, 300, 60, 24
 
 
 def with_sum(ideal: LatticeValue, order: LatticeValue, total: int, seed: int) -> Pair:
@@ -76,8 +78,7 @@ def with_sum(ideal: LatticeValue, order: LatticeValue, total: int, seed: int) ->
     if found is None:
         raise UndecidedError(
             f"no two equivalent ideals with coprime norms of the sum {shorten(total)} were found; a sum of "
-            f"at least about 2·p = {shorten(2 * p)} is needed, and an ideal with short elements of odd norms "
-            "prime to the sum"
+            f"at least about 2·p = {shorten(2 * p)} is needed"
         )
     return found
 
@@ -86,19 +87,12 @@ def _by_qlapoti(
     ideal: LatticeValue, f: QuadraticFrame, total: int, rng: random.Random
 ) -> Pair | None:
     """Return such a pair for an ideal of a p-extremal order, or None."""
-    tried = 0
-    for row, norm in _elements(ideal, rng):
-        if math.gcd(norm, 2 * f.norm * f.discriminant * total) > 1:
+    for row, norm in islice(_elements(ideal, rng), MAX_STARTS):
+        if norm * norm > 16 * total:
             continue
-        # N(v·λ + N·w) is about N³ and less than S·N
-        if f.norm >= total * norm or norm * norm > 16 * total:
-            continue
-        tried += 1
-        if tried > MAX_PRIMES:
-            return None
         x = ideal.element(row)
         start = multiple(ideal, x.conjugate() / ideal.norm, "right")
-        found = _in_prime_ideal(start, f, norm, total)
+        found = _in_ideal(start, f, norm, total)
         if found is not None:
             first, second = (y * x / norm for y in found)
             return first, second
@@ -153,61 +147,140 @@ def _elements(ideal: LatticeValue, rng: random.Random) -> Iterator[tuple[tuple[i
     yield from islice(random_elements(ideal, rng), 2_000)
 
 
-def _in_prime_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: int) -> Pair | None:
+def _in_ideal(ideal: LatticeValue, f: QuadraticFrame, norm: int, total: int) -> Pair | None:
     """Return the same for a left ideal of norm N; norms are multiples of N."""
-    scalar = _scalar_part(ideal, f, norm)
-    if scalar is None:
+    start = _SplitIdeal.of(ideal, f, norm)
+    if start is None:
         return None
-    p, square = f.norm, norm * norm
-    # about one in so many numbers is a norm
-    left = 100 + 16 * total.bit_length()
-    for v in islice(_multipliers(f, (total * norm - 1) // p), MAX_MULTIPLIERS):
-        g = _centred(_times(f, v, scalar), norm)
-        whole = total * norm - p * f.binary(*v)
-        rest = (whole - f.binary(*g)) // norm
-        # Tr(g·conj(w)) ≡ rest modulo N
-        first, second = (2 * g[0] + f.t * g[1]) % norm, (f.t * g[0] + 2 * f.n * g[1]) % norm
-        if math.gcd(first, norm) > 1:
+    for c in ((0, 0), (1, 0), (0, 1), (1, 1), (2, 0)):
+        # N divides N(y)/N for c = 0
+        if c == (0, 0) and math.gcd(start.step, total) > 1:
             continue
-        inverse = pow(first, -1, norm)
-        form = [[2, f.t], [f.t, 2 * f.n]]
-        steps = close(-second * inverse % norm, rest * inverse % norm, norm, g, form)
+        found = _of_shape(start, f, total, c)
+        if found is not None:
+            return found
+    return None
+
+
+@dataclass(frozen=True)
+class _SplitIdeal:
+    """A left ideal J of norm N as R·a = J ∩ R and elements u + z·β, in coordinates over a denominator.
+
+    ``step`` is N(a)/N.
+    """
+
+    ideal: LatticeValue
+    den: int
+    norm: int
+    over: tuple[tuple[int, ...], tuple[int, ...]]
+    generator: tuple[int, int]
+    step: int
+
+    @classmethod
+    def of(cls, ideal: LatticeValue, f: QuadraticFrame, norm: int) -> _SplitIdeal | None:
+        """Return J in this form; None where J ∩ R is no principal ideal."""
+        basis = [f.beta, f.alpha * f.beta, ideal.algebra(1), f.alpha]
+        den, rows = spanning_rows(ideal.ambient, basis)
+        inside, d = hermite.in_coordinates(rows, ideal.matrix)
+        # the coordinates are inside·den/(d·ideal.den)
+        scale = math.gcd(den, d * ideal.den)
+        den, below = den // scale, d * ideal.den // scale
+        first, second, *plane = (inside * den).hnf().tolist()
+        lattice = fmpz_mat([row[2:] for row in plane])
+        form = fmpz_mat([[2, f.t], [f.t, 2 * f.n]])
+        _, steps = (lattice * form * lattice.transpose()).lll(transform=True, rep="gram")
+        index = abs(int(lattice.det()))
+        reduced_rows = hermite.tuples(steps * lattice)
+        a = min(reduced_rows, key=lambda v: f.binary(*v))
+        if f.binary(*a) != index:
+            return None
+        over = tuple(int(x) for x in first), tuple(int(x) for x in second)
+        return cls(ideal, below, norm, over, (a[0], a[1]), index // (norm * below**2))
+
+
+def _of_shape(start: _SplitIdeal, f: QuadraticFrame, total: int, c: tuple[int, int]) -> Pair | None:
+    """Return x and y = c·x − a, with a in R, for a left ideal of norm N."""
+    size, conjugate = 1 + f.binary(*c), (c[0] + f.t * c[1], -c[1])
+    unit, p = start.norm * start.den**2, f.norm
+    g, step = start.generator, start.step
+    ideal = fmpz_mat([g, _times(f, (0, 1), g)])
+    form = fmpz_mat([[2, f.t], [f.t, 2 * f.n]])
+    whole = size * total * unit
+    left, failures = 100 + 16 * total.bit_length(), 0
+    (b0, b1, *_), (_, b2, *_) = start.over
+    for k, (i, j) in enumerate(_small_pairs()):
+        if k > MAX_MULTIPLIERS:
+            return None
+        z = i * b0, i * b1 + j * b2
+        rest = whole - p * size**2 * f.binary(*z)
+        if rest <= 0:
+            continue
+        u = tuple(size * (i * v + j * w) for v, w in zip(*start.over, strict=True))[2:]
+        near = fmpz_mat([u])
+        # Tr(U·conj(s)) = rest − N(u) modulo N(𝔞), all divided by N
+        traces = [int(x) // unit for x in (near * form * ideal.transpose()).entries()]
+        solved = _solutions(traces, (rest - f.binary(*u)) // unit, step)
+        if solved is None:
+            continue
+        offset, kernel = solved
+        first = (near + fmpz_mat([offset]) * ideal).tolist()[0]
         misses = 0
-        for c, e in islice(steps, MAX_STEPS + left // 4):
-            u = g[0] + norm * c, g[1] + norm * e
-            m = (whole - f.binary(*u)) // square
+        for v in islice(close(first, fmpz_mat(kernel) * ideal, form), MAX_STEPS + left // 4):
+            m = (rest - f.binary(*v)) // (step * unit)
             if m <= 0:
                 misses += 1
                 if misses > 12:
                     break
                 continue
-            if math.gcd(norm * m, total) > 1:
-                continue
             left -= 1
             if not left:
                 return None
             last = represent(f.discriminant, m)
-            if last is not None:
-                return f.element(*u, *v), norm * f.element(*last, 0, 0)
+            if last is None:
+                continue
+            a = _times(f, last, g)
+            for b in (a, (-a[0], -a[1])):
+                pair = _pair(start, f, total, c, conjugate, (v[0], v[1]), z, b)
+                if pair is not None:
+                    return pair
+            failures += 1
+            if failures > MAX_FAILURES:
+                return None
     return None
 
 
-def _scalar_part(ideal: LatticeValue, f: QuadraticFrame, norm: int) -> tuple[int, int] | None:
-    """Return the coordinates of λ in R, modulo N, with λ + β in an ideal that contains N·O, or None.
-
-    N is prime to the index of the frame.
-    """
-    basis = [f.beta, f.alpha * f.beta, ideal.algebra(1), f.alpha]
-    den, rows = spanning_rows(ideal.ambient, basis)
-    # coordinates over the frame of the ideal, whose denominators are prime to N
-    inside, d = hermite.in_coordinates(rows, ideal.matrix)
-    entries = [[Fraction(int(c) * den, d * ideal.den) for c in row] for row in inside.tolist()]
-    table = [[c.numerator * pow(c.denominator, -1, norm) % norm for c in row] for row in entries]
-    scaled = [[norm * int(m == n) for n in range(4)] for m in range(4)]
-    first = fmpz_mat(table + scaled).hnf().tolist()[0]
-    if first[0] != 1 or first[1] != 0:
+def _pair(
+    start: _SplitIdeal,
+    f: QuadraticFrame,
+    total: int,
+    c: tuple[int, int],
+    conjugate: tuple[int, int],
+    U: tuple[int, int],
+    z: tuple[int, int],
+    a: tuple[int, int],
+) -> Pair | None:
+    """Return (U + c̄·a)/D + z·β = x and c·x − a where x lies in the ideal and the norms are coprime."""
+    size, den = 1 + f.binary(*c), start.den
+    v = [m + n for m, n in zip(U, _times(f, conjugate, a), strict=True)]
+    if v[0] % size or v[1] % size:
         return None
-    return int(first[2]), int(first[3])
+    x = f.element(v[0] // size, v[1] // size, *z) / den
+    if math.gcd(int(x.norm() / start.norm), total) > 1 or not contains(start.ideal, x):
+        return None
+    return x, f.element(*c, 0, 0) * x - f.element(*a, 0, 0) / den
+
+
+def _solutions(
+    traces: list[int], value: int, modulus: int
+) -> tuple[list[int], list[list[int]]] | None:
+    """Return one s with traces·s ≡ value, and a basis of the s with traces·s ≡ 0, modulo a number."""
+    g = math.gcd(*traces, modulus)
+    if value % g:
+        return None
+    first, second, m = traces[0] // g, traces[1] // g, modulus // g
+    # the Hermite form of (first, 1, 0), (second, 0, 1), (m, 0, 0)
+    (_, *one), *kernel = fmpz_mat([[first, 1, 0], [second, 0, 1], [m, 0, 0]]).hnf().tolist()
+    return [int(x) * (value // g) for x in one], [[int(x) for x in row[1:]] for row in kernel]
 
 
 def _times(f: QuadraticFrame, v: tuple[int, int], w: tuple[int, int]) -> tuple[int, int]:
@@ -216,21 +289,13 @@ def _times(f: QuadraticFrame, v: tuple[int, int], w: tuple[int, int]) -> tuple[i
     return a * c - f.n * b * d, a * d + b * c + f.t * b * d
 
 
-def _centred(v: tuple[int, int], n: int) -> tuple[int, int]:
-    a, b = ((c + n // 2) % n - n // 2 for c in v)
-    return a, b
-
-
-def _multipliers(f: QuadraticFrame, largest: int) -> Iterator[tuple[int, int]]:
-    """Yield v ≠ 0 in R, one of ±v, of norm at most a number, the small ones first."""
+def _small_pairs() -> Iterator[tuple[int, int]]:
+    """Yield one of ±v for the primitive pairs of integers, the small ones first."""
     for size in count(1):
-        # N(v) ≥ |d|·x²/(4·N(α)) and ≥ |d|·y²/4
-        if -f.discriminant * size * size > 4 * f.n * largest:
-            return
         sides = ((x, y) for y in range(size) for x in (-size, size))
         top = ((x, size) for x in range(-size, size + 1))
         for x, y in chain(sides, top):
-            if (y or x > 0) and math.gcd(x, y) == 1 and f.binary(x, y) <= largest:
+            if (y or x > 0) and math.gcd(x, y) == 1:
                 yield x, y
 
 

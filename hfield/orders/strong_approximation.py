@@ -11,7 +11,7 @@ Kohel, Lauter, Petit and Tignol, 2014; De Feo, Kohel, Leroux, Petit and Wesolows
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, count
 
 from flint import fmpz, fmpz_mat
@@ -192,22 +192,17 @@ def _lift(f: QuadraticFrame, n: int, target: int, c0: int, d0: int) -> Quaternio
     rest = (target - p * (c0 * c0 + d * d0 * d0)) // n
     # 2p·(c₀·c + d·d₀·e) ≡ rest modulo N
     first, second = 2 * p * c0 % n, 2 * p * d * d0 % n
-    if not first:  # then e is given
-        offset = rest * pow(second, -1, n) % n
-        pairs: Iterator[tuple[int, int]] = (
-            (c, e) for e, c in close(0, offset, n, (d0, c0), [[d, 0], [0, 1]])
-        )
-    else:
+    if first:
         inverse = pow(first, -1, n)
-        slope, offset = -second * inverse % n, rest * inverse % n
-        pairs = close(slope, offset, n, (c0, d0), [[1, 0], [0, d]])
+        c, e, kernel = rest * inverse % n, 0, [[n, 0], [-second * inverse % n, 1]]
+    else:  # then e is given
+        c, e, kernel = 0, rest * pow(second, -1, n) % n, [[1, 0], [0, n]]
     tried = 0
     s = f.root
-    for c, e in pairs:
+    for z, w in close((c0 + n * c, d0 + n * e), n * fmpz_mat(kernel), fmpz_mat([[1, 0], [0, d]])):
         tried += 1
         if tried > 4000:
             return None
-        z, w = c0 + n * c, d0 + n * e
         m = target - p * (z * z + d * w * w)
         if m <= 0:
             if tried > 40:
@@ -221,28 +216,19 @@ def _lift(f: QuadraticFrame, n: int, target: int, c0: int, d0: int) -> Quaternio
     return None
 
 
-def close(
-    slope: int, offset: int, n: int, near: tuple[int, int], form: list[list[int]]
-) -> Iterator[tuple[int, int]]:
-    """Yield (c, e) with c ≡ slope·e + offset modulo N.
-
-    Those come first that make near + N·(c, e) small in a positive form.
-    """
-    c0, d0 = near
-    basis = fmpz_mat([[n, 0], [slope, 1]])
-    _, steps = (basis * fmpz_mat(form) * basis.transpose()).lll(transform=True, rep="gram")
-    (a, b), (u, v) = ([int(x) for x in row] for row in (steps * basis).tolist())
-    # the point to come close to, −(c₀, d₀)/N less a solution (offset, 0), in coordinates of the basis
+def close(start: Sequence[int], lattice: fmpz_mat, form: fmpz_mat) -> Iterator[tuple[int, int]]:
+    """Yield start + x for the x in a plane lattice, spanned by rows, those short in a form first."""
+    _, steps = (lattice * form * lattice.transpose()).lll(transform=True, rep="gram")
+    (a, b), (u, v) = ([int(x) for x in row] for row in (steps * lattice).tolist())
+    x, y = (int(c) for c in start)
     det = a * v - b * u
-    px, py = -c0 - n * offset, -d0
-    r = _nearest(px * v - py * u, det * n)
-    t = _nearest(a * py - b * px, det * n)
+    r, t = _nearest(y * u - x * v, det), _nearest(b * x - a * y, det)
     for radius in count(0):
         for i in range(-radius, radius + 1):
             sides = (-radius, radius) if abs(i) < radius else range(-radius, radius + 1)
             for j in sides:
                 if radius or not j:
-                    yield offset + (r + i) * a + (t + j) * u, (r + i) * b + (t + j) * v
+                    yield x + (r + i) * a + (t + j) * u, y + (r + i) * b + (t + j) * v
 
 
 def _nearest(x: int, y: int) -> int:

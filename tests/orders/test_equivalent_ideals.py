@@ -105,6 +105,13 @@ def test_pairs_of_norms_with_a_sum(p) -> None:
             check_pair(O.random_ideal(103, rng.choice(["left", "right"]), seed=1) / 5, total)
 
 
+@pytest.mark.parametrize("norm", [2**64, 4, 210**9, 3**40])
+def test_pairs_where_the_norms_of_all_short_elements_share_a_factor_with_the_sum(norm) -> None:
+    I = algebra(P).extremal_order().random_ideal(norm, seed=1)
+    for total in (2**252, 2 * P + 105, 105 * 2**246):
+        check_pair(I, total)
+
+
 def test_pairs_of_norms_elsewhere_and_what_has_none() -> None:
     for p in (1009, 10**6 + 3):
         O = algebra(p).extremal_order().random_ideal(101, seed=4).right_order()
