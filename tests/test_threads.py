@@ -26,8 +26,8 @@ NOT_OF_ARRAYS = {
     "algebra", "annihilator", "change_ring", "characteristic_polynomial", "conj", "conjugacy",
     "conjugator", "diff", "free_symbols", "inv", "is_batch", "is_idempotent", "is_nilpotent",
     "is_unit", "is_zero_divisor", "matrix", "minimal_polynomial", "order", "ring",
-    "rotation_matrix", "scalar_part", "shape", "square_roots", "subs", "text", "vector",
-    "vector_part",
+    "rotation_matrix", "scalar_part", "shape", "square_roots", "subs", "text", "text_for",
+    "vector", "vector_part",
 }  # fmt: skip
 
 
