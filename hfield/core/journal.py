@@ -17,7 +17,7 @@ class Journal:
         self.path = path
 
     def read(self) -> list[Row]:
-        """Return the rows, after cutting off a line that was torn."""
+        """Return the rows, after cutting off a line that was torn. Raises ValueError for what is not JSON."""
         if not self.path.exists():
             return []
         data = self.path.read_bytes()
@@ -25,7 +25,10 @@ class Journal:
         if whole < len(data):
             with self.path.open("r+b") as file:
                 file.truncate(whole)
-        return [json.loads(line) for line in data[:whole].splitlines()]
+        try:
+            return [json.loads(line) for line in data[:whole].splitlines()]
+        except RecursionError:
+            raise ValueError("a line is nested too deeply") from None
 
     def append(self, found: list[Row]) -> None:
         """Append rows in one write, and have them on the disk."""

@@ -1,12 +1,14 @@
 """A file of classes and rows of neighbours: a run that is interrupted goes on from what is in it.
 
-It has JSON lines: first the order, then one line a block of rows, with the classes that are new in it. The
-file is trusted, except that its classes cannot exceed the mass and that its rows have the right sums; a
-certificate of the class set proves the classes anew.
+It has JSON lines: first the order, then one line a block of rows, with the classes that are new in it. Each
+line has a digest of itself and of the order, so that damaged and edited lines, and lines of other orders, are
+refused. A digest proves nothing against forgery: a certificate of the class set proves the classes anew.
 """
 
 from __future__ import annotations
 
+import hashlib
+import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
     from hfield.orders.classes import Classes
 
 SCHEMA = "hfield-class-rows/1"
+DIGITS = 16
+"""The hexadecimal digits of a digest."""
 
 
 class ClassFile:
@@ -30,11 +34,12 @@ class ClassFile:
 
     def __init__(self, path: str | Path) -> None:
         self._journal = Journal(Path(path))
+        self._head: Row = {}
 
     def read(self, classes: Classes) -> None:
         """Add the classes and rows of the file, or begin a new file.
 
-        Raises :class:`LatticeError` for a file of another order, or another kind.
+        Raises :class:`LatticeError` for a file of another order, or another kind, or one that is damaged.
         """
         try:
             lines = self._journal.read()
@@ -42,7 +47,7 @@ class ClassFile:
                 raise ValueError(f"its schema is not {SCHEMA}")
         except (ValueError, KeyError, TypeError):
             raise self._unreadable() from None
-        head = _head(classes)
+        head = self._head = _head(classes)
         if not lines:
             self._journal.append([head])
         elif lines[0] != head:
@@ -51,14 +56,16 @@ class ClassFile:
             )
         try:
             for line in lines[1:]:
+                if line.pop("digest") != self._digest(line):
+                    raise ValueError("a line has another digest")
                 _restore(classes, line)
-        except (ValueError, KeyError, TypeError, OverflowError):
+        except (AttributeError, ValueError, KeyError, TypeError, OverflowError):
             raise self._unreadable() from None
 
     def _unreadable(self) -> LatticeError:
         return LatticeError(
-            f"{shorten(self._journal.path)} is no file of classes that could go on: move it away, or name "
-            "another file"
+            f"{shorten(self._journal.path)} is no file of classes that could go on, or is damaged: move it "
+            "away, or name another file"
         )
 
     def append(
@@ -88,7 +95,11 @@ class ClassFile:
                 for number, exchanged, found in new
             ],
         }
-        self._journal.append([line])
+        self._journal.append([{**line, "digest": self._digest(line)}])
+
+    def _digest(self, line: Row) -> str:
+        """Return a digest of a line and of the order that it belongs to."""
+        return hashlib.sha256(json.dumps([self._head, line]).encode()).hexdigest()[:DIGITS]
 
 
 def _head(classes: Classes) -> Row:

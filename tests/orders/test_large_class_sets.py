@@ -1,5 +1,6 @@
 """Class sets and neighbour counts in blocks, by executors and from files, against those found row by row."""
 
+import hashlib
 import json
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from pathlib import Path
@@ -162,6 +163,13 @@ def test_an_object_goes_on_after_an_interrupt(
     assert D.neighbour_counts(5, executor=Interrupted(0)) == rows
 
 
+def sealed(head: str, line: Any) -> str:
+    """A line with the digest of what is in it now."""
+    body = {key: value for key, value in line.items() if key != "digest"}
+    whole = json.dumps([json.loads(head), body]).encode()
+    return json.dumps({**body, "digest": hashlib.sha256(whole).hexdigest()[:16]})
+
+
 def test_files_that_cannot_go_on(tmp_path: Path) -> None:
     O, path = ORDERS["QQ"], tmp_path / "classes.jsonl"
     O.class_set(file=path)
@@ -176,10 +184,37 @@ def test_files_that_cannot_go_on(tmp_path: Path) -> None:
     for broken in (
         "[1]",
         '{"schema": "hfield-cert/2"}',
-        *(f"{lines[0]}\n{json.dumps(some)}" for some in (line, other, single)),
+        "[" * 100_000,
+        *(f"{lines[0]}\n{sealed(lines[0], some)}" for some in (line, other, single)),
     ):
         path.write_text(f"{broken}\n")
         with pytest.raises(LatticeError, match="no file of classes"):
+            O.class_set(file=path)
+
+
+def test_lines_that_were_edited_are_refused(tmp_path: Path) -> None:
+    """Where the sums of rows and the mass are right, too."""
+    O, path = ORDERS["QQ"], tmp_path / "classes.jsonl"
+    O.class_set(file=path)
+    head, *lines = path.read_text().splitlines()
+    edited = []
+    for key in ("classes", "record", "keys", "rows", "digest"):
+        line = json.loads(lines[0])
+        first = line["classes"][0]
+        if key in ("record", "keys"):
+            numbers = first[key] if key == "record" else first[key][0]
+            numbers[-1] += 1
+        elif key == "classes":
+            first["units"] += 1
+        elif key == "rows":
+            line["rows"][0] = [0, sum(line["rows"][0][1::2])]
+        else:
+            del line["digest"]
+        edited.append(json.dumps(line))
+    assert sealed(head, json.loads(lines[0])) == lines[0]
+    for text in (*edited, "3", "[]"):
+        path.write_text("\n".join([head, text, *lines[1:], ""]))
+        with pytest.raises(LatticeError, match="is damaged"):
             O.class_set(file=path)
 
 
