@@ -21,13 +21,13 @@ import random
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from functools import cached_property, reduce
-from itertools import count, product
+from itertools import count, product, takewhile
 from operator import add
 from typing import NamedTuple
 
 from flint import fmpz_poly, nmod_mat, nmod_poly
 
-from hfield.core.primality import is_prime, primes
+from hfield.core.primality import is_prime
 from hfield.errors import LatticeError, UndecidedError
 from hfield.orders.base_values import BaseIdeal, Prime
 from hfield.orders.classes import Classes
@@ -101,12 +101,16 @@ class Module(ABC):
 
     def primes_up_to(self, norm: int) -> list[Prime]:
         """Return all primes of norm up to a bound, ascending by their norms."""
-        above = (P for p in primes(below=norm + 1) for _, P in self.base.primes_above(p))
-        return sorted((P for P in above if self.absolute_norm(P) <= norm), key=self.absolute_norm)
+        return list(takewhile(lambda P: self.absolute_norm(P) <= norm, self.base.primes_by_norm()))
+
+    @property
+    def has_expansions(self) -> bool:
+        """Whether the field is ℚ, so that forms have q-expansions."""
+        return self.base.degree == 1 and not self.classes.order.algebra.ring.characteristic
 
     def expect_rational(self) -> None:
         """Raise :class:`LatticeError` over a field other than ℚ."""
-        if self.base.degree > 1:
+        if not self.has_expansions:
             raise LatticeError(
                 "q-expansions are for forms over QQ: over other fields eigenvalue(P) belongs to a prime P"
             )

@@ -218,8 +218,9 @@ class Newform:
         >>> list(islice(f.traces(), 6)), f.named_eigenvalues(2)
         ([-1, 0, -1, -2, -5, 2], 'a_2 = -1+s, a_3 = 1-2*s, …')
         """
-        if self._module.base.degree > 1:
+        if not self._module.has_expansions:
             yield from map(self.trace, self._module.good_primes())
+            return
         for n in count(2):
             if is_prime(n):
                 yield self.trace(n)
@@ -234,7 +235,7 @@ class Newform:
         All newforms of weight k and level D·N come from an algebra of discriminant D, where D is prime to N:
         so the place of an orbit among them is known. They are ordered by the traces of coefficients.
         """
-        if self._module.base.degree > 1:
+        if not self._module.has_expansions:
             return None
         level = math.prod(self._module.absolute_norm(P) ** e for P, e in self._exponents)
         number = self._module.newforms.index(self)

@@ -49,6 +49,10 @@ class WeightedFunctions(Module):
 
     def __init__(self, classes: Classes, make: Callable[[BaseIdeal], Classes], weight: int) -> None:
         super().__init__(classes, make)
+        if classes.order.algebra.ring.characteristic:
+            raise LatticeError(
+                f"forms of weight {weight} are for orders over number fields: over GF(q)[t] the weight is 2"
+            )
         self.weight = weight
         self._elements = ClassElements(classes)
         self._reductions: dict[int, Reduction] = {}

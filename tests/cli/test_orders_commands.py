@@ -65,6 +65,17 @@ def test_pages(capsys, words, lines):
         assert line in out
 
 
+def test_newforms_over_functions_as_json(capsys):
+    words = ("newforms", "[1,t^3+t+1|GF(2)(t))", "--level", "t", "--primes", "2")
+    data = json.loads(page(capsys, *words, "--format", "json"))
+    assert data["discriminant"]["factorisation"] == [["ideal(t^3+t+1)", 1]]
+    assert data["level"]["generators"] == ["t"]
+    assert [f["eigenvalues"] for f in data["newforms"]] == [
+        {"ideal(t)": -1, "ideal(t+1)": -2},
+        {"ideal(t)": 1, "ideal(t+1)": 0},
+    ]
+
+
 def test_json(capsys):
     data = json.loads(page(capsys, "order", "(-1,-11|QQ)", "--format", "json"))
     O = QuaternionAlgebra("QQ", -1, -11).maximal_order()

@@ -2,14 +2,14 @@
 
 import pickle
 from fractions import Fraction
-from itertools import product
+from itertools import islice, product
 from typing import Any
 
 import pytest
-from flint import fmpz_mat
+from flint import fmpz_mat, fmpz_poly
 
 from hfield import QuaternionAlgebra, ring
-from hfield.errors import HFieldError, TooLargeError
+from hfield.errors import HFieldError, LatticeError, TooLargeError
 from hfield.orders.lattice import ClassSet, Ideal, Lattice, Order
 from tests.orders.drinfeld import SupersingularModules
 
@@ -209,3 +209,30 @@ def test_isomorphisms_of_orders_are_those_of_types() -> None:
             assert bool(found) == (kinds[m] == kinds[n])
             if found.element is not None:
                 assert found.element * X * found.element.inverse() == Y
+
+
+@pytest.mark.parametrize("q", [2, 3, 4])
+def test_newforms_are_the_functions_that_come_from_no_lower_level(q: int) -> None:
+    """Their polynomials, those of lower levels twice, and the constant function make the Brandt matrix's."""
+    F = ring(f"GF({q})(t)")
+    places = [v for v in islice(F.places(), 30) if v.poly is not None]
+    P = next(v for v in places if v.degree == 3)
+    A = QuaternionAlgebra.from_ramification(F, [P, "inf"])
+    C, below = A.eichler_order("t").class_set(), A.maximal_order().class_set()
+    new, old = C.newforms(), below.newforms()
+    assert sum(f.degree for f in new) == C.new_dimension() == len(C) - 1 - 2 * (len(below) - 1)
+    for prime in ["t+1", next(v for v in places if v.degree == 2)]:
+        norm = q if prime == "t+1" else q * q
+        whole = fmpz_poly([-norm - 1, 1])
+        for f in (*new, *old, *old):
+            polynomial = fmpz_poly(f.minimal_polynomial(prime))
+            whole *= polynomial ** (f.degree // polynomial.degree())
+            assert abs(f.trace(prime)) <= 2 * f.degree * norm**0.5
+        assert [int(c) for c in whole.coeffs()] == C.hecke_polynomial(prime)
+    for f in new:
+        assert f.label is None
+        assert all(f.eigenvalue(prime) == f.field(-sign) for prime, sign in f.signs.items())
+        assert len(f.eigenvalues_up_to(q)) == q
+    for call in (lambda: C.newforms(weight=4), lambda: new[0].q_expansion(5)):
+        with pytest.raises(LatticeError, match=r"over (GF\(q\)\[t\]|other fields)"):
+            call()

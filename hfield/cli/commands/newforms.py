@@ -109,13 +109,15 @@ def _answer(args: Namespace) -> OutputDocument:
 def _data(C: ClassSet, k: int, forms: list[Newform], bound: int) -> dict[str, object]:
     """Return the newforms as JSON data; eigenvalues are ints, or coefficients of powers of the root."""
     A: Any = C.order.algebra
-    discriminant, level = A.discriminant(), C.order.level
-    is_over_number_field = A.is_over_number_field
+    if A.is_over_number_field:
+        discriminant: object = [str(P) for P in A.discriminant()]
+    else:
+        discriminant = ideal_json(C.order.value.ambient.discriminant)
     return {
         "schema": "hfield-newforms/1",
         "algebra": str(A),
-        "discriminant": [str(P) for P in discriminant] if is_over_number_field else discriminant,
-        "level": ideal_json(level) if is_over_number_field else level,
+        "discriminant": discriminant,
+        "level": ideal_json(C.order.level),
         "weight": k,
         "cusp_dimension": C.cusp_dimension(weight=k),
         "new_dimension": C.new_dimension(weight=k),
