@@ -1,7 +1,7 @@
 """Types of what the package computes with: arrays of any library, and the namespaces of their functions."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, Protocol, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -26,7 +26,10 @@ class StandardArray(Protocol):
 ArrayLike: TypeAlias = npt.ArrayLike | StandardArray
 """What numbers are read from: numbers, nested lists, arrays of any library."""
 
-Seed: TypeAlias = int | Sequence[int] | np.random.SeedSequence | np.random.Generator
+if TYPE_CHECKING:
+    Seed: TypeAlias = int | Sequence[int] | np.random.SeedSequence | np.random.Generator
+else:
+    Seed = object  # numpy imports its module of random numbers when it is first named
 Axes: TypeAlias = int | Sequence[int]
 
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from functools import reduce
 from itertools import product as pairs
+from operator import mul
 from typing import Any
 
 from flint import fmpz_mat, fmpz_poly, nmod_mat
@@ -68,10 +70,10 @@ def brandt_matrix(classes: Classes, norm: BaseIdeal) -> fmpz_mat:
     They are the invertible ideals of that relative norm. Raises :class:`TooLargeError`.
     """
     expect_matrix_fits(len(classes))
-    found = identity(classes)
-    for P, e in classes.ambient.base.factorisation(norm):
-        found = found * prime_power(classes, P, e)
-    return found
+    factors = classes.ambient.base.factorisation(norm)
+    if not factors:
+        return identity(classes)
+    return reduce(mul, (prime_power(classes, P, e) for P, e in factors))
 
 
 def identity(classes: Classes) -> fmpz_mat:
@@ -124,6 +126,8 @@ def of_permutation(moved: Sequence[int]) -> fmpz_mat:
 
 def of_power(step: fmpz_mat, weight: fmpz_mat | int, e: int) -> fmpz_mat:
     """Return T(Pᵉ) of T(Pᵏ⁺¹) = T(P)·T(Pᵏ) − T(Pᵏ⁻¹)·weight, e at least 1 (Voight, 41.2)."""
+    if e == 1:
+        return step
     before, current = step**0, step
     for _ in range(e - 1):
         before, current = current, step * current - before * weight

@@ -107,7 +107,7 @@ def test_warm_up_makes_the_formulas_of_rotations() -> None:
     code = """
 from rotation import action, kernels, matrices, quaternions, vectors, warm_up
 from rotation.rowwise import Formula, unmade
-kernels._run = lambda *_: False
+kernels._run = lambda *_, **__: False
 warm_up()
 for room in (action, matrices, quaternions, vectors):
     for name, value in vars(room).items():
