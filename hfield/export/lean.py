@@ -40,7 +40,7 @@ HEADER = """\
 /- Quaternion algebras over every commutative ring: theorems for Lean 4, written by `hfield export --lean`.
    Check them with `lean FILE.lean`; nothing but Lean's core is used. -/
 
--- Errors in proofs are told before Lean ends, also where it runs without threads.
+-- Errors in proofs are reported before Lean ends, also where it runs without threads.
 set_option Elab.async false
 
 /-- Coordinates over 1, i, j, k. -/

@@ -43,7 +43,7 @@ from hfield.fields.rationals.symbols import ramified_places_q
 from hfield.fields.rationals.whole_numbers import fraction, square_root
 from hfield.orders import positive_generators, validation
 from hfield.orders.base_values import BaseIdeal, TrivialClassGroup
-from hfield.orders.domains import INTEGERS, Domain
+from hfield.orders.domains import INTEGERS, EuclideanDomain
 from hfield.orders.linear_algebra_mod_p import kronecker
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ class Base(Protocol):
     """How the ring is written."""
 
     @property
-    def domain(self) -> Domain:
+    def domain(self) -> EuclideanDomain:
         """The domain over which lattices are matrices: ℤ, or polynomials."""
 
     def coordinate_rows(self, elements: Sequence[Any]) -> fmpq_mat:

@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from hfield.fields.function_fields.ring import FunctionField
 
 
-class Domain(Protocol):
-    """A principal ideal domain, with matrices over it that have the methods of flint's."""
+class EuclideanDomain(Protocol):
+    """A Euclidean domain, with matrices over it that have the methods of flint's."""
 
     symbol: str
     """How the ring is written."""
@@ -435,7 +435,7 @@ class PolynomialDomain:
 INTEGRAL = (fmpz_mat, fmpq_mat)
 
 
-def domain_of(matrix: Any) -> Domain:
+def domain_of(matrix: Any) -> EuclideanDomain:
     """Return the domain of a matrix."""
-    found: Domain = INTEGERS if isinstance(matrix, INTEGRAL) else matrix.domain
+    found: EuclideanDomain = INTEGERS if isinstance(matrix, INTEGRAL) else matrix.domain
     return found

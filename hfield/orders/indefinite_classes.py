@@ -40,8 +40,9 @@ class IndefiniteClassSet(Hinted):
         for P, _ in ambient.base.factorisation(discriminant(order.value)):
             if eichler_symbol(order.value, P) == 0:
                 raise IndefiniteError(
-                    f"classes are told by narrow classes of norms where all local units are norms; at {P} "
-                    "the order has the Eichler symbol 0, which asks for a ray class group: none is computed"
+                    "classes are distinguished by narrow classes of norms where all local units are norms; "
+                    f"at {P} the order has the Eichler symbol 0, which asks for a ray class group: none is "
+                    "computed"
                 )
         self.group = ambient.base.classes_modulo_signs(ambient)
 

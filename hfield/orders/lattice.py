@@ -962,9 +962,9 @@ class Order(WithStableClasses, Certified, Lattice):
             raise IndefiniteError(
                 f"{self.algebra} is split at an infinite place: by strong approximation an Eichler order "
                 f"has as many right ideal classes as the ideals of {self.algebra.ring.name} have modulo "
-                f"generators that are positive where the algebra ramifies, {number}, told by the reduced "
-                "norm, and classes_by_norm() has representatives; class_set() enumerates in totally definite "
-                "algebras"
+                f"generators that are positive where the algebra ramifies, {number}, distinguished by the "
+                "reduced norm, and classes_by_norm() has representatives; class_set() enumerates in totally "
+                "definite algebras"
             )
         return ClassSet(self, executor, None if file is None else ClassFile(file))
 

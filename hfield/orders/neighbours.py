@@ -25,7 +25,7 @@ from flint import fmpq_mat, fmpz_mat, nmod, nmod_mat
 from hfield.core.factorisation import remove
 from hfield.errors import LatticeError
 from hfield.orders.base_values import Prime
-from hfield.orders.domains import Domain
+from hfield.orders.domains import EuclideanDomain
 from hfield.orders.ideals_of_norm import subideals, two_sided_prime
 from hfield.orders.lattice_values import LatticeValue, discriminant
 from hfield.orders.orders_at_primes import OrderAtPrime
@@ -153,11 +153,11 @@ def generator_above(around: SublatticeKeys, p: int, norm: Norm) -> ShortElement 
     raise LatticeError(f"no element generates the ideal at the primes above {p}")
 
 
-def _valuation(domain: Domain, x: Any, p: Any) -> int:
+def _valuation(domain: EuclideanDomain, x: Any, p: Any) -> int:
     return domain.remove(domain.numerator(x), p)[0] - domain.remove(domain.denominator(x), p)[0]
 
 
-def _solutions(domain: Domain, forms: Any, p: Any) -> Any:
+def _solutions(domain: EuclideanDomain, forms: Any, p: Any) -> Any:
     """Return a basis of the integer vectors at which linear forms are 0 modulo p, with small entries."""
     reduced, rank = forms.rref()
     size = forms.ncols()

@@ -19,7 +19,7 @@ from flint import fmpq_mat, fmpz_mat
 from hfield.errors import LatticeError
 from hfield.orders import hermite
 from hfield.orders.base_values import BaseIdeal, Prime, Residue, Scalar
-from hfield.orders.domains import Domain
+from hfield.orders.domains import EuclideanDomain
 from hfield.orders.kernels.general import ideal_multiples
 from hfield.orders.lattice_values import (
     LatticeValue,
@@ -343,7 +343,7 @@ def independent(larger: fmpq_mat, below: LatticeValue) -> list[fmpq_mat]:
     return found
 
 
-def small_lines(domain: Domain, size: int) -> Iterator[Line]:
+def small_lines(domain: EuclideanDomain, size: int) -> Iterator[Line]:
     """Yield a coordinate with small values for the others; the values grow without end."""
     for largest in count(1):
         smaller = set(domain.small(largest - 1))

@@ -1,6 +1,6 @@
-"""What rings say of themselves, in words and in texts: ``python -m tests.fields.told`` writes it anew.
+"""How rings describe themselves; ``python -m tests.fields.descriptions`` writes the expected texts anew.
 
-The facts in these sentences are tested elsewhere; here it is seen that they are said.
+The facts in these texts are tested elsewhere; here only the words are compared.
 """
 
 import json
@@ -18,7 +18,7 @@ import sympy
 from hfield.errors import HFieldError
 from hfield.fields.names import ring
 
-FILE = Path(__file__).with_name("told.json")
+FILE = Path(__file__).with_name("descriptions.json")
 RINGS = (
     *("ZZ", "QQ", "RR", "CC", "RDF", "ZZ/6", "ZZ/7", "ZZ/2", "ZZ/100003", "GF(2)", "GF(7)", "GF(9)"),
     *("GF(9, x^2+1)", "GF(13)", "QQ(sqrt(2))", "QQ(sqrt(-7))", "QQ(sqrt(-3))", "QQ(sqrt(-5))", "QQ(I)"),
@@ -61,8 +61,8 @@ def said(work: Callable[[], Any]) -> str:
         return f"{type(error).__name__}: {error}"
 
 
-def told(name: str) -> dict[str, str]:
-    """Return what a ring says, question by question."""
+def description(name: str) -> dict[str, str]:
+    """Return how a ring describes itself, question by question."""
     R = ring(name)
     two, four = R(2), R(4)
     drawn = [R.random(random.Random(seed)) for seed in range(3)]
@@ -110,5 +110,5 @@ def told(name: str) -> dict[str, str]:
 
 
 if __name__ == "__main__":
-    found = {name: told(name) for name in RINGS}
+    found = {name: description(name) for name in RINGS}
     FILE.write_text(json.dumps(found, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
