@@ -102,7 +102,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
                 *(
                     "batches_of_any_ring",
                     "powers",
-                    "told",
+                    "descriptions",
                     "places_and_ideals",
                     "words_for_rings",
                 ),
